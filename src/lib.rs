@@ -1,1 +1,23 @@
-//! Rotation of rigid bodies.
+//! Rotation of rigid bodies: why a tossed book flips, with every claim checked.
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+pub mod attitude;
+pub mod counted;
+pub mod euler;
+pub mod inertia;
+pub mod observe;
+pub mod references;
+pub mod scalar;
+pub mod stability;
+pub mod step;
+
+mod body;
+mod double;
+mod error;
+mod principal;
+mod scale;
+
+pub use body::Body;
+pub use error::Error;
+pub use inertia::{Inertia, InverseInertia};
+pub use principal::{Axis, PrincipalAxes};

@@ -1,0 +1,86 @@
+//! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
+
+use crate::error::{Error, finite};
+use crate::scalar::{Field, Ring};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
+
+/// How far an attitude's length may be from 1: far above the rounding of any normalised quaternion,
+/// far below what would show.
+const UNIT_TOLERANCE: f64 = 1e-9;
+
+/// The quaternion product `p q`, for any number type: first turn by `q`, then by `p`.
+///
+/// ```
+/// use nalgebra::Quaternion;
+/// use tumbling::attitude::product;
+/// let (i, j, k) = (Quaternion::new(0, 1, 0, 0), Quaternion::new(0, 0, 1, 0), Quaternion::new(0, 0, 0, 1));
+/// assert_eq!(product(&i, &j), k);
+/// assert_eq!(product(&j, &i), Quaternion::new(0, 0, 0, -1));
+/// ```
+pub fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
+    let [a, b, c, d] = [&p.coords.w, &p.coords.x, &p.coords.y, &p.coords.z];
+    let [e, f, g, h] = [&q.coords.w, &q.coords.x, &q.coords.y, &q.coords.z];
+    let t = |x: &T, y: &T| x.clone() * y.clone();
+    Quaternion::new(
+        t(a, e) - t(b, f) - t(c, g) - t(d, h),
+        t(a, f) + t(b, e) + t(c, h) - t(d, g),
+        t(a, g) - t(b, h) + t(c, e) + t(d, f),
+        t(a, h) + t(b, g) - t(c, f) + t(d, e),
+    )
+}
+
+/// The rotation matrix of a unit quaternion, body to world, for any number type.
+///
+/// Of any other quaternion it is that matrix times the square of its length: every entry is a sum of
+/// products of two components, so that `R R^T = |q|^4` holds for all of them.
+///
+/// ```
+/// use nalgebra::{Matrix3, Quaternion};
+/// let half_turn_about_x = tumbling::attitude::rotation_matrix(&Quaternion::new(0, 1, 0, 0));
+/// assert_eq!(half_turn_about_x, Matrix3::new(1, 0, 0, 0, -1, 0, 0, 0, -1));
+/// ```
+pub fn rotation_matrix<T: Ring>(q: &Quaternion<T>) -> Matrix3<T> {
+    let [w, x, y, z] = [&q.coords.w, &q.coords.x, &q.coords.y, &q.coords.z];
+    let t = |a: &T, b: &T| a.clone() * b.clone();
+    let twice = |a: T| a.clone() + a;
+    let (ww, xx, yy, zz) = (t(w, w), t(x, x), t(y, y), t(z, z));
+    let (wx, wy, wz) = (t(w, x), t(w, y), t(w, z));
+    let (xy, xz, yz) = (t(x, y), t(x, z), t(y, z));
+    Matrix3::new(
+        ww.clone() + xx.clone() - yy.clone() - zz.clone(),
+        twice(xy.clone() - wz.clone()),
+        twice(xz.clone() + wy.clone()),
+        twice(xy + wz),
+        ww.clone() - xx.clone() + yy.clone() - zz.clone(),
+        twice(yz.clone() - wx.clone()),
+        twice(xz - wy),
+        twice(yz + wx),
+        ww - xx - yy + zz,
+    )
+}
+
+/// How fast the attitude changes: `q' = q (0, w) / 2`, with the spin in body axes, rad/s.
+///
+/// ```
+/// use nalgebra::{Quaternion, Vector3};
+/// let rate = tumbling::attitude::rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
+/// assert_eq!(rate, Quaternion::new(0.0, 0.0, 0.0, 1.5));
+/// ```
+pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quaternion<T> {
+    let [x, y, z] = [&omega_body.x, &omega_body.y, &omega_body.z].map(T::clone);
+    let spin = Quaternion::new(T::zero(), x, y, z);
+    let two = T::integer(2);
+    let twice = product(attitude, &spin).coords;
+    let half = |x: &T| x.clone() / two.clone();
+    Quaternion::from_vector(Vector4::new(half(&twice.x), half(&twice.y), half(&twice.z), half(&twice.w)))
+}
+
+/// The rotation matrix of a checked attitude.
+pub(crate) fn matrix(attitude: &UnitQuaternion<f64>) -> Result<Matrix3<f64>, Error> {
+    let q = attitude.quaternion();
+    let norm = finite("the length of the attitude quaternion", q.norm())?;
+    if (norm - 1.0).abs() > UNIT_TOLERANCE {
+        return Err(Error::NotUnit { norm, tolerance: UNIT_TOLERANCE });
+    }
+    Ok(rotation_matrix(q))
+}

@@ -1,0 +1,130 @@
+//! A body in flight: its inertia, its attitude, its angular momentum. Spin is derived.
+
+use crate::attitude;
+use crate::error::{Error, finite_vector};
+use crate::inertia::{Inertia, InverseInertia, omega_world};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+/// A rigid body turning about its centre of mass: constant inertia in its own frame, an attitude that
+/// takes body coordinates to world, and the angular momentum in the world.
+///
+/// Momentum is what is kept, since it is what nature keeps; the spin follows from it at each instant
+/// by the inverse tensor, inverted once, turned to the attitude of the moment.
+///
+/// ```
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// use tumbling::{Body, Inertia};
+///
+/// let inertia = Inertia::from_moments(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
+/// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 1.0, 0.0))?;
+/// assert_eq!(body.momentum_world(), Vector3::new(10.0 / 12.0, 13.0 / 12.0, 0.0));
+/// assert!((body.energy() - 23.0 / 24.0).abs() < 1e-15);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    inertia: Inertia,
+    inverse: InverseInertia,
+    attitude: UnitQuaternion<f64>,
+    rotation: Matrix3<f64>,
+    momentum: Vector3<f64>,
+}
+
+impl Body {
+    /// A body with the given angular momentum in world axes, kg m²/s.
+    ///
+    /// # Errors
+    /// An inertia without inverse, an attitude not of length 1, or a value that is not finite.
+    pub fn new(
+        inertia: Inertia,
+        attitude: UnitQuaternion<f64>,
+        momentum_world: &Vector3<f64>,
+    ) -> Result<Self, Error> {
+        finite_vector("the angular momentum", momentum_world)?;
+        let rotation = attitude::matrix(&attitude)?;
+        let inverse = inertia.inverse()?;
+        Ok(Self { inertia, inverse, attitude, rotation, momentum: *momentum_world })
+    }
+
+    /// A body with the given spin in body axes, rad/s.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); also a momentum `I w` beyond `f64`.
+    pub fn spinning(
+        inertia: Inertia,
+        attitude: UnitQuaternion<f64>,
+        omega_body: &Vector3<f64>,
+    ) -> Result<Self, Error> {
+        finite_vector("the spin", omega_body)?;
+        let momentum = attitude::matrix(&attitude)? * inertia.momentum(omega_body);
+        if let Some(&value) = momentum.iter().find(|x| !x.is_finite()) {
+            return Err(Error::OutOfRange { what: "the angular momentum", value });
+        }
+        Self::new(inertia, attitude, &momentum)
+    }
+
+    /// The same body with another attitude and momentum (world axes, kg m²/s); its inverse is not
+    /// computed again.
+    ///
+    /// # Errors
+    /// An attitude not of length 1, or a value that is not finite.
+    pub fn with(&self, attitude: UnitQuaternion<f64>, momentum_world: &Vector3<f64>) -> Result<Self, Error> {
+        finite_vector("the angular momentum", momentum_world)?;
+        let rotation = attitude::matrix(&attitude)?;
+        Ok(Self { attitude, rotation, momentum: *momentum_world, ..*self })
+    }
+
+    /// The inertia tensor in the body frame, which never changes.
+    #[must_use]
+    pub fn inertia(&self) -> Inertia {
+        self.inertia
+    }
+
+    /// Its inverse in the body frame, computed when the body was made.
+    #[must_use]
+    pub fn inverse(&self) -> InverseInertia {
+        self.inverse
+    }
+
+    /// The attitude, body to world.
+    #[must_use]
+    pub fn attitude(&self) -> UnitQuaternion<f64> {
+        self.attitude
+    }
+
+    /// The attitude as a rotation matrix, the document's `R`, body to world.
+    #[must_use]
+    pub fn rotation(&self) -> Matrix3<f64> {
+        self.rotation
+    }
+
+    /// Angular momentum in world axes, kg m²/s: constant while no torque acts.
+    #[must_use]
+    pub fn momentum_world(&self) -> Vector3<f64> {
+        self.momentum
+    }
+
+    /// Angular momentum in body axes, kg m²/s: constant in length only.
+    #[must_use]
+    pub fn momentum_body(&self) -> Vector3<f64> {
+        self.rotation.transpose() * self.momentum
+    }
+
+    /// Angular velocity in world axes, rad/s: `R J R^T L`.
+    #[must_use]
+    pub fn omega_world(&self) -> Vector3<f64> {
+        omega_world(&self.rotation, &self.inverse.matrix(), &self.momentum)
+    }
+
+    /// Angular velocity in body axes, rad/s.
+    #[must_use]
+    pub fn omega_body(&self) -> Vector3<f64> {
+        self.inverse.omega(&self.momentum_body())
+    }
+
+    /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        0.5 * self.omega_body().dot(&self.momentum_body())
+    }
+}

@@ -1,0 +1,116 @@
+//! A number that counts: what a formula costs, found by running the formula.
+//!
+//! The library's laws are generic over their numbers, so the price of one, in multiplications and
+//! additions, need not be claimed: run it on [`Counted`] numbers inside [`count`] and read it off.
+//!
+//! ```
+//! use nalgebra::{Matrix3, Vector3};
+//! use tumbling::counted::{Counted, count};
+//!
+//! let r = Matrix3::<f64>::identity().map(Counted::new);
+//! let v = Vector3::new(1.0, 2.0, 3.0).map(Counted::new);
+//! let (_, cost) = count(|| r * v);
+//! assert_eq!((cost.multiplications, cost.additions), (9, 6));
+//! ```
+
+use num_traits::{One, Zero};
+use std::cell::Cell;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// How many operations of each kind were done. A subtraction counts as an addition; a change of
+/// sign is free.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cost {
+    /// Products.
+    pub multiplications: u64,
+    /// Sums and differences.
+    pub additions: u64,
+    /// Quotients.
+    pub divisions: u64,
+}
+
+thread_local! {
+    static COST: Cell<Cost> = const { Cell::new(Cost { multiplications: 0, additions: 0, divisions: 0 }) };
+}
+
+/// Runs `work` and returns its result with what it cost in [`Counted`] operations on this thread.
+pub fn count<R>(work: impl FnOnce() -> R) -> (R, Cost) {
+    let before = COST.take();
+    let result = work();
+    let cost = COST.replace(before);
+    (result, cost)
+}
+
+/// An `f64` whose operations are counted, see [`count`].
+///
+/// A product with the constant [`One::one`] is free: the linear algebra underneath writes such products
+/// where a general scale factor happens to be 1, and a compiler drops them.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct Counted {
+    value: f64,
+    unity: bool,
+}
+
+impl Counted {
+    /// A number to be counted with.
+    #[must_use]
+    pub const fn new(value: f64) -> Self {
+        Self { value, unity: false }
+    }
+
+    /// The number itself.
+    #[must_use]
+    pub const fn value(self) -> f64 {
+        self.value
+    }
+}
+
+fn tally(add: impl FnOnce(&mut Cost)) {
+    let mut cost = COST.get();
+    add(&mut cost);
+    COST.set(cost);
+}
+
+macro_rules! counted {
+    ($Op:ident $op:ident $OpAssign:ident $op_assign:ident $kind:ident) => {
+        impl $Op for Counted {
+            type Output = Self;
+            fn $op(self, other: Self) -> Self {
+                let free = stringify!($op) == "mul" && (self.unity || other.unity);
+                tally(|cost| cost.$kind += u64::from(!free));
+                Self::new(self.value.$op(other.value))
+            }
+        }
+        impl $OpAssign for Counted {
+            fn $op_assign(&mut self, other: Self) {
+                *self = self.$op(other);
+            }
+        }
+    };
+}
+counted!(Add add AddAssign add_assign additions);
+counted!(Sub sub SubAssign sub_assign additions);
+counted!(Mul mul MulAssign mul_assign multiplications);
+counted!(Div div DivAssign div_assign divisions);
+
+impl Neg for Counted {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.value)
+    }
+}
+
+impl Zero for Counted {
+    fn zero() -> Self {
+        Self::new(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.value == 0.0
+    }
+}
+
+impl One for Counted {
+    fn one() -> Self {
+        Self { value: 1.0, unity: true }
+    }
+}

@@ -1,0 +1,74 @@
+//! Euler's equations: how spin and momentum change, seen from the turning body.
+//!
+//! Written twice, as the document does and without a division, for any number type. All vectors here are
+//! in the body frame. Source: [Eul65]; the momentum form is [Arn66]'s.
+
+use crate::scalar::{Field, Ring};
+use nalgebra::{Matrix3, Vector3};
+
+/// The right-hand sides `(I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2`, in N m: what each `I w'`
+/// is without a torque, along principal axes in the order of `moments`.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let coupling = tumbling::euler::coupling(&Vector3::new(2, 3, 4), &Vector3::new(1, 10, 100));
+/// assert_eq!(coupling, Vector3::new(-1000, 200, -10));
+/// ```
+pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
+    let term = |i: usize, j: usize| {
+        (moments[i].clone() - moments[j].clone()) * (omega[i].clone() * omega[j].clone())
+    };
+    Vector3::new(term(1, 2), term(2, 0), term(0, 1))
+}
+
+/// Angular acceleration `w'` along principal axes, rad/s²: `I1 w1' = (I2 - I3) w2 w3 + torque1` and so
+/// on round, divided by the moments.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let (moments, omega) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 2.0));
+/// let free = tumbling::euler::angular_acceleration(&moments, &omega, &Vector3::zeros());
+/// assert_eq!(free, Vector3::new(-2.0, 0.0, 0.0));
+/// let pushed = tumbling::euler::angular_acceleration(&moments, &omega, &Vector3::new(2.0, 0.0, 3.0));
+/// assert_eq!(pushed, Vector3::new(0.0, 0.0, 1.0));
+/// ```
+pub fn angular_acceleration<T: Field>(
+    moments: &Vector3<T>,
+    omega: &Vector3<T>,
+    torque: &Vector3<T>,
+) -> Vector3<T> {
+    (coupling(moments, omega) + torque).component_div(moments)
+}
+
+/// The rate of body-frame momentum, N m: `L' = L x (J L) + torque`, with `J` the inverse tensor in
+/// whatever body axes. No division, so a polynomial in everything it is given.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let inverse = Matrix3::from_diagonal(&Vector3::new(3, 2, 1));
+/// let rate = tumbling::euler::momentum_rate(&inverse, &Vector3::new(0, 1, 1), &Vector3::zeros());
+/// assert_eq!(rate, Vector3::new(-1, 0, 0));
+/// ```
+pub fn momentum_rate<T: Ring>(
+    inverse: &Matrix3<T>,
+    momentum: &Vector3<T>,
+    torque: &Vector3<T>,
+) -> Vector3<T> {
+    momentum.cross(&(inverse * momentum)) + torque
+}
+
+/// The same law with the spin as the unknown, in whatever body axes: `I w' = (I w) x w + torque`, N m.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let tensor = Matrix3::from_diagonal(&Vector3::new(2, 3, 4));
+/// let rate = tumbling::euler::tensor_times_acceleration(&tensor, &Vector3::new(1, 10, 100), &Vector3::zeros());
+/// assert_eq!(rate, Vector3::new(-1000, 200, -10));
+/// ```
+pub fn tensor_times_acceleration<T: Ring>(
+    tensor: &Matrix3<T>,
+    omega: &Vector3<T>,
+    torque: &Vector3<T>,
+) -> Vector3<T> {
+    (tensor * omega).cross(omega) + torque
+}

@@ -1,0 +1,378 @@
+//! The inertia tensor: the matrix that turns spin into angular momentum, `L = I w`.
+//!
+//! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
+//! write the sum without the minus and the minus in the matrix; the matrix is the same.
+
+use crate::double::{Double, difference_of_products};
+use crate::error::{Error, finite, finite_vector, not_negative, positive};
+use crate::principal::PrincipalAxes;
+use crate::scalar::Ring;
+use crate::scale::{exponent, times_power_of_two, ulp};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+/// How many units in the last place of the largest moment count as rounding: twice what was seen when
+/// flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
+const ROUNDING_ULPS: f64 = 32.0;
+
+/// The same for a diagonal tensor, whose moments come from a sum or two.
+const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
+
+/// The tensor turned by the rotation matrix `rotation`: `R I R^T`.
+///
+/// Read it from the right: `R^T` takes a world vector into the body, the body's tensor acts, `R` carries
+/// the result out. The same line turns the inverse. Two matrix products, for any number type.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let quarter_turn_about_z = Matrix3::new(0, -1, 0, 1, 0, 0, 0, 0, 1);
+/// let tensor = Matrix3::from_diagonal(&Vector3::new(10, 13, 5));
+/// let turned = tumbling::inertia::turned(&quarter_turn_about_z, &tensor);
+/// assert_eq!(turned.diagonal(), Vector3::new(13, 10, 5));
+/// ```
+pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T> {
+    rotation * tensor * rotation.transpose()
+}
+
+/// What a point mass at `offset` adds to the tensor: `m (|d|^2 1 - d d^T)`; also the parallel-axis term
+/// between a body's centre and a point `offset` away.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let far = tumbling::inertia::point_mass(&2, &Vector3::new(3, 1, 0));
+/// assert_eq!(far, Matrix3::new(2, -6, 0, -6, 18, 0, 0, 0, 20));
+/// ```
+pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
+    let [x, y, z] = [&offset.x, &offset.y, &offset.z];
+    let times = |a: &T, b: &T| mass.clone() * a.clone() * b.clone();
+    let (xx, yy, zz) = (times(x, x), times(y, y), times(z, z));
+    let (xy, xz, yz) = (-times(x, y), -times(x, z), -times(y, z));
+    Matrix3::new(
+        yy.clone() + zz.clone(),
+        xy.clone(),
+        xz.clone(),
+        xy,
+        zz + xx.clone(),
+        yz.clone(),
+        xz,
+        yz,
+        xx + yy,
+    )
+}
+
+/// Spin from momentum, both in world axes: `w = R J R^T L`, with `J` the body's inverse tensor.
+///
+/// This is the document's way: the inverse is stored once in the body frame and carried to the world
+/// at each step. Rotation matrix `rotation` takes body to world.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let rotation = Matrix3::identity();
+/// let inverse = Matrix3::from_diagonal(&Vector3::new(0.5, 0.25, 0.125));
+/// let omega = tumbling::inertia::omega_world(&rotation, &inverse, &Vector3::new(2.0, 4.0, 8.0));
+/// assert_eq!(omega, Vector3::new(1.0, 1.0, 1.0));
+/// ```
+pub fn omega_world<T: Ring>(
+    rotation: &Matrix3<T>,
+    inverse_body: &Matrix3<T>,
+    momentum_world: &Vector3<T>,
+) -> Vector3<T> {
+    turned(rotation, inverse_body) * momentum_world
+}
+
+/// An inertia tensor that a real body can have, about some point and along some axes, in kg m².
+///
+/// A moment may be zero (an ideal rod has one); such a tensor has no [`inverse`](Self::inverse).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::Inertia;
+///
+/// let tensor = Inertia::from_moments(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
+/// let omega = Vector3::new(1.0, 1.0, 0.0);
+/// assert_eq!(tensor.momentum(&omega), Vector3::new(10.0 / 12.0, 13.0 / 12.0, 0.0));
+/// assert_eq!(format!("{:.1}", tensor.gap(&omega)?.to_degrees()), "7.4");
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inertia {
+    tensor: Matrix3<f64>,
+}
+
+impl Inertia {
+    /// A diagonal tensor: the moments about the three body axes, which are then principal.
+    ///
+    /// # Errors
+    /// A moment that is not finite or below zero, all three zero, or a largest above the sum of the
+    /// others by more than rounding.
+    pub fn from_moments(ixx: f64, iyy: f64, izz: f64) -> Result<Self, Error> {
+        Self::new([ixx, iyy, izz], [0.0; 3])
+    }
+
+    /// From the moments `[ixx, iyy, izz]` and the products `[ixy, ixz, iyz]`, with the sign that makes
+    /// `L = I w` hold.
+    ///
+    /// # Errors
+    /// A value that is not finite, a moment below zero, or a tensor that no distribution of mass has.
+    pub fn new(moments: [f64; 3], products: [f64; 3]) -> Result<Self, Error> {
+        let [ixx, iyy, izz] = moments;
+        let [ixy, ixz, iyz] = products;
+        Self::from_matrix(&Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz))
+    }
+
+    /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
+    /// its sums have, so only its range is checked.
+    pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
+        in_range("a moment of inertia", &tensor)?;
+        Ok(Self { tensor })
+    }
+
+    /// From the whole matrix. Mirrored entries may differ by rounding, as they do after `R I R^T`; then
+    /// their mean is kept.
+    ///
+    /// # Errors
+    /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below
+    /// zero, or a tensor that no distribution of mass has.
+    pub fn from_matrix(tensor: &Matrix3<f64>) -> Result<Self, Error> {
+        for ((i, j), what) in
+            [((0, 0), "the moment Ixx"), ((1, 1), "the moment Iyy"), ((2, 2), "the moment Izz")]
+        {
+            not_negative(what, tensor[(i, j)])?;
+        }
+        let tolerance = ROUNDING_ULPS * ulp(tensor.amax());
+        for ((row, column), what) in
+            [((0, 1), "the product Ixy"), ((0, 2), "the product Ixz"), ((1, 2), "the product Iyz")]
+        {
+            let value = finite(what, tensor[(row, column)])?;
+            let mirrored = finite(what, tensor[(column, row)])?;
+            if (value - mirrored).abs() > tolerance {
+                return Err(Error::Asymmetric { row, column, value, mirrored, tolerance });
+            }
+        }
+        // Halved before they are added, so that the mean of two large entries does not overflow.
+        let mean = |a: f64, b: f64| if a == b { a } else { 0.5 * a + 0.5 * b };
+        let tensor = tensor.zip_map(&tensor.transpose(), mean);
+        positive("the largest moment of inertia", tensor.diagonal().max())?;
+        let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
+        physically_possible(&PrincipalAxes::of(&tensor).moments(), ulps)?;
+        Ok(Self { tensor })
+    }
+
+    /// The tensor's matrix, kg m².
+    #[must_use]
+    pub fn matrix(&self) -> Matrix3<f64> {
+        self.tensor
+    }
+
+    /// Angular momentum `L = I w` in kg m²/s, in the axes that `omega` (rad/s) is given in, which must
+    /// be those of the tensor.
+    #[must_use]
+    pub fn momentum(&self, omega: &Vector3<f64>) -> Vector3<f64> {
+        self.tensor * omega
+    }
+
+    /// The angle between a spin and its momentum, radians, from 0 up to a right angle.
+    ///
+    /// Right to a few units in its last place however small it is: the cross product is summed in twice
+    /// the precision, since near a principal axis it is a small difference of large terms.
+    ///
+    /// # Errors
+    /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
+    pub fn gap(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
+        finite_vector("the spin", omega)?;
+        if *omega == Vector3::zeros() {
+            return Err(Error::ZeroVector { what: "the spin" });
+        }
+        // Neither size changes the angle: bring both near 1, so that no product overflows.
+        let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
+        let w = omega.map(|x| Double::from(unit(x, omega.amax())));
+        let tensor = self.tensor.map(|x| Double::from(unit(x, self.tensor.amax())));
+        let row = |i: usize| tensor[(i, 0)] * w.x + tensor[(i, 1)] * w.y + tensor[(i, 2)] * w.z;
+        let l = [row(0), row(1), row(2)];
+        if l.iter().all(|x| x.value() == 0.0) {
+            return Err(Error::ZeroVector { what: "the angular momentum" });
+        }
+        let cross = Vector3::new(
+            (w.y * l[2] - w.z * l[1]).value(),
+            (w.z * l[0] - w.x * l[2]).value(),
+            (w.x * l[1] - w.y * l[0]).value(),
+        );
+        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).value();
+        Ok(length(&cross).atan2(dot))
+    }
+
+    /// The moment about the axis along `direction` (any length) through the same point, kg m².
+    ///
+    /// # Errors
+    /// A direction that is not finite or has no length.
+    pub fn about_axis(&self, direction: &Vector3<f64>) -> Result<f64, Error> {
+        let n = unit("the axis", direction)?;
+        Ok(n.dot(&(self.tensor * n)))
+    }
+
+    /// The same body's tensor about a point `offset` (m) away, given that this one is about its centre of
+    /// mass and that it weighs `mass` (kg): the parallel-axis theorem.
+    ///
+    /// # Errors
+    /// A mass that is not finite and positive, an offset that is not finite, or a result beyond `f64`.
+    pub fn shifted_from_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
+        positive("the mass", mass)?;
+        finite_vector("the offset", offset)?;
+        let shifted = self.tensor + point_mass(&mass, offset);
+        in_range("a shifted moment", &shifted)?;
+        Self::from_matrix(&shifted)
+    }
+
+    /// The tensor about the centre of mass, given that this one is about a point from which the centre is
+    /// `offset` (m) away: the parallel-axis theorem backwards.
+    ///
+    /// # Errors
+    /// As [`shifted_from_centre`](Self::shifted_from_centre); also a tensor that cannot be that body's
+    /// about that point, since what remains about the centre is impossible.
+    pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
+        positive("the mass", mass)?;
+        finite_vector("the offset", offset)?;
+        let shifted = self.tensor - point_mass(&mass, offset);
+        in_range("a shifted moment", &shifted)?;
+        Self::from_matrix(&shifted)
+    }
+
+    /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
+    ///
+    /// # Errors
+    /// An attitude that is not finite or not of length 1.
+    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+        let rotation = crate::attitude::matrix(attitude)?;
+        let m = turned(&rotation, &self.tensor);
+        // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
+        Ok(Self { tensor: (m + m.transpose()) * 0.5 })
+    }
+
+    /// The inverse, computed once, to be kept and turned instead of inverting at each step.
+    ///
+    /// # Errors
+    /// A smallest moment that is zero to rounding (an ideal rod), or an inverse beyond `f64`.
+    pub fn inverse(&self) -> Result<InverseInertia, Error> {
+        let m = &self.tensor;
+        let diagonal = is_diagonal(m);
+        let moments = self.principal().moments();
+        // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
+        let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
+        if moments[0] <= rounding {
+            return Err(Error::Singular { smallest: moments[0], largest: moments[2] });
+        }
+        let inverse = if diagonal {
+            Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
+        } else {
+            adjugate_inverse(m)
+        };
+        in_range("an inverse moment", &inverse)?;
+        Ok(InverseInertia { matrix: inverse })
+    }
+
+    /// The principal moments and axes.
+    #[must_use]
+    pub fn principal(&self) -> PrincipalAxes {
+        PrincipalAxes::of(&self.tensor)
+    }
+}
+
+/// The inverse of an inertia tensor, `w = J L`, in 1/(kg m²), from [`Inertia::inverse`].
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
+/// assert_eq!(inverse.omega(&Vector3::new(2.0, 2.0, 0.0)), Vector3::new(1.0, 0.5, 0.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InverseInertia {
+    matrix: Matrix3<f64>,
+}
+
+impl InverseInertia {
+    /// The matrix, 1/(kg m²).
+    #[must_use]
+    pub fn matrix(&self) -> Matrix3<f64> {
+        self.matrix
+    }
+
+    /// Angular velocity in rad/s from angular momentum in kg m²/s, both in this tensor's axes.
+    #[must_use]
+    pub fn omega(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
+        self.matrix * momentum
+    }
+
+    /// The inverse in axes turned by `attitude`: `R J R^T`.
+    ///
+    /// # Errors
+    /// An attitude that is not finite or not of length 1.
+    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+        let rotation = crate::attitude::matrix(attitude)?;
+        let m = turned(&rotation, &self.matrix);
+        Ok(Self { matrix: (m + m.transpose()) * 0.5 })
+    }
+}
+
+fn is_diagonal(m: &Matrix3<f64>) -> bool {
+    m[(0, 1)] == 0.0 && m[(0, 2)] == 0.0 && m[(1, 2)] == 0.0
+}
+
+/// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
+/// the other two, to rounding.
+fn physically_possible(moments: &Vector3<f64>, ulps: f64) -> Result<(), Error> {
+    let tolerance = ulps * ulp(moments[2]);
+    if moments[0] < -tolerance {
+        return Err(Error::Negative { what: "the smallest principal moment", value: moments[0] });
+    }
+    let excess = (moments[2] - moments[1]) - moments[0];
+    if excess > tolerance {
+        return Err(Error::TriangleInequality { moments: (*moments).into(), excess, tolerance });
+    }
+    Ok(())
+}
+
+/// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
+/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows.
+fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
+    let scale = exponent(m.amax());
+    let a = m.map(|x| times_power_of_two(x, -scale));
+    let cofactor = |i: usize, j: usize| {
+        let (r, s) = ((i + 1) % 3, (i + 2) % 3);
+        let (p, q) = ((j + 1) % 3, (j + 2) % 3);
+        difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
+    };
+    let determinant = (Double::from(a[(0, 0)]) * cofactor(0, 0)
+        + Double::from(a[(0, 1)]) * cofactor(0, 1)
+        + Double::from(a[(0, 2)]) * cofactor(0, 2))
+    .value();
+    Matrix3::from_fn(|i, j| {
+        let (i, j) = (i.min(j), i.max(j));
+        times_power_of_two(cofactor(i, j).value() / determinant, -scale)
+    })
+}
+
+/// That a computed tensor is finite and did not vanish: `what` names one of its entries.
+fn in_range(what: &'static str, tensor: &Matrix3<f64>) -> Result<(), Error> {
+    let off = tensor.iter().find(|x| !x.is_finite());
+    let gone = tensor.diagonal().iter().all(|&x| x == 0.0).then_some(&0.0);
+    match off.or(gone) {
+        Some(&value) => Err(Error::OutOfRange { what, value }),
+        None => Ok(()),
+    }
+}
+
+/// The length of a vector without overflow or underflow on the way.
+pub(crate) fn length(v: &Vector3<f64>) -> f64 {
+    let scale = exponent(v.amax());
+    times_power_of_two(v.map(|x| times_power_of_two(x, -scale)).norm(), scale)
+}
+
+/// The unit vector along `v`, which may be as short or long as an `f64` can say.
+pub(crate) fn unit(what: &'static str, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
+    finite_vector(what, v)?;
+    if *v == Vector3::zeros() {
+        return Err(Error::ZeroVector { what });
+    }
+    let scale = exponent(v.amax());
+    Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())
+}

@@ -1,0 +1,44 @@
+//! What can be read off a motion: energy, length of momentum, flips, closeness to the separatrix.
+
+use crate::scalar::Field;
+use nalgebra::Vector3;
+
+/// Kinetic energy, J: half of `w . L`, the same in body and world axes as long as both vectors share them.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let energy = tumbling::observe::energy(&Vector3::new(1.0, 1.0, 0.0), &Vector3::new(2.0, 4.0, 0.0));
+/// assert_eq!(energy, 3.0);
+/// ```
+pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
+    omega.dot(momentum) / T::integer(2)
+}
+
+/// The instants at which a sampled quantity changes sign, by straight lines between samples; a flip is a
+/// change of sign of the spin along the middle axis.
+///
+/// `samples` are pairs of time and value, in order of time. A value of exactly zero belongs to the sign
+/// before it. Pairs that are not finite are passed over.
+///
+/// ```
+/// use tumbling::observe::sign_changes;
+/// let times = sign_changes([(0.0, 2.0), (1.0, 1.0), (2.0, -1.0), (3.0, 0.0), (4.0, -1.0), (5.0, 3.0)]);
+/// assert_eq!(times, [1.5, 4.25]);
+/// ```
+#[must_use]
+pub fn sign_changes(samples: impl IntoIterator<Item = (f64, f64)>) -> Vec<f64> {
+    let mut crossings = Vec::new();
+    let mut last: Option<(f64, f64)> = None;
+    for (t, x) in samples {
+        if !(t.is_finite() && x.is_finite()) || x == 0.0 {
+            continue;
+        }
+        if let Some((t0, x0)) = last
+            && (x0 < 0.0) != (x < 0.0)
+        {
+            crossings.push(t0 + (t - t0) * (x0 / (x0 - x)));
+        }
+        last = Some((t, x));
+    }
+    crossings
+}

@@ -1,0 +1,44 @@
+//! What a number must be able to do for the laws of rotation to run on it.
+//!
+//! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials
+//! and over [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64`
+//! and `f32`, exact rationals, dual numbers, or the counting number [`Counted`](crate::counted::Counted).
+//! Whatever branches on a size or takes a root is written for `f64` alone, elsewhere.
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
+use num_traits::{One, Zero};
+use std::ops::Neg;
+
+/// A commutative ring: add, subtract, multiply, with 0 and 1. Implemented for every type that can.
+///
+/// ```
+/// use tumbling::scalar::Ring;
+/// assert_eq!(f64::integer(12), 12.0);
+/// assert_eq!(f32::integer(0), 0.0);
+/// ```
+pub trait Ring:
+    Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + Neg<Output = Self>
+{
+    /// The integer `n` in this ring, by doubling and adding 1: exact wherever `n` has a place.
+    #[must_use]
+    fn integer(n: u32) -> Self {
+        let mut sum = Self::zero();
+        for bit in (0..u32::BITS - n.leading_zeros()).rev() {
+            sum += sum.clone();
+            if n >> bit & 1 == 1 {
+                sum += Self::one();
+            }
+        }
+        sum
+    }
+}
+
+impl<T> Ring for T where
+    T: Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + Neg<Output = T>
+{
+}
+
+/// A ring in which one may also divide (by anything but zero). Implemented for every type that can.
+pub trait Field: Ring + ClosedDivAssign {}
+
+impl<T: Ring + ClosedDivAssign> Field for T {}

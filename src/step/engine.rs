@@ -1,0 +1,154 @@
+//! Four engines that differ in one line: what they carry and how they read the spin from it. One is right;
+//! three are the pitfalls.
+
+use super::rk4::{Motion, rk4};
+use crate::attitude;
+use crate::body::Body;
+use crate::error::{Error, finite};
+use crate::scalar::Field;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+/// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
+///
+/// All turn the body by the same integrator; the three wrong ones differ from the right one in a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Engine {
+    /// Right: carries `L`, constant, and turns the inverse tensor to the attitude, `w = R J R^T L`.
+    Turned,
+    /// Pitfall 1: carries `w` by the world's own equation `I w' = (I w) x w`, but with the body's tensor in
+    /// it, as if the body had never turned.
+    Frozen,
+    /// Pitfall 2: carries `L`, constant, and takes it for the spin but for a number: `w = L / m` with `m`
+    /// the mean of the moments. Right for a sphere.
+    MomentumForSpin,
+    /// Pitfall 3: carries `w` as if it were conserved: no gyroscopic term, so it never flips.
+    NoGyroscopicTerm,
+}
+
+impl Engine {
+    /// All four, the right one first.
+    pub const ALL: [Self; 4] = [Self::Turned, Self::Frozen, Self::MomentumForSpin, Self::NoGyroscopicTerm];
+
+    /// The spin in world axes (rad/s) that this engine believes in, from the attitude `rotation` (body to
+    /// world), the body's tensor and its inverse, and the world vector it carries.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use tumbling::step::Engine;
+    /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 3.0));
+    /// let inverse = tensor.map(|x| if x == 0.0 { 0.0 } else { 1.0 / x });
+    /// let quarter_turn = Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+    /// let carried = Vector3::new(2.0, 2.0, 0.0);
+    /// let spin = |engine: Engine| engine.omega_world(&quarter_turn, &tensor, &inverse, &carried);
+    /// assert_eq!(spin(Engine::Turned), Vector3::new(1.0, 2.0, 0.0));
+    /// assert_eq!(spin(Engine::Frozen), carried);
+    /// assert_eq!(spin(Engine::MomentumForSpin), Vector3::new(1.0, 1.0, 0.0));
+    /// assert_eq!(spin(Engine::NoGyroscopicTerm), carried);
+    /// ```
+    pub fn omega_world<T: Field>(
+        self,
+        rotation: &Matrix3<T>,
+        tensor: &Matrix3<T>,
+        inverse: &Matrix3<T>,
+        carried: &Vector3<T>,
+    ) -> Vector3<T> {
+        match self {
+            Self::Turned => crate::inertia::omega_world(rotation, inverse, carried),
+            Self::MomentumForSpin => {
+                let sum = tensor[(0, 0)].clone() + tensor[(1, 1)].clone() + tensor[(2, 2)].clone();
+                carried.map(|x| x * T::integer(3) / sum.clone())
+            }
+            Self::Frozen | Self::NoGyroscopicTerm => carried.clone(),
+        }
+    }
+
+    /// The rate of the world vector that this engine carries, while no torque acts.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use tumbling::step::Engine;
+    /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
+    /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
+    /// let carried = Vector3::new(1.0, 1.0, 0.0);
+    /// let rate = |engine: Engine| engine.carried_rate(&tensor, &inverse, &carried);
+    /// assert_eq!(rate(Engine::Turned), Vector3::zeros());
+    /// assert_eq!(rate(Engine::Frozen), Vector3::new(0.0, 0.0, -0.25));
+    /// ```
+    pub fn carried_rate<T: Field>(
+        self,
+        tensor: &Matrix3<T>,
+        inverse: &Matrix3<T>,
+        carried: &Vector3<T>,
+    ) -> Vector3<T> {
+        let none = Vector3::from_fn(|_, _| T::zero());
+        match self {
+            Self::Frozen => inverse * crate::euler::tensor_times_acceleration(tensor, carried, &none),
+            Self::Turned | Self::MomentumForSpin | Self::NoGyroscopicTerm => none,
+        }
+    }
+
+    /// The world vector that this engine carries for `body`: its momentum, or its spin.
+    #[must_use]
+    pub fn carried(self, body: &Body) -> Vector3<f64> {
+        match self {
+            Self::Frozen | Self::NoGyroscopicTerm => body.omega_world(),
+            Self::Turned | Self::MomentumForSpin => body.momentum_world(),
+        }
+    }
+
+    /// The free motion of `body` as this engine has it: `count` steps of `h` seconds, one body for each
+    /// instant from the start on.
+    ///
+    /// Each body returned has the attitude that the engine gave it and the momentum that its mass then
+    /// truly has, `R I R^T w`: what a measurement would find, not what the engine believes. The attitude is
+    /// brought back to length 1 after each step; a step too coarse shows in the energy.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::{Body, Inertia, step::Engine};
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let start = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 1.0, 0.0))?;
+    /// let right = Engine::Turned.run(&start, 0.01, 200)?;
+    /// assert_eq!(right.len(), 201);
+    /// assert!((right[200].energy() / start.energy() - 1.0).abs() < 1e-9);
+    /// let wrong = Engine::Frozen.run(&start, 0.01, 2000)?;
+    /// let most = wrong.iter().map(tumbling::Body::energy).fold(0.0, f64::max);
+    /// assert!(most / start.energy() > 1.1, "{}", most / start.energy());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds.
+    pub fn run(self, body: &Body, h: f64, count: usize) -> Result<Vec<Body>, Error> {
+        finite("the step", h)?;
+        let carried = self.carried(body);
+        let tensor = body.inertia().matrix();
+        let inverse = body.inverse().matrix();
+        let law = |m: &Motion<f64>| {
+            let rotation = attitude::rotation_matrix(&m.attitude);
+            let omega = self.omega_world(&rotation, &tensor, &inverse, &m.vector);
+            Motion {
+                attitude: attitude::rate(&m.attitude, &(rotation.transpose() * omega)),
+                vector: self.carried_rate(&tensor, &inverse, &m.vector),
+            }
+        };
+        let mut motion = Motion { attitude: body.attitude().into_inner(), vector: carried };
+        let mut bodies = Vec::new();
+        for step in 0..=count {
+            if step > 0 {
+                motion = rk4(&motion, &h, law);
+                let norm = motion.attitude.norm();
+                if !(norm.is_finite() && norm > 0.0) {
+                    return Err(Error::OutOfRange { what: "the attitude after a step", value: norm });
+                }
+                motion.attitude /= norm;
+            }
+            let rotation = attitude::rotation_matrix(&motion.attitude);
+            let omega = self.omega_world(&rotation, &tensor, &inverse, &motion.vector);
+            let momentum = crate::inertia::turned(&rotation, &tensor) * omega;
+            bodies.push(body.with(UnitQuaternion::new_unchecked(motion.attitude), &momentum)?);
+        }
+        Ok(bodies)
+    }
+}
