@@ -22,8 +22,7 @@ fn strays(bodies: &[Body]) -> (f64, f64) {
 
 proptest! {
     #[test]
-    fn on_a_sphere_nobody_can_tell_the_four_engines_apart(moment in 0.1..2.0_f64, q in attitude(), omega in vector(1.0)) {
-        prop_assume!(omega.norm() > 0.1);
+    fn on_a_sphere_nobody_can_tell_the_four_engines_apart(moment in 0.1..2.0_f64, q in attitude(), omega in generic_spin()) {
         let sphere = start(&Vector3::repeat(moment), q, &omega);
         // A step so short that the integrator's own error, which differs between them, is below the bound.
         let right = Engine::Turned.run(&sphere, 0.001, 100).unwrap();
@@ -35,8 +34,7 @@ proptest! {
     }
 
     #[test]
-    fn without_a_gyroscopic_term_the_spin_stays_and_the_momentum_wanders(q in attitude(), omega in vector(1.0)) {
-        prop_assume!(omega.amin().abs() > 0.2);
+    fn without_a_gyroscopic_term_the_spin_stays_and_the_momentum_wanders(q in attitude(), omega in generic_spin()) {
         let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), q, &omega);
         let run = Engine::NoGyroscopicTerm.run(&body, 0.01, 600).unwrap();
         let (energy, turn) = strays(&run);
@@ -45,8 +43,7 @@ proptest! {
     }
 
     #[test]
-    fn momentum_taken_for_spin_points_the_spin_along_the_momentum(q in attitude(), omega in vector(1.0)) {
-        prop_assume!(omega.amin().abs() > 0.2);
+    fn momentum_taken_for_spin_points_the_spin_along_the_momentum(q in attitude(), omega in generic_spin()) {
         let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), q, &omega);
         let shown = Engine::MomentumForSpin.run(&body, 0.01, 0).unwrap()[0];
         prop_assert!(shown.omega_world().angle(&body.momentum_world()) < 1e-7);
@@ -56,8 +53,7 @@ proptest! {
     // The frozen tensor solves Euler's equations for the wrong axes: the world components of its spin are the
     // body components of the true one.
     #[test]
-    fn the_frozen_tensor_takes_body_components_for_world_ones(omega in vector(1.0)) {
-        prop_assume!(omega.amin().abs() > 0.2);
+    fn the_frozen_tensor_takes_body_components_for_world_ones(omega in generic_spin()) {
         let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), UnitQuaternion::identity(), &omega);
         let (right, wrong) = (Engine::Turned.run(&body, 0.005, 400).unwrap(), Engine::Frozen.run(&body, 0.005, 400).unwrap());
         prop_assert!((right[400].omega_body() - wrong[400].omega_world()).norm() < 1e-8);

@@ -21,7 +21,8 @@ fn the_time_between_flips_is_right_from_a_rough_push_to_one_of_1e_minus_12() {
         let ours = time_between_flips(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, push))
             .unwrap()
             .unwrap();
-        assert!((ours / time - 1.0).abs() < 3e-10, "{push:e}: {ours}");
+        // Ten digits are given: half a unit of the last is at most 5e-10 of the whole.
+        assert!((ours / time - 1.0).abs() <= 5e-10, "{push:e}: {ours}");
     }
 }
 
@@ -81,7 +82,7 @@ fn steady_spins_equal_moments_and_the_separatrix_itself_never_flip() {
 
 #[test]
 fn a_small_push_on_the_middle_axis_grows_at_the_predicted_rate() {
-    let (moments, spin, push) = ([0.5, 0.9, 1.2], 2.0, 1e-6);
+    let (moments, spin, push) = ([0.5, 0.9, 1.2], 2.0, 1e-9);
     let Stability::Growth { rate } = of_spin(moments, Axis::Middle, spin).unwrap() else { panic!("stable") };
     let start = Body::spinning(
         Inertia::from_moments(moments[0], moments[1], moments[2]).unwrap(),
@@ -89,10 +90,10 @@ fn a_small_push_on_the_middle_axis_grows_at_the_predicted_rate() {
         &Vector3::new(push, spin, push),
     )
     .unwrap();
-    let flight = Engine::Turned.run(&start, 0.001, 8000).unwrap();
+    let flight = Engine::Turned.run(&start, 0.001, 12_000).unwrap();
     let off = |i: usize| flight[i].omega_body().x.hypot(flight[i].omega_body().z);
     // After the decaying part has died away, while the deviation is still small.
-    let measured = (off(6000) / off(4000)).ln() / 2.0;
+    let measured = (off(12_000) / off(8000)).ln() / 4.0;
     assert!((measured / rate - 1.0).abs() < 1e-4, "{measured} {rate}");
 }
 
@@ -107,10 +108,10 @@ proptest! {
 
     // The formula against the plain stepper: the body's own clock.
     #[test]
-    fn flips_of_a_run_come_at_the_predicted_beat(m in moments(), omega in vector(1.0)) {
+    fn flips_of_a_run_come_at_the_predicted_beat(m in moments(), omega in generic_spin()) {
         let mut sorted: [f64; 3] = m.into();
         sorted.sort_by(f64::total_cmp);
-        prop_assume!(sorted[1] / sorted[0] > 1.1 && sorted[2] / sorted[1] > 1.1 && omega.amin().abs() > 0.1);
+        prop_assume!(sorted[1] / sorted[0] > 1.1 && sorted[2] / sorted[1] > 1.1);
         let beat = time_between_flips(&m, &omega).unwrap().unwrap();
         prop_assume!(beat < 40.0);
         let start = Body::spinning(Inertia::from_moments(m.x, m.y, m.z).unwrap(), UnitQuaternion::identity(), &omega).unwrap();
@@ -119,7 +120,7 @@ proptest! {
         let middle = (0..3).find(|&i| m[i] == sorted[1]).unwrap();
         #[allow(clippy::cast_precision_loss)]
         let flips = sign_changes(flight.iter().enumerate().map(|(i, body)| (h * i as f64, body.omega_body()[middle])));
-        prop_assert_eq!(flips.len(), 2);
+        prop_assert!(flips.len() >= 2);
         prop_assert!(((flips[1] - flips[0]) / beat - 1.0).abs() < 1e-4, "{:?} {}", flips, beat);
     }
 

@@ -66,6 +66,12 @@ pub fn vector(range: f64) -> impl Strategy<Value = Vector3<f64>> {
     (-range..range, -range..range, -range..range).prop_map(|(x, y, z)| Vector3::new(x, y, z))
 }
 
+/// A spin of up to 1 rad/s with no small component, so that no motion of it is special.
+pub fn generic_spin() -> impl Strategy<Value = Vector3<f64>> {
+    let component = || (0.2..1.0_f64, any::<bool>()).prop_map(|(x, back)| if back { -x } else { x });
+    (component(), component(), component()).prop_map(|(x, y, z)| Vector3::new(x, y, z))
+}
+
 /// Any `f64` at all: NaN, infinities, subnormals, zeros of both signs.
 pub fn anything() -> impl Strategy<Value = f64> {
     prop_oneof![
