@@ -4,6 +4,7 @@ use super::edits::Edits;
 use super::{Piece, Source};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use pulldown_cmark::{Event, Tag, TagEnd};
+use std::ops::Range;
 
 /// The converter.
 pub(super) struct Maths(LatexToMathML);
@@ -62,6 +63,18 @@ impl Maths {
                 continue;
             }
             match self.shown(tex, display) {
+                Ok(math) if display == MathDisplay::Inline => {
+                    let (range, before, after) = with_its_marks(source.text, range);
+                    let shown = format!("<span class=\"math-inline\">{before}{math}{after}</span>");
+                    edits.replace(
+                        range,
+                        if before.len() + after.len() > 0 {
+                            shown
+                        } else {
+                            math
+                        },
+                    );
+                }
                 Ok(math) => edits.replace(range.clone(), math),
                 Err(reason) => {
                     let what = format!("TeX that cannot be shown: `{}`: {reason}", tex.trim());
@@ -71,6 +84,29 @@ impl Maths {
         }
         faults
     }
+}
+
+/// The range of inline maths together with the marks that cling to it: an opening parenthesis before,
+/// a comma or a hyphen after. Browsers may break the line at either side of a formula, and would leave
+/// a comma to begin the next.
+fn with_its_marks<'a>(text: &'a str, range: &Range<usize>) -> (Range<usize>, &'a str, &'a str) {
+    let (head, tail) = (&text[..range.start], &text[range.end..]);
+    // `](` opens the target of a link, `![` an image: no marks of ours.
+    let opens = head.ends_with('(') && !head.ends_with("](") && !head.ends_with("\\(");
+    let marks = tail
+        .find(|c| !".,;:!?)-–’".contains(c))
+        .unwrap_or(tail.len());
+    let marks = if tail[..marks].ends_with('!') && tail[marks..].starts_with('[') {
+        marks - 1
+    } else {
+        marks
+    };
+    let start = range.start - usize::from(opens);
+    (
+        start..range.end + marks,
+        &text[start..range.start],
+        &tail[..marks],
+    )
 }
 
 /// Hides every mark that Markdown might take for its own (`_`, `*`, `|`, a line break ...) in the text
