@@ -64,3 +64,31 @@ fn left_directives(folder: &Path) -> Result<usize, String> {
     }
     Ok(pages)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_book_builds_without_a_complaint() {
+        let folder = tempfile::TempDir::new().unwrap();
+        let pages = build_into(Some(folder.path())).unwrap();
+        let chapters = include_str!("../chapters/SUMMARY.md").matches("](").count();
+        // Besides the chapters: the first once more as index, the table of contents, the whole book
+        // for printing, and the page for addresses that lead nowhere.
+        assert_eq!(pages, chapters + 4);
+    }
+
+    #[test]
+    fn a_directive_left_in_a_page_is_a_fault() {
+        let folder = tempfile::TempDir::new().unwrap();
+        fs::write(folder.path().join("a.html"), "fine").unwrap();
+        assert_eq!(left_directives(folder.path()), Ok(1));
+        fs::write(folder.path().join("b.html"), "{{#include missing.rs}}").unwrap();
+        assert!(
+            left_directives(folder.path())
+                .unwrap_err()
+                .contains("b.html")
+        );
+    }
+}

@@ -5,21 +5,20 @@
 
 use crate::complain;
 use std::fmt::{self, Write as _};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tracing::field::{Field, Visit};
 use tracing::span::{Attributes, Id, Record};
 use tracing::{Event, Level, Metadata, Subscriber};
 
-static COMPLAINTS: AtomicUsize = AtomicUsize::new(0);
-
 /// Runs `work`; says how many warnings and errors were heard meanwhile, each printed as it came.
 pub(crate) fn listening<T>(work: impl FnOnce() -> T) -> (T, usize) {
-    let before = COMPLAINTS.load(Ordering::SeqCst);
-    let result = tracing::subscriber::with_default(Listener, work);
-    (result, COMPLAINTS.load(Ordering::SeqCst) - before)
+    let heard = Arc::new(AtomicUsize::new(0));
+    let result = tracing::subscriber::with_default(Listener(Arc::clone(&heard)), work);
+    (result, heard.load(Ordering::SeqCst))
 }
 
-struct Listener;
+struct Listener(Arc<AtomicUsize>);
 
 impl Subscriber for Listener {
     fn enabled(&self, metadata: &Metadata<'_>) -> bool {
@@ -27,7 +26,7 @@ impl Subscriber for Listener {
     }
 
     fn event(&self, event: &Event<'_>) {
-        COMPLAINTS.fetch_add(1, Ordering::SeqCst);
+        self.0.fetch_add(1, Ordering::SeqCst);
         let mut text = String::new();
         event.record(&mut Words(&mut text));
         complain!("mdbook: {}", text.trim_end());

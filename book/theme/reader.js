@@ -1,15 +1,11 @@
-// What the pages need besides mdBook's own script: keys for the menu button, and for boxes that scroll.
+// What the pages need besides mdBook's own script: a menu button, and keys for boxes that scroll.
 "use strict";
 
-// The menu button is a <label>: it answers clicks only. Let it answer keys as a button does.
+// mdBook's menu button is a <label>, which no keyboard reaches. Ours is a button, and passes the click
+// on to the checkbox that the sidebar hangs on.
 (function menuButton() {
-    const label = document.getElementById("mdbook-sidebar-toggle");
-    label.addEventListener("keydown", (event) => {
-        if (event.key === "Enter" || event.key === " ") {
-            event.preventDefault();
-            label.click();
-        }
-    });
+    const checkbox = document.getElementById("mdbook-sidebar-toggle-anchor");
+    document.getElementById("mdbook-sidebar-toggle").addEventListener("click", () => checkbox.click());
 })();
 
 // A formula, figure, table or program wider than the window scrolls in its own box. Only while it

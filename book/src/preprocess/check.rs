@@ -28,8 +28,8 @@ pub(super) fn faults(source: &Source<'_>, pieces: &[Piece<'_>]) -> Vec<String> {
                     .position(|b| b == b'$')
                 {
                     let what = "a dollar sign that neither begins nor ends maths \
-                                (a blank line inside, or a space just after it?); \
-                                a plain one is written `\\$`";
+                                (a blank line inside, a line inside that begins like a list, \
+                                a space just after it?); a plain one is written `\\$`";
                     faults.push(source.fault(range.start + usize::from(escaped) + at, what));
                 }
             }
