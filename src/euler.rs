@@ -1,6 +1,6 @@
 //! Euler's equations: how spin and momentum change, seen from the turning body.
 //!
-//! Written twice, as the document does and without a division, for any number type. All vectors here are
+//! Written component by component, as they are printed, and without a division, for any number type. All vectors here are
 //! in the body frame. Source: [Eul65]; the momentum form is [Arn66]'s.
 
 use crate::scalar::{Field, Ring};

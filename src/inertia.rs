@@ -61,7 +61,7 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
 
 /// Spin from momentum, both in world axes: `w = R J R^T L`, with `J` the body's inverse tensor.
 ///
-/// This is the document's way: the inverse is stored once in the body frame and carried to the world
+/// The usual way of engines: the inverse is stored once in the body frame and carried to the world
 /// at each step. Rotation matrix `rotation` takes body to world.
 ///
 /// ```
