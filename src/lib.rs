@@ -48,7 +48,7 @@
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin; what has been
 //! constructed works everywhere. No public function panics, whatever it is given.
 //!
-//! Keys in brackets, such as \[LL76\], stand in [`references`].
+//! Sources are given by keys, which stand in [`references`].
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod attitude;
