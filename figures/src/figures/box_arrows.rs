@@ -11,20 +11,20 @@ pub(super) fn draw() -> Drawing {
     let gap = inertia.gap(&omega)?.to_degrees();
 
     let canvas = Canvas::new(480);
-    let centre = (262.0, 358.0);
+    let centre = (196.0, 362.0);
     // A metre of box and a unit of either arrow.
-    let (metre, unit) = (150.0, 262.0);
+    let (metre, unit) = (140.0, 262.0);
     let on = |x: f64, y: f64| (centre.0 + unit * x, centre.1 - unit * y);
     let [a, b, _] = BOX_EDGES.map(|edge| 0.5 * edge * metre);
     let corners = [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| (centre.0 + x, centre.1 + y));
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
-    canvas.line((centre.0 - a - 30.0, centre.1), (640.0, centre.1), axis);
+    canvas.line((centre.0 - a - 20.0, centre.1), (590.0, centre.1), axis);
     canvas.line((centre.0, centre.1 + b + 20.0), (centre.0, 40.0), axis);
-    canvas.label((646.0, centre.1 + 5.0), &Label::new("$x$"));
+    canvas.label((598.0, centre.1 + 5.0), &Label::new("$x$"));
     canvas.label((centre.0 - 5.0, 30.0), &Label::new("$y$"));
     canvas.label((centre.0 - 0.5 * a, centre.1 + b + 24.0), &Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle());
-    canvas.label((centre.0 - a - 12.0, centre.1 + 30.0), &Label::new(format!("$b$ = {:.0} m", BOX_EDGES[1])).end());
+    canvas.label((centre.0 - a + 10.0, centre.1 + 30.0), &Label::new(format!("$b$ = {:.0} m", BOX_EDGES[1])));
 
     // Each component of the momentum is that of the spin times its own moment.
     let guide = |ink| Pen::new(ink, 1.2).dashed();
@@ -47,7 +47,7 @@ pub(super) fn draw() -> Drawing {
     canvas.disc(centre, 4.0, Fill::new(Ink::Text), None);
     canvas.label((w_tip.0 + 12.0, w_tip.1 + 4.0), &Label::new("$!ω$ = (1, 1, 0) rad/s").ink(Ink::Omega));
     canvas.label(
-        (l_tip.0 + 4.0, l_tip.1 - 14.0),
+        (l_tip.0 - 4.0, l_tip.1 - 14.0),
         &Label::new(format!("$!L$ = ({:.3}, {:.3}, 0) kg m²/s", momentum.x, momentum.y)).ink(Ink::Momentum),
     );
     let small = |at: (f64, f64), text: String| canvas.label((at.0 + 5.0, at.1 + 4.0), &Label::new(text).size(15.5));

@@ -2,7 +2,6 @@ use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
 use crate::ink::Ink;
 use nalgebra::Vector3;
-use std::f64::consts::FRAC_PI_2;
 use tumbling::Inertia;
 
 /// The plate: 2 m wide, 1 m high, 1 kg, of no thickness.
@@ -43,21 +42,21 @@ pub(super) fn draw() -> Drawing {
     let (light, heavy) = (light?, heavy?);
     let canvas = Canvas::new(530);
 
-    let centre = (235.0, 222.0);
-    plate_at(&canvas, centre, 150.0);
+    let centre = (262.0, 228.0);
+    plate_at(&canvas, centre, 160.0);
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
-    canvas.line((centre.0 - 205.0, centre.1), (centre.0 + 225.0, centre.1), axis);
-    canvas.line((centre.0, centre.1 + 110.0), (centre.0, centre.1 - 200.0), axis);
+    canvas.line((centre.0 - 215.0, centre.1), (centre.0 + 225.0, centre.1), axis);
+    canvas.line((centre.0, centre.1 + 110.0), (centre.0, centre.1 - 206.0), axis);
     canvas.label((centre.0 + 235.0, centre.1 - 4.0), &Label::new("the lighter axis"));
     canvas.label((centre.0 + 235.0, centre.1 + 18.0), &Label::new(format!("$I_1$ = {light:.3} kg m²")));
     canvas.label((centre.0 - 14.0, centre.1 - 188.0), &Label::new("the heavier axis").end());
     canvas.label((centre.0 - 14.0, centre.1 - 166.0), &Label::new(format!("$I_2$ = {heavy:.3} kg m²")).end());
 
     let shown = arrows(&plate, SHOWN)?;
-    let w_tip = polar(centre, 210.0, shown.omega);
-    let l_tip = polar(centre, 330.0 * shown.relative, shown.momentum);
+    let w_tip = polar(centre, 225.0, shown.omega);
+    let l_tip = polar(centre, 345.0 * shown.relative, shown.momentum);
     let arc = Pen::new(Ink::Text, 1.2);
-    canvas.arc(centre, 132.0, shown.omega, shown.momentum, arc);
+    canvas.arc(centre, 112.0, shown.omega, shown.momentum, arc);
     canvas.arc(centre, 62.0, 0.0, shown.omega, arc);
     canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
     canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
@@ -66,17 +65,17 @@ pub(super) fn draw() -> Drawing {
     canvas.label((w_tip.0 + 8.0, w_tip.1 + 2.0), &w_text);
     canvas.label((l_tip.0 + 12.0, l_tip.1 + 8.0), &Label::new("momentum $!L$ = $I!ω$").ink(Ink::Momentum));
     let gap = format!("{:.1}°", shown.gap.to_degrees());
-    let by_the_arc = polar(centre, 140.0, 0.5 * (shown.omega + shown.momentum));
-    canvas.label((by_the_arc.0 + 2.0, by_the_arc.1), &Label::new(format!("gap {gap}")).bold());
+    let by_the_arc = polar(centre, 146.0, 0.5 * (shown.omega + shown.momentum));
+    canvas.label((by_the_arc.0, by_the_arc.1 + 6.0), &Label::new(gap.clone()).bold().middle());
     let half = polar(centre, 70.0, 0.5 * shown.omega);
     canvas.label((half.0, half.1 + 6.0), &Label::new(format!("{SHOWN:.0}°")).size(15.5));
 
     let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
     let mut gaps = Vec::new();
-    canvas.label((20.0, 372.0), &Label::new("Turn the spin from one axis to the other:"));
+    canvas.label((20.0, 378.0), &Label::new("The spin turned from one axis to the other, and the gap:"));
     for (i, &degrees) in directions.iter().enumerate() {
         #[allow(clippy::cast_precision_loss)]
-        let centre = (52.0 + 93.0 * i as f64, 450.0);
+        let centre = (50.0 + 93.0 * i as f64, 452.0);
         plate_at(&canvas, centre, 28.0);
         let a = arrows(&plate, degrees)?;
         let dot_at = polar(centre, 54.0, a.omega);
@@ -89,7 +88,6 @@ pub(super) fn draw() -> Drawing {
         canvas.label((centre.0, centre.1 + 66.0), &Label::new(gap.clone()).middle().bold());
         gaps.push(format!("{gap} at {degrees:.0}°"));
     }
-    debug_assert!(shown.omega < FRAC_PI_2);
     Ok(Picture {
         canvas,
         description: format!(
