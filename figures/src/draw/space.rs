@@ -35,6 +35,22 @@ impl View {
         self.toward
     }
 
+    /// Points to the metre.
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The same view of a world whose centre was moved to `p`.
+    pub(crate) fn moved(self, p: &Vector3<f64>) -> Self {
+        Self { centre: self.at(p), ..self }
+    }
+
+    /// The same view moved so that `p` falls where the world's centre did.
+    pub(crate) fn moved_back(self, p: &Vector3<f64>) -> Self {
+        self.moved(&-p)
+    }
+
+    /// Where a point falls.
     pub(crate) fn at(&self, p: &Vector3<f64>) -> P {
         (self.centre.0 + self.scale * self.right.dot(p), self.centre.1 - self.scale * self.up.dot(p))
     }

@@ -54,9 +54,7 @@ pub(super) fn draw() -> Drawing {
     small(polar(centre, 60.0, 0.35), format!("{:.0}°", w_angle.to_degrees()));
     small(polar(centre, 100.0, 0.4), format!("{:.1}°", l_angle.to_degrees()));
     let by_the_arc = polar(centre, 236.0, 0.5 * (w_angle + l_angle));
-    let text = (by_the_arc.0 + 66.0, by_the_arc.1 + 30.0);
-    canvas.line((by_the_arc.0 + 3.0, by_the_arc.1 + 1.0), (text.0 - 6.0, text.1 - 6.0), Pen::new(Ink::Text, 1.0));
-    canvas.label(text, &Label::new(format!("gap {gap:.1}°")).bold());
+    canvas.label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());
     Ok(Picture {
         canvas,
         description: format!(

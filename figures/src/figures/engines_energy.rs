@@ -36,8 +36,9 @@ pub(super) fn draw() -> Drawing {
     mark(least, 24.0, format!("loses {:.0} %", 100.0 * (1.0 - least.1)));
     let at = plot.at(0.8, 1.18);
     canvas.label(at, &Label::new("frozen tensor (dashed)").ink(Ink::Wrong));
-    let at = plot.at(40.0, 1.0);
-    canvas.label((at.0, at.1 - 10.0), &Label::new("tensor turned each step").end());
+    let at = plot.at(20.2, 1.0);
+    canvas.label((at.0, at.1 - 34.0), &Label::new("tensor turned").middle());
+    canvas.label((at.0, at.1 - 12.0), &Label::new("at each step").middle());
     Ok(Picture {
         canvas,
         description: format!(

@@ -1,5 +1,5 @@
 use super::{Drawing, Picture, document_box, in_principal_axes, power_of_ten};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
+use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
@@ -39,7 +39,9 @@ pub(super) fn draw() -> Drawing {
         worst = worst.max((seen / exact - 1.0).abs());
         dots.push((push, seen));
     }
-    plot.dots(dots, 5.0, Ink::Omega)?;
+    for (push, seen) in dots {
+        canvas.disc(plot.at(push, seen), 5.0, Fill::new(Ink::Paper), Some(Pen::new(Ink::Text, 2.0)));
+    }
     let decade = 2.0 * 10_f64.ln() / rate;
     // A step of one decade, drawn as a stair under the line.
     let (near, far) = ((1e-5, time(1e-5)?), (1e-6, time(1e-6)?));
@@ -48,7 +50,7 @@ pub(super) fn draw() -> Drawing {
     canvas.label((stair[1].0 - 6.0, stair[1].1 + 24.0), &Label::new("a push ten times smaller:").end());
     canvas.label((stair[1].0 - 6.0, stair[1].1 + 46.0), &Label::new(format!("{decade:.2} s longer")).end().bold());
     let word = plot.at(3e-9, 10.6);
-    canvas.label(word, &Label::new("line: the formula; dots: simulated"));
+    canvas.label(word, &Label::new("line: the formula; rings: simulated"));
     Ok(Picture {
         canvas,
         description: format!(

@@ -1,25 +1,32 @@
-use super::{Drawing, Picture, document_box};
+use super::{Drawing, Picture};
 use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::Vector3;
-use tumbling::{Axis, Error, Inertia};
+use tumbling::solid::{Ball, Cylinder, Solid, ThinPlate};
+use tumbling::{Axis, Error, Inertia, bodies};
 
 struct Curve {
     name: &'static str,
     inertia: Inertia,
     /// From the lighter axis to the heavier one.
     plane: [Vector3<f64>; 2],
-    pen: Pen,
 }
 
 impl Curve {
+    /// From the axis with the smallest moment to that with the largest.
+    fn across(name: &'static str, inertia: Inertia) -> Self {
+        let axes = inertia.principal();
+        Self { name, inertia, plane: [axes.axis(Axis::Smallest), axes.axis(Axis::Largest)] }
+    }
+
     fn gap(&self, degrees: f64) -> Result<f64, Error> {
         let (s, c) = degrees.to_radians().sin_cos();
         Ok(self.inertia.gap(&(self.plane[0] * c + self.plane[1] * s))?.to_degrees())
     }
 
-    fn moments(&self) -> Result<[f64; 2], Error> {
-        Ok([self.inertia.about_axis(&self.plane[0])?, self.inertia.about_axis(&self.plane[1])?])
+    /// The heavier moment in parts of the lighter one.
+    fn ratio(&self) -> Result<f64, Error> {
+        Ok(self.inertia.about_axis(&self.plane[1])? / self.inertia.about_axis(&self.plane[0])?)
     }
 
     /// The direction of the widest gap and the gap, degrees, by golden sections.
@@ -35,42 +42,47 @@ impl Curve {
     }
 }
 
-/// From the axis with the smallest moment to that with the largest.
-fn across(name: &'static str, inertia: Inertia, pen: Pen) -> Curve {
-    let axes = inertia.principal();
-    Curve { name, inertia, plane: [axes.axis(Axis::Smallest), axes.axis(Axis::Largest)], pen }
-}
-
 pub(super) fn draw() -> Drawing {
-    let pen = Pen::new(Ink::Text, 2.0);
-    let plate = Inertia::from_moments(1.0 / 12.0, 4.0 / 12.0, 5.0 / 12.0)?;
+    let in_plane = [Vector3::x(), Vector3::y()];
     let curves = [
-        across("sphere", Inertia::from_moments(0.4, 0.4, 0.4)?, pen),
-        Curve { name: "box, x to y", inertia: document_box()?, plane: [Vector3::x(), Vector3::y()], pen },
-        Curve { name: "plate 2 × 1", inertia: plate, plane: [Vector3::x(), Vector3::y()], pen },
+        Curve::across("a pencil", Cylinder::new(0.0035, 0.18)?.with_mass(0.005)?.inertia()),
+        Curve::across("the phone", bodies::phone()?.inertia()),
+        Curve { name: "a plate, 2 × 1", inertia: ThinPlate::new(2.0, 1.0)?.with_mass(1.0)?.inertia(), plane: in_plane },
+        Curve { name: "the box, x to y", inertia: bodies::the_box()?.inertia(), plane: in_plane },
+        Curve::across("a ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
     ];
-    let canvas = Canvas::new(450);
-    let plot = Plot::new(&canvas, 62.0, 50.0, 655.0, 385.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
-    let ticks = |step: i32| (0..=90 / step).map(move |i| (f64::from(step * i), format!("{}°", step * i)));
-    plot.x_axis(ticks(15), "spin direction, from the lighter axis (0°) to the heavier one (90°)");
-    plot.y_axis(ticks(15), "gap between $!ω$ and $!L$");
+    let canvas = Canvas::new(480);
+    let plot = Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
+    let ticks = || (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
+    plot.x_axis(ticks(), "spin direction, from the lighter axis (0°) to the heavier (90°)");
+    plot.y_axis(ticks(), "gap between $!ω$ and $!L$");
     let mut said = Vec::new();
     for curve in &curves {
-        let points: Result<Vec<_>, Error> =
-            (0..=360).map(|i| f64::from(i) / 4.0).map(|d| Ok((d, curve.gap(d)?))).collect();
-        plot.curve(points?, curve.pen)?;
-        let [light, heavy] = curve.moments()?;
-        if light == heavy {
-            said.push(format!("{}: zero everywhere", curve.name));
-            let at = plot.at(60.0, 0.0);
-            canvas.label((at.0, at.1 - 8.0), &Label::new(format!("{}: 0° everywhere", curve.name)));
+        // Finer where a slender body's curve is steep.
+        let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
+        let points: Result<Vec<_>, Error> = directions.map(|d| Ok((d, curve.gap(d)?))).collect();
+        let ball = curve.ratio()? == 1.0;
+        plot.curve(points?, if ball { Pen::new(Ink::Text, 3.4) } else { Pen::new(Ink::Text, 2.2) })?;
+        if ball {
+            canvas.label((plot.at(2.0, 0.0).0, plot.at(0.0, 0.0).1 - 8.0), &Label::new(""));
+            let p = plot.at(45.0, 0.0);
+            canvas.label((p.0, p.1 - 9.0), &Label::new(format!("{}: none", curve.name)).middle());
+            said.push(format!("{}: none in any direction", curve.name));
             continue;
         }
         let (at, gap) = curve.widest()?;
-        plot.dots([(at, gap)], 4.0, Ink::Text)?;
+        plot.dots([(at, gap)], 4.5, Ink::Text)?;
         let p = plot.at(at, gap);
-        canvas.label((p.0 + 8.0, p.1 - 10.0), &Label::new(format!("{} {gap:.1}°", curve.name)));
-        said.push(format!("{} (moments 1 : {:.2}): at most {gap:.1}°, at {at:.1}°", curve.name, heavy / light));
+        canvas.label((p.0 + 6.0, p.1 - 12.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
+        said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()?));
     }
-    Ok(Picture { canvas, description: format!("The gap between spin and momentum, against the direction of the spin. {}.", said.join("; ")) })
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The gap between spin and momentum against the direction of the spin, from the lighter to the heavier of two \
+             principal axes. It is zero at both ends and widest between them. The widest gaps: {}. The more unequal the \
+             moments, the wider the gap, and the nearer to the lighter axis.",
+            said.join("; ")
+        ),
+    })
 }

@@ -3,6 +3,7 @@
 use crate::Figure;
 use crate::draw::Canvas;
 use crate::ink::Ink;
+use tumbling::solid::{Cuboid, Solid};
 use tumbling::{Axis, Error, Inertia};
 
 mod box_arrows;
@@ -13,8 +14,11 @@ mod engines_energy;
 mod engines_paths;
 mod flip_strip;
 mod flip_time;
+mod moments_gallery;
+mod moments_map;
 mod polhode;
 mod polhodes;
+mod rod_two_ways;
 mod three_spins;
 mod turning_tensor;
 mod wobble_growth;
@@ -29,12 +33,36 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 13] = [
+pub(crate) static ALL: [Figure; 17] = [
     Figure {
         name: "cover",
-        shows: "The paths of the spin of a tumbling body, on the ellipsoid of equal energy",
+        shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
         chapter: "introduction",
         draw: cover::draw,
+    },
+    Figure {
+        name: "flip-strip",
+        shows: "A thrown book flips: nine instants, as you see it and without the tumbling",
+        chapter: "toss-a-book",
+        draw: flip_strip::draw,
+    },
+    Figure {
+        name: "rod-two-ways",
+        shows: "One rod, two moments: about its length and end over end",
+        chapter: "principal-axes",
+        draw: rod_two_ways::draw,
+    },
+    Figure {
+        name: "moments-gallery",
+        shows: "The book's bodies and their three principal moments",
+        chapter: "principal-axes",
+        draw: moments_gallery::draw,
+    },
+    Figure {
+        name: "moments-map",
+        shows: "Every rigid body is a point in one triangle",
+        chapter: "principal-axes",
+        draw: moments_map::draw,
     },
     Figure {
         name: "two-arrows",
@@ -56,57 +84,57 @@ pub(crate) static ALL: [Figure; 13] = [
     },
     Figure {
         name: "box-arrows",
-        shows: "The box seen along z: spin at 45 degrees, momentum at 52.4",
+        shows: "The box seen along z, its spin, its momentum and the gap between them",
         chapter: "worked-example",
         draw: box_arrows::draw,
     },
     Figure {
-        name: "flip-strip",
-        shows: "todo",
-        chapter: "toss-a-book",
-        draw: flip_strip::draw,
-    },
-    Figure {
         name: "turning-tensor",
-        shows: "todo",
+        shows: "The box turns, and its tensor in world axes turns with it",
         chapter: "body-and-world",
         draw: turning_tensor::draw,
     },
     Figure {
         name: "three-spins",
-        shows: "todo",
+        shows: "The same small push about each of the three axes: two wobble, one flips",
         chapter: "eulers-equations",
         draw: three_spins::draw,
     },
     Figure {
         name: "engines-energy",
-        shows: "todo",
+        shows: "Energy of a free box: the right engine, and the one with a frozen tensor",
         chapter: "three-pitfalls",
         draw: engines_energy::draw,
     },
     Figure {
         name: "engines-paths",
-        shows: "todo",
+        shows: "Spin about the middle axis: the right engine flips, two wrong ones refuse",
         chapter: "three-pitfalls",
         draw: engines_paths::draw,
     },
     Figure {
         name: "polhodes",
-        shows: "todo",
+        shows: "Paths of the spin on the ellipsoid of equal energy, with the separatrix",
         chapter: "dzhanibekov",
         draw: polhodes::draw,
     },
     Figure {
         name: "wobble-growth",
-        shows: "todo",
+        shows: "A small wobble about the middle axis grows as theory says, until it flips",
         chapter: "dzhanibekov",
         draw: wobble_growth::draw,
     },
     Figure {
         name: "flip-time",
-        shows: "todo",
+        shows: "Time between flips against the push",
         chapter: "dzhanibekov",
         draw: flip_time::draw,
+    },
+    Figure {
+        name: "flip-map",
+        shows: "How fast a wobble about the middle axis grows, for every rigid body",
+        chapter: "dzhanibekov",
+        draw: moments_map::draw_growth,
     },
 ];
 
@@ -115,8 +143,8 @@ const BOX_EDGES: [f64; 3] = [2.0, 1.0, 3.0];
 
 /// Its tensor.
 fn document_box() -> Result<Inertia, Error> {
-    let [a, b, c] = BOX_EDGES.map(|x| x * x);
-    Inertia::from_moments((b + c) / 12.0, (a + c) / 12.0, (a + b) / 12.0)
+    let [a, b, c] = BOX_EDGES;
+    Ok(Cuboid::new(a, b, c)?.with_mass(1.0)?.inertia())
 }
 
 /// The same body, its frame turned along its principal axes, smallest moment first.

@@ -9,8 +9,8 @@ const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
 pub(super) fn draw() -> Drawing {
     let ellipsoid = Ellipsoid::new(MOMENTS)?;
-    let canvas = Canvas::new(520);
-    let view = View::new((352.0, 262.0), 262.0, 58.0, 27.0);
+    let canvas = Canvas::new(490);
+    let view = View::new((330.0, 250.0), 266.0, 58.0, 27.0);
     paths(&canvas, &ellipsoid, &view, &[0.22, 0.44, 0.66, 0.86])?;
     let [min, mid, max] = [Axis::Smallest, Axis::Middle, Axis::Largest].map(|axis| {
         let mut end = Vector3::zeros();
@@ -20,24 +20,18 @@ pub(super) fn draw() -> Drawing {
         canvas.arrow(view.at(&end), tip, Pen::new(ink_of(axis), 2.6));
         tip
     });
-    let two = |at: (f64, f64), axis: Axis, name: &str, fate: &str, end: bool| {
-        let ink = ink_of(axis);
-        for (line, text) in [(0.0, name), (22.0, fate)] {
-            let label = Label::new(text).ink(ink);
-            canvas.label((at.0, at.1 + line), &if end { label.end() } else { label });
-        }
+    let name = |at: (f64, f64), axis: Axis, name: &str, fate: &str| {
+        let moment = format!("{name} $I_{}$ = {}", axis.index() + 1, MOMENTS[axis.index()]);
+        canvas.label(at, &Label::new(moment).ink(ink_of(axis)));
+        canvas.label((at.0, at.1 + 22.0), &Label::new(fate).ink(ink_of(axis)));
     };
-    let k = |i: usize| format!("{}", MOMENTS[i]);
-    two((max.0 + 16.0, max.1 + 6.0), Axis::Largest, &format!("largest moment, $I_3$ = {}", k(2)), "stable: small loops", false);
-    two((20.0, min.1 + 46.0), Axis::Smallest, "smallest", &format!("moment, $I_1$ = {}", k(0)), false);
-    canvas.label((20.0, min.1 + 90.0), &Label::new("stable:").ink(ink_of(Axis::Smallest)));
-    canvas.label((20.0, min.1 + 112.0), &Label::new("small loops").ink(ink_of(Axis::Smallest)));
-    two((mid.0 + 8.0, mid.1 + 34.0), Axis::Middle, &format!("middle moment, $I_2$ = {}", k(1)), "unstable: a crossing", false);
-    let ellipse = ellipsoid.separatrix(-1.0);
-    let point = view.at(&ellipse[300]);
-    let words = (20.0, 100.0);
-    canvas.line((words.0 + 60.0, words.1 + 10.0), (point.0 - 4.0, point.1 - 4.0), Pen::new(Ink::Separatrix, 1.0));
-    canvas.label(words, &Label::new("separatrix").ink(Ink::Separatrix));
+    name((max.0 + 16.0, max.1 + 8.0), Axis::Largest, "largest", "stable: loops");
+    name((20.0, min.1 + 36.0), Axis::Smallest, "smallest", "stable: loops");
+    name((mid.0 + 12.0, mid.1 + 26.0), Axis::Middle, "middle", "unstable: a crossing");
+    // The separatrix is named where it comes from behind the left edge.
+    let ellipses = [ellipsoid.separatrix(1.0), ellipsoid.separatrix(-1.0)].concat();
+    let left = ellipses.iter().map(|p| view.at(p)).min_by(|p, q| p.0.total_cmp(&q.0)).unwrap_or_default();
+    canvas.label((left.0 - 8.0, left.1 - 20.0), &Label::new("separatrix").ink(Ink::Separatrix).end());
     let [a, b, c] = [0, 1, 2].map(|i| ellipsoid.reach[i]);
     Ok(Picture {
         canvas,

@@ -13,7 +13,7 @@ const STEP: f64 = 0.002;
 
 pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
-    let canvas = Canvas::new(640);
+    let canvas = Canvas::new(618);
     let pens = [
         Pen::new(ink_of(Axis::Smallest), 2.2).dash_dotted(),
         Pen::new(ink_of(Axis::Middle), 2.8),

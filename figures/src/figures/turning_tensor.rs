@@ -13,13 +13,13 @@ fn world(inertia: &Inertia, degrees: f64) -> Result<Matrix3<f64>, Error> {
 pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
     let canvas = Canvas::new(570);
-    let plot = Plot::new(&canvas, 76.0, 196.0, 562.0, 496.0, Scale::linear(0.0..180.0), Scale::linear(-0.25..1.25));
+    let plot = Plot::new(&canvas, 76.0, 196.0, 562.0, 496.0, Scale::linear(0.0..180.0), Scale::linear(-0.32..1.2));
     plot.x_axis(
         (0..=4).map(|i| (f64::from(45 * i), format!("{}°", 45 * i))),
         "angle by which the box has turned about $z$",
     );
     plot.y_axis([0.0, 0.5, 1.0].map(|y| (y, format!("{y:.1}"))), "");
-    canvas.label((20.0, 176.0), &Label::new("entries of the world's tensor $R I R^T$ (kg m²)"));
+    canvas.label((20.0, 176.0), &Label::new("entries of the world’s tensor $R I R^T$ (kg m²)"));
     for i in 0..=4 {
         picture(&canvas, (plot.at(45.0 * f64::from(i), 0.0).0, 78.0), 45.0 * f64::from(i));
     }

@@ -3,6 +3,7 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 use tumbling::Inertia;
+use tumbling::solid::{Solid, ThinPlate};
 
 /// The plate: 2 m wide, 1 m high, 1 kg, of no thickness.
 const WIDE: f64 = 2.0;
@@ -37,7 +38,7 @@ fn plate_at(canvas: &Canvas, centre: P, scale: f64) {
 }
 
 pub(super) fn draw() -> Drawing {
-    let plate = Inertia::from_moments(HIGH * HIGH / 12.0, WIDE * WIDE / 12.0, (WIDE * WIDE + HIGH * HIGH) / 12.0)?;
+    let plate = ThinPlate::new(WIDE, HIGH)?.with_mass(1.0)?.inertia();
     let [light, heavy] = [Vector3::x(), Vector3::y()].map(|axis| plate.about_axis(&axis));
     let (light, heavy) = (light?, heavy?);
     let canvas = Canvas::new(530);
@@ -72,7 +73,7 @@ pub(super) fn draw() -> Drawing {
 
     let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
     let mut gaps = Vec::new();
-    canvas.label((20.0, 378.0), &Label::new("The spin turned from one axis to the other, and the gap:"));
+    canvas.label((20.0, 378.0), &Label::new("The spin turned from one axis to the other, and below it the gap:"));
     for (i, &degrees) in directions.iter().enumerate() {
         #[allow(clippy::cast_precision_loss)]
         let centre = (50.0 + 93.0 * i as f64, 452.0);

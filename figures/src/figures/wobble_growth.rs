@@ -16,9 +16,9 @@ pub(super) fn draw() -> Drawing {
         return Err("a middle axis that does not flip".into());
     };
     let canvas = Canvas::new(480);
-    let plot = Plot::new(&canvas, 72.0, 56.0, 655.0, 410.0, Scale::linear(0.0..7.0), Scale::log(3e-8..30.0));
+    let plot = Plot::new(&canvas, 72.0, 56.0, 655.0, 410.0, Scale::linear(0.0..7.0), Scale::log(1e-7..30.0));
     plot.x_axis((0..=7).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
-    plot.y_axis((-7..=1).map(|n| (10_f64.powi(n), power_of_ten(n))), "angle between the spin and the middle axis (rad)");
+    plot.y_axis((-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))), "angle between the spin and the middle axis (rad)");
     // A push about the largest axis, half growing, half fading: `cosh`, with `sinh` about the smallest.
     let other = ((m[2] - m[1]) * m[2] / ((m[1] - m[0]) * m[0])).sqrt();
     let mut said = Vec::new();
@@ -30,19 +30,23 @@ pub(super) fn draw() -> Drawing {
         let run = motion::free(&motion::spun(inertia, omega)?, STEP, (whole / STEP) as usize)?;
         let angle = |w: Vector3<f64>| w.x.hypot(w.z).atan2(w.y.abs());
         let share = 0.5 * other.hypot(1.0) * push;
-        let full = (12.0 / share).ln() / rate;
+        let full = (3.0 / share).ln() / rate;
         plot.curve([(0.0, share), (full, share * (rate * full).exp())], Pen::new(Ink::Text, 7.0).opacity(0.22))?;
         plot.curve(run.iter().step_by(10).map(|(t, body)| (*t, angle(body.omega_body()))), Pen::new(Ink::Text, 2.2))?;
-        let start = plot.at(0.0, push);
-        canvas.label((start.0 + 18.0, start.1 + 16.0), &Label::new(format!("push {}", power_of_ten(exponent))).size(15.5));
-        let top = plot.at(0.5 * whole, 1.2);
-        canvas.label((top.0 + 14.0, top.1 + 2.0), &Label::new(format!("flip, {:.2} s", 0.5 * whole)).size(15.5));
+        let tail = plot.at(whole, push);
+        let power = power_of_ten(exponent);
+        if exponent == -2 {
+            canvas.label((tail.0 + 10.0, tail.1 + 6.0), &Label::new(format!("{power} rad")));
+        } else {
+            canvas.label((tail.0 - 4.0, tail.1 + 22.0), &Label::new(format!("a push of {power} rad")).end());
+        }
+        let top = plot.at(0.5 * whole, 4.5);
+        canvas.label(top, &Label::new(format!("{:.2} s", 0.5 * whole)).middle());
         said.push(format!("a push of {push:.0e} rad: it flips after {:.2} s", 0.5 * whole));
     }
-    let by = plot.at(4.3, 2e-4);
-    canvas.label((by.0, by.1), &Label::new(""));
-    let words = plot.at(3.62, 7.0);
-    canvas.label((words.0, words.1 - 8.0), &Label::new(format!("wide grey: $e^{{λt}}$ with $λ$ = {rate:.2} /s")));
+    canvas.label(plot.at(0.08, 4.5), &Label::new("flips at"));
+    canvas.label(plot.at(3.9, 0.3), &Label::new("wide: the theory,"));
+    canvas.label(plot.at(3.9, 0.065), &Label::new(format!("growth as $e^{{λt}}$, $λ$ = {rate:.2} /s")));
     Ok(Picture {
         canvas,
         description: format!(
