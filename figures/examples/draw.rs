@@ -12,10 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for figure in tumbling_figures::registry() {
         if names.is_empty() || names.iter().any(|name| name == figure.name) {
             let svg = figure.draw()?;
-            std::fs::write(
-                Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("{}.svg", figure.name)),
-                &svg,
-            )?;
+            std::fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("{}.svg", figure.name)), &svg)?;
             println!("{:20} {:6} bytes", figure.name, svg.len());
         }
     }

@@ -51,7 +51,11 @@ impl Canvas {
         if points.len() < 2 {
             return;
         }
-        self.push(&format!("<path d=\"{}{}\" style=\"{style}\"/>\n", path_data(points), if close { "z" } else { "" }));
+        self.push(&format!(
+            "<path d=\"{}{}\" style=\"{style}\"/>\n",
+            path_data(points),
+            if close { "z" } else { "" }
+        ));
     }
 
     /// An open line through the points.
@@ -148,7 +152,17 @@ fn path_data(points: &[BackendCoord]) -> String {
             let _ = write!(data, "M{x} {y}");
         } else {
             let (dx, dy) = (x - last.0, y - last.1);
-            let _ = write!(data, "{}{dx}", if i == 1 { "l" } else if dx < 0 { "" } else { " " });
+            let _ = write!(
+                data,
+                "{}{dx}",
+                if i == 1 {
+                    "l"
+                } else if dx < 0 {
+                    ""
+                } else {
+                    " "
+                }
+            );
             let _ = write!(data, "{}{dy}", if dy < 0 { "" } else { " " });
         }
         last = (x, y);
@@ -177,7 +191,8 @@ fn simplified(points: &[BackendCoord]) -> Vec<BackendCoord> {
             let (px, py) = (f64::from(x - ax), f64::from(y - ay));
             if length == 0.0 { px.hypot(py) } else { (px * dy - py * dx).abs() / length }
         };
-        let far = (a + 1..b).map(|i| (i, off(points[i]))).fold((a, 0.0), |m, x| if x.1 > m.1 { x } else { m });
+        let far =
+            (a + 1..b).map(|i| (i, off(points[i]))).fold((a, 0.0), |m, x| if x.1 > m.1 { x } else { m });
         if far.1 > TOLERANCE {
             spans.push((a, far.0));
             spans.push((far.0, b));
@@ -225,23 +240,44 @@ impl DrawingBackend for Canvas {
     ) -> Drawn {
         let ((l, t), (r, b)) = (upper_left, bottom_right);
         let corners = [(l, t), (r, t), (r, b), (l, b)];
-        if fill { self.fill_polygon(corners, style) } else { self.draw_path([(l, t), (r, t), (r, b), (l, b), (l, t)], style) }
+        if fill {
+            self.fill_polygon(corners, style)
+        } else {
+            self.draw_path([(l, t), (r, t), (r, b), (l, b), (l, t)], style)
+        }
     }
 
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Drawn {
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
         let points: Vec<_> = path.into_iter().collect();
         self.shape(&simplified(&points), false, &Pen::of_backend(style).css());
         Ok(())
     }
 
-    fn draw_circle<S: BackendStyle>(&mut self, centre: BackendCoord, radius: u32, style: &S, fill: bool) -> Drawn {
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        centre: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
         let pen = Pen::of_backend(style);
         let css = if fill { Fill::new(pen.ink()).opacity(style.color().alpha).css() } else { pen.css() };
-        self.push(&format!("<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" style=\"{css}\"/>\n", centre.0, centre.1));
+        self.push(&format!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" style=\"{css}\"/>\n",
+            centre.0, centre.1
+        ));
         Ok(())
     }
 
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Drawn {
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
         let pen = Pen::of_backend(style);
         let points: Vec<_> = path.into_iter().collect();
         self.shape(&simplified(&points), true, &Fill::new(pen.ink()).opacity(style.color().alpha).css());

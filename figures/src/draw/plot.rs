@@ -76,7 +76,15 @@ fn fine(x: f64) -> i32 {
 
 impl Plot {
     /// In the rectangle from `left`, `top` to `right`, `bottom`.
-    pub(crate) fn new(canvas: &Canvas, left: f64, top: f64, right: f64, bottom: f64, x: Scale, y: Scale) -> Self {
+    pub(crate) fn new(
+        canvas: &Canvas,
+        left: f64,
+        top: f64,
+        right: f64,
+        bottom: f64,
+        x: Scale,
+        y: Scale,
+    ) -> Self {
         let whole: DrawingArea<Canvas, Shift> = canvas.clone().into_drawing_area();
         let place = (fine(left)..fine(right), fine(bottom)..fine(top));
         let area = whole.apply_coord_spec(Cartesian2d::new(x, y, place));

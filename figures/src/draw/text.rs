@@ -105,7 +105,9 @@ fn symbols(text: &str, size: f64, out: &mut String) {
             '!' => (0.0, true, rest.next().into_iter().collect()),
             c => {
                 let mut run = String::from(c);
-                while let Some(c) = rest.next_if(|c| !matches!(c, '_' | '^' | '!') && c.is_alphabetic() == run.chars().all(char::is_alphabetic)) {
+                while let Some(c) = rest.next_if(|c| {
+                    !matches!(c, '_' | '^' | '!') && c.is_alphabetic() == run.chars().all(char::is_alphabetic)
+                }) {
                     run.push(c);
                 }
                 (0.0, false, run)

@@ -23,7 +23,10 @@ pub(super) fn draw() -> Drawing {
     canvas.line((centre.0, centre.1 + b + 20.0), (centre.0, 40.0), axis);
     canvas.label((598.0, centre.1 + 5.0), &Label::new("$x$"));
     canvas.label((centre.0 - 5.0, 30.0), &Label::new("$y$"));
-    canvas.label((centre.0 - 0.5 * a, centre.1 + b + 24.0), &Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle());
+    canvas.label(
+        (centre.0 - 0.5 * a, centre.1 + b + 24.0),
+        &Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle(),
+    );
     canvas.label((centre.0 - a + 10.0, centre.1 + 30.0), &Label::new(format!("$b$ = {:.0} m", BOX_EDGES[1])));
 
     // Each component of the momentum is that of the spin times its own moment.
@@ -33,10 +36,22 @@ pub(super) fn draw() -> Drawing {
     canvas.line(l_tip, (centre.0, l_tip.1), guide(Ink::Momentum));
     canvas.line(w_tip, (w_tip.0, centre.1), guide(Ink::Omega));
     canvas.line(w_tip, (centre.0, w_tip.1), guide(Ink::Omega));
-    canvas.label((centre.0 - 10.0, l_tip.1 + 2.0), &Label::new(format!("$L_y$ = {:.3}", momentum.y)).ink(Ink::Momentum).end());
-    canvas.label((centre.0 - 10.0, w_tip.1 + 10.0), &Label::new(format!("$ω_y$ = {:.0}", omega.y)).ink(Ink::Omega).end());
-    canvas.label((l_tip.0 - 2.0, centre.1 + 24.0), &Label::new(format!("$L_x$ = {:.3}", momentum.x)).ink(Ink::Momentum).middle());
-    canvas.label((w_tip.0 + 26.0, centre.1 + 24.0), &Label::new(format!("$ω_x$ = {:.0}", omega.x)).ink(Ink::Omega));
+    canvas.label(
+        (centre.0 - 10.0, l_tip.1 + 2.0),
+        &Label::new(format!("$L_y$ = {:.3}", momentum.y)).ink(Ink::Momentum).end(),
+    );
+    canvas.label(
+        (centre.0 - 10.0, w_tip.1 + 10.0),
+        &Label::new(format!("$ω_y$ = {:.0}", omega.y)).ink(Ink::Omega).end(),
+    );
+    canvas.label(
+        (l_tip.0 - 2.0, centre.1 + 24.0),
+        &Label::new(format!("$L_x$ = {:.3}", momentum.x)).ink(Ink::Momentum).middle(),
+    );
+    canvas.label(
+        (w_tip.0 + 26.0, centre.1 + 24.0),
+        &Label::new(format!("$ω_x$ = {:.0}", omega.x)).ink(Ink::Omega),
+    );
 
     let arc = Pen::new(Ink::Text, 1.2);
     canvas.arc(centre, 60.0, 0.0, w_angle, arc);
@@ -50,11 +65,13 @@ pub(super) fn draw() -> Drawing {
         (l_tip.0 - 4.0, l_tip.1 - 14.0),
         &Label::new(format!("$!L$ = ({:.3}, {:.3}, 0) kg m²/s", momentum.x, momentum.y)).ink(Ink::Momentum),
     );
-    let small = |at: (f64, f64), text: String| canvas.label((at.0 + 5.0, at.1 + 4.0), &Label::new(text).size(15.5));
+    let small =
+        |at: (f64, f64), text: String| canvas.label((at.0 + 5.0, at.1 + 4.0), &Label::new(text).size(15.5));
     small(polar(centre, 60.0, 0.35), format!("{:.0}°", w_angle.to_degrees()));
     small(polar(centre, 100.0, 0.4), format!("{:.1}°", l_angle.to_degrees()));
     let by_the_arc = polar(centre, 236.0, 0.5 * (w_angle + l_angle));
-    canvas.label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());
+    canvas
+        .label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());
     Ok(Picture {
         canvas,
         description: format!(

@@ -13,7 +13,10 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::new(470);
     let plot = Plot::new(&canvas, 74.0, 56.0, 655.0, 396.0, Scale::linear(0.0..END), Scale::linear(0.5..1.3));
     plot.x_axis((0..=4).map(|s| (10.0 * f64::from(s), (10 * s).to_string())), "time $t$ (s)");
-    plot.y_axis([60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %"))), "kinetic energy, in parts of what it was");
+    plot.y_axis(
+        [60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %"))),
+        "kinetic energy, in parts of what it was",
+    );
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let energies = |engine| -> Result<Vec<(f64, f64)>, tumbling::Error> {
         let run = motion::timed(engine, &body, STEP, (END / STEP).round() as usize)?;

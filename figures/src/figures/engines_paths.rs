@@ -15,7 +15,8 @@ pub(super) fn draw() -> Drawing {
     // x is the box's middle axis.
     let body = motion::spun(document_box()?, Vector3::new(SPIN, PUSH, PUSH))?;
     let canvas = Canvas::new(480);
-    let plot = Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..END), Scale::linear(-12.0..14.0));
+    let plot =
+        Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..END), Scale::linear(-12.0..14.0));
     plot.x_axis((0..=6).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
     let ticks = [-10, -5, 0, 5, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−")));
     plot.y_axis(ticks, "spin about the middle axis, $ω_2$ (rad/s)");
@@ -27,7 +28,8 @@ pub(super) fn draw() -> Drawing {
     let right = spins(Engine::Turned)?;
     let taken = spins(Engine::MomentumForSpin)?;
     let without = spins(Engine::NoGyroscopicTerm)?;
-    if sign_changes(taken.iter().chain(&without).copied()).len() + sign_changes([(0.0, taken[0].1)]).len() > 0 {
+    if sign_changes(taken.iter().chain(&without).copied()).len() + sign_changes([(0.0, taken[0].1)]).len() > 0
+    {
         return Err("a wrong engine flipped".into());
     }
     let flips = sign_changes(right.iter().copied());

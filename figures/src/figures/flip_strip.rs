@@ -1,11 +1,11 @@
-use super::{Drawing, Picture};
+use super::{Drawing, Picture, edges_of};
 use crate::draw::{Canvas, Cuboid, Fill, Label, Pen, View};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
+use tumbling::Body;
 use tumbling::observe::sign_changes;
-use tumbling::{Body, Inertia};
 
 /// The push, rad; the spin is a turn a second.
 const PUSH: f64 = 0.05;
@@ -38,12 +38,6 @@ fn draw_book(canvas: &Canvas, view: &View, edges: &Vector3<f64>, rotation: Matri
     }
 }
 
-/// The edges of an even box with these moments (about x, y, z) and this mass.
-fn edges_of(inertia: &Inertia, mass: f64) -> Vector3<f64> {
-    let m = inertia.matrix().diagonal();
-    m.map(|moment| (6.0 * (m.sum() - 2.0 * moment) / mass).sqrt())
-}
-
 /// The same attitude without its tumbling about the momentum (world x): turned back until the book's head
 /// is as near to up as that allows.
 fn without_tumbling(rotation: &Matrix3<f64>) -> Matrix3<f64> {
@@ -54,7 +48,7 @@ fn without_tumbling(rotation: &Matrix3<f64>) -> Matrix3<f64> {
 pub(super) fn draw() -> Drawing {
     let book = tumbling::bodies::book()?;
     let inertia = book.inertia();
-    let edges = edges_of(&inertia, book.mass());
+    let edges = edges_of(&book);
     // Along x, its middle axis, but for the push.
     let omega = Vector3::new(PUSH.cos(), PUSH.sin(), 0.0) * TAU;
     let momentum = inertia.momentum(&omega);
@@ -65,7 +59,8 @@ pub(super) fn draw() -> Drawing {
     let flip = *flip.first().ok_or("the book did not flip")?;
 
     let canvas = Canvas::new(392);
-    let rows = [("what you see", 104.0), ("the same, from a camera that goes round with the tumbling", 264.0)];
+    let rows =
+        [("what you see", 104.0), ("the same, from a camera that goes round with the tumbling", 264.0)];
     for (words, y) in rows {
         canvas.label((20.0, y - 74.0), &Label::new(words));
         canvas.arrow((14.0, y), (670.0, y), Pen::new(Ink::Momentum, 2.0));

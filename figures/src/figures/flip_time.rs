@@ -18,13 +18,18 @@ pub(super) fn draw() -> Drawing {
     };
     let canvas = Canvas::new(480);
     let plot = Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::log(1e-12..1.0), Scale::linear(0.0..14.0));
-    plot.x_axis((-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))), "push: spin about the largest axis, in parts of the main spin");
+    plot.x_axis(
+        (-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
+        "push: spin about the largest axis, in parts of the main spin",
+    );
     plot.y_axis((0..=7).map(|n| (2.0 * f64::from(n), (2 * n).to_string())), "time between two flips (s)");
     let time = |push: f64| -> Result<f64, Box<dyn std::error::Error>> {
         Ok(time_between_flips(&m, &spin(push))?.ok_or("never flips")?)
     };
-    let curve: Result<Vec<_>, _> =
-        (0..=240).map(|i| 10_f64.powf(-12.0 + 0.05 * f64::from(i))).map(|push| time(push).map(|t| (push, t))).collect();
+    let curve: Result<Vec<_>, _> = (0..=240)
+        .map(|i| 10_f64.powf(-12.0 + 0.05 * f64::from(i)))
+        .map(|push| time(push).map(|t| (push, t)))
+        .collect();
     plot.curve(curve?, Pen::new(Ink::Text, 2.4))?;
     let mut dots = Vec::new();
     let mut worst = 0.0_f64;
@@ -48,7 +53,10 @@ pub(super) fn draw() -> Drawing {
     let stair = [plot.at(near.0, near.1), plot.at(far.0, near.1), plot.at(far.0, far.1)];
     canvas.path(&stair, Pen::new(Ink::Text, 1.2).dashed());
     canvas.label((stair[1].0 - 6.0, stair[1].1 + 24.0), &Label::new("a push ten times smaller:").end());
-    canvas.label((stair[1].0 - 6.0, stair[1].1 + 46.0), &Label::new(format!("{decade:.2} s longer")).end().bold());
+    canvas.label(
+        (stair[1].0 - 6.0, stair[1].1 + 46.0),
+        &Label::new(format!("{decade:.2} s longer")).end().bold(),
+    );
     let word = plot.at(3e-9, 10.6);
     canvas.label(word, &Label::new("line: the formula; rings: simulated"));
     Ok(Picture {

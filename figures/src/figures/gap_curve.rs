@@ -46,13 +46,18 @@ pub(super) fn draw() -> Drawing {
     let in_plane = [Vector3::x(), Vector3::y()];
     let curves = [
         Curve::across("a pencil", Cylinder::new(0.0035, 0.18)?.with_mass(0.005)?.inertia()),
-        Curve::across("the phone", bodies::phone()?.inertia()),
-        Curve { name: "a plate, 2 × 1", inertia: ThinPlate::new(2.0, 1.0)?.with_mass(1.0)?.inertia(), plane: in_plane },
+        Curve::across("the tennis racket", bodies::tennis_racket()?.inertia()),
+        Curve {
+            name: "a plate, 2 × 1",
+            inertia: ThinPlate::new(2.0, 1.0)?.with_mass(1.0)?.inertia(),
+            plane: in_plane,
+        },
         Curve { name: "the box, x to y", inertia: bodies::the_box()?.inertia(), plane: in_plane },
         Curve::across("a ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
     ];
     let canvas = Canvas::new(480);
-    let plot = Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
+    let plot =
+        Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
     let ticks = || (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
     plot.x_axis(ticks(), "spin direction, from the lighter axis (0°) to the heavier (90°)");
     plot.y_axis(ticks(), "gap between $!ω$ and $!L$");
@@ -64,7 +69,6 @@ pub(super) fn draw() -> Drawing {
         let ball = curve.ratio()? == 1.0;
         plot.curve(points?, if ball { Pen::new(Ink::Text, 3.4) } else { Pen::new(Ink::Text, 2.2) })?;
         if ball {
-            canvas.label((plot.at(2.0, 0.0).0, plot.at(0.0, 0.0).1 - 8.0), &Label::new(""));
             let p = plot.at(45.0, 0.0);
             canvas.label((p.0, p.1 - 9.0), &Label::new(format!("{}: none", curve.name)).middle());
             said.push(format!("{}: none in any direction", curve.name));
@@ -73,7 +77,9 @@ pub(super) fn draw() -> Drawing {
         let (at, gap) = curve.widest()?;
         plot.dots([(at, gap)], 4.5, Ink::Text)?;
         let p = plot.at(at, gap);
-        canvas.label((p.0 + 6.0, p.1 - 12.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
+        // Above the steepest and the flattest curve there is room, under the others.
+        let down = if (20.0..80.0).contains(&gap) { 24.0 } else { -12.0 };
+        canvas.label((p.0 + 6.0, p.1 + down), &Label::new(format!("{}: {gap:.1}°", curve.name)));
         said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()?));
     }
     Ok(Picture {

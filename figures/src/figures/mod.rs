@@ -3,17 +3,18 @@
 use crate::Figure;
 use crate::draw::Canvas;
 use crate::ink::Ink;
-use tumbling::solid::{Cuboid, Solid};
+use nalgebra::Vector3;
+use tumbling::solid::{Cuboid, MassProperties, Solid};
 use tumbling::{Axis, Error, Inertia};
 
 mod box_arrows;
 mod box_moments;
 mod cover;
-mod gap_curve;
 mod engines_energy;
 mod engines_paths;
 mod flip_strip;
 mod flip_time;
+mod gap_curve;
 mod moments_gallery;
 mod moments_map;
 mod polhode;
@@ -21,8 +22,8 @@ mod polhodes;
 mod rod_two_ways;
 mod three_spins;
 mod turning_tensor;
-mod wobble_growth;
 mod two_arrows;
+mod wobble_growth;
 
 /// A finished drawing, and what it shows in words, for those who do not see it.
 pub(crate) struct Picture {
@@ -151,6 +152,12 @@ fn document_box() -> Result<Inertia, Error> {
 fn in_principal_axes(inertia: &Inertia) -> Result<Inertia, Error> {
     let m = inertia.principal().moments();
     Inertia::from_moments(m[0], m[1], m[2])
+}
+
+/// The edges of an even box with this mass and these moments about x, y and z, m.
+fn edges_of(body: &MassProperties) -> Vector3<f64> {
+    let m = body.inertia().matrix().diagonal();
+    m.map(|moment| (6.0 * (m.sum() - 2.0 * moment) / body.mass()).sqrt())
 }
 
 /// The ink of a principal axis.

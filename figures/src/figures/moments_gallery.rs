@@ -1,6 +1,6 @@
 //! The named bodies, each drawn to a scale of its own, with its three moments as bars.
 
-use super::{Drawing, Picture, ink_of};
+use super::{Drawing, Picture, edges_of, ink_of};
 use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
 use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
@@ -37,17 +37,12 @@ impl Cell<'_> {
     }
 }
 
-/// How a named body is drawn: points to the metre, the height of what is drawn at the middle of its cell, and
-/// the shape, with the sizes that [`bodies`] gives it.
+/// How a body that is no box is drawn: points to the metre, what of it falls at the middle of its cell, and its
+/// shape, with the sizes that [`bodies`] gives it.
 type Shape = (f64, [f64; 3], fn(&Cell<'_>));
 
 fn shape(name: &str) -> Option<Shape> {
-    let even = [0.0; 3];
     Some(match name {
-        "the box" => (30.0, even, |c| c.cuboid([-1.0, -0.5, -1.5], [1.0, 0.5, 1.5])),
-        "the book" => (480.0, even, |c| c.cuboid([-0.0645, -0.01, -0.099], [0.0645, 0.01, 0.099])),
-        "the phone" => (660.0, even, |c| c.cuboid([-0.0358, -0.0039, -0.0738], [0.0358, 0.0039, 0.0738])),
-        "the remote control" => (720.0, even, |c| c.cuboid([-0.0175, -0.0046, -0.068], [0.0175, 0.0046, 0.068])),
         "the hammer" => (310.0, [0.0, 0.0, 0.16], |c| {
             c.bar([0.0, 0.0, 0.014], [0.0, 0.0, 0.28], 0.0145);
             c.cuboid([-0.05, -0.016, 0.29], [0.05, 0.016, 0.322]);
@@ -110,7 +105,10 @@ fn bars(canvas: &Canvas, left: f64, top: f64, principal: &PrincipalAxes) {
         let length = 88.0 * moment / most;
         let corners = [(left, y), (left + length, y), (left + length, y + 14.0), (left, y + 14.0)];
         canvas.area(&corners, Fill::new(ink_of(axis)), None);
-        canvas.label((left - 7.0, y + 13.0), &Label::new(format!("$I_{}$", i + 1)).size(15.5).ink(ink_of(axis)).end());
+        canvas.label(
+            (left - 7.0, y + 13.0),
+            &Label::new(format!("$I_{}$", i + 1)).size(15.5).ink(ink_of(axis)).end(),
+        );
         canvas.label((left + length + 6.0, y + 12.5), &Label::new(plain(moment)).size(14.5));
     }
 }
@@ -123,7 +121,17 @@ fn plain(moment: f64) -> String {
     #[allow(clippy::cast_possible_truncation)]
     let thirds = (moment.log10() / 3.0).floor() as i32;
     let mantissa = moment / 1000_f64.powi(thirds);
-    format!("{mantissa:.*}·{}", if mantissa < 10.0 { 2 } else if mantissa < 100.0 { 1 } else { 0 }, super::power_of_ten(3 * thirds))
+    format!(
+        "{mantissa:.*}·{}",
+        if mantissa < 10.0 {
+            2
+        } else if mantissa < 100.0 {
+            1
+        } else {
+            0
+        },
+        super::power_of_ten(3 * thirds)
+    )
 }
 
 pub(super) fn draw() -> Drawing {
@@ -146,10 +154,16 @@ pub(super) fn draw() -> Drawing {
 
 /// One body in its cell; returns its words.
 fn one(canvas: &Canvas, corner: P, body: &NamedBody) -> Result<String, Box<dyn std::error::Error>> {
-    let principal = body.properties()?.inertia().principal();
-    let (scale, middle, shape) = shape(body.name()).ok_or("a body without a drawing")?;
-    let view = View::new((corner.0 + 52.0, corner.1 + 62.0), scale, -58.0, 20.0).moved_back(&middle.into());
-    shape(&Cell { canvas, view });
+    let properties = body.properties()?;
+    let principal = properties.inertia().principal();
+    let centre = (corner.0 + 52.0, corner.1 + 62.0);
+    let view = |scale| View::new(centre, scale, -58.0, 20.0);
+    if let Some((scale, middle, shape)) = shape(body.name()) {
+        shape(&Cell { canvas, view: view(scale).moved_back(&middle.into()) });
+    } else {
+        let half = edges_of(&properties) * 0.5;
+        Cell { canvas, view: view(48.0 / half.z) }.cuboid((-half).into(), half.into());
+    }
     let name = body.name().trim_start_matches("the ");
     canvas.label((corner.0 + 128.0, corner.1 + 22.0), &Label::new(name));
     bars(canvas, corner.0 + 128.0, corner.1 + 34.0, &principal);

@@ -8,10 +8,13 @@ use tumbling::stability::rate_squared;
 
 /// The triangle of possible bodies, with its corners and edges named.
 fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
-    let plot = Plot::new(canvas, 76.0, 66.0, 616.0, 436.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
-    let tenths = |range: std::ops::RangeInclusive<i32>| range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))));
+    let plot = Plot::new(canvas, 76.0, 84.0, 616.0, 454.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
+    let tenths = |range: std::ops::RangeInclusive<i32>| {
+        range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))))
+    };
     plot.x_axis(tenths(0..=10).step_by(2), "smallest moment in parts of the largest, $I_1/I_3$");
-    plot.y_axis(tenths(5..=10), "middle moment in parts of the largest, $I_2/I_3$");
+    plot.y_axis(tenths(5..=10), "");
+    canvas.label((20.0, 32.0), &Label::new("middle moment in parts of the largest, $I_2/I_3$"));
     let corners = [(0.0, 1.0), (0.5, 0.5), (1.0, 1.0)].map(|(x, y)| plot.at(x, y));
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 2.2)));
     Ok(plot)
@@ -32,8 +35,10 @@ fn edges(canvas: &Canvas, plot: &Plot) {
     canvas.label((corner.0 + 22.0, corner.1 - 8.0), &Label::new("disk").size(15.5));
     let ball = plot.at(1.0, 1.0);
     canvas.label((ball.0 + 10.0, ball.1 + 5.0), &Label::new("ball").size(15.5));
-    let top = plot.at(1.0, 1.0);
-    canvas.label((top.0, top.1 - 12.0), &Label::new("round: rods, $I_2 = I_3$").size(15.5).end());
+    let needle = plot.at(0.0, 1.0);
+    canvas.label((needle.0, needle.1 - 12.0), &Label::new("needle").size(15.5));
+    let top = plot.at(0.5, 1.0);
+    canvas.label((top.0, top.1 - 12.0), &Label::new("round: rods, $I_2 = I_3$").size(15.5).middle());
 }
 
 /// A named body, and where its name goes beside its point.
@@ -66,7 +71,7 @@ fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::erro
 }
 
 pub(super) fn draw() -> Drawing {
-    let canvas = Canvas::new(500);
+    let canvas = Canvas::new(518);
     let plot = map(&canvas)?;
     edges(&canvas, &plot);
     let said = points(&canvas, &plot)?;
@@ -83,11 +88,11 @@ pub(super) fn draw() -> Drawing {
 
 /// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
 pub(super) fn draw_growth() -> Drawing {
-    let canvas = Canvas::new(500);
+    let canvas = Canvas::new(518);
     let plot = map(&canvas)?;
     let rate = |x: f64, y: f64| rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt();
     let mut levels = Vec::new();
-    for tenth in [2, 4, 6, 8] {
+    for tenth in [2, 4, 6] {
         let level = 0.1 * f64::from(tenth);
         // On each height the rate falls from the left edge to the right one.
         let mut line = Vec::new();
@@ -103,18 +108,19 @@ pub(super) fn draw_growth() -> Drawing {
             }
             line.push((left, y));
         }
-        // Named where it is farthest from the left edge.
-        let far = line.iter().copied().fold((0.0, 0.0), |m, p| if p.0 > m.0 { p } else { m });
-        plot.curve(line, Pen::new(Ink::Separatrix, 1.8).dashed())?;
-        let p = plot.at(far.0, far.1);
-        canvas.label((p.0 + 6.0, p.1 + 16.0), &Label::new(format!("{level:.1}")).ink(Ink::Separatrix).size(15.5));
+        let named = line.iter().copied().find(|p| p.1 >= 0.725).unwrap_or_default();
+        plot.curve(line, Pen::new(Ink::AxisMid, 1.8).dashed())?;
+        let p = plot.at(named.0, named.1);
+        canvas.label((p.0 + 6.0, p.1 + 5.0), &Label::new(format!("{level:.1}")).ink(Ink::AxisMid).size(15.5));
         levels.push(format!("{level:.1}"));
     }
     edges(&canvas, &plot);
     points(&canvas, &plot)?;
-    let words = plot.at(0.60, 0.80);
-    canvas.label(words, &Label::new("$λ/ω$, growth of").ink(Ink::Separatrix).size(15.5));
-    canvas.label((words.0, words.1 + 21.0), &Label::new("a wobble per radian").ink(Ink::Separatrix).size(15.5));
+    let words = plot.at(0.80, 0.78);
+    for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a wobble’s growth"), (42.0, "per radian of spin")]
+    {
+        canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
+    }
     let mut said = Vec::new();
     for body in bodies::all() {
         let m = body.properties()?.inertia().principal().moments();

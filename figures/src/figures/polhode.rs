@@ -45,7 +45,12 @@ impl Ellipsoid {
 
     /// The closed path of the spin that starts `share` of the way from the end of an axis (0 or 2, positive or
     /// negative) to the separatrix.
-    pub(super) fn polhode(&self, axis: usize, sign: f64, share: f64) -> Result<Vec<Vector3<f64>>, Box<dyn Error>> {
+    pub(super) fn polhode(
+        &self,
+        axis: usize,
+        sign: f64,
+        share: f64,
+    ) -> Result<Vec<Vector3<f64>>, Box<dyn Error>> {
         let other = 2 - axis;
         let angle = share * self.separatrix_angle(axis);
         let mut start = Vector3::zeros();
@@ -80,7 +85,14 @@ impl Ellipsoid {
     }
 
     /// Draws a curve on the surface: before in full, behind faint.
-    pub(super) fn curve(&self, canvas: &Canvas, view: &View, points: &[Vector3<f64>], before: Pen, behind: Option<Pen>) {
+    pub(super) fn curve(
+        &self,
+        canvas: &Canvas,
+        view: &View,
+        points: &[Vector3<f64>],
+        before: Pen,
+        behind: Option<Pen>,
+    ) {
         let mut from = 0;
         for part in points.chunk_by(|p, q| self.seen(view, p) == self.seen(view, q)) {
             let pen = if self.seen(view, &points[from]) { Some(before) } else { behind };

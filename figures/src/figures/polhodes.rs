@@ -26,7 +26,7 @@ pub(super) fn draw() -> Drawing {
         canvas.label((at.0, at.1 + 22.0), &Label::new(fate).ink(ink_of(axis)));
     };
     name((max.0 + 16.0, max.1 + 8.0), Axis::Largest, "largest", "stable: loops");
-    name((20.0, min.1 + 36.0), Axis::Smallest, "smallest", "stable: loops");
+    name((14.0, min.1 + 84.0), Axis::Smallest, "smallest", "stable: loops");
     name((mid.0 + 12.0, mid.1 + 26.0), Axis::Middle, "middle", "unstable: a crossing");
     // The separatrix is named where it comes from behind the left edge.
     let ellipses = [ellipsoid.separatrix(1.0), ellipsoid.separatrix(-1.0)].concat();

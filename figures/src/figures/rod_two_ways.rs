@@ -14,7 +14,7 @@ const MASS: f64 = 0.2;
 pub(super) fn draw() -> Drawing {
     let inertia = Cylinder::new(RADIUS, LENGTH)?.with_mass(MASS)?.inertia();
     let [along, across] = [inertia.about_axis(&Vector3::z())?, inertia.about_axis(&Vector3::x())?];
-    let canvas = Canvas::new(330);
+    let canvas = Canvas::new(352);
     let easy = (182.0, 130.0);
     let hard = (512.0, 130.0);
     // Thicker than to scale, so that it is seen to turn.
@@ -47,7 +47,8 @@ pub(super) fn draw() -> Drawing {
     rod(hard, 0.0, 1.0);
     canvas.disc(hard, 4.5, Fill::new(ink_of(Axis::Largest)), None);
     for turn in [0.0, PI] {
-        let sweep: Vec<P> = (0..=40).map(|i| polar(hard, 122.0, turn + 0.05 + 1.1 * f64::from(i) / 40.0)).collect();
+        let sweep: Vec<P> =
+            (0..=40).map(|i| polar(hard, 122.0, turn + 0.05 + 1.1 * f64::from(i) / 40.0)).collect();
         canvas.arrow_along(&sweep, Pen::new(Ink::Omega, 2.2));
     }
     let under = |x: f64, axis: Axis, lines: [String; 2]| {
@@ -59,12 +60,12 @@ pub(super) fn draw() -> Drawing {
     under(easy.0, Axis::Smallest, ["about its length".into(), format!("$I$ = {easy_words} kg m²")]);
     under(hard.0, Axis::Largest, ["end over end".into(), format!("$I$ = {hard_words} kg m²")]);
     let ratio = across / along;
-    canvas.label((347.0, 320.0), &Label::new(format!("{ratio:.0} times as hard")).bold().middle());
+    canvas.label((347.0, 338.0), &Label::new(format!("{ratio:.0} times as hard")).bold().middle());
     Ok(Picture {
         canvas,
         description: format!(
             "The same rod, {LENGTH:.0} m long, {:.0} cm thick, {MASS} kg, turned in two ways. About its length its moment is {:.1e} \
-             kg m², end over end {across:.4} kg m²: {ratio:.0} times as much.",
+             kg m², end over end {across:.4} kg m²: {ratio:.0} times as much. (Drawn thicker than it is.)",
             200.0 * RADIUS,
             along
         ),

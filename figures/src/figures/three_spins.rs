@@ -21,11 +21,21 @@ pub(super) fn draw() -> Drawing {
     ];
     let mut said = Vec::new();
     for (k, (axis, name)) in
-        [(Axis::Smallest, "smallest"), (Axis::Middle, "middle"), (Axis::Largest, "largest")].into_iter().enumerate()
+        [(Axis::Smallest, "smallest"), (Axis::Middle, "middle"), (Axis::Largest, "largest")]
+            .into_iter()
+            .enumerate()
     {
         #[allow(clippy::cast_precision_loss)]
         let top = 58.0 + 190.0 * k as f64;
-        let plot = Plot::new(&canvas, 62.0, top, 600.0, top + 130.0, Scale::linear(0.0..END), Scale::linear(-11.5..11.5));
+        let plot = Plot::new(
+            &canvas,
+            62.0,
+            top,
+            600.0,
+            top + 130.0,
+            Scale::linear(0.0..END),
+            Scale::linear(-11.5..11.5),
+        );
         let last = k == 2;
         let number = |s: i32| if last { s.to_string() } else { String::new() };
         plot.x_axis((0..=5).map(|s| (f64::from(s), number(s))), if last { "time $t$ (s)" } else { "" });
@@ -43,7 +53,10 @@ pub(super) fn draw() -> Drawing {
         canvas.label((62.0, top - 12.0), &Label::new(title).ink(pens[k].ink()));
         let beside = |i: usize, y: f64, nudge: f64| {
             let p = plot.at(END, y);
-            canvas.label((p.0 + 10.0 + nudge, p.1 + 5.0), &Label::new(format!("$ω_{}$", i + 1)).ink(pens[i].ink()));
+            canvas.label(
+                (p.0 + 10.0 + nudge, p.1 + 5.0),
+                &Label::new(format!("$ω_{}$", i + 1)).ink(pens[i].ink()),
+            );
         };
         let w_end = run[run.len() - 1].1.omega_body();
         if k == 1 {

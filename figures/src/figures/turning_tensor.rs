@@ -13,7 +13,8 @@ fn world(inertia: &Inertia, degrees: f64) -> Result<Matrix3<f64>, Error> {
 pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
     let canvas = Canvas::new(570);
-    let plot = Plot::new(&canvas, 76.0, 196.0, 562.0, 496.0, Scale::linear(0.0..180.0), Scale::linear(-0.32..1.2));
+    let plot =
+        Plot::new(&canvas, 76.0, 196.0, 562.0, 496.0, Scale::linear(0.0..180.0), Scale::linear(-0.32..1.2));
     plot.x_axis(
         (0..=4).map(|i| (f64::from(45 * i), format!("{}°", 45 * i))),
         "angle by which the box has turned about $z$",
@@ -43,12 +44,13 @@ pub(super) fn draw() -> Drawing {
         canvas.label((end.0 + 10.0, end.1 + 5.0), &Label::new(text).ink(pen.ink()));
     }
     let at_45 = world(&inertia, 45.0)?;
-    let mark = |degrees: f64, value: f64, down: f64, text: String| -> Result<(), Box<dyn std::error::Error>> {
-        plot.dots([(degrees, value)], 4.0, Ink::Text)?;
-        let p = plot.at(degrees, value);
-        canvas.label((p.0, p.1 + down), &Label::new(text).middle().size(15.5));
-        Ok(())
-    };
+    let mark =
+        |degrees: f64, value: f64, down: f64, text: String| -> Result<(), Box<dyn std::error::Error>> {
+            plot.dots([(degrees, value)], 4.0, Ink::Text)?;
+            let p = plot.at(degrees, value);
+            canvas.label((p.0, p.1 + down), &Label::new(text).middle().size(15.5));
+            Ok(())
+        };
     mark(45.0, at_45[(0, 0)], 24.0, format!("{:.3}", at_45[(0, 0)]))?;
     mark(45.0, at_45[(0, 1)], 24.0, format!("−{:.3}", at_45[(0, 1)].abs()))?;
     let [start, quarter] = [world(&inertia, 0.0)?, world(&inertia, 90.0)?];

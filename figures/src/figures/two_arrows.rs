@@ -28,7 +28,12 @@ fn arrows(plate: &Inertia, degrees: f64) -> Result<Arrows, tumbling::Error> {
     };
     let l = plate.momentum(&w);
     let most = plate.momentum(&Vector3::y()).norm();
-    Ok(Arrows { omega: w.y.atan2(w.x), momentum: l.y.atan2(l.x), relative: l.norm() / most, gap: plate.gap(&w)? })
+    Ok(Arrows {
+        omega: w.y.atan2(w.x),
+        momentum: l.y.atan2(l.x),
+        relative: l.norm() / most,
+        gap: plate.gap(&w)?,
+    })
 }
 
 fn plate_at(canvas: &Canvas, centre: P, scale: f64) {
@@ -73,7 +78,10 @@ pub(super) fn draw() -> Drawing {
 
     let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
     let mut gaps = Vec::new();
-    canvas.label((20.0, 378.0), &Label::new("The spin turned from one axis to the other, and below it the gap:"));
+    canvas.label(
+        (20.0, 378.0),
+        &Label::new("The spin turned from one axis to the other, and below it the gap:"),
+    );
     for (i, &degrees) in directions.iter().enumerate() {
         #[allow(clippy::cast_precision_loss)]
         let centre = (50.0 + 93.0 * i as f64, 452.0);
@@ -81,10 +89,17 @@ pub(super) fn draw() -> Drawing {
         let a = arrows(&plate, degrees)?;
         let dot_at = polar(centre, 54.0, a.omega);
         // Where they coincide both must be seen: the momentum wider and below.
-        canvas.arrow(centre, polar(centre, 54.0 * a.relative.max(0.35), a.momentum), Pen::new(Ink::Momentum, 3.6));
+        canvas.arrow(
+            centre,
+            polar(centre, 54.0 * a.relative.max(0.35), a.momentum),
+            Pen::new(Ink::Momentum, 3.6),
+        );
         canvas.arrow(centre, dot_at, Pen::new(Ink::Omega, 1.6));
         canvas.disc(centre, 2.4, Fill::new(Ink::Text), None);
-        canvas.label((centre.0, centre.1 + 42.0), &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle());
+        canvas.label(
+            (centre.0, centre.1 + 42.0),
+            &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle(),
+        );
         let gap = format!("{:.1}°", a.gap.to_degrees());
         canvas.label((centre.0, centre.1 + 66.0), &Label::new(gap.clone()).middle().bold());
         gaps.push(format!("{gap} at {degrees:.0}°"));

@@ -18,7 +18,10 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::new(480);
     let plot = Plot::new(&canvas, 72.0, 56.0, 655.0, 410.0, Scale::linear(0.0..7.0), Scale::log(1e-7..30.0));
     plot.x_axis((0..=7).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
-    plot.y_axis((-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))), "angle between the spin and the middle axis (rad)");
+    plot.y_axis(
+        (-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
+        "angle between the spin and the middle axis (rad)",
+    );
     // A push about the largest axis, half growing, half fading: `cosh`, with `sinh` about the smallest.
     let other = ((m[2] - m[1]) * m[2] / ((m[1] - m[0]) * m[0])).sqrt();
     let mut said = Vec::new();
@@ -31,12 +34,18 @@ pub(super) fn draw() -> Drawing {
         let angle = |w: Vector3<f64>| w.x.hypot(w.z).atan2(w.y.abs());
         let share = 0.5 * other.hypot(1.0) * push;
         let full = (3.0 / share).ln() / rate;
-        plot.curve([(0.0, share), (full, share * (rate * full).exp())], Pen::new(Ink::Text, 7.0).opacity(0.22))?;
-        plot.curve(run.iter().step_by(10).map(|(t, body)| (*t, angle(body.omega_body()))), Pen::new(Ink::Text, 2.2))?;
+        plot.curve(
+            [(0.0, share), (full, share * (rate * full).exp())],
+            Pen::new(Ink::Text, 7.0).opacity(0.22),
+        )?;
+        plot.curve(
+            run.iter().step_by(10).map(|(t, body)| (*t, angle(body.omega_body()))),
+            Pen::new(Ink::Text, 2.2),
+        )?;
         let tail = plot.at(whole, push);
         let power = power_of_ten(exponent);
         if exponent == -2 {
-            canvas.label((tail.0 + 10.0, tail.1 + 6.0), &Label::new(format!("{power} rad")));
+            canvas.label((tail.0 + 10.0, tail.1 + 6.0), &Label::new(power));
         } else {
             canvas.label((tail.0 - 4.0, tail.1 + 22.0), &Label::new(format!("a push of {power} rad")).end());
         }
