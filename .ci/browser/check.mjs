@@ -51,7 +51,11 @@ async function open(base, options = {}) {
     const url = request.url();
     if (!url.startsWith(base) && !url.startsWith("data:")) tell(`asks for ${url}`);
   });
-  page.on("requestfailed", (request) => tell(`cannot load ${request.url()}`));
+  page.on("requestfailed", (request) => {
+    const why = request.failure()?.errorText;
+    // Leaving a page ends what it was still loading; that is no fault of the page.
+    if (why !== "net::ERR_ABORTED") tell(`cannot load ${request.url()} (${why})`);
+  });
   page.on("response", (r) => r.status() >= 400 && tell(`got ${r.status()} for ${r.url()}`));
   page.on("console", (message) => tell(`console: ${message.text()}`));
   page.on("pageerror", (error) => tell(`script error: ${error.message}`));
