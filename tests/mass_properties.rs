@@ -167,13 +167,13 @@ proptest! {
     }
 }
 
-// The same two boxes, near and 2^30 m away: offsets are exact there, so not a digit may change.
+// The same box and ball, near and 2^30 m away: offsets are exact there, so not a digit may change.
 #[test]
 fn a_body_far_from_the_origin_keeps_every_digit() {
     let far = Vector3::new(2.0_f64.powi(30), -(2.0_f64.powi(29)), 2.0_f64.powi(31));
     let parts = [
         Cuboid::new(1.0, 2.0, 3.0).unwrap().with_mass(3.0).unwrap(),
-        Ball::new(0.7).unwrap().with_mass(1.0).unwrap().moved(&Vector3::new(0.5, 1.25, -2.0)).unwrap(),
+        Ball::new(0.7).unwrap().with_mass(0.9).unwrap().moved(&Vector3::new(0.5, 1.25, -2.0)).unwrap(),
     ];
     let near = MassProperties::combine(&parts).unwrap();
     let away = MassProperties::combine(&parts.map(|p| p.moved(&far).unwrap())).unwrap();

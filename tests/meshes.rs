@@ -248,6 +248,20 @@ fn a_mesh_far_from_the_origin_keeps_its_digits() {
     assert_same("far box", &away, &near.moved(&far).unwrap(), 4e-16, 1.0);
 }
 
+// Half the corners belong to a speck 1 km off: their mean is 500 m from the centre.
+#[test]
+fn a_speck_far_away_does_not_blur_the_solid() {
+    let (edges, speck) = (Vector3::new(0.5, 2.0, 1.25), Vector3::repeat(2.0_f64.powi(-13)));
+    let (low, away) = (Vector3::new(0.25, 0.0, -1.0), Vector3::new(600.0, -640.0, 480.0));
+    let mesh = solid(&both(brick(low, edges), brick(away, speck))).unwrap().with_density(1.0).unwrap();
+    let part = |low: Vector3<f64>, e: Vector3<f64>| {
+        let cuboid = Cuboid::new(e.x, e.y, e.z).unwrap().with_density(1.0).unwrap();
+        cuboid.moved(&(low + e * 0.5)).unwrap()
+    };
+    let parts = [part(low, edges), part(away, speck)];
+    assert_same("with a speck", &mesh, &MassProperties::combine(&parts).unwrap(), 1e-14, 1.0);
+}
+
 #[test]
 fn a_mesh_of_any_size_is_measured_or_out_of_range() {
     for scale in [1e-100, 1e70] {
