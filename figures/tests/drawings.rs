@@ -101,3 +101,18 @@ fn nothing_is_drawn_outside_the_sheet() {
         }
     }
 }
+
+#[test]
+fn the_worked_example_is_described_by_its_known_numbers() {
+    // From the box's edges 2, 1, 3: 10/12, 13/12, 5/12; atan(13/10) = 52.43 degrees.
+    for (name, numbers) in
+        [("box-moments", ["0.833 ", "1.083 ", "0.417 "]), ("box-arrows", [" 45° ", " 52.4°", " 7.4°"])]
+    {
+        let figure = registry().iter().find(|figure| figure.name == name).unwrap();
+        let svg = drawn(figure);
+        let described = svg.split("</desc>").next().unwrap();
+        for number in numbers {
+            assert!(described.contains(number), "{name}: {number}");
+        }
+    }
+}

@@ -15,7 +15,7 @@ pub(crate) struct Label {
     ink: Ink,
     anchor: &'static str,
     bold: bool,
-    turned: bool,
+    halo: Option<Ink>,
 }
 
 /// The size of ordinary letters, in points of a figure 680 wide: at half its width still eight and a half.
@@ -23,7 +23,7 @@ pub(crate) const SIZE: f64 = 17.0;
 
 impl Label {
     pub(crate) fn new(text: impl Into<String>) -> Self {
-        Self { text: text.into(), size: SIZE, ink: Ink::Text, anchor: "start", bold: false, turned: false }
+        Self { text: text.into(), size: SIZE, ink: Ink::Text, anchor: "start", bold: false, halo: None }
     }
 
     pub(crate) fn size(self, size: f64) -> Self {
@@ -48,9 +48,9 @@ impl Label {
         Self { bold: true, ..self }
     }
 
-    /// Reads upwards.
-    pub(crate) fn turned(self) -> Self {
-        Self { turned: true, ..self }
+    /// Keeps lines off the letters by an edge in the colour of what they stand on.
+    pub(crate) fn halo(self, ink: Ink) -> Self {
+        Self { halo: Some(ink), ..self }
     }
 
     /// The SVG element, with the baseline at the point.
@@ -66,11 +66,16 @@ impl Label {
         if self.bold {
             tag.push_str(" font-weight=\"600\"");
         }
-        if self.turned {
-            let _ = write!(tag, " transform=\"rotate(-90 {x} {y})\"");
-        }
+        let mut style = Vec::new();
         if self.ink != Ink::Text {
-            let _ = write!(tag, " style=\"fill:{}\"", self.ink.css());
+            style.push(format!("fill:{}", self.ink.css()));
+        }
+        if let Some(ink) = self.halo {
+            let width = 0.3 * self.size * fineness;
+            style.push(format!("paint-order:stroke;stroke:{};stroke-width:{width:.0}", ink.css()));
+        }
+        if !style.is_empty() {
+            let _ = write!(tag, " style=\"{}\"", style.join(";"));
         }
         format!("{tag}>{}</text>\n", spans(&self.text, self.size * fineness))
     }

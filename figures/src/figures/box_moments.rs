@@ -46,7 +46,7 @@ pub(super) fn draw() -> Drawing {
     Ok(Picture {
         canvas,
         description: format!(
-            "A solid box of 1 kg with edges of {a:.0} m along x, {b:.0} m along y and {c:.0} m along z. An arrow along each edge              direction, with a turn about it, carries the moment of inertia about it: {}.",
+            "A solid box of 1 kg with edges of {a:.0} m along x, {b:.0} m along y and {c:.0} m along z. An arrow along each edge direction, with a turn about it, carries the moment of inertia about it: {}.",
             said.join(", ")
         ),
     })
@@ -61,7 +61,7 @@ fn ring(view: &View, principal: &PrincipalAxes, axis: Axis, out: f64) -> Vec<P> 
     let side = principal.axis(if axis == Axis::Smallest { Axis::Middle } else { Axis::Smallest });
     let other = along.cross(&side);
     // Begun where its two ends leave the arrow free.
-    let start = if axis == Axis::Middle { 0.62 } else { 0.10 };
+    let start = if axis == Axis::Middle { 0.21 } else { 0.10 };
     (0..=60)
         .map(|i| {
             let (s, c) = (TAU * (start + 0.78 * f64::from(i) / 60.0)).sin_cos();

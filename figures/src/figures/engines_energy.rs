@@ -1,4 +1,4 @@
-use super::{Drawing, Picture, document_box};
+use super::{Drawing, Picture, bound, document_box};
 use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
@@ -46,8 +46,9 @@ pub(super) fn draw() -> Drawing {
         canvas,
         description: format!(
             "Kinetic energy of the free box, spun at (1, 1, 1) rad/s, over {END:.0} s. The right engine, which turns the tensor \
-             at each step, keeps it to {drift:.0e}. The one that leaves the body's tensor frozen in the world invents up to \
+             at each step, keeps it to better than {:.0e}. The one that leaves the body's tensor frozen in the world invents up to \
              {:.0} % and loses up to {:.0} %, though no torque acts.",
+            bound(drift),
             100.0 * (most.1 - 1.0),
             100.0 * (1.0 - least.1)
         ),

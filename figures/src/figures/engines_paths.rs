@@ -28,8 +28,7 @@ pub(super) fn draw() -> Drawing {
     let right = spins(Engine::Turned)?;
     let taken = spins(Engine::MomentumForSpin)?;
     let without = spins(Engine::NoGyroscopicTerm)?;
-    if sign_changes(taken.iter().chain(&without).copied()).len() + sign_changes([(0.0, taken[0].1)]).len() > 0
-    {
+    if [&taken, &without].iter().any(|run| !sign_changes(run.iter().copied()).is_empty()) {
         return Err("a wrong engine flipped".into());
     }
     let flips = sign_changes(right.iter().copied());

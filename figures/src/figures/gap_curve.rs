@@ -45,15 +45,15 @@ impl Curve {
 pub(super) fn draw() -> Drawing {
     let in_plane = [Vector3::x(), Vector3::y()];
     let curves = [
-        Curve::across("a pencil", Cylinder::new(0.0035, 0.18)?.with_mass(0.005)?.inertia()),
-        Curve::across("the tennis racket", bodies::tennis_racket()?.inertia()),
+        Curve::across("pencil", Cylinder::new(0.0035, 0.18)?.with_mass(0.005)?.inertia()),
+        Curve::across("racket", bodies::tennis_racket()?.inertia()),
         Curve {
-            name: "a plate, 2 × 1",
+            name: "plate, 2 × 1",
             inertia: ThinPlate::new(2.0, 1.0)?.with_mass(1.0)?.inertia(),
             plane: in_plane,
         },
-        Curve { name: "the box, x to y", inertia: bodies::the_box()?.inertia(), plane: in_plane },
-        Curve::across("a ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
+        Curve { name: "box, x to y", inertia: bodies::the_box()?.inertia(), plane: in_plane },
+        Curve::across("ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
     ];
     let canvas = Canvas::new(480);
     let plot =
@@ -77,9 +77,13 @@ pub(super) fn draw() -> Drawing {
         let (at, gap) = curve.widest()?;
         plot.dots([(at, gap)], 4.5, Ink::Text)?;
         let p = plot.at(at, gap);
-        // Above the steepest and the flattest curve there is room, under the others.
-        let down = if (20.0..80.0).contains(&gap) { 24.0 } else { -12.0 };
-        canvas.label((p.0 + 6.0, p.1 + down), &Label::new(format!("{}: {gap:.1}°", curve.name)));
+        if (20.0..80.0).contains(&gap) {
+            // Under the peak, where there is room between the curves.
+            canvas.label((p.0 + 6.0, p.1 + 25.0), &Label::new(curve.name).middle());
+            canvas.label((p.0 + 6.0, p.1 + 47.0), &Label::new(format!("{gap:.1}°")).middle());
+        } else {
+            canvas.label((p.0 + 6.0, p.1 - 12.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
+        }
         said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()?));
     }
     Ok(Picture {

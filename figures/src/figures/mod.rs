@@ -177,3 +177,8 @@ fn power_of_ten(exponent: i32) -> String {
         n => format!("$10^{{{}}}$", n.to_string().replace('-', "−")),
     }
 }
+
+/// The next power of ten above a small error: what may be said of it on every machine.
+fn bound(error: f64) -> f64 {
+    10_f64.powf(error.log10().ceil())
+}

@@ -64,7 +64,8 @@ fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::erro
         canvas.disc(p, 4.5, Fill::new(Ink::Text), None);
         let name = body.name().trim_start_matches("the ");
         let label = Label::new(name).size(16.0);
-        canvas.label((p.0 + dx, p.1 + dy), &if end { label.end() } else { label });
+        // Names to the right of their points stand on the triangle, the others beside it.
+        canvas.label((p.0 + dx, p.1 + dy), &if end { label.end() } else { label.halo(Ink::Surface) });
         said.push(format!("{name} ({x:.2}, {y:.2})"));
     }
     Ok(said)

@@ -62,7 +62,7 @@ pub(super) fn draw() -> Drawing {
         if k == 1 {
             let flips = sign_changes(run.iter().map(|(t, b)| (*t, b.omega_body()[1])));
             let flips: Vec<_> = flips.iter().map(|t| format!("{t:.2} s")).collect();
-            said.push(format!("about the middle axis the spin reverses, at {}", flips.join(", ")));
+            said.push(format!("About the middle axis the spin reverses, at {}", flips.join(", ")));
             for i in 0..3 {
                 beside(i, w_end[i], 0.0);
             }
@@ -70,7 +70,7 @@ pub(super) fn draw() -> Drawing {
             let others = [0, 1, 2].into_iter().filter(|&i| i != k);
             let most = |i: usize| run.iter().map(|(_, b)| b.omega_body()[i].abs()).fold(0.0, f64::max);
             said.push(format!(
-                "about the {name} axis the other components never exceed {:.2} rad/s",
+                "About the {name} axis the other components never exceed {:.2} rad/s",
                 others.clone().map(most).fold(0.0, f64::max)
             ));
             beside(k, w_end[k], 0.0);
@@ -85,7 +85,7 @@ pub(super) fn draw() -> Drawing {
         description: format!(
             "The box spun at {SPIN:.0} rad/s about each principal axis in turn, with the same push of {PUSH} rad/s about both \
              others. {}.",
-            said.join("; ")
+            said.join(". ")
         ),
     })
 }

@@ -51,7 +51,7 @@ pub(super) fn draw() -> Drawing {
         }
         let top = plot.at(0.5 * whole, 4.5);
         canvas.label(top, &Label::new(format!("{:.2} s", 0.5 * whole)).middle());
-        said.push(format!("a push of {push:.0e} rad: it flips after {:.2} s", 0.5 * whole));
+        said.push(format!("After a push of {push:.0e} rad it flips after {:.2} s", 0.5 * whole));
     }
     canvas.label(plot.at(0.08, 4.5), &Label::new("flips at"));
     canvas.label(plot.at(3.9, 0.3), &Label::new("wide: the theory,"));
@@ -63,7 +63,7 @@ pub(super) fn draw() -> Drawing {
              the angle between spin and middle axis grows along a straight line, the theory's exp({rate:.2} t), until the \
              spin is far from the axis; there it flips, and the angle falls back to what it was. {}. Each push a hundred \
              times smaller only delays the flip by the same {:.2} s.",
-            said.join("; "),
+            said.join(". "),
             100_f64.ln() / rate
         ),
     })
