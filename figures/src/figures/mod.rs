@@ -50,7 +50,7 @@ pub(crate) static ALL: [Figure; 17] = [
     Figure {
         name: "rod-two-ways",
         shows: "One rod, two moments: about its length and end over end",
-        chapter: "principal-axes",
+        chapter: "matrix-mass",
         draw: rod_two_ways::draw,
     },
     Figure {
