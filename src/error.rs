@@ -34,11 +34,11 @@ pub enum Error {
         /// The value.
         value: f64,
     },
-    /// A finite input gives a result that a finite nonzero `f64` cannot hold.
+    /// A finite input gives a result that a finite nonzero `f64` cannot hold with all its digits.
     OutOfRange {
         /// What the result stands for.
         what: &'static str,
-        /// What came out instead (an infinity, zero, or NaN from infinities).
+        /// What came out instead (an infinity, zero, a subnormal number, or NaN from infinities).
         value: f64,
     },
     /// Two sizes are in the wrong order, such as an inner radius beyond the outer.
@@ -111,7 +111,7 @@ pub enum Error {
         /// How many vertices the mesh has.
         count: usize,
     },
-    /// The edge of a mesh does not belong to exactly two faces: there is a hole or a fin.
+    /// The edge of a mesh belongs to an odd number of faces: there is a hole or a fin.
     OpenMesh {
         /// The edge's two vertices.
         edge: [usize; 2],
@@ -123,10 +123,12 @@ pub enum Error {
         /// The edge's two vertices, in the direction that both faces take.
         edge: [usize; 2],
     },
-    /// The surface is closed but encloses no positive volume: flat, or inside out.
+    /// The surface is closed but encloses no positive volume: flat to rounding, or inside out.
     NoVolume {
         /// The enclosed volume, by the divergence theorem.
         volume: f64,
+        /// How much of it may be rounding: it must be above that.
+        tolerance: f64,
     },
     /// Something is wrong with one part of a whole.
     Part {
@@ -151,7 +153,7 @@ impl fmt::Display for Error {
             }
             Self::OutOfRange { what, value } => write!(
                 f,
-                "{what} comes out as {value:?}: its true value is beyond what a finite, nonzero f64 holds"
+                "{what} comes out as {value:?}: its true value is beyond what a finite, nonzero f64 holds in full"
             ),
             Self::Order { smaller, small, larger, large } => {
                 write!(f, "{smaller} is {small:?}, larger than {larger}, {large:?}: it must not be")
@@ -190,15 +192,16 @@ impl fmt::Display for Error {
             ),
             Self::OpenMesh { edge: [a, b], faces } => write!(
                 f,
-                "the edge from vertex {a} to vertex {b} belongs to {faces} face(s): in a closed surface it is 2"
+                "the edge from vertex {a} to vertex {b} belongs to {faces} face(s): in a closed surface it is 2, \
+                 or 4 where parts touch"
             ),
             Self::FlippedFace { edge: [a, b] } => {
                 write!(f, "two faces run from vertex {a} to vertex {b}: one of them is turned inside out")
             }
-            Self::NoVolume { volume } => write!(
+            Self::NoVolume { volume, tolerance } => write!(
                 f,
-                "the surface encloses the volume {volume:?}: it must be above zero, so faces must run \
-                 counter-clockwise seen from outside"
+                "the volume comes out as {volume:?}, not above zero by more than rounding ({tolerance:.1e}): the solid \
+                 is flat, or its faces do not run counter-clockwise seen from outside"
             ),
             Self::Part { index, source } => write!(f, "part {index}: {source}"),
         }

@@ -2,12 +2,14 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod attitude;
+pub mod bodies;
 pub mod counted;
 pub mod euler;
 pub mod inertia;
 pub mod observe;
 pub mod references;
 pub mod scalar;
+pub mod solid;
 pub mod stability;
 pub mod step;
 
@@ -16,8 +18,10 @@ mod double;
 mod error;
 mod principal;
 mod scale;
+mod wide;
 
 pub use body::Body;
 pub use error::Error;
 pub use inertia::{Inertia, InverseInertia};
 pub use principal::{Axis, PrincipalAxes};
+pub use solid::{MassProperties, Solid};

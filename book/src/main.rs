@@ -1,1 +1,47 @@
-fn main() {}
+//! Draws the figures and builds the book; `--help` tells the commands.
+
+mod build;
+mod cli;
+mod draw;
+mod log;
+mod nearest;
+mod paths;
+mod preprocess;
+
+use std::process::ExitCode;
+
+/// Writes a line to standard output. A reader that went away (`| head`) is no reason to stop, nor
+/// to complain: the work goes on without being told of.
+macro_rules! say {
+    ($($arg:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stdout().lock(), $($arg)*);
+    }};
+}
+pub(crate) use say;
+
+/// The same for standard error.
+macro_rules! complain {
+    ($($arg:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr().lock(), $($arg)*);
+    }};
+}
+pub(crate) use complain;
+
+fn main() -> ExitCode {
+    let asked = match cli::parse(std::env::args_os().skip(1)) {
+        Ok(asked) => asked,
+        Err(wrong) => {
+            complain!("{wrong}\nTry `cargo run --release -- --help`.");
+            return ExitCode::from(2);
+        }
+    };
+    match cli::run(asked) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(reason) => {
+            complain!("error: {reason}");
+            ExitCode::FAILURE
+        }
+    }
+}

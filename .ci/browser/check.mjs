@@ -1,0 +1,134 @@
+// Opens every page of the built book, as a file and from a local server, and fails on whatever a reader
+// would stumble over: a request to any other place, a word on the console, a page that scrolls
+// sideways, a control the keyboard cannot reach, a rule of accessibility broken.
+//
+//     node check.mjs [PAGES] [--shots DIR]
+
+import { readFile, readdir, mkdir } from "node:fs/promises";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { pathToFileURL, fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { keyboard, search, withoutScripts } from "./reader.mjs";
+import { serve } from "./serve.mjs";
+
+const THEMES = ["light", "rust", "coal", "navy", "ayu"];
+const WIDTHS = [320, 800, 1400];
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+
+const words = process.argv.slice(2);
+const at = words.indexOf("--shots");
+const shots = at >= 0 ? path.resolve(words.splice(at, 2)[1]) : null;
+const folder = path.resolve(words[0] ?? path.join(HERE, "../../book/html"));
+const names = (await readdir(folder)).filter((name) => name.endsWith(".html")).sort();
+const pages = names.filter((name) => name !== "toc.html"); // that one is a frame of the others
+if (pages.length < 3) throw new Error(`no book in ${folder}: build it first`);
+if (shots) await mkdir(shots, { recursive: true });
+
+const faults = new Set();
+const fault = (where, what) => faults.add(`${where}: ${what}`);
+
+const server = await serve(folder);
+const bases = { file: pathToFileURL(folder).href + "/", http: server.base };
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: [
+    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+    "--disable-background-networking", "--disable-component-update",
+  ],
+});
+
+/** A window that tells on its page: requests elsewhere, failures, words on the console. */
+async function open(base, options = {}) {
+  const { theme, ...rest } = options;
+  const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, ...rest });
+  if (theme) {
+    await context.addInitScript((t) => localStorage.setItem("mdbook-theme", t), theme);
+  }
+  const page = await context.newPage();
+  const tell = (what) => fault(page.url().replace(base, ""), what);
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!url.startsWith(base) && !url.startsWith("data:")) tell(`asks for ${url}`);
+  });
+  page.on("requestfailed", (request) => tell(`cannot load ${request.url()}`));
+  page.on("response", (r) => r.status() >= 400 && tell(`got ${r.status()} for ${r.url()}`));
+  page.on("console", (message) => tell(`console: ${message.text()}`));
+  page.on("pageerror", (error) => tell(`script error: ${error.message}`));
+  return page;
+}
+
+/** What is wider than the window although nothing lets one scroll to it. */
+function tooWide() {
+  const found = [];
+  const width = document.documentElement.clientWidth;
+  if (document.documentElement.scrollWidth > width) {
+    found.push(`the page scrolls sideways (${document.documentElement.scrollWidth} px)`);
+  }
+  const boxes = ".math-display, .fig-frame, .table-wrapper, pre";
+  for (const element of document.querySelectorAll("main *")) {
+    if (element.closest(boxes) && !element.matches(boxes)) continue;
+    const box = element.getBoundingClientRect();
+    if (box.width > 0 && (box.right > width + 1 || box.left < -1)) {
+      found.push(`<${element.localName}> is cut off: ${element.textContent.trim().slice(0, 60)}`);
+    }
+  }
+  return found.slice(0, 5);
+}
+
+const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+async function rules(page, where) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { preload: false }));
+  for (const rule of violations) {
+    // A heading of a column that is a formula is not empty: axe does not read MathML, readers' tools do.
+    const says = (node) => !(rule.id === "empty-table-header" && node.html.includes("<math"));
+    for (const node of rule.nodes.filter(says).slice(0, 3)) {
+      const why = node.any.concat(node.all, node.none).map((check) => check.message).join("; ");
+      fault(where, `${rule.impact}: ${rule.id}: ${node.target.join(" ")}: ${why.slice(0, 200)}`);
+    }
+  }
+}
+
+let looks = 0;
+for (const name of pages) {
+  for (const base of Object.values(bases)) {
+    const page = await open(base);
+    await page.goto(base + name);
+    await page.waitForLoadState("networkidle");
+    await page.context().close();
+  }
+  for (const theme of THEMES) {
+    const page = await open(bases.file, { theme, reducedMotion: "reduce" });
+    for (const width of WIDTHS) {
+      const where = `${name}, ${theme}, ${width} px`;
+      await page.setViewportSize({ width, height: 900 });
+      await page.goto(bases.file + name); // anew: mdBook opens the contents by the width it starts with
+      await page.evaluate(() => document.fonts.ready);
+      for (const what of await page.evaluate(tooWide)) fault(where, what);
+      // The print page repeats the others: its words are checked where they stand.
+      if (name !== "print.html" && (width === 1400 || theme === "light")) await rules(page, where);
+      if (shots && name !== "print.html" && ["light", "navy"].includes(theme)) {
+        const file = `${path.basename(name, ".html")}-${theme}-${width}.png`;
+        await page.screenshot({ path: path.join(shots, file), fullPage: true });
+      }
+      looks += 1;
+    }
+    await page.context().close();
+  }
+}
+
+for (const base of Object.values(bases)) {
+  await keyboard(await open(base), base, fault);
+  await search(await open(base), base, fault);
+}
+await withoutScripts(open, bases.file, pages, fault);
+
+await browser.close();
+server.close();
+for (const line of faults) console.error(line);
+if (faults.size > 0) {
+  console.error(`browser: ${faults.size} faults`);
+  process.exit(1);
+}
+console.log(`browser: ${pages.length} pages from disk and from a server, ${looks} looks, no fault`);

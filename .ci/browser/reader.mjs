@@ -1,0 +1,98 @@
+// Readers who use the book otherwise than with a mouse and scripts.
+
+/** By keyboard alone: past the controls, and each control itself. */
+export async function keyboard(page, base, fault) {
+  const where = `keyboard, ${base.slice(0, 4)}`;
+  const wants = (what, holds) => holds || fault(where, what);
+  const focused = (selector) =>
+    page.evaluate((s) => document.activeElement?.matches(s) ?? false, selector);
+  await page.goto(base + "index.html");
+
+  await page.keyboard.press("Tab");
+  wants("the first stop is the skip link", await focused(".skip"));
+  wants("the skip link shows itself", await page.locator(".skip").evaluate((e) => e.getBoundingClientRect().top >= 0));
+  await page.keyboard.press("Enter");
+  wants("the skip link leads to the text", await focused("main"));
+
+  async function tabTo(selector) {
+    await page.goto(base + "index.html");
+    for (let i = 0; i < 80; i += 1) {
+      await page.keyboard.press("Tab");
+      if (await focused(selector)) return true;
+    }
+    fault(where, `Tab does not reach ${selector}`);
+    return false;
+  }
+
+  if (await tabTo("#mdbook-sidebar-toggle")) {
+    const shown = () => page.getAttribute("#mdbook-sidebar-toggle", "aria-expanded");
+    const before = await shown();
+    await page.keyboard.press("Enter");
+    wants("Enter on the menu button toggles the contents", (await shown()) !== before);
+    await page.keyboard.press(" ");
+    wants("Space on the menu button toggles them back", (await shown()) === before);
+    const ring = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+    wants("the focus is visible", ring !== "none");
+  }
+  if (await tabTo("#mdbook-theme-toggle")) {
+    await page.keyboard.press("Enter");
+    wants("Enter opens the themes", await page.isVisible("#mdbook-theme-list"));
+    await page.keyboard.press("End");
+    await page.keyboard.press("Enter");
+    wants("a theme can be chosen", await page.evaluate(() => document.documentElement.classList.contains("ayu")));
+    await page.keyboard.press("Escape");
+    wants("Escape closes the themes", !(await page.isVisible("#mdbook-theme-list")));
+  }
+  if (await tabTo("#mdbook-search-toggle")) {
+    await page.keyboard.press("Enter");
+    wants("Enter opens the search", await page.isVisible("#mdbook-searchbar"));
+    wants("and the search has the focus", await focused("#mdbook-searchbar"));
+  }
+  await page.context().close();
+}
+
+/** A word of the book is found, and the find leads to its page. */
+export async function search(page, base, fault) {
+  const where = `search, ${base.slice(0, 4)}`;
+  await page.goto(base + "index.html");
+  await page.keyboard.press("/");
+  await page.locator("#mdbook-searchbar").pressSequentially("book"); // it listens to keys
+  const hits = page.locator("#mdbook-searchresults li a");
+  try {
+    await hits.first().waitFor({ timeout: 10000 });
+    await hits.first().click();
+    await page.waitForURL(/highlight=book/);
+  } catch {
+    fault(where, "the word `book` is not found, or what is found leads nowhere");
+  }
+  await page.context().close();
+}
+
+/** Text, figures and formulas are there without scripts, by day and by night. */
+export async function withoutScripts(open, base, pages, fault) {
+  const count = () => {
+    const seen = (selector) =>
+      [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().width > 0).length;
+    return {
+      letters: document.querySelector("main").innerText.replace(/\s/g, "").length,
+      figures: seen("main .fig svg"),
+      formulas: seen("main math"),
+      wide: document.documentElement.scrollWidth > document.documentElement.clientWidth,
+    };
+  };
+  for (const name of pages) {
+    const full = await open(base);
+    await full.goto(base + name);
+    const expected = await full.evaluate(count);
+    await full.context().close();
+    for (const colorScheme of ["light", "dark"]) {
+      const bare = await open(base, { javaScriptEnabled: false, colorScheme, viewport: { width: 320, height: 900 } });
+      await bare.goto(base + name);
+      const got = await bare.evaluate(count);
+      if (got.letters < 0.9 * expected.letters || got.figures !== expected.figures || got.formulas !== expected.formulas || got.wide) {
+        fault(`${name} without scripts`, `shows ${JSON.stringify(got)}, with scripts ${JSON.stringify(expected)}`);
+      }
+      await bare.context().close();
+    }
+  }
+}

@@ -1,0 +1,59 @@
+//! The code of the chapters, run by `cargo test`: one module for each chapter, in the order of the
+//! book. A chapter's code may use `tumbling` and `nalgebra`.
+//!
+//! Edition 2024 lets rustdoc build all of it as one program; a block fenced `rust,standalone_crate`
+//! gets one of its own. One chapter alone: `cargo test -p tumbling-book --doc two_arrows`.
+
+#[cfg(doctest)]
+#[doc = include_str!("introduction.md")]
+mod introduction {}
+
+/// A chapter that is not listed here is a chapter whose code nobody runs; one that `SUMMARY.md` lacks
+/// is one that nobody reads.
+#[cfg(test)]
+mod listed {
+    use std::fs;
+    use std::path::Path;
+
+    /// What stands between `before` and `after`, wherever both surround it in one line.
+    fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
+        text.lines()
+            .filter_map(|line| line.split_once(before)?.1.split_once(after))
+            .map(|(inner, _)| inner)
+            .collect()
+    }
+
+    #[test]
+    fn summary_files_and_modules_name_the_same_chapters_in_the_same_order() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("chapters");
+        let summary = fs::read_to_string(folder.join("SUMMARY.md")).unwrap();
+        let modules = include_str!("lib.rs");
+
+        let read = between(&summary, "](", ")");
+        let tested = between(modules, "#[doc = include_str!(\"", "\")]");
+        assert_eq!(read, tested, "left: SUMMARY.md, right: chapters/lib.rs");
+
+        let names: Vec<&str> = modules
+            .lines()
+            .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(" {}"))
+            .collect();
+        let expected: Vec<String> = tested
+            .iter()
+            .map(|file| file.trim_end_matches(".md").replace(['-', '/'], "_"))
+            .collect();
+        assert_eq!(names, expected, "a module is named after its chapter");
+
+        let mut files: Vec<String> = fs::read_dir(&folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| name.ends_with(".md") && name != "SUMMARY.md")
+            .collect();
+        let mut named = read;
+        files.sort();
+        named.sort_unstable();
+        assert_eq!(
+            files, named,
+            "left: the files in book/chapters, right: SUMMARY.md"
+        );
+    }
+}

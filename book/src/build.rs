@@ -1,0 +1,94 @@
+//! Building the pages.
+
+use crate::preprocess::Preprocess;
+use crate::{log, paths, say};
+use mdbook_driver::MDBook;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Builds the book into `book/html/`.
+///
+/// # Errors
+/// What mdBook or our preprocessor found wrong. A warning counts as wrong, and so does a page with a
+/// directive left in it that mdBook was to replace.
+pub(crate) fn build() -> Result<(), String> {
+    let start = Instant::now();
+    let pages = build_into(None)?;
+    say!(
+        "Built {pages} pages in {:.1} s: {}",
+        start.elapsed().as_secs_f64(),
+        paths::pages().display()
+    );
+    Ok(())
+}
+
+/// Builds into `destination`, or where `book.toml` says; returns the number of pages.
+fn build_into(destination: Option<&Path>) -> Result<usize, String> {
+    let (built, complaints) =
+        log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
+            let mut book = MDBook::load(paths::book())?;
+            if let Some(folder) = destination {
+                book.config.build.build_dir = folder.to_owned();
+            }
+            // book.toml names our preprocessor as a command, for those who run mdBook itself. Here it
+            // is at hand: ours of the same name takes the place of the command.
+            book.with_preprocessor(Preprocess);
+            book.build()?;
+            Ok(book.build_dir_for("html"))
+        });
+    let folder = built.map_err(|e| format!("the book was not built.\n{e:#}"))?;
+    if complaints > 0 {
+        return Err(format!("mdBook complained {complaints} times, see above"));
+    }
+    // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
+    let _ = fs::remove_file(folder.join("lib.rs"));
+    left_directives(&folder)
+}
+
+/// Counts the pages; a page that still holds a directive is an error.
+fn left_directives(folder: &Path) -> Result<usize, String> {
+    let cannot = |e: std::io::Error| format!("cannot read the pages in {}: {e}", folder.display());
+    let mut pages = 0;
+    for entry in fs::read_dir(folder).map_err(cannot)? {
+        let path = entry.map_err(cannot)?.path();
+        if path.extension().is_some_and(|e| e == "html") {
+            pages += 1;
+            if fs::read_to_string(&path).map_err(cannot)?.contains("{{#") {
+                return Err(format!(
+                    "{} contains `{{{{#`: a directive that mdBook did not replace",
+                    path.display()
+                ));
+            }
+        }
+    }
+    Ok(pages)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_book_builds_without_a_complaint() {
+        let folder = tempfile::TempDir::new().unwrap();
+        let pages = build_into(Some(folder.path())).unwrap();
+        let chapters = include_str!("../chapters/SUMMARY.md").matches("](").count();
+        // Besides the chapters: the first once more as index, the table of contents, the whole book
+        // for printing, and the page for addresses that lead nowhere.
+        assert_eq!(pages, chapters + 4);
+    }
+
+    #[test]
+    fn a_directive_left_in_a_page_is_a_fault() {
+        let folder = tempfile::TempDir::new().unwrap();
+        fs::write(folder.path().join("a.html"), "fine").unwrap();
+        assert_eq!(left_directives(folder.path()), Ok(1));
+        fs::write(folder.path().join("b.html"), "{{#include missing.rs}}").unwrap();
+        assert!(
+            left_directives(folder.path())
+                .unwrap_err()
+                .contains("b.html")
+        );
+    }
+}

@@ -1,0 +1,208 @@
+//! What was asked for on the command line, and carrying it out.
+
+use crate::{build, draw, nearest, paths, preprocess, say};
+use std::error::Error;
+use std::ffi::OsString;
+use std::fmt::Write as _;
+use std::time::Instant;
+use tumbling_figures::{Figure, registry};
+
+const HELP: &str = "\
+Draws the figures of the book and builds its pages.
+
+    cargo run --release                        draw every figure, build the book
+    cargo run --release -- figures [NAME...]   draw every figure, or those named
+    cargo run --release -- figures --check     draw nothing; fail and name the committed
+                                               figures that are not what would be drawn
+    cargo run --release -- list                name, chapter and subject of each figure
+    cargo run --release -- build               build the book from the figures as they are
+    cargo run --release -- --help              this text
+
+The pages land in book/html/; open book/html/index.html in any browser, no server needed.
+With mdBook installed, `mdbook serve book` shows the same pages and follows your edits
+(it calls `preprocess`, a command meant for mdBook alone).
+
+The code of the chapters is tested by `cargo test`.";
+
+/// A command, understood.
+#[derive(Debug)]
+pub(crate) enum Asked {
+    Everything,
+    Help,
+    List,
+    Build,
+    Figures {
+        names: Vec<&'static Figure>,
+        check: bool,
+    },
+    Preprocess,
+    Supports {
+        renderer: String,
+    },
+}
+
+const COMMANDS: [&str; 5] = ["figures", "list", "build", "help", "preprocess"];
+
+/// Reads the arguments that follow the program's name.
+///
+/// # Errors
+/// A sentence that says what was not understood, and what was perhaps meant.
+pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, String> {
+    use lexopt::prelude::*;
+    let mut parser = lexopt::Parser::from_args(args);
+    let mut words = Vec::new();
+    let mut check = false;
+    while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
+        match arg {
+            Short('h') | Long("help") => return Ok(Asked::Help),
+            Long("check") => check = true,
+            Value(word) => words.push(word.to_string_lossy().into_owned()),
+            other => return Err(other.unexpected().to_string()),
+        }
+    }
+    let mut words = words.into_iter();
+    let command = words.next();
+    let rest: Vec<String> = words.collect();
+    if check && command.as_deref() != Some("figures") {
+        return Err("`--check` goes with `figures`.".into());
+    }
+    match command.as_deref() {
+        None => Ok(Asked::Everything),
+        Some("figures") => Ok(Asked::Figures {
+            names: named(&rest, registry())?,
+            check,
+        }),
+        Some("preprocess") => match rest.as_slice() {
+            [] => Ok(Asked::Preprocess),
+            [word, renderer] if word == "supports" => Ok(Asked::Supports {
+                renderer: renderer.clone(),
+            }),
+            _ => Err("`preprocess` takes nothing, or `supports RENDERER`.".into()),
+        },
+        Some(word @ ("list" | "build" | "help")) => match rest.first() {
+            Some(extra) => Err(format!(
+                "`{word}` takes no further word, but got `{extra}`."
+            )),
+            None => Ok(match word {
+                "list" => Asked::List,
+                "build" => Asked::Build,
+                _ => Asked::Help,
+            }),
+        },
+        Some(unknown) => Err(format!(
+            "There is no command `{unknown}`.{}",
+            nearest::perhaps(unknown, COMMANDS)
+        )),
+    }
+}
+
+/// The figures of these names; all of them when none is named.
+fn named(names: &[String], all: &'static [Figure]) -> Result<Vec<&'static Figure>, String> {
+    if names.is_empty() {
+        return Ok(all.iter().collect());
+    }
+    names
+        .iter()
+        .map(|name| {
+            all.iter()
+                .find(|figure| figure.name == name)
+                .ok_or_else(|| {
+                    format!(
+                        "There is no figure `{name}`.{} `-- list` lists them all.",
+                        nearest::perhaps(name, all.iter().map(|figure| figure.name))
+                    )
+                })
+        })
+        .collect()
+}
+
+/// Carries it out.
+///
+/// # Errors
+/// What went wrong, in words for whoever typed the command.
+pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
+    match asked {
+        Asked::Help => say!("{HELP}"),
+        Asked::List => say!("{}", listing(registry())),
+        Asked::Figures { names, check: true } => draw::check(&names, &paths::figures())?,
+        Asked::Figures {
+            names,
+            check: false,
+        } => draw::draw(&names, &paths::figures())?,
+        Asked::Build => build::build()?,
+        Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
+        Asked::Supports { renderer } => {
+            if !preprocess::supports(&renderer) {
+                return Err(format!("nothing to do for the renderer `{renderer}`").into());
+            }
+        }
+        Asked::Everything => {
+            let start = Instant::now();
+            draw::draw(&registry().iter().collect::<Vec<_>>(), &paths::figures())?;
+            build::build()?;
+            say!("All done in {:.1} s. Open", start.elapsed().as_secs_f64());
+            say!("{}", paths::pages().join("index.html").display());
+        }
+    }
+    Ok(())
+}
+
+fn listing(all: &[Figure]) -> String {
+    if all.is_empty() {
+        return "There are no figures yet.".into();
+    }
+    let width = |text: fn(&Figure) -> &str| all.iter().map(|f| text(f).len()).max().unwrap_or(0);
+    let (name, chapter) = (width(|f| f.name), width(|f| f.chapter));
+    let mut out = String::new();
+    for f in all {
+        let _ = writeln!(out, "{:name$}  {:chapter$}  {}", f.name, f.chapter, f.shows);
+    }
+    out.truncate(out.trim_end().len());
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(words: &[&str]) -> Result<Asked, String> {
+        parse(words.iter().map(OsString::from))
+    }
+
+    #[test]
+    fn commands_are_understood() {
+        assert!(matches!(parsed(&[]), Ok(Asked::Everything)));
+        assert!(matches!(parsed(&["build"]), Ok(Asked::Build)));
+        assert!(matches!(parsed(&["list"]), Ok(Asked::List)));
+        for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
+            assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
+        }
+        assert!(matches!(
+            parsed(&["figures", "--check"]),
+            Ok(Asked::Figures { check: true, .. })
+        ));
+        assert!(matches!(parsed(&["preprocess"]), Ok(Asked::Preprocess)));
+        assert!(
+            matches!(parsed(&["preprocess", "supports", "html"]), Ok(Asked::Supports { renderer }) if renderer == "html")
+        );
+    }
+
+    #[test]
+    fn what_is_not_understood_is_answered_with_what_is_near() {
+        let answer = parsed(&["biuld"]).unwrap_err();
+        assert_eq!(answer, "There is no command `biuld`. Did you mean `build`?");
+        let answer = parsed(&["figures", "no-such-figure-at-all"]).unwrap_err();
+        assert!(
+            answer.starts_with("There is no figure `no-such-figure-at-all`."),
+            "{answer}"
+        );
+        assert!(parsed(&["--chekc"]).is_err());
+        assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
+        assert!(
+            parsed(&["list", "--check"])
+                .unwrap_err()
+                .contains("`figures`")
+        );
+        assert!(parsed(&["preprocess", "html"]).is_err());
+    }
+}

@@ -1,0 +1,138 @@
+//! Drawing figures into their committed files, or checking that these are what would be drawn.
+
+use crate::say;
+use std::any::Any;
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+use tumbling_figures::{Figure, registry};
+
+/// A figure as just drawn, or why it could not be, and how long that took.
+type Drawn<'a> = (&'a Figure, Result<String, String>, Duration);
+
+/// Draws these figures into `folder`, touching only files whose bytes change.
+///
+/// # Errors
+/// Names each figure that could not be drawn or written, after drawing the others.
+pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
+    let start = Instant::now();
+    let mut changed = 0;
+    let mut failures = Vec::new();
+    each_drawn(figures, |(figure, drawn, took)| {
+        let outcome = drawn.and_then(|svg| {
+            let file = file_of(figure, folder);
+            if fs::read(&file).is_ok_and(|old| old == svg.as_bytes()) {
+                return Ok("as it was");
+            }
+            changed += 1;
+            fs::write(&file, svg)
+                .map(|()| "new")
+                .map_err(|e| format!("cannot write {}: {e}", file.display()))
+        });
+        match outcome {
+            Ok(news) => say!("  {:24} {:6.2} s  {news}", figure.name, took.as_secs_f64()),
+            Err(reason) => failures.push(format!("figure `{}`: {reason}", figure.name)),
+        }
+    });
+    if !failures.is_empty() {
+        return Err(failures.join("\n"));
+    }
+    say!(
+        "Drew {} figures ({changed} changed) in {:.1} s.",
+        figures.len(),
+        start.elapsed().as_secs_f64()
+    );
+    Ok(())
+}
+
+/// Compares these figures with their committed files.
+///
+/// # Errors
+/// Names each figure whose file is missing or differs, each that could not be drawn, and, when every
+/// figure was asked for, each drawing in the folder that belongs to none.
+pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
+    let mut wrong = Vec::new();
+    each_drawn(figures, |(figure, drawn, _)| match drawn {
+        Err(reason) => wrong.push(format!("  {}: {reason}", figure.name)),
+        Ok(svg) => match fs::read(file_of(figure, folder)) {
+            Err(_) => wrong.push(format!("  {}: the file is missing", figure.name)),
+            Ok(old) if old != svg.as_bytes() => {
+                wrong.push(format!(
+                    "  {}: the file is not what would be drawn",
+                    figure.name
+                ));
+            }
+            Ok(_) => {}
+        },
+    });
+    if figures.len() == registry().len() {
+        wrong.extend(strays(figures, folder));
+    }
+    if wrong.is_empty() {
+        say!("All {} figures are as committed.", figures.len());
+        return Ok(());
+    }
+    wrong.sort();
+    Err(format!(
+        "these figures are not up to date (`cargo run --release -- figures` draws them):\n{}",
+        wrong.join("\n")
+    ))
+}
+
+/// Drawings that no figure draws.
+fn strays(figures: &[&Figure], folder: &Path) -> Vec<String> {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return vec![format!("  cannot read {}", folder.display())];
+    };
+    entries
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter_map(|file| file.strip_suffix(".svg").map(str::to_owned))
+        .filter(|name| figures.iter().all(|figure| figure.name != name))
+        .map(|name| format!("  {name}.svg: no figure draws it"))
+        .collect()
+}
+
+fn file_of(figure: &Figure, folder: &Path) -> PathBuf {
+    folder.join(format!("{}.svg", figure.name))
+}
+
+/// Draws on every core and hands the drawings over as they come.
+fn each_drawn<'a>(figures: &[&'a Figure], mut take: impl FnMut(Drawn<'a>)) {
+    let next = AtomicUsize::new(0);
+    let (send, receive) = mpsc::channel::<Drawn<'a>>();
+    let workers = thread::available_parallelism()
+        .map_or(1, usize::from)
+        .min(figures.len());
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            let (send, next) = (send.clone(), &next);
+            scope.spawn(move || {
+                while let Some(figure) = figures.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let start = Instant::now();
+                    let svg = catch_unwind(|| figure.draw().map_err(|e| e.to_string()))
+                        .unwrap_or_else(|panic| Err(words_of(&*panic)));
+                    if send.send((figure, svg, start.elapsed())).is_err() {
+                        return; // nobody listens any more
+                    }
+                }
+            });
+        }
+        drop(send); // so that the loop below ends with the last worker
+        receive.iter().for_each(&mut take);
+    });
+}
+
+fn words_of(panic: &(dyn Any + Send)) -> String {
+    let words = panic
+        .downcast_ref::<String>()
+        .map(String::as_str)
+        .or_else(|| panic.downcast_ref::<&str>().copied());
+    format!(
+        "its program panicked: {}",
+        words.unwrap_or("without a word")
+    )
+}

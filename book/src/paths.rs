@@ -1,0 +1,19 @@
+//! Where things are, from wherever the command was given.
+
+use std::path::{Path, PathBuf};
+
+/// The folder of the book, with `book.toml`.
+pub(crate) fn book() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The folder of the drawn figures.
+pub(crate) fn figures() -> PathBuf {
+    // `CARGO_MANIFEST_DIR` is absolute and never the root of the file system.
+    book().parent().unwrap_or(book()).join("figures")
+}
+
+/// The folder the pages are built into.
+pub(crate) fn pages() -> PathBuf {
+    book().join("html")
+}

@@ -1,0 +1,47 @@
+//! What Markdown lets pass and a reader, or `cargo test`, would stumble over.
+
+use super::{Piece, Source};
+use pulldown_cmark::{CodeBlockKind, Event, Tag, TagEnd};
+
+/// Finds a dollar sign that is neither maths nor escaped, and code of no language.
+pub(super) fn faults(source: &Source<'_>, pieces: &[Piece<'_>]) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut in_code = false;
+    for (event, range) in pieces {
+        match event {
+            Event::Start(Tag::CodeBlock(kind)) => {
+                in_code = true;
+                if language(kind).is_none() {
+                    let what = "code of no language: rustdoc would test it as Rust; \
+                                begin it with ```rust or ```text";
+                    faults.push(source.fault(range.start, what));
+                }
+            }
+            Event::End(TagEnd::CodeBlock) => in_code = false,
+            Event::Text(_) if !in_code => {
+                // An escaped dollar begins its own text, right after the backslash.
+                let escaped = source.text[..range.start].ends_with('\\');
+                let text = &source.text[range.clone()];
+                if let Some(at) = text
+                    .bytes()
+                    .skip(usize::from(escaped))
+                    .position(|b| b == b'$')
+                {
+                    let what = "a dollar sign that neither begins nor ends maths \
+                                (a blank line inside, a line inside that begins like a list, \
+                                a space just after it?); a plain one is written `\\$`";
+                    faults.push(source.fault(range.start + usize::from(escaped) + at, what));
+                }
+            }
+            _ => {}
+        }
+    }
+    faults
+}
+
+fn language<'a>(kind: &'a CodeBlockKind<'a>) -> Option<&'a str> {
+    match kind {
+        CodeBlockKind::Indented => None,
+        CodeBlockKind::Fenced(info) => info.split([' ', '\t', ',']).find(|word| !word.is_empty()),
+    }
+}

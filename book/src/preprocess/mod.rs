@@ -1,0 +1,131 @@
+//! Turns what chapters write into what pages show: TeX into MathML, figures into inline SVG.
+//!
+//! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold
+//! maths or a figure: code, and whatever else looks like them, stays as written.
+
+mod check;
+mod edits;
+mod figure;
+mod maths;
+pub(crate) mod protocol;
+mod svg;
+
+use edits::Edits;
+use mdbook_preprocessor::book::{Book, BookItem};
+use mdbook_preprocessor::errors::{Error, Result};
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use pulldown_cmark::{Event, Options, Parser};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// The name of the preprocessor in `book.toml`.
+pub(crate) const NAME: &str = "tumbling";
+
+/// Only pages need us: other renderers take the Markdown as it stands.
+pub(crate) fn supports(renderer: &str) -> bool {
+    renderer == "html"
+}
+
+/// The preprocessor.
+pub(crate) struct Preprocess;
+
+impl Preprocessor for Preprocess {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn supports_renderer(&self, renderer: &str) -> Result<bool> {
+        Ok(supports(renderer))
+    }
+
+    fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
+        let maths = maths::Maths::new();
+        let folders = Folders {
+            chapters: context.root.join(&context.config.book.src),
+            figures: context.root.join("../figures"),
+        };
+        let mut shown = figure::Shown::new();
+        let mut faults = Vec::new();
+        book.for_each_mut(|item| {
+            let BookItem::Chapter(chapter) = item else {
+                return;
+            };
+            let Some(path) = chapter.source_path.clone() else {
+                return;
+            };
+            let source = Source {
+                path: &path,
+                text: &chapter.content,
+            };
+            match chapter_as_shown(&source, &maths, &folders, &mut shown) {
+                Ok(text) => chapter.content = text,
+                Err(more) => faults.extend(more),
+            }
+        });
+        if faults.is_empty() {
+            figure::lay_out(&shown, &folders.chapters.join("figures")).map_err(Error::msg)?;
+            Ok(book)
+        } else {
+            Err(Error::msg(faults.join("\n")))
+        }
+    }
+}
+
+/// Where chapters and drawings are.
+struct Folders {
+    chapters: PathBuf,
+    figures: PathBuf,
+}
+
+/// A chapter as written.
+struct Source<'a> {
+    /// Its file, relative to the folder of the chapters.
+    path: &'a Path,
+    text: &'a str,
+}
+
+impl Source<'_> {
+    /// A complaint about the text at this offset.
+    fn fault(&self, offset: usize, what: impl std::fmt::Display) -> String {
+        let line = 1 + self.text[..offset].bytes().filter(|&b| b == b'\n').count();
+        format!("book/chapters/{}:{line}: {what}", self.path.display())
+    }
+}
+
+/// An event of the Markdown parser and the bytes it came from.
+type Piece<'a> = (Event<'a>, Range<usize>);
+
+/// Reads Markdown as mdBook does, and maths besides.
+fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let options = Options::ENABLE_TABLES
+        | Options::ENABLE_FOOTNOTES
+        | Options::ENABLE_STRIKETHROUGH
+        | Options::ENABLE_TASKLISTS
+        | Options::ENABLE_HEADING_ATTRIBUTES
+        | Options::ENABLE_DEFINITION_LIST
+        | Options::ENABLE_GFM
+        | Options::ENABLE_MATH;
+    Parser::new_ext(text, options).into_offset_iter().collect()
+}
+
+/// The chapter's text with maths and figures replaced; or all that is wrong with it.
+fn chapter_as_shown(
+    source: &Source<'_>,
+    maths: &maths::Maths,
+    folders: &Folders,
+    shown: &mut figure::Shown,
+) -> std::result::Result<String, Vec<String>> {
+    let pieces = pieces(source.text);
+    let mut edits = Edits::default();
+    let mut faults = check::faults(source, &pieces);
+    faults.extend(maths.replace(source, &pieces, &mut edits));
+    faults.extend(figure::replace(source, &pieces, folders, shown, &mut edits));
+    if faults.is_empty() {
+        Ok(edits.applied_to(source.text))
+    } else {
+        Err(faults)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,110 @@
+//! A drawing, as its own document and as a part of a page.
+
+/// A drawing that may stand in a page: it is one `<svg>` and its ids cannot clash with another's.
+#[derive(Debug)]
+pub(super) struct Drawing {
+    text: String,
+    title: Option<String>,
+    description: Option<String>,
+}
+
+impl Drawing {
+    /// Takes the text of `figures/NAME.svg`.
+    ///
+    /// # Errors
+    /// Why it cannot stand in a page.
+    pub(super) fn new(name: &str, text: String) -> Result<Self, String> {
+        let fault = |what: String| Err(format!("figures/{name}.svg {what}"));
+        if !text.starts_with("<svg") || !text.trim_end().ends_with("</svg>") {
+            return fault(
+                "must begin with `<svg` and end with `</svg>`: no header, one drawing".into(),
+            );
+        }
+        for id in ids(&text) {
+            // On one page, and all on the print page, the ids of all drawings meet.
+            if !id.starts_with(name) {
+                return fault(format!(
+                    "has the id `{id}`, which does not begin with the figure's name"
+                ));
+            }
+        }
+        for outside in ["<script", "<image", "<foreignObject", "http://", "https://"] {
+            let mut rest = text.as_str();
+            while let Some(at) = rest.find(outside) {
+                let names_a_format =
+                    rest[..at].ends_with("xmlns=\"") || rest[..at].ends_with("xmlns:xlink=\"");
+                if !names_a_format {
+                    return fault(format!(
+                        "contains `{outside}`: a drawing loads nothing and runs nothing"
+                    ));
+                }
+                rest = &rest[at + outside.len()..];
+            }
+        }
+        let title = id_of(&text, "title");
+        let description = id_of(&text, "desc");
+        Ok(Self {
+            text,
+            title,
+            description,
+        })
+    }
+
+    /// The drawing as a document of its own.
+    pub(super) fn alone(&self) -> &str {
+        &self.text
+    }
+
+    /// The drawing as a part of a page, known by its own title and description, or where it has none
+    /// by these words.
+    pub(super) fn inline(&self, words: &str) -> String {
+        let mut named = String::new();
+        if !self.start_tag().contains(" role=") {
+            named.push_str(" role=\"img\"");
+        }
+        if !self.start_tag().contains(" aria-label") {
+            named.push_str(&match (&self.title, &self.description) {
+                (Some(title), Some(description)) => {
+                    format!(" aria-labelledby=\"{title} {description}\"")
+                }
+                (Some(id), None) | (None, Some(id)) => format!(" aria-labelledby=\"{id}\""),
+                (None, None) => format!(" aria-label=\"{}\"", escaped(words)),
+            });
+        }
+        // No blank line and no carriage return: the first would end a block of HTML in Markdown.
+        let lines: Vec<&str> = self
+            .text
+            .lines()
+            .filter(|line| !line.trim().is_empty())
+            .collect();
+        lines
+            .join("\n")
+            .replacen("<svg", &format!("<svg{named}"), 1)
+    }
+
+    fn start_tag(&self) -> &str {
+        self.text.split('>').next().unwrap_or_default()
+    }
+}
+
+/// The values of all `id` attributes.
+fn ids(svg: &str) -> impl Iterator<Item = &str> {
+    svg.split(" id=\"")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+}
+
+/// The id of the first element of this kind, if it has one.
+fn id_of(svg: &str, element: &str) -> Option<String> {
+    let start = svg.find(&format!("<{element} "))?;
+    ids(svg[start..].split('>').next()?)
+        .next()
+        .map(str::to_owned)
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('"', "&quot;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}

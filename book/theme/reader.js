@@ -1,0 +1,47 @@
+// What the pages need besides mdBook's own script: a menu button, and keys for boxes that scroll.
+"use strict";
+
+// mdBook's menu button is a <label>, which no keyboard reaches. Ours is a button, and passes the click
+// on to the checkbox that the sidebar hangs on.
+(function menuButton() {
+    const checkbox = document.getElementById("mdbook-sidebar-toggle-anchor");
+    document.getElementById("mdbook-sidebar-toggle").addEventListener("click", () => checkbox.click());
+})();
+
+// A formula, figure, table or program wider than the window scrolls in its own box. Only while it
+// does may the keyboard stop there, to scroll it by the arrows.
+(function scrollingBoxes() {
+    const kinds = {
+        ".math-display": "Formula",
+        ".fig-frame": "Figure",
+        ".table-wrapper": "Table",
+        "pre > code": "Program",
+    };
+    const seen = new ResizeObserver((entries) => entries.forEach(({ target }) => mark(target)));
+
+    function mark(box) {
+        if (box.scrollWidth > box.clientWidth + 1) {
+            box.tabIndex = 0;
+            box.setAttribute("role", "group");
+            box.setAttribute("aria-label", box.dataset.kind + ", scrolls sideways");
+        } else {
+            for (const attribute of ["tabindex", "role", "aria-label"]) {
+                box.removeAttribute(attribute);
+            }
+        }
+    }
+
+    for (const [selector, kind] of Object.entries(kinds)) {
+        for (const box of document.querySelectorAll(selector)) {
+            box.dataset.kind = kind;
+            seen.observe(box);
+        }
+    }
+
+    // mdBook turns pages by the arrow keys; inside a box that scrolls they are the box's.
+    document.addEventListener("keydown", (event) => {
+        if (event.key.startsWith("Arrow") && event.target.closest("[data-kind][tabindex]")) {
+            event.stopPropagation();
+        }
+    }, true);
+})();

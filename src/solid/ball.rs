@@ -1,0 +1,60 @@
+//! A full ball.
+
+use super::{MassProperties, Solid, centred, cube, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// The moment of a ball about any axis through its centre: `2/5 m r²`. Source: [EulTM](crate::references).
+///
+/// ```
+/// assert_eq!(tumbling::solid::ball_moment(&10.0, &3.0), 36.0);
+/// ```
+pub fn ball_moment<T: Field>(mass: &T, radius: &T) -> T {
+    T::integer(2) * mass.clone() * square(radius) / T::integer(5)
+}
+
+/// A full ball, centred at the origin.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Ball, Solid};
+/// let ball = Ball::new(3.0)?;
+/// assert!((ball.measure()? - 36.0 * std::f64::consts::PI).abs() < 1e-13);
+/// assert_eq!(ball.with_mass(10.0)?.inertia().matrix().diagonal(), Vector3::repeat(36.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    radius: f64,
+}
+
+impl Ball {
+    /// From its radius, m.
+    ///
+    /// # Errors
+    /// A radius that is not finite and positive.
+    pub fn new(radius: f64) -> Result<Self, Error> {
+        Ok(Self { radius: positive("the radius", radius)? })
+    }
+
+    /// The radius, m.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+}
+
+impl Solid for Ball {
+    fn measure(&self) -> Result<f64, Error> {
+        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
+        (four_thirds_pi * cube(&Wide::from(self.radius))).in_full("the volume")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let r = Wide::from(self.radius);
+        centred(mass, |m| Vector3::repeat(ball_moment(m, &r)))
+    }
+}

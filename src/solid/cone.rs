@@ -1,0 +1,78 @@
+//! A full cone.
+
+use super::{MassProperties, Solid, centred_at, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+use num_traits::Zero;
+use std::f64::consts::PI;
+
+/// The moments of a full cone about its centre of mass: `3/80 m (4r² + h²)` across, `3/10 m r²` along its
+/// axis, z. Source: [EulTM](crate::references).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let moments = tumbling::solid::cone_moments(&80.0, &1.0, &4.0);
+/// assert_eq!(moments, Vector3::new(60.0, 60.0, 24.0));
+/// ```
+pub fn cone_moments<T: Field>(mass: &T, radius: &T, height: &T) -> Vector3<T> {
+    let rr = square(radius);
+    let three_m = T::integer(3) * mass.clone();
+    let across = three_m.clone() * (T::integer(4) * rr.clone() + square(height)) / T::integer(80);
+    Vector3::new(across.clone(), across, three_m * rr / T::integer(10))
+}
+
+/// A full cone: its base in the plane z = 0 around the origin, its tip at `z = height`. Its centre of mass
+/// is a quarter of the way up.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Cone, Solid};
+/// let cone = Cone::new(1.0, 4.0)?.with_mass(80.0)?;
+/// assert_eq!(cone.centre(), Vector3::new(0.0, 0.0, 1.0));
+/// assert_eq!(cone.inertia().matrix().diagonal(), Vector3::new(60.0, 60.0, 24.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    radius: f64,
+    height: f64,
+}
+
+impl Cone {
+    /// From the radius of its base and its height, m.
+    ///
+    /// # Errors
+    /// A size that is not finite and positive.
+    pub fn new(radius: f64, height: f64) -> Result<Self, Error> {
+        positive("the radius", radius)?;
+        positive("the height", height)?;
+        Ok(Self { radius, height })
+    }
+
+    /// The radius of the base, m.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The height, m.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        self.height
+    }
+}
+
+impl Solid for Cone {
+    fn measure(&self) -> Result<f64, Error> {
+        let (r, h) = (Wide::from(self.radius), Wide::from(self.height));
+        (Wide::from(PI) * (square(&r) * h) / Wide::from(3.0)).in_full("the volume")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let (r, h) = (Wide::from(self.radius), Wide::from(self.height));
+        let centre = Vector3::new(Wide::zero(), Wide::zero(), h / Wide::from(4.0));
+        centred_at(centre, mass, |m| cone_moments(m, &r, &h))
+    }
+}

@@ -1,0 +1,67 @@
+//! A box with three different edges: the book's first body.
+
+use super::{MassProperties, Solid, centred, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+
+/// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source: [EulTM](crate::references).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let moments = tumbling::solid::cuboid_moments(&12.0, &2.0, &1.0, &3.0);
+/// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+/// ```
+pub fn cuboid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
+    let twelfth = mass.clone() / T::integer(12);
+    let (aa, bb, cc) = (square(a), square(b), square(c));
+    Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * twelfth
+}
+
+/// A box with edges `a` along x, `b` along y and `c` along z, centred at the origin.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Cuboid, Solid};
+/// let brick = Cuboid::new(2.0, 1.0, 3.0)?;
+/// assert_eq!(brick.measure()?, 6.0);
+/// let moments = brick.with_density(2.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cuboid {
+    edges: [f64; 3],
+}
+
+impl Cuboid {
+    /// From the three edges, m.
+    ///
+    /// # Errors
+    /// An edge that is not finite and positive.
+    pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
+        positive("the edge along x", a)?;
+        positive("the edge along y", b)?;
+        positive("the edge along z", c)?;
+        Ok(Self { edges: [a, b, c] })
+    }
+
+    /// The edges along x, y and z, m.
+    #[must_use]
+    pub fn edges(&self) -> [f64; 3] {
+        self.edges
+    }
+}
+
+impl Solid for Cuboid {
+    fn measure(&self) -> Result<f64, Error> {
+        let [a, b, c] = self.edges.map(Wide::from);
+        (a * b * c).in_full("the volume")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let [a, b, c] = self.edges.map(Wide::from);
+        centred(mass, |m| cuboid_moments(m, &a, &b, &c))
+    }
+}

@@ -1,0 +1,63 @@
+//! An ideal round disk, without thickness.
+
+use super::{MassProperties, Solid, centred, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// The moments of a thin disk in the xy plane about its centre: `m r²/4` across, `m r²/2` about z. Source:
+/// [EulTM](crate::references).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// assert_eq!(tumbling::solid::disk_moments(&3.0, &2.0), Vector3::new(3.0, 3.0, 6.0));
+/// ```
+pub fn disk_moments<T: Field>(mass: &T, radius: &T) -> Vector3<T> {
+    let across = mass.clone() * square(radius) / T::integer(4);
+    Vector3::new(across.clone(), across.clone(), across.clone() + across)
+}
+
+/// An ideal thin disk in the xy plane, centred at the origin.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Solid, ThinDisk};
+/// let disk = ThinDisk::new(2.0)?;
+/// assert_eq!(disk.measure()?, 4.0 * std::f64::consts::PI);
+/// assert_eq!(disk.with_mass(3.0)?.inertia().matrix().diagonal(), Vector3::new(3.0, 3.0, 6.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThinDisk {
+    radius: f64,
+}
+
+impl ThinDisk {
+    /// From its radius, m.
+    ///
+    /// # Errors
+    /// A radius that is not finite and positive.
+    pub fn new(radius: f64) -> Result<Self, Error> {
+        Ok(Self { radius: positive("the radius", radius)? })
+    }
+
+    /// The radius, m.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+}
+
+impl Solid for ThinDisk {
+    /// The area, m², so that its density is in kg/m².
+    fn measure(&self) -> Result<f64, Error> {
+        (Wide::from(PI) * square(&Wide::from(self.radius))).in_full("the area")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let r = Wide::from(self.radius);
+        centred(mass, |m| disk_moments(m, &r))
+    }
+}

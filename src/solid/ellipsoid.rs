@@ -1,0 +1,68 @@
+//! An ellipsoid with three semi-axes.
+
+use super::{MassProperties, Solid, centred, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and so on round. Source: [EulTM](crate::references).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let moments = tumbling::solid::ellipsoid_moments(&5.0, &2.0, &1.0, &3.0);
+/// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+/// ```
+pub fn ellipsoid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
+    let fifth = mass.clone() / T::integer(5);
+    let (aa, bb, cc) = (square(a), square(b), square(c));
+    Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * fifth
+}
+
+/// A full ellipsoid with semi-axes `a` along x, `b` along y and `c` along z, centred at the origin.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Ellipsoid, Solid};
+/// let egg = Ellipsoid::new(2.0, 1.0, 3.0)?;
+/// assert_eq!(egg.measure()?, 8.0 * std::f64::consts::PI);
+/// assert_eq!(egg.with_mass(5.0)?.inertia().matrix().diagonal(), Vector3::new(10.0, 13.0, 5.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ellipsoid {
+    semi_axes: [f64; 3],
+}
+
+impl Ellipsoid {
+    /// From the three semi-axes, m.
+    ///
+    /// # Errors
+    /// A semi-axis that is not finite and positive.
+    pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
+        positive("the semi-axis along x", a)?;
+        positive("the semi-axis along y", b)?;
+        positive("the semi-axis along z", c)?;
+        Ok(Self { semi_axes: [a, b, c] })
+    }
+
+    /// The semi-axes along x, y and z, m.
+    #[must_use]
+    pub fn semi_axes(&self) -> [f64; 3] {
+        self.semi_axes
+    }
+}
+
+impl Solid for Ellipsoid {
+    fn measure(&self) -> Result<f64, Error> {
+        let [a, b, c] = self.semi_axes.map(Wide::from);
+        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
+        (four_thirds_pi * (a * b * c)).in_full("the volume")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let [a, b, c] = self.semi_axes.map(Wide::from);
+        centred(mass, |m| ellipsoid_moments(m, &a, &b, &c))
+    }
+}

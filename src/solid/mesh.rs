@@ -1,0 +1,224 @@
+//! Any solid bounded by triangles, by the divergence theorem.
+//!
+//! Each face and a reference point span a tetrahedron, counted negative where the face looks towards the
+//! point; together they fill the solid. The sums over them are polynomials in the coordinates, so
+//! [`mesh_sums`] needs no division. Source: [Ebe02](crate::references).
+
+use super::tetrahedron::determinant;
+use super::{MassMoments, MassProperties, Solid, topology};
+use crate::error::{Error, finite_vector, positive};
+use crate::principal::PrincipalAxes;
+use crate::scalar::{Field, Ring};
+use crate::scale::ulp;
+use crate::wide::Wide;
+use nalgebra::{Matrix3, Vector3};
+use num_traits::Zero;
+
+/// What [`mesh_sums`] adds up, about its reference point `p`: integer multiples of integrals over the solid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshSums<T: Ring> {
+    /// Six times the volume.
+    pub six_volumes: T,
+    /// 24 times the integral of `x - p`.
+    pub first: Vector3<T>,
+    /// 120 times the integral of `(x - p)(x - p)^T`.
+    pub second: Matrix3<T>,
+}
+
+/// The sums over the tetrahedra between each triangle and `reference`, without a division.
+///
+/// A tetrahedron from the origin to `a`, `b`, `c` has `6 V = a . (b x c)`; its first moments are
+/// `V/4 s` and its second `V/20 (a a^T + b b^T + c c^T + s s^T)`, with `s = a + b + c`.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let [o, a, b, c] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Vector3::from);
+/// let corner = [[&o, &b, &a], [&o, &c, &b], [&o, &a, &c], [&a, &b, &c]];
+/// let sums = tumbling::solid::mesh_sums(corner, &o);
+/// assert_eq!(sums.six_volumes, 1);
+/// assert_eq!(sums.first, Vector3::new(1, 1, 1));
+/// assert_eq!(sums.second, Matrix3::new(2, 1, 1, 1, 2, 1, 1, 1, 2));
+/// ```
+pub fn mesh_sums<'a, T: Ring>(
+    triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
+    reference: &Vector3<T>,
+) -> MeshSums<T> {
+    let mut sums = MeshSums { six_volumes: T::zero(), first: Vector3::zeros(), second: Matrix3::zeros() };
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|vertex| vertex - reference);
+        let six_volumes = triple(&a, &b, &c);
+        let s = &a + &b + &c;
+        let mut second: Matrix3<T> = Matrix3::zeros();
+        for v in [&a, &b, &c, &s] {
+            second += v * v.transpose();
+        }
+        sums.first += s * six_volumes.clone();
+        sums.second += second * six_volumes.clone();
+        sums.six_volumes += six_volumes;
+    }
+    sums
+}
+
+/// Volume, centre and inertia about the centre for density 1, from the sums about `reference`.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{mesh_moments, mesh_sums};
+/// let [o, a, b, c] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
+/// let corner = [[&o, &b, &a], [&o, &c, &b], [&o, &a, &c], [&a, &b, &c]];
+/// let solid = mesh_moments(&mesh_sums(corner, &o), &o);
+/// assert_eq!(solid.mass, 16.0);
+/// assert_eq!(solid.centre, Vector3::new(1.0, 1.0, 1.5));
+/// ```
+pub fn mesh_moments<T: Field>(sums: &MeshSums<T>, reference: &Vector3<T>) -> MassMoments<T> {
+    let n = T::integer;
+    let mass = sums.six_volumes.clone() / n(6);
+    let middle = sums.first.map(|x| x / (n(4) * sums.six_volumes.clone()));
+    let about_reference = sums.second.map(|x| x / n(120));
+    let spread = about_reference - &middle * middle.transpose() * mass.clone();
+    let inertia = Matrix3::from_diagonal_element(spread.trace()) - spread;
+    MassMoments { mass, centre: reference + middle, inertia }
+}
+
+/// `a . (b x c)`.
+pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) -> T {
+    a.dot(&b.cross(c))
+}
+
+/// A solid bounded by triangles.
+///
+/// The faces must close, and run counter-clockwise seen from outside. Several separate surfaces are fine,
+/// and so are cavities (surfaces inside another, their faces seen counter-clockwise from the cavity), and
+/// parts that touch along an edge. Vertices that no face uses are ignored. Two vertices at the same place
+/// are two vertices: a soup of loose triangles is open until they are welded. A surface that passes through
+/// itself, or a cavity that is not inside, is not looked for; what it leads to is refused only if no body
+/// can have such a tensor.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::Error;
+/// use tumbling::solid::{Mesh, Solid};
+///
+/// let corner = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
+/// let faces = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+/// let solid = Mesh::new(&corner, &faces)?;
+/// assert_eq!(solid.measure()?, 16.0);
+/// assert_eq!(solid.with_mass(2.0)?.centre(), Vector3::new(1.0, 1.0, 1.5));
+///
+/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], faces[2]]);
+/// assert!(matches!(open, Err(Error::OpenMesh { .. })));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<Vector3<f64>>,
+    faces: Vec<[usize; 3]>,
+    /// For density 1.
+    moments: MassMoments<Wide>,
+}
+
+impl Mesh {
+    /// From vertices (m) and faces, each naming three of them by number from 0.
+    ///
+    /// # Errors
+    /// Fewer than four vertices or faces, a vertex that is not finite (as [`Error::Part`]), a face that names
+    /// a vertex which is not there or one twice, an edge that is open, a face that is flipped, a volume that is
+    /// not positive by more than rounding, or a tensor that no body has.
+    pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
+        for (what, count) in [("vertices", vertices.len()), ("faces", faces.len())] {
+            if count < 4 {
+                return Err(Error::TooFew { what, count, needed: 4 });
+            }
+        }
+        for (index, vertex) in vertices.iter().enumerate() {
+            finite_vector("the vertex", vertex).map_err(|e| Error::Part { index, source: Box::new(e) })?;
+        }
+        topology::check(faces, vertices.len())?;
+        let wide: Vec<_> = vertices.iter().map(|v| v.map(Wide::from)).collect();
+        let triangles = || faces.iter().map(|face| face.map(|v| &wide[v]));
+        let near = mean(triangles());
+        enclosed(triangles(), &near)?;
+        // Once to find the centre; again about the centre, where the least cancels.
+        let rough = mesh_moments(&mesh_sums(triangles(), &near), &near);
+        let moments = mesh_moments(&mesh_sums(triangles(), &rough.centre), &rough.centre);
+        possible(&moments.inertia, faces.len())?;
+        Ok(Self { vertices: vertices.to_vec(), faces: faces.to_vec(), moments })
+    }
+
+    /// The vertices, m.
+    #[must_use]
+    pub fn vertices(&self) -> &[Vector3<f64>] {
+        &self.vertices
+    }
+
+    /// The faces: three vertex numbers each.
+    #[must_use]
+    pub fn faces(&self) -> &[[usize; 3]] {
+        &self.faces
+    }
+}
+
+impl Solid for Mesh {
+    fn measure(&self) -> Result<f64, Error> {
+        self.moments.mass.in_full("the volume")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let mass = Wide::from(positive("the mass", mass)?);
+        let density = mass / self.moments.mass;
+        MassMoments { mass, centre: self.moments.centre, inertia: self.moments.inertia * density }.checked()
+    }
+}
+
+/// The mean of all corners, as steps from the first, so that far from the origin no digits are lost.
+fn mean<'a>(mut triangles: impl Iterator<Item = [&'a Vector3<Wide>; 3]>) -> Vector3<Wide> {
+    let mut sum = Vector3::zeros();
+    let mut count = Wide::from(1.0);
+    let Some([start, ..]) = triangles.next() else {
+        return sum;
+    };
+    for corner in triangles.flatten() {
+        sum += corner - start;
+        count += Wide::from(1.0);
+    }
+    start + sum.map(|x| x / count)
+}
+
+/// That the volume is positive by more than rounding.
+fn enclosed<'a>(
+    triangles: impl Iterator<Item = [&'a Vector3<Wide>; 3]>,
+    reference: &Vector3<Wide>,
+) -> Result<(), Error> {
+    let (mut six_volumes, mut size, mut count) = (Wide::zero(), Wide::zero(), 0.0);
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|v| v - reference);
+        let (determinant, bound) = determinant([&a, &b, &c]);
+        six_volumes += determinant;
+        size += bound;
+        count += 1.0;
+    }
+    // Eight half units for each term, as in a tetrahedron, and one for each addition.
+    let rounding = size * Wide::from((8.0 + count) * 0.5 * f64::EPSILON);
+    if (six_volumes - rounding).is_positive() {
+        return Ok(());
+    }
+    let sixth = |x: Wide| (x / Wide::from(6.0)).nearest();
+    Err(Error::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) })
+}
+
+/// That some body could have this tensor, to the rounding of a sum of `count` terms: an inside-out surface
+/// outside another may give one that none has.
+fn possible(tensor: &Matrix3<Wide>, count: usize) -> Result<(), Error> {
+    let largest =
+        tensor.diagonal().fold(Wide::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
+    let moments = PrincipalAxes::of(&tensor.map(|x| (x / largest).nearest())).moments();
+    #[allow(clippy::cast_precision_loss)] // no mesh has 2^53 faces
+    let tolerance = (64.0 + count as f64) * ulp(moments[2]);
+    let excess = (moments[2] - moments[1]) - moments[0];
+    if excess <= tolerance {
+        return Ok(());
+    }
+    let size = |x: f64| (Wide::from(x) * largest).nearest();
+    let moments = moments.map(size).into();
+    Err(Error::TriangleInequality { moments, excess: size(excess), tolerance: size(tolerance) })
+}

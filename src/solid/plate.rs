@@ -1,0 +1,67 @@
+//! An ideal rectangular plate, without thickness.
+
+use super::{MassProperties, Solid, centred, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+
+/// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about
+/// z, as for everything flat. Source: [EulTM](crate::references).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// assert_eq!(tumbling::solid::plate_moments(&12.0, &2.0, &3.0), Vector3::new(9.0, 4.0, 13.0));
+/// ```
+pub fn plate_moments<T: Field>(mass: &T, a: &T, b: &T) -> Vector3<T> {
+    let about = |edge: &T| mass.clone() * square(edge) / T::integer(12);
+    let (x, y) = (about(b), about(a));
+    Vector3::new(x.clone(), y.clone(), x + y)
+}
+
+/// An ideal thin plate in the xy plane, `a` along x and `b` along y, centred at the origin.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Solid, ThinPlate};
+/// let plate = ThinPlate::new(2.0, 3.0)?;
+/// assert_eq!(plate.measure()?, 6.0);
+/// let two_per_square_metre = plate.with_density(2.0)?;
+/// assert_eq!(two_per_square_metre.inertia().matrix().diagonal(), Vector3::new(9.0, 4.0, 13.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThinPlate {
+    edges: [f64; 2],
+}
+
+impl ThinPlate {
+    /// From its edges along x and y, m.
+    ///
+    /// # Errors
+    /// An edge that is not finite and positive.
+    pub fn new(a: f64, b: f64) -> Result<Self, Error> {
+        positive("the edge along x", a)?;
+        positive("the edge along y", b)?;
+        Ok(Self { edges: [a, b] })
+    }
+
+    /// The edges along x and y, m.
+    #[must_use]
+    pub fn edges(&self) -> [f64; 2] {
+        self.edges
+    }
+}
+
+impl Solid for ThinPlate {
+    /// The area, m², so that its density is in kg/m².
+    fn measure(&self) -> Result<f64, Error> {
+        let [a, b] = self.edges.map(Wide::from);
+        (a * b).in_full("the area")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let [a, b] = self.edges.map(Wide::from);
+        centred(mass, |m| plate_moments(m, &a, &b))
+    }
+}

@@ -1,0 +1,64 @@
+//! An ideal rod, without thickness.
+
+use super::{MassProperties, Solid, centred, square};
+use crate::error::{Error, positive};
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+
+/// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source: [EulTM](crate::references),
+///.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// assert_eq!(tumbling::solid::rod_moments(&4.0, &3.0), Vector3::new(3.0, 3.0, 0.0));
+/// ```
+pub fn rod_moments<T: Field>(mass: &T, length: &T) -> Vector3<T> {
+    let across = mass.clone() * square(length) / T::integer(12);
+    Vector3::new(across.clone(), across, T::zero())
+}
+
+/// An ideal thin rod along z, centred at the origin. Nothing resists its turning about its own axis, so
+/// that alone it has no [inverse](crate::Inertia::inverse); as part of a [`Compound`](super::Compound) it
+/// does as well as any other.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Solid, ThinRod};
+/// let rod = ThinRod::new(3.0)?.with_mass(4.0)?;
+/// assert_eq!(rod.inertia().matrix().diagonal(), Vector3::new(3.0, 3.0, 0.0));
+/// assert!(rod.inertia().inverse().is_err());
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThinRod {
+    length: f64,
+}
+
+impl ThinRod {
+    /// From its length, m.
+    ///
+    /// # Errors
+    /// A length that is not finite and positive.
+    pub fn new(length: f64) -> Result<Self, Error> {
+        Ok(Self { length: positive("the length", length)? })
+    }
+
+    /// The length, m.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+}
+
+impl Solid for ThinRod {
+    /// The length, m, so that its density is in kg/m.
+    fn measure(&self) -> Result<f64, Error> {
+        Ok(self.length)
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let l = Wide::from(self.length);
+        centred(mass, |m| rod_moments(m, &l))
+    }
+}

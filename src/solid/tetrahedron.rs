@@ -1,0 +1,102 @@
+//! A tetrahedron: the solid that every other with flat faces is cut into.
+
+use super::{MassMoments, MassProperties, Solid};
+use crate::error::{Error, finite_vector, positive};
+use crate::inertia::point_mass;
+use crate::scalar::Field;
+use crate::wide::Wide;
+use nalgebra::{Matrix3, Vector3};
+
+/// Centre and inertia of a full tetrahedron: as if a twentieth of its mass sat at each vertex, measured from
+/// the centre.
+///
+/// The second moments of a simplex are `m/20 (sum v v^T + s s^T)` with `s` the sum of the vertices, which
+/// vanishes from the centre. Source: [Ebe02](crate::references), for the integrals.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]].map(Vector3::from);
+/// let body = tumbling::solid::tetrahedron_moments(&5.0, &corner);
+/// assert_eq!(body.centre, Vector3::new(1.0, 1.0, 1.0));
+/// assert_eq!(body.inertia, Matrix3::new(6.0, 1.0, 1.0, 1.0, 6.0, 1.0, 1.0, 1.0, 6.0));
+/// ```
+pub fn tetrahedron_moments<T: Field>(mass: &T, vertices: &[Vector3<T>; 4]) -> MassMoments<T> {
+    let [a, b, c, d] = vertices;
+    let edges = [b - a, c - a, d - a];
+    let middle = (&edges[0] + &edges[1] + &edges[2]).map(|x| x / T::integer(4));
+    let share = mass.clone() / T::integer(20);
+    let mut inertia: Matrix3<T> = point_mass(&share, &middle);
+    for edge in &edges {
+        inertia += point_mass(&share, &(edge - &middle));
+    }
+    MassMoments { mass: mass.clone(), centre: a + middle, inertia }
+}
+
+/// A full tetrahedron, its four vertices in any order.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Solid, Tetrahedron};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
+/// let body = Tetrahedron::new(corner)?;
+/// assert_eq!(body.measure()?, 16.0);
+/// assert_eq!(body.with_mass(1.0)?.centre(), Vector3::new(1.0, 1.0, 1.5));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tetrahedron {
+    vertices: [Vector3<f64>; 4],
+}
+
+impl Tetrahedron {
+    /// From its vertices, m. Their order may turn either way: the inside of four points is the same.
+    ///
+    /// # Errors
+    /// A vertex that is not finite, or four in one plane to rounding.
+    pub fn new(vertices: [Vector3<f64>; 4]) -> Result<Self, Error> {
+        for vertex in &vertices {
+            finite_vector("a vertex", vertex)?;
+        }
+        let (six_volume, rounding) = six_volume(&vertices);
+        if (six_volume - rounding).is_positive() {
+            return Ok(Self { vertices });
+        }
+        let sixth = |x: Wide| (x / Wide::from(6.0)).nearest();
+        Err(Error::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) })
+    }
+
+    /// The vertices, m.
+    #[must_use]
+    pub fn vertices(&self) -> [Vector3<f64>; 4] {
+        self.vertices
+    }
+}
+
+impl Solid for Tetrahedron {
+    fn measure(&self) -> Result<f64, Error> {
+        (six_volume(&self.vertices).0 / Wide::from(6.0)).in_full("the volume")
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let mass = Wide::from(positive("the mass", mass)?);
+        tetrahedron_moments(&mass, &self.vertices.map(|v| v.map(Wide::from))).checked()
+    }
+}
+
+/// Six times the volume, and how far rounding may have moved it.
+fn six_volume(vertices: &[Vector3<f64>; 4]) -> (Wide, Wide) {
+    let [a, b, c, d] = vertices.map(|v| v.map(Wide::from));
+    let (volume, size) = determinant([&(b - a), &(c - a), &(d - a)]);
+    // Three roundings of the edges, two of each product, three of the sum: eight half units.
+    (volume.abs(), size * Wide::from(4.0 * f64::EPSILON))
+}
+
+/// The determinant of three vectors, and the same with every term taken positive, which bounds its rounding.
+pub(super) fn determinant([a, b, c]: [&Vector3<Wide>; 3]) -> (Wide, Wide) {
+    let size = |v: &Vector3<Wide>| v.map(Wide::abs);
+    let plus = |p: &Vector3<Wide>, q: &Vector3<Wide>| {
+        Vector3::new(p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x)
+    };
+    let dot = |p: &Vector3<Wide>, q: &Vector3<Wide>| p.x * q.x + p.y * q.y + p.z * q.z;
+    (super::mesh::triple(a, b, c), dot(&size(a), &plus(&size(b), &size(c))))
+}

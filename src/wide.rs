@@ -1,0 +1,180 @@
+//! An `f64` with room to spare: the same 53 bits of significand, an exponent that never runs out.
+//!
+//! A body may be 1e-100 m across, and its inertia goes with the fifth power of that. The formulas for
+//! solids are run on this number, so that nothing overflows or vanishes on the way; only the result must
+//! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
+
+use crate::error::Error;
+use crate::scale::{exponent, times_power_of_two};
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// `significand * 2^exponent`, with `1 <= |significand| < 2`, or zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Wide {
+    significand: f64,
+    exponent: i32,
+}
+
+impl Wide {
+    fn normal(significand: f64, scale: i32) -> Self {
+        if significand == 0.0 {
+            return Self { significand: 0.0, exponent: 0 };
+        }
+        let e = exponent(significand);
+        Self { significand: times_power_of_two(significand, -e), exponent: scale + e }
+    }
+
+    /// The nearest `f64`: infinite, subnormal or zero where the range ends.
+    pub(crate) fn nearest(self) -> f64 {
+        times_power_of_two(self.significand, self.exponent)
+    }
+
+    /// As an `f64` that is finite.
+    pub(crate) fn finite(self, what: &'static str) -> Result<f64, Error> {
+        let value = self.nearest();
+        if value.is_finite() { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+    }
+
+    /// As an `f64` that has all its digits: a subnormal number has lost some, a vanished one all.
+    pub(crate) fn in_full(self, what: &'static str) -> Result<f64, Error> {
+        let value = self.finite(what)?;
+        let whole = self.significand == 0.0 || value.is_normal();
+        if whole { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+    }
+
+    pub(crate) fn abs(self) -> Self {
+        Self { significand: self.significand.abs(), ..self }
+    }
+
+    pub(crate) fn is_positive(self) -> bool {
+        self.significand > 0.0
+    }
+}
+
+impl From<f64> for Wide {
+    fn from(x: f64) -> Self {
+        Self::normal(x, 0)
+    }
+}
+
+impl Add for Wide {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if other.significand == 0.0 {
+            return self;
+        }
+        if self.significand == 0.0 {
+            return other;
+        }
+        let (large, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+        let aligned = times_power_of_two(small.significand, small.exponent - large.exponent);
+        Self::normal(large.significand + aligned, large.exponent)
+    }
+}
+
+impl Neg for Wide {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { significand: -self.significand, ..self }
+    }
+}
+
+impl Sub for Wide {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Wide {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::normal(self.significand * other.significand, self.exponent + other.exponent)
+    }
+}
+
+impl Div for Wide {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self::normal(self.significand / other.significand, self.exponent - other.exponent)
+    }
+}
+
+impl AddAssign for Wide {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Wide {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl MulAssign for Wide {
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl DivAssign for Wide {
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl Zero for Wide {
+    fn zero() -> Self {
+        Self::from(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.significand == 0.0
+    }
+}
+
+impl One for Wide {
+    fn one() -> Self {
+        Self::from(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn inside_the_range_of_f64_every_operation_rounds_as_f64_does(
+            a in -1e100_f64..1e100, b in -1e100_f64..1e100, s in -200_i32..200,
+        ) {
+            let b = times_power_of_two(b, s);
+            let (wa, wb) = (Wide::from(a), Wide::from(b));
+            prop_assert_eq!((wa + wb).nearest(), a + b);
+            prop_assert_eq!((wa - wb).nearest(), a - b);
+            prop_assert_eq!((wa * wb).nearest(), a * b);
+            if b != 0.0 {
+                prop_assert_eq!((wa / wb).nearest(), a / b);
+            }
+        }
+    }
+
+    #[test]
+    fn a_product_may_leave_the_range_of_f64_and_come_back() {
+        let huge = Wide::from(1.5e300);
+        let tiny = Wide::from(5e-324);
+        assert_eq!((huge * huge * huge / huge / huge).nearest(), 1.5e300);
+        assert_eq!((tiny * tiny * huge / tiny / huge).nearest(), 5e-324);
+        assert_eq!((huge * huge).nearest(), f64::INFINITY);
+    }
+
+    #[test]
+    fn what_f64_cannot_hold_in_full_is_refused_and_an_exact_zero_is_not() {
+        let tiny = Wide::from(1e-200);
+        assert!(matches!((tiny * tiny).in_full("x"), Err(Error::OutOfRange { value: 0.0, .. })));
+        assert!(matches!((tiny * Wide::from(1e-110)).in_full("x"), Err(Error::OutOfRange { .. })));
+        assert_eq!((tiny - tiny).in_full("x"), Ok(0.0));
+    }
+}

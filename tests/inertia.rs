@@ -1,0 +1,235 @@
+//! The tensor against exact arithmetic, and what it refuses.
+
+mod common;
+
+use common::*;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use num_traits::Signed;
+use proptest::prelude::*;
+use tumbling::{Body, Error, Inertia};
+
+fn tensor() -> impl Strategy<Value = Inertia> {
+    (moments(), attitude())
+        .prop_map(|(m, q)| Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&q).unwrap())
+}
+
+/// The gap of the very numbers given, with no rounding before the last step.
+fn exact_gap(inertia: &Inertia, omega: &Vector3<f64>) -> f64 {
+    let w = exact_vector(omega);
+    let l = times(&exact_matrix(&inertia.matrix()), &w);
+    let c = cross(&w, &l);
+    // tan² of the gap is rational; its root is taken after rounding.
+    let tangent_squared = dot(&c, &c) / (dot(&w, &l) * dot(&w, &l));
+    rounded(&tangent_squared).sqrt().atan()
+}
+
+/// Eight roundings on the way (three components, a length, a dot product, the angle; root and angle of the
+/// truth), each of half a unit in the last place at most.
+const GAP_MARGIN: f64 = 4.0 * f64::EPSILON;
+
+proptest! {
+    #[test]
+    fn the_gap_is_right_to_its_last_digits_for_any_spin(inertia in tensor(), omega in vector(3.0)) {
+        let (ours, truth) = (inertia.gap(&omega).unwrap(), exact_gap(&inertia, &omega));
+        prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
+    }
+
+    // Along an axis as the library finds it the gap is rounding; tilt by 1e-12 and it must still be right.
+    #[test]
+    fn the_gap_is_right_to_its_last_digits_a_hair_off_a_principal_axis(
+        inertia in tensor(), hair in vector(1.0), exponent in -14..-3_i32, axis in 0..3_usize, size in -150..150_i32,
+    ) {
+        let along = inertia.principal().frame().column(axis).into_owned();
+        let omega = (along + hair * 10_f64.powi(exponent)) * 10_f64.powi(size);
+        let (ours, truth) = (inertia.gap(&omega).unwrap(), exact_gap(&inertia, &omega));
+        prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
+    }
+
+    #[test]
+    fn the_inverse_is_the_exact_inverse_of_the_matrix_given(inertia in tensor()) {
+        let m = exact_matrix(&inertia.matrix());
+        let det = determinant(&m);
+        let inverse = inertia.inverse().unwrap().matrix();
+        // Three roundings (cofactor, determinant, quotient), half a unit each of up to two ulps.
+        let margin = 3.0 * ulp(inverse.amax());
+        for i in 0..3 {
+            for j in 0..3 {
+                let c = cross(&m[(j + 1) % 3], &m[(j + 2) % 3]);
+                let truth = rounded(&(c[i].clone() / det.clone()));
+                prop_assert!((inverse[(i, j)] - truth).abs() <= margin, "({i},{j})");
+            }
+        }
+    }
+
+    #[test]
+    fn a_needles_inverse_is_right_however_the_needle_lies(q in attitude(), thin in -11.0..0.0_f64) {
+        let needle = Inertia::from_moments(10_f64.powf(thin), 1.0, 1.0).unwrap().turned(&q).unwrap();
+        let m = exact_matrix(&needle.matrix());
+        let det = determinant(&m);
+        let inverse = needle.inverse().unwrap().matrix();
+        let c = cross(&m[1], &m[2]);
+        let truth = rounded(&(c[0].clone() / det));
+        prop_assert!((inverse[(0, 0)] - truth).abs() <= 3.0 * ulp(inverse.amax()));
+    }
+
+    #[test]
+    fn parallel_axes_there_and_back_is_the_same_tensor(
+        inertia in tensor(), mass in 0.1..3.0_f64, offset in vector(2.0),
+    ) {
+        let there = inertia.shifted_from_centre(mass, &offset).unwrap();
+        let back = there.shifted_to_centre(mass, &offset).unwrap();
+        prop_assert!((back.matrix() - inertia.matrix()).amax() <= 8.0 * ulp(there.matrix().amax()));
+        // Away from the centre every moment is larger, by mass times squared distance from the axis.
+        let axis = Vector3::new(1.0, -2.0, 0.5);
+        let n = axis.normalize();
+        let more = there.about_axis(&axis).unwrap() - inertia.about_axis(&axis).unwrap();
+        prop_assert!((more - mass * offset.cross(&n).norm_squared()).abs() < 1e-13);
+    }
+
+    #[test]
+    fn turning_to_the_world_keeps_the_moments_and_carries_momentum_along(
+        inertia in tensor(), q in attitude(), omega in vector(2.0),
+    ) {
+        let world = inertia.turned(&q).unwrap();
+        let before = inertia.principal().moments();
+        prop_assert!((world.principal().moments() - before).amax() < 1e-14);
+        prop_assert!((world.momentum(&(q * omega)) - q * inertia.momentum(&omega)).norm() < 1e-14);
+        let inverse = inertia.inverse().unwrap().turned(&q).unwrap();
+        prop_assert!((inverse.omega(&world.momentum(&omega)) - omega).norm() < 1e-12);
+    }
+
+    #[test]
+    fn the_moment_about_an_axis_does_not_depend_on_the_axis_vectors_length(inertia in tensor(), axis in vector(1.0)) {
+        let moment = inertia.about_axis(&axis).unwrap();
+        for factor in [1e-300, 1e-10, 1e300] {
+            prop_assert!((inertia.about_axis(&(axis * factor)).unwrap() - moment).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn a_flat_plate_passes_at_any_scale_and_attitude(a in 0.01..2.0_f64, b in 0.01..2.0_f64, q in attitude(), scale in -200..150_i32) {
+        let s = 10_f64.powi(scale);
+        let (ix, iy) = (a * s, b * s);
+        prop_assert!(Inertia::from_moments(ix, iy, ix + iy).is_ok());
+        let r = q.to_rotation_matrix().into_inner();
+        let world = r * Matrix3::from_diagonal(&Vector3::new(ix, iy, ix + iy)) * r.transpose();
+        prop_assert!(Inertia::from_matrix(&world).is_ok());
+        // A thousandth of a millionth too much does not pass, at any scale either.
+        prop_assert!(Inertia::from_moments(ix, iy, (ix + iy) * (1.0 + 1e-9)).is_err());
+    }
+
+    #[test]
+    fn no_public_function_panics_on_anything(
+        m in any_vector(), p in any_vector(), v in any_vector(), w in any_vector(), mass in anything(),
+        q in (anything(), anything(), anything(), anything()), e in anything(),
+    ) {
+        let attitude = UnitQuaternion::new_unchecked(Quaternion::new(q.0, q.1, q.2, q.3));
+        let whole = Matrix3::new(m.x, p.x, p.y, p.x, m.y, p.z, p.y, e, m.z);
+        let _ = Inertia::from_matrix(&whole);
+        let sane = Inertia::from_moments(1.0, 2.0, 2.5);
+        for inertia in [Inertia::new(m.into(), p.into()), Inertia::from_moments(m.x, m.y, m.z), sane].into_iter().flatten() {
+            let _ = (inertia.gap(&v), inertia.about_axis(&v), inertia.momentum(&v), inertia.principal().rotation());
+            let _ = (inertia.shifted_from_centre(mass, &v), inertia.shifted_to_centre(mass, &v), inertia.turned(&attitude));
+            let _ = inertia.inverse().map(|inverse| (inverse.omega(&v), inverse.turned(&attitude)));
+            for body in [
+                Body::new(inertia, attitude, &v),
+                Body::spinning(inertia, attitude, &v),
+                Body::spinning(inertia, UnitQuaternion::identity(), &v),
+            ].into_iter().flatten() {
+                let _ = (body.energy(), body.omega_body(), body.omega_world(), body.momentum_body());
+                let _ = body.with(attitude, &w);
+                for engine in tumbling::step::Engine::ALL {
+                    let _ = engine.run(&body, mass, 3);
+                }
+            }
+        }
+        let _ = tumbling::stability::time_between_flips(&m, &v);
+        for axis in tumbling::Axis::ALL {
+            let _ = tumbling::stability::of_spin(m.into(), axis, mass);
+        }
+        let _ = tumbling::observe::sign_changes([(m.x, v.x), (m.y, v.y), (m.z, v.z)]);
+    }
+
+    #[test]
+    fn a_value_that_is_not_finite_is_named(place in 0..6_usize, bad in prop::sample::select(vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY])) {
+        let mut six = [1.0, 2.0, 2.5, 0.1, 0.2, 0.3];
+        six[place] = bad;
+        let names = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+        let error = Inertia::new([six[0], six[1], six[2]], [six[3], six[4], six[5]]).unwrap_err();
+        let matched = matches!(&error, Error::NotFinite { what, value } if what.contains(names[place]) && value.to_bits() == bad.to_bits());
+        prop_assert!(matched, "{}", error);
+    }
+}
+
+#[test]
+fn real_violators_of_the_triangle_inequality_are_refused_with_the_margin() {
+    // The first is from a robot's model file, refused by a simulator; the last two differ by little or much.
+    for (moments, excess) in [
+        ([1.486e-6, 2e-7, 8.31e-7], 1.486e-6 - 2e-7 - 8.31e-7),
+        ([1.11, 100.11, 1.01], 97.99),
+        ([1.0, 2.0, 3.0 + 1e-9], 1e-9),
+    ] {
+        let error = Inertia::from_moments(moments[0], moments[1], moments[2]).unwrap_err();
+        let Error::TriangleInequality { excess: found, tolerance, moments: named } = error else {
+            panic!("{error}")
+        };
+        assert!((found - excess).abs() < 1e-15 * excess.max(1.0), "{found} {excess}");
+        assert!(tolerance < 1e-13 * named[2]);
+        assert!(named[0] <= named[1] && named[1] <= named[2]);
+    }
+}
+
+#[test]
+fn what_rounding_alone_breaks_is_let_through() {
+    for moments in [[1e-12, 1.0, 1.0 + 1e-12], [0.3, 0.7, 1.0], [0.1, 0.2, 0.3]] {
+        assert!(Inertia::from_moments(moments[0], moments[1], moments[2]).is_ok(), "{moments:?}");
+    }
+}
+
+#[test]
+fn negative_and_zero_moments_and_asymmetric_tensors_are_refused() {
+    assert!(matches!(Inertia::from_moments(1.0, -0.1, 1.0), Err(Error::Negative { value: -0.1, .. })));
+    assert!(matches!(Inertia::from_moments(0.0, 0.0, 0.0), Err(Error::NotPositive { .. })));
+    // Off the diagonal it is the smallest principal moment that is negative.
+    assert!(matches!(Inertia::new([1.0, 1.0, 2.0], [1.5, 0.0, 0.0]), Err(Error::Negative { .. })));
+    let lopsided = Matrix3::new(2.0, 0.1, 0.0, 0.1 + 1e-12, 2.0, 0.0, 0.0, 0.0, 2.0);
+    let error = Inertia::from_matrix(&lopsided).unwrap_err();
+    assert!(matches!(error, Error::Asymmetric { row: 0, column: 1, .. }), "{error}");
+    assert!(
+        error.to_string().contains("(0, 1) is 0.1") && error.to_string().contains("differ by 1.000e-12"),
+        "{error}"
+    );
+}
+
+#[test]
+fn an_ideal_rod_has_no_inverse_but_a_thin_one_has() {
+    let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap();
+    assert!(matches!(rod.inverse(), Err(Error::Singular { smallest: 0.0, largest: 1.0 })));
+    let askew = rod.turned(&UnitQuaternion::from_euler_angles(0.5, 0.6, 0.7)).unwrap();
+    assert!(matches!(askew.inverse(), Err(Error::Singular { .. })));
+    let thin = Inertia::from_moments(1.0, 1.0, 1e-30).unwrap();
+    assert_eq!(thin.inverse().unwrap().matrix().m33, 1.0 / 1e-30);
+    let tiny = Inertia::from_moments(1e-310, 1e-310, 1e-310).unwrap();
+    assert!(matches!(tiny.inverse(), Err(Error::OutOfRange { .. })));
+}
+
+#[test]
+fn the_inverse_of_a_tensor_times_the_tensor_is_one_over_the_whole_range_of_scales() {
+    let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
+    for scale in [1e-200, 1e-100, 1.0, 1e150] {
+        let tensor =
+            Inertia::from_moments(0.5 * scale, 0.9 * scale, 1.2 * scale).unwrap().turned(&q).unwrap();
+        let one = tensor.inverse().unwrap().matrix() * tensor.matrix();
+        assert!((one - Matrix3::identity()).amax() < 4e-15, "{scale:e}");
+    }
+}
+
+#[test]
+fn a_spin_without_direction_has_no_gap() {
+    let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    assert!(matches!(tensor.gap(&Vector3::zeros()), Err(Error::ZeroVector { .. })));
+    assert!(matches!(tensor.about_axis(&Vector3::zeros()), Err(Error::ZeroVector { .. })));
+    let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap();
+    assert!(matches!(rod.gap(&Vector3::z()), Err(Error::ZeroVector { .. })));
+    assert!(exact(tensor.gap(&Vector3::new(1.0, 5e-324, 0.0)).unwrap()).is_positive());
+}
