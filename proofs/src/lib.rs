@@ -6,7 +6,14 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod number;
+mod proofs;
+mod region;
 
+pub mod proof;
+pub mod symbols;
+
+pub use proof::{Mutant, Outcome, Proof, Residue};
+pub use proofs::proofs;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use number::{

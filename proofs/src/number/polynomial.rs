@@ -24,7 +24,7 @@ use std::ops::Neg;
 /// assert_eq!(square.to_string(), "a^2 + 2 a b + b^2");
 /// assert_eq!(square - (a.clone() - b.clone()).pow(2), a * b * Polynomial::from(4));
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Polynomial {
     /// No coefficient is zero.
     terms: BTreeMap<Monomial, BigRational>,
