@@ -33,14 +33,10 @@ mod listed {
         let tested = between(modules, "#[doc = include_str!(\"", "\")]");
         assert_eq!(read, tested, "left: SUMMARY.md, right: chapters/lib.rs");
 
-        let names: Vec<&str> = modules
-            .lines()
-            .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(" {}"))
-            .collect();
-        let expected: Vec<String> = tested
-            .iter()
-            .map(|file| file.trim_end_matches(".md").replace(['-', '/'], "_"))
-            .collect();
+        let names: Vec<&str> =
+            modules.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(" {}")).collect();
+        let expected: Vec<String> =
+            tested.iter().map(|file| file.trim_end_matches(".md").replace(['-', '/'], "_")).collect();
         assert_eq!(names, expected, "a module is named after its chapter");
 
         let mut files: Vec<String> = fs::read_dir(&folder)
@@ -51,9 +47,6 @@ mod listed {
         let mut named = read;
         files.sort();
         named.sort_unstable();
-        assert_eq!(
-            files, named,
-            "left: the files in book/chapters, right: SUMMARY.md"
-        );
+        assert_eq!(files, named, "left: the files in book/chapters, right: SUMMARY.md");
     }
 }

@@ -31,14 +31,9 @@ pub(crate) enum Asked {
     Help,
     List,
     Build,
-    Figures {
-        names: Vec<&'static Figure>,
-        check: bool,
-    },
+    Figures { names: Vec<&'static Figure>, check: bool },
     Preprocess,
-    Supports {
-        renderer: String,
-    },
+    Supports { renderer: String },
 }
 
 const COMMANDS: [&str; 5] = ["figures", "list", "build", "help", "preprocess"];
@@ -68,31 +63,23 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     }
     match command.as_deref() {
         None => Ok(Asked::Everything),
-        Some("figures") => Ok(Asked::Figures {
-            names: named(&rest, registry())?,
-            check,
-        }),
+        Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
         Some("preprocess") => match rest.as_slice() {
             [] => Ok(Asked::Preprocess),
-            [word, renderer] if word == "supports" => Ok(Asked::Supports {
-                renderer: renderer.clone(),
-            }),
+            [word, renderer] if word == "supports" => Ok(Asked::Supports { renderer: renderer.clone() }),
             _ => Err("`preprocess` takes nothing, or `supports RENDERER`.".into()),
         },
         Some(word @ ("list" | "build" | "help")) => match rest.first() {
-            Some(extra) => Err(format!(
-                "`{word}` takes no further word, but got `{extra}`."
-            )),
+            Some(extra) => Err(format!("`{word}` takes no further word, but got `{extra}`.")),
             None => Ok(match word {
                 "list" => Asked::List,
                 "build" => Asked::Build,
                 _ => Asked::Help,
             }),
         },
-        Some(unknown) => Err(format!(
-            "There is no command `{unknown}`.{}",
-            nearest::perhaps(unknown, COMMANDS)
-        )),
+        Some(unknown) => {
+            Err(format!("There is no command `{unknown}`.{}", nearest::perhaps(unknown, COMMANDS)))
+        }
     }
 }
 
@@ -104,14 +91,12 @@ fn named(names: &[String], all: &'static [Figure]) -> Result<Vec<&'static Figure
     names
         .iter()
         .map(|name| {
-            all.iter()
-                .find(|figure| figure.name == name)
-                .ok_or_else(|| {
-                    format!(
-                        "There is no figure `{name}`.{} `-- list` lists them all.",
-                        nearest::perhaps(name, all.iter().map(|figure| figure.name))
-                    )
-                })
+            all.iter().find(|figure| figure.name == name).ok_or_else(|| {
+                format!(
+                    "There is no figure `{name}`.{} `-- list` lists them all.",
+                    nearest::perhaps(name, all.iter().map(|figure| figure.name))
+                )
+            })
         })
         .collect()
 }
@@ -125,10 +110,7 @@ pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
         Asked::Help => say!("{HELP}"),
         Asked::List => say!("{}", listing(registry())),
         Asked::Figures { names, check: true } => draw::check(&names, &paths::figures())?,
-        Asked::Figures {
-            names,
-            check: false,
-        } => draw::draw(&names, &paths::figures())?,
+        Asked::Figures { names, check: false } => draw::draw(&names, &paths::figures())?,
         Asked::Build => build::build()?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
         Asked::Supports { renderer } => {
@@ -177,10 +159,7 @@ mod tests {
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
-        assert!(matches!(
-            parsed(&["figures", "--check"]),
-            Ok(Asked::Figures { check: true, .. })
-        ));
+        assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
         assert!(matches!(parsed(&["preprocess"]), Ok(Asked::Preprocess)));
         assert!(
             matches!(parsed(&["preprocess", "supports", "html"]), Ok(Asked::Supports { renderer }) if renderer == "html")
@@ -192,17 +171,10 @@ mod tests {
         let answer = parsed(&["biuld"]).unwrap_err();
         assert_eq!(answer, "There is no command `biuld`. Did you mean `build`?");
         let answer = parsed(&["figures", "no-such-figure-at-all"]).unwrap_err();
-        assert!(
-            answer.starts_with("There is no figure `no-such-figure-at-all`."),
-            "{answer}"
-        );
+        assert!(answer.starts_with("There is no figure `no-such-figure-at-all`."), "{answer}");
         assert!(parsed(&["--chekc"]).is_err());
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
-        assert!(
-            parsed(&["list", "--check"])
-                .unwrap_err()
-                .contains("`figures`")
-        );
+        assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
     }
 }

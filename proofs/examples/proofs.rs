@@ -19,7 +19,8 @@ fn main() {
         println!("{:>8.3} s  {}: {verdict}. {}", time.as_secs_f64(), proof.name, proof.statement);
         if with_mutants {
             for mutant in proof.mutants {
-                let left = (mutant.check)().map_or_else(|residue| residue.to_string(), |()| "STILL HOLDS".to_owned());
+                let left = (mutant.check)()
+                    .map_or_else(|residue| residue.to_string(), |()| "STILL HOLDS".to_owned());
                 println!("            with {}: {left}", mutant.change);
             }
         }

@@ -12,11 +12,12 @@ mod region;
 pub mod proof;
 pub mod symbols;
 
-pub use proof::{Mutant, Outcome, Proof, Residue};
-pub use proofs::proofs;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use number::{
     Circular, Derivation, Fraction, Monomial, ParseError, Polynomial, Rational, Relations, Series, Symbol,
     Tex,
 };
+pub use proof::{Mutant, Outcome, Proof, Residue};
+pub use proofs::engines::{Law, keeps};
+pub use proofs::proofs;

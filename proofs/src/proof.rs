@@ -1,8 +1,8 @@
 //! What a proof is: a claim that is computed, and altered claims that must fail.
 
 use crate::number::{Fraction, Relations, Tex};
-use num_traits::Zero;
 use nalgebra::{Matrix3, Vector3};
+use num_traits::Zero;
 use std::fmt;
 
 /// A claim about the library's laws, proven by running them on symbols.
@@ -77,7 +77,9 @@ impl fmt::Display for Residue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotZero { claim, left } => write!(f, "{claim}: leaves {}", shortened(left)),
-            Self::NotOneSign { claim, quantity } => write!(f, "{claim}: mixed signs in {}", shortened(quantity)),
+            Self::NotOneSign { claim, quantity } => {
+                write!(f, "{claim}: mixed signs in {}", shortened(quantity))
+            }
             Self::Undefined { claim } => write!(f, "{claim}: divides by zero"),
             Self::Missing { claim } => write!(f, "{claim}: not so"),
         }

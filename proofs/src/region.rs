@@ -40,7 +40,13 @@ impl Region {
     }
 
     /// The same, where other symbols change with the parameter.
-    pub(crate) fn between_with(mut self, name: &str, from: &Polynomial, to: &Polynomial, also: Derivation) -> Self {
+    pub(crate) fn between_with(
+        mut self,
+        name: &str,
+        from: &Polynomial,
+        to: &Polynomial,
+        also: Derivation,
+    ) -> Self {
         let run = Run::Between(name.into(), from.clone(), to.clone());
         self.ranges.push(Range { rate: also.and(name, Fraction::one()), run });
         self

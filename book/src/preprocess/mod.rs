@@ -53,10 +53,7 @@ impl Preprocessor for Preprocess {
             let Some(path) = chapter.source_path.clone() else {
                 return;
             };
-            let source = Source {
-                path: &path,
-                text: &chapter.content,
-            };
+            let source = Source { path: &path, text: &chapter.content };
             match chapter_as_shown(&source, &maths, &folders, &mut shown) {
                 Ok(text) => chapter.content = text,
                 Err(more) => faults.extend(more),
@@ -120,11 +117,7 @@ fn chapter_as_shown(
     let mut faults = check::faults(source, &pieces);
     faults.extend(maths.replace(source, &pieces, &mut edits));
     faults.extend(figure::replace(source, &pieces, folders, shown, &mut edits));
-    if faults.is_empty() {
-        Ok(edits.applied_to(source.text))
-    } else {
-        Err(faults)
-    }
+    if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
 }
 
 #[cfg(test)]

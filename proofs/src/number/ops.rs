@@ -1,4 +1,4 @@
-//! Spares each number type the sixteen ways of writing an operation: all follow from one function.
+//! Spares each number type the many ways of writing an operation: all follow from one function.
 
 /// Implements an operator for values and references, and its assigning form, by `fn(&Self, &Self) -> Self`.
 macro_rules! operator {
@@ -13,6 +13,12 @@ macro_rules! operator {
             type Output = Self;
             fn $op(self, other: &Self) -> Self {
                 $by(&self, other)
+            }
+        }
+        impl$(<$P: $Bound>)? std::ops::$Op<$T$(<$P>)?> for &$T$(<$P>)? {
+            type Output = $T$(<$P>)?;
+            fn $op(self, other: $T$(<$P>)?) -> $T$(<$P>)? {
+                $by(self, &other)
             }
         }
         impl<'a$(, $P: $Bound)?> std::ops::$Op<&'a $T$(<$P>)?> for &'a $T$(<$P>)? {

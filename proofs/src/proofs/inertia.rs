@@ -15,11 +15,15 @@ pub(super) const PROOFS: &[Proof] = &[
         mutants: &[
             Mutant {
                 change: "the products without their minus",
-                check: || point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
+                check: || {
+                    point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone()))
+                },
             },
             Mutant {
                 change: "the axes one further on",
-                check: || point(|m, r| Matrix::from_fn(|i, j| point_mass(m, r)[((i + 1) % 3, (j + 1) % 3)].clone())),
+                check: || {
+                    point(|m, r| Matrix::from_fn(|i, j| point_mass(m, r)[((i + 1) % 3, (j + 1) % 3)].clone()))
+                },
             },
         ],
     },
@@ -29,7 +33,12 @@ pub(super) const PROOFS: &[Proof] = &[
         statement: "About every axis n, half the trace less the moment is the sum of m (n.r)², for every point and so for \
                     every body: never below zero, hence no moment above the sum of the others.",
         check: || triangle(point_mass),
-        mutants: &[Mutant { change: "the products without their minus", check: || triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())) }],
+        mutants: &[Mutant {
+            change: "the products without their minus",
+            check: || {
+                triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone()))
+            },
+        }],
     },
     Proof {
         name: "parallel-axes",
@@ -41,7 +50,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "parts-of-a-body",
         part: "inertia",
-        statement: "Parts put together in any order, counted from any point, make the same body.",
+        statement: "Parts put together in steps, counted from any point, make the same body; two points turn as one with \
+                    their reduced mass.",
         check: || parts(combined),
         mutants: &[Mutant {
             change: "the parts' tensors added without their distances",
@@ -96,6 +106,11 @@ fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction
     let in_steps = law(&[pair, all[0].clone()], &Vector::zeros());
     same_vectors("centre", &together.centre, &in_steps.centre)?;
     same_matrices("inertia", &together.inertia, &in_steps.inertia)?;
+    // Two points turn about their centre as one with their reduced mass at their distance.
+    let (light, heavy) = (&all[1], &all[2]);
+    let reduced = &light.mass * &heavy.mass / (&light.mass + &heavy.mass);
+    let dumbbell = law(&all[1..], &Vector::zeros()).inertia;
+    same_matrices("two points", &dumbbell, &point_mass(&reduced, &(&light.centre - &heavy.centre)))?;
     // And one part alone stays what it is.
     let [m] = variables(["m"]);
     let alone = MassMoments { mass: m.clone(), centre: vector("r"), inertia: scalar(&m) };

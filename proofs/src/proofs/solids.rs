@@ -20,11 +20,21 @@ pub(super) const PROOFS: &[Proof] = &[
         statement: "The moments of every box are the integrals of y² + z² and so on over it; its products vanish.",
         check: || cuboid(cuboid_moments),
         mutants: &[
-            Mutant { change: "edges a and b swapped", check: || cuboid(|m, a, b, c| cuboid_moments(m, b, a, c)) },
-            Mutant { change: "12 becomes 8", check: || cuboid(|m, a, b, c| cuboid_moments(&times(m, 3, 2), a, b, c)) },
+            Mutant {
+                change: "edges a and b swapped",
+                check: || cuboid(|m, a, b, c| cuboid_moments(m, b, a, c)),
+            },
+            Mutant {
+                change: "12 becomes 8",
+                check: || cuboid(|m, a, b, c| cuboid_moments(&times(m, 3, 2), a, b, c)),
+            },
             Mutant {
                 change: "b² + c² becomes b² - c²",
-                check: || cuboid(|m, a, b, c| cuboid_moments(m, a, b, c) - along(0, m * c * c.clone() / Fraction::from(6))),
+                check: || {
+                    cuboid(|m, a, b, c| {
+                        cuboid_moments(m, a, b, c) - along(0, m * c * c.clone() / Fraction::from(6))
+                    })
+                },
             },
         ],
     },
@@ -34,8 +44,14 @@ pub(super) const PROOFS: &[Proof] = &[
         statement: "The moments of every ellipsoid, by integrating over it; its products vanish.",
         check: || ellipsoid(ellipsoid_moments),
         mutants: &[
-            Mutant { change: "axes b and c swapped", check: || ellipsoid(|m, a, b, c| ellipsoid_moments(m, a, c, b)) },
-            Mutant { change: "5 becomes 4", check: || ellipsoid(|m, a, b, c| ellipsoid_moments(&times(m, 5, 4), a, b, c)) },
+            Mutant {
+                change: "axes b and c swapped",
+                check: || ellipsoid(|m, a, b, c| ellipsoid_moments(m, a, c, b)),
+            },
+            Mutant {
+                change: "5 becomes 4",
+                check: || ellipsoid(|m, a, b, c| ellipsoid_moments(&times(m, 5, 4), a, b, c)),
+            },
         ],
     },
     Proof {
@@ -43,7 +59,10 @@ pub(super) const PROOFS: &[Proof] = &[
         part: "solid",
         statement: "The moment of every ball about any axis through its centre is 2/5 m r².",
         check: || ball(ball_moment),
-        mutants: &[Mutant { change: "2/5 becomes 2/3, that of a shell", check: || ball(|m, r| ball_moment(&times(m, 5, 3), r)) }],
+        mutants: &[Mutant {
+            change: "2/5 becomes 2/3, that of a shell",
+            check: || ball(|m, r| ball_moment(&times(m, 5, 3), r)),
+        }],
     },
     Proof {
         name: "hollow-sphere",
@@ -51,7 +70,10 @@ pub(super) const PROOFS: &[Proof] = &[
         statement: "The moment of every hollow sphere is that of a ball less that of its hole, for the mass that is left; \
                     with equal radii it is 2/3 m r².",
         check: || hollow_sphere(hollow_sphere_moment),
-        mutants: &[Mutant { change: "the hole filled", check: || hollow_sphere(|m, _, o| ball_moment(m, o)) }],
+        mutants: &[Mutant {
+            change: "the hole filled",
+            check: || hollow_sphere(|m, _, o| ball_moment(m, o)),
+        }],
     },
     Proof {
         name: "cylinder",
@@ -59,8 +81,14 @@ pub(super) const PROOFS: &[Proof] = &[
         statement: "The moments of every full cylinder, by integrating over it; its products vanish.",
         check: || cylinder(cylinder_moments),
         mutants: &[
-            Mutant { change: "axis along x, not z", check: || cylinder(|m, r, h| turned_about_y(&cylinder_moments(m, r, h))) },
-            Mutant { change: "the height doubled", check: || cylinder(|m, r, h| cylinder_moments(m, r, &times(h, 2, 1))) },
+            Mutant {
+                change: "axis along x, not z",
+                check: || cylinder(|m, r, h| turned_about_y(&cylinder_moments(m, r, h))),
+            },
+            Mutant {
+                change: "the height doubled",
+                check: || cylinder(|m, r, h| cylinder_moments(m, r, &times(h, 2, 1))),
+            },
         ],
     },
     Proof {
@@ -68,7 +96,10 @@ pub(super) const PROOFS: &[Proof] = &[
         part: "solid",
         statement: "The moments of every tube are those of a cylinder less those of its hole, for the mass that is left.",
         check: || tube(tube_moments),
-        mutants: &[Mutant { change: "i² + o² becomes o²", check: || tube(|m, _, o, h| cylinder_moments(m, o, h)) }],
+        mutants: &[Mutant {
+            change: "i² + o² becomes o²",
+            check: || tube(|m, _, o, h| cylinder_moments(m, o, h)),
+        }],
     },
     Proof {
         name: "cone",
@@ -78,7 +109,10 @@ pub(super) const PROOFS: &[Proof] = &[
         check: || cone(cone_moments, 4),
         mutants: &[
             Mutant { change: "the centre a third of the way up", check: || cone(cone_moments, 3) },
-            Mutant { change: "radius and height swapped", check: || cone(|m, r, h| cone_moments(m, h, r), 4) },
+            Mutant {
+                change: "radius and height swapped",
+                check: || cone(|m, r, h| cone_moments(m, h, r), 4),
+            },
         ],
     },
     Proof {
@@ -103,9 +137,18 @@ pub(super) const PROOFS: &[Proof] = &[
         statement: "Rod, plate and disk are what remains of box and cylinder as a size goes to zero.",
         check: || thin(rod_moments, plate_moments, disk_moments),
         mutants: &[
-            Mutant { change: "the rod along x", check: || thin(|m, l| turned_about_y(&rod_moments(m, l)), plate_moments, disk_moments) },
-            Mutant { change: "the plate's edges swapped", check: || thin(rod_moments, |m, a, b| plate_moments(m, b, a), disk_moments) },
-            Mutant { change: "the disk twice as heavy", check: || thin(rod_moments, plate_moments, |m, r| disk_moments(&times(m, 2, 1), r)) },
+            Mutant {
+                change: "the rod along x",
+                check: || thin(|m, l| turned_about_y(&rod_moments(m, l)), plate_moments, disk_moments),
+            },
+            Mutant {
+                change: "the plate's edges swapped",
+                check: || thin(rod_moments, |m, a, b| plate_moments(m, b, a), disk_moments),
+            },
+            Mutant {
+                change: "the disk twice as heavy",
+                check: || thin(rod_moments, plate_moments, |m, r| disk_moments(&times(m, 2, 1), r)),
+            },
         ],
     },
     Proof {
@@ -130,9 +173,26 @@ pub(super) const PROOFS: &[Proof] = &[
                     whatever point it counts from.",
         check: || mesh_of_a_box(false, cuboid_moments),
         mutants: &[
-            Mutant { change: "one triangle turned inside out", check: || mesh_of_a_box(true, cuboid_moments) },
-            Mutant { change: "edges a and c swapped in the box", check: || mesh_of_a_box(false, |m, a, b, c| cuboid_moments(m, c, b, a)) },
+            Mutant {
+                change: "one triangle turned inside out",
+                check: || mesh_of_a_box(true, cuboid_moments),
+            },
+            Mutant {
+                change: "edges a and c swapped in the box",
+                check: || mesh_of_a_box(false, |m, a, b, c| cuboid_moments(m, c, b, a)),
+            },
         ],
+    },
+    Proof {
+        name: "mesh-of-a-tetrahedron",
+        part: "solid",
+        statement: "The mesh formula on the four faces of any tetrahedron gives that tetrahedron: the solid into which every \
+                    other with flat faces is cut.",
+        check: || mesh_of_a_tetrahedron([0, 2, 1]),
+        mutants: &[Mutant {
+            change: "one face turned inside out",
+            check: || mesh_of_a_tetrahedron([0, 1, 2]),
+        }],
     },
     Proof {
         name: "triangle-inequality",
@@ -142,7 +202,11 @@ pub(super) const PROOFS: &[Proof] = &[
         check: || triangle_inequality(cuboid_moments),
         mutants: &[Mutant {
             change: "a box whose first moment has b² + 3 c²",
-            check: || triangle_inequality(|m, a, b, c| cuboid_moments(m, a, b, c) + along(0, m * c * c.clone() / Fraction::from(6))),
+            check: || {
+                triangle_inequality(|m, a, b, c| {
+                    cuboid_moments(m, a, b, c) + along(0, m * c * c.clone() / Fraction::from(6))
+                })
+            },
         }],
     },
 ];
@@ -203,7 +267,8 @@ fn ellipsoid_part(axes: &Vector, lift: &Fraction, from: i64, to: i64) -> Result<
         ("cos".into(), Polynomial::one() - symbol("sin").pow(2)),
         ("k".into(), Polynomial::one() - t_squared),
     ];
-    let relations = Relations::new(circles).map_err(|rule| crate::proof::Residue::Missing { claim: rule.to_string() })?;
+    let relations =
+        Relations::new(circles).map_err(|rule| crate::proof::Residue::Missing { claim: rule.to_string() })?;
     let across = &rho * &k;
     let position =
         Vector3::new(&axes.x * &across * cos, &axes.y * &across * sin, &axes.z * &t + lift.clone());
@@ -334,7 +399,8 @@ fn mesh_of_a_box(
     let [a, b, c] = variables(["a", "b", "c"]);
     let at = Vector::from(variables(["x", "y", "z"]));
     let edges = [&a, &b, &c];
-    let corner = |n: usize| Vector::from_fn(|i, _| if n >> i & 1 == 1 { &at[i] + edges[i] } else { at[i].clone() });
+    let corner =
+        |n: usize| Vector::from_fn(|i, _| if n >> i & 1 == 1 { &at[i] + edges[i] } else { at[i].clone() });
     let corners: Vec<Vector> = (0..8).map(corner).collect();
     // Each face as a square, its corners in order; bit i of a corner's number says whether it is at the far
     // end of edge i.
@@ -354,6 +420,18 @@ fn mesh_of_a_box(
     let middle = Vector::from_fn(|i, _| &at[i] + &(edges[i] / &Fraction::from(2)));
     same_vectors("centre", &found.centre, &middle)?;
     same_matrices("inertia", &found.inertia, &diagonal(&law(&volume, &a, &b, &c)))
+}
+
+fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
+    // One corner at the origin, and the point that the formula counts from anywhere: only their distance matters.
+    let mut corners = corners();
+    corners[0] = Vector::zeros();
+    let triangles = [base, [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(|face| face.map(|n| &corners[n]));
+    let reference = Vector::from(variables(["u", "v", "w"]));
+    let found = mesh_moments(&mesh_sums(triangles, &reference), &reference);
+    let expected = tetrahedron_moments(&found.mass, &corners);
+    same_vectors("centre", &found.centre, &expected.centre)?;
+    same_matrices("inertia", &found.inertia, &expected.inertia)
 }
 
 fn triangle_inequality(cuboid: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
