@@ -8,6 +8,54 @@
 #[doc = include_str!("introduction.md")]
 mod introduction {}
 
+#[cfg(doctest)]
+#[doc = include_str!("toss-a-book.md")]
+mod toss_a_book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("matrix-mass.md")]
+mod matrix_mass {}
+
+#[cfg(doctest)]
+#[doc = include_str!("principal-axes.md")]
+mod principal_axes {}
+
+#[cfg(doctest)]
+#[doc = include_str!("two-arrows.md")]
+mod two_arrows {}
+
+#[cfg(doctest)]
+#[doc = include_str!("worked-example.md")]
+mod worked_example {}
+
+#[cfg(doctest)]
+#[doc = include_str!("body-and-world.md")]
+mod body_and_world {}
+
+#[cfg(doctest)]
+#[doc = include_str!("eulers-equations.md")]
+mod eulers_equations {}
+
+#[cfg(doctest)]
+#[doc = include_str!("three-pitfalls.md")]
+mod three_pitfalls {}
+
+#[cfg(doctest)]
+#[doc = include_str!("dzhanibekov.md")]
+mod dzhanibekov {}
+
+#[cfg(doctest)]
+#[doc = include_str!("notation.md")]
+mod notation {}
+
+#[cfg(doctest)]
+#[doc = include_str!("references.md")]
+mod references {}
+
+#[cfg(doctest)]
+#[doc = include_str!("glossary.md")]
+mod glossary {}
+
 /// A chapter that is not listed here is a chapter whose code nobody runs; one that `SUMMARY.md` lacks
 /// is one that nobody reads.
 #[cfg(test)]

@@ -4,6 +4,7 @@ use crate::{build, draw, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
+use std::process::ExitCode;
 use std::time::Instant;
 use tumbling_figures::{Figure, registry};
 
@@ -52,6 +53,11 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Short('h') | Long("help") => return Ok(Asked::Help),
             Long("check") => check = true,
             Value(word) => words.push(word.to_string_lossy().into_owned()),
+            Long(unknown) => {
+                let unknown = format!("--{unknown}");
+                let near = nearest::perhaps(&unknown, ["--help", "--check"]);
+                return Err(format!("There is no option `{unknown}`.{near}"));
+            }
             other => return Err(other.unexpected().to_string()),
         }
     }
@@ -105,7 +111,7 @@ fn named(names: &[String], all: &'static [Figure]) -> Result<Vec<&'static Figure
 ///
 /// # Errors
 /// What went wrong, in words for whoever typed the command.
-pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
+pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
     match asked {
         Asked::Help => say!("{HELP}"),
         Asked::List => say!("{}", listing(registry())),
@@ -113,10 +119,9 @@ pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
         Asked::Figures { names, check: false } => draw::draw(&names, &paths::figures())?,
         Asked::Build => build::build()?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
+        // mdBook asks by the exit code alone, and a no is no error.
         Asked::Supports { renderer } => {
-            if !preprocess::supports(&renderer) {
-                return Err(format!("nothing to do for the renderer `{renderer}`").into());
-            }
+            return Ok(if preprocess::supports(&renderer) { ExitCode::SUCCESS } else { ExitCode::FAILURE });
         }
         Asked::Everything => {
             let start = Instant::now();
@@ -126,7 +131,7 @@ pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
             say!("{}", paths::pages().join("index.html").display());
         }
     }
-    Ok(())
+    Ok(ExitCode::SUCCESS)
 }
 
 fn listing(all: &[Figure]) -> String {
@@ -172,7 +177,8 @@ mod tests {
         assert_eq!(answer, "There is no command `biuld`. Did you mean `build`?");
         let answer = parsed(&["figures", "no-such-figure-at-all"]).unwrap_err();
         assert!(answer.starts_with("There is no figure `no-such-figure-at-all`."), "{answer}");
-        assert!(parsed(&["--chekc"]).is_err());
+        let answer = parsed(&["figures", "--chekc"]).unwrap_err();
+        assert!(answer.starts_with("There is no option `--chekc`. Did you mean `--check`"), "{answer}");
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());

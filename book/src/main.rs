@@ -38,7 +38,7 @@ fn main() -> ExitCode {
         }
     };
     match cli::run(asked) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(reason) => {
             complain!("error: {reason}");
             ExitCode::FAILURE
