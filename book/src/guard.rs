@@ -1,0 +1,161 @@
+//! The guard: says of every number in the book what holds it, and objects where nothing does.
+
+mod chapter;
+mod code;
+mod decimal;
+mod facts;
+mod numbers;
+mod offence;
+mod token;
+mod words;
+
+use crate::{paths, preprocess};
+use chapter::{Chapter, Reader};
+use numbers::{Beside, Counts, Drawing, Drawings};
+use offence::Offence;
+use std::path::Path;
+use std::{fmt, fs};
+
+/// What the guard found.
+#[derive(Debug)]
+pub(crate) struct Report {
+    pub(crate) chapters: usize,
+    pub(crate) offences: Vec<Offence>,
+    pub(crate) counts: Counts,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let c = &self.counts;
+        writeln!(
+            f,
+            "numbers: {} in {} chapters (prose {}, tables {}, captions {}, alt texts {}, TeX {})",
+            c.all(),
+            self.chapters,
+            c.prose,
+            c.tables,
+            c.captions,
+            c.alts,
+            c.tex
+        )?;
+        writeln!(
+            f,
+            "bound to: assertions {}, inputs {}, facts {}, drawings {}, order of headings {}",
+            c.by_assertion, c.by_input, c.by_fact, c.by_drawing, c.ordinals
+        )?;
+        writeln!(
+            f,
+            "words: {} quantities bound; {} counting words and {} numbers inside formulas not bound",
+            c.quantities, c.counting, c.structural
+        )?;
+        write!(f, "offences: {}", self.offences.len())
+    }
+}
+
+/// Checks the chapters in this folder.
+///
+/// # Errors
+/// What could not be read, with its file and line.
+pub(crate) fn check(folder: &Path) -> Result<Report, String> {
+    let book = Book::read(folder)?;
+    let mut report =
+        Report { chapters: book.chapters.len(), offences: Vec::new(), counts: Counts::default() };
+    for chapter in &book.chapters {
+        let found = numbers::findings(chapter, &book.beside);
+        report.offences.extend(found.offences);
+        report.counts.add(&found.counts);
+    }
+    Ok(report)
+}
+
+/// The chapters and what stands beside them.
+struct Book {
+    chapters: Vec<Chapter>,
+    beside: Beside,
+    reader: Reader,
+}
+
+impl Book {
+    fn read(folder: &Path) -> Result<Self, String> {
+        if !folder.is_dir() {
+            return Err(format!("there is no folder {}", folder.display()));
+        }
+        let own = fs::canonicalize(folder).ok() == fs::canonicalize(paths::chapters()).ok();
+        let mut reader = Reader::default();
+        let mut chapters = Vec::new();
+        let mut wrong = Vec::new();
+        for file in listed(folder)? {
+            let path = folder.join(&file);
+            let text =
+                fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+            let shown = if own { format!("book/chapters/{file}") } else { path.display().to_string() };
+            let faults = preprocess::unreadable(Path::new(&file), &text);
+            wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{file}"), &shown, 1)));
+            let name = file.trim_end_matches(".md");
+            match reader.chapter(name, &shown, &text) {
+                Ok(chapter) => chapters.push(chapter),
+                Err(fault) => wrong.push(fault),
+            }
+        }
+        wrong.dedup();
+        if !wrong.is_empty() {
+            return Err(wrong.join("\n"));
+        }
+        let facts = facts(folder)?;
+        for fact in &facts {
+            if own && chapters.iter().all(|c| c.name != fact.chapter) {
+                return Err(format!("book/facts.toml: there is no chapter `{}`", fact.chapter));
+            }
+        }
+        let drawings = drawings(folder, &chapters)?;
+        Ok(Self { chapters, beside: Beside { facts, drawings }, reader })
+    }
+}
+
+/// The chapters' files, in the order of `SUMMARY.md`.
+fn listed(folder: &Path) -> Result<Vec<String>, String> {
+    let file = folder.join("SUMMARY.md");
+    let text = fs::read_to_string(&file).map_err(|e| {
+        format!("cannot read {}: {e}; a folder of chapters has a SUMMARY.md that lists them", file.display())
+    })?;
+    let files: Vec<String> = preprocess::pieces(&text)
+        .into_iter()
+        .filter_map(|(event, _)| match event {
+            pulldown_cmark::Event::Start(pulldown_cmark::Tag::Link { dest_url, .. }) => {
+                Some(dest_url.to_string())
+            }
+            _ => None,
+        })
+        .collect();
+    if files.is_empty() { Err(format!("{} lists no chapter", file.display())) } else { Ok(files) }
+}
+
+/// The facts beside the chapters, or those of this book where there are none.
+fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
+    let beside = folder.join("../facts.toml");
+    let file = if beside.is_file() { beside } else { paths::book().join("facts.toml") };
+    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+/// What the drawings of these chapters say of themselves.
+fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<Drawings, String> {
+    let mut drawings = Drawings::new();
+    let passages = chapters.iter().flat_map(|c| &c.sections).flat_map(|s| &s.passages);
+    for name in passages.filter_map(|p| p.figure.as_ref()) {
+        let beside = folder.join("../../figures").join(format!("{name}.svg"));
+        let file = if beside.is_file() { beside } else { paths::figures().join(format!("{name}.svg")) };
+        let svg = fs::read_to_string(&file)
+            .map_err(|e| format!("cannot read the drawing figures/{name}.svg: {e}"))?;
+        let words = ["title", "desc"].map(|element| inside(&svg, element)).join(". ");
+        drawings.insert(name.clone(), Drawing::new(&words));
+    }
+    Ok(drawings)
+}
+
+/// What the first element of this kind holds.
+fn inside(svg: &str, element: &str) -> String {
+    let opened = svg.split_once(&format!("<{element}")).and_then(|(_, rest)| rest.split_once('>'));
+    let text = opened.and_then(|(_, rest)| rest.split_once(&format!("</{element}>"))).map_or("", |(t, _)| t);
+    text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+}
