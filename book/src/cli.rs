@@ -4,7 +4,7 @@ use crate::{build, complain, draw, guard, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use tumbling_figures::{Figure, registry};
@@ -133,19 +133,17 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         Asked::List => say!("{}", listing(registry())),
         Asked::Figures { names, check: true } => draw::check(&names, &paths::figures())?,
         Asked::Figures { names, check: false } => draw::draw(&names, &paths::figures())?,
-        Asked::Check { folder, .. } => {
-            let report = match guard::check(&folder.unwrap_or_else(paths::chapters)) {
-                Ok(report) => report,
+        Asked::Check { folder, mutants } => {
+            let folder = folder.unwrap_or_else(paths::chapters);
+            let told = if mutants { alterations(&folder) } else { checked(&folder) };
+            return Ok(match told {
+                Ok(true) => ExitCode::SUCCESS,
+                Ok(false) => ExitCode::FAILURE,
                 Err(wrong) => {
-                    complain!("{wrong}");
-                    return Ok(ExitCode::from(2));
+                    complain!("error: {wrong}");
+                    ExitCode::from(2)
                 }
-            };
-            for offence in &report.offences {
-                say!("{offence}");
-            }
-            say!("{report}");
-            return Ok(if report.offences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+            });
         }
         Asked::Build => build::build()?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
@@ -162,6 +160,33 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         }
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Tells what the guard found; whether that was nothing.
+fn checked(folder: &Path) -> Result<bool, String> {
+    let report = guard::check(folder)?;
+    for offence in &report.offences {
+        say!("{offence}");
+    }
+    say!("{report}");
+    Ok(report.offences.is_empty())
+}
+
+/// Tells what became of each alteration; whether all were noticed.
+fn alterations(folder: &Path) -> Result<bool, String> {
+    let tallies = guard::alterations(folder)?;
+    say!("{:18} {:>12} {:>10} {:>22} {:>11}", "altered, noticed", "numbers", "words", "assertions", "tolerances");
+    let mut all = guard::Tally { name: "the book".into(), ..guard::Tally::default() };
+    for tally in &tallies {
+        all.add(tally);
+        say!("{tally}");
+    }
+    say!("{all}");
+    say!("(assertions: noticed by the guard + only by the assertion itself; a tolerance altered leaves it true)");
+    for survivor in &all.survivors {
+        say!("unnoticed: {survivor}");
+    }
+    Ok(all.survivors.is_empty())
 }
 
 fn listing(all: &[Figure]) -> String {

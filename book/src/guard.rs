@@ -4,6 +4,7 @@ mod chapter;
 mod code;
 mod decimal;
 mod facts;
+mod mutants;
 mod numbers;
 mod offence;
 mod token;
@@ -11,6 +12,7 @@ mod words;
 
 use crate::{paths, preprocess};
 use chapter::{Chapter, Reader};
+pub(crate) use mutants::Tally;
 use numbers::{Beside, Counts, Drawing, Drawings};
 use offence::Offence;
 use std::path::Path;
@@ -66,6 +68,23 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         report.counts.add(&found.counts);
     }
     Ok(report)
+}
+
+/// Alters the chapters in this folder one digit at a time, and tells what became of it.
+///
+/// # Errors
+/// What could not be read, or what the guard objects to already.
+pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
+    let mut book = Book::read(folder)?;
+    let mut tallies = Vec::new();
+    for chapter in &book.chapters {
+        if let Some(offence) = numbers::findings(chapter, &book.beside).offences.first() {
+            return Err(format!("{offence}
+Alterations can be judged once the chapters hold."));
+        }
+        tallies.push(mutants::tally(chapter, &book.beside, &mut book.reader));
+    }
+    Ok(tallies)
 }
 
 /// The chapters and what stands beside them.

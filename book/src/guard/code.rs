@@ -221,8 +221,16 @@ impl Reader<'_> {
                 }
                 if let Some((n, at)) = reader.number(expr) {
                     reader.push(Holds::One(n), *role, None, vec![at]);
-                } else if !matches!(expr, Expr::Index(_)) {
-                    visit::visit_expr(self, expr);
+                    return;
+                }
+                match expr {
+                    // What a function is given is no part of the comparison, only what it answers.
+                    Expr::Call(_) | Expr::Index(_) => reader.visit_expr(expr),
+                    Expr::MethodCall(call) => {
+                        reader.arguments(&call.method.to_string(), &call.args);
+                        self.visit_expr(&call.receiver);
+                    }
+                    _ => visit::visit_expr(self, expr),
                 }
             }
             fn visit_macro(&mut self, mac: &'ast syn::Macro) {

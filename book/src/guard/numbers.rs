@@ -135,7 +135,8 @@ impl Source {
         let unit = match self.role {
             // What the code prints without a unit may get one in the text.
             Role::Expected => self.unit.is_none() || self.unit == token.unit,
-            _ => self.unit == token.unit,
+            // A name says which value is meant as well as its unit does.
+            _ => self.unit == token.unit || (token.name.is_some() && token.unit.is_none()),
         };
         let same = match (&self.what, &token.what) {
             (What::One(a), What::One(b)) => self.same(a, b),

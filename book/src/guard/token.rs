@@ -125,6 +125,7 @@ fn join_lists(text: &str, found: &mut [Token]) {
         let (a, b) = (&found[i - 1], &found[i]);
         let joined = listable(a)
             && listable(b)
+            && (a.unit.is_none() || a.unit == b.unit)
             && matches!(&text[a.at.end..b.at.start], ", " | " and " | ", and " | " or " | " to " | "–");
         if joined {
             let (list, unit) = (b.list, b.unit);
