@@ -31,14 +31,15 @@ impl fmt::Display for Report {
         let c = &self.counts;
         writeln!(
             f,
-            "numbers: {} in {} chapters (prose {}, tables {}, captions {}, alt texts {}, TeX {})",
+            "numbers: {} in {} chapters (prose {}, tables {}, captions {}, alt texts {}, TeX {}, comments {})",
             c.all(),
             self.chapters,
             c.prose,
             c.tables,
             c.captions,
             c.alts,
-            c.tex
+            c.tex,
+            c.comments
         )?;
         writeln!(
             f,

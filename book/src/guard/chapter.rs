@@ -45,6 +45,8 @@ pub(crate) enum Kind {
     Row,
     /// The words for those who do not see the figure.
     Alt,
+    /// A comment in Rust.
+    Comment,
 }
 
 /// Running text. Code is a single `\u{fffc}` in it; TeX stands in it without its dollars.
@@ -139,7 +141,9 @@ impl Reader {
                             let at = lines.get(f.line).copied().unwrap_or(range.start);
                             fault(at, f.what)
                         })?;
-                        reading.section.blocks.push(Block { code, lines });
+                        let block = Block { code, lines };
+                        reading.section.passages.extend(comments(&block, text));
+                        reading.section.blocks.push(block);
                     }
                 }
                 event => reading.take(event, range),
@@ -159,6 +163,18 @@ impl Reader {
         self.known.insert(text.to_owned(), read.clone());
         read
     }
+}
+
+/// The comments of a block, each a passage.
+fn comments<'a>(block: &'a Block, text: &'a str) -> impl Iterator<Item = Passage> + 'a {
+    block.code.comments.iter().map(|lines| {
+        let mut passage = Passage::new(Kind::Comment);
+        for part in lines {
+            let (start, end) = (block.source(part.line, part.start), block.source(part.line, part.end));
+            passage.push(text.get(start..end).unwrap_or_default(), start);
+        }
+        passage
+    })
 }
 
 /// The code of a block as the compiler sees it, and where its lines begin; nothing for other languages.

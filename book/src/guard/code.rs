@@ -1,7 +1,7 @@
 //! Reads the Rust of a block: which values it asserts, and which it starts from.
 
 use super::decimal::Decimal;
-use proc_macro2::{LineColumn, Span};
+use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use std::collections::HashMap;
 use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
@@ -12,6 +12,8 @@ use syn::{BinOp, Expr, ExprLit, Lit, Pat, Token, UnOp};
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     pub(crate) values: Vec<Value>,
+    /// Its comments: for each line of each, the line, from zero, and its bytes there.
+    pub(crate) comments: Vec<Vec<Literal>>,
 }
 
 /// Something that a text may be bound to.
@@ -81,7 +83,13 @@ pub(crate) fn read(text: &str) -> Result<Code, Fault> {
     }
     match reader.fault {
         Some(e) => Err(fault(&e)),
-        None => Ok(reader.code),
+        None => {
+            let tokens: TokenStream = text.parse().map_err(|e: proc_macro2::LexError| fault(&e.into()))?;
+            let mut literals = Vec::new();
+            reader.literals(tokens, &mut literals);
+            reader.code.comments = comments(text, &literals);
+            Ok(reader.code)
+        }
     }
 }
 
@@ -90,6 +98,24 @@ fn fault(error: &syn::Error) -> Fault {
         line: error.span().start().line.saturating_sub(1),
         what: format!("Rust that cannot be read: {error}"),
     }
+}
+
+/// The comments of a block: what begins with two slashes and stands in no string. Lines that follow
+/// one another are one comment.
+fn comments(text: &str, literals: &[Literal]) -> Vec<Vec<Literal>> {
+    let mut found: Vec<Vec<Literal>> = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        let quoted = |at: usize| literals.iter().any(|l| l.line == number && (l.start..l.end).contains(&at));
+        let Some((at, _)) = line.match_indices("//").find(|&(at, _)| !quoted(at)) else { continue };
+        let start = at + line[at..].len() - line[at..].trim_start_matches(['/', '!']).len();
+        let part = Literal { line: number, start, end: line.len() };
+        let goes_on = line[..at].trim().is_empty();
+        match found.last_mut().filter(|c| goes_on && c.last().is_some_and(|last| last.line + 1 == number)) {
+            Some(comment) => comment.push(part),
+            None => found.push(vec![part]),
+        }
+    }
+    found
 }
 
 struct Reader<'a> {
@@ -140,6 +166,23 @@ impl Reader<'_> {
         };
         let last = if end.line == line + 1 { byte(end.column) } else { byte(usize::MAX) };
         Literal { line, start: byte(column), end: last }
+    }
+
+    /// All literals, but not the doc comments that the compiler takes for such.
+    fn literals(&self, tokens: TokenStream, into: &mut Vec<Literal>) {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => self.literals(group.stream(), into),
+                TokenTree::Literal(literal) => {
+                    let at = self.literal(literal.span());
+                    let written = self.lines.get(at.line).and_then(|line| line.get(at.start..at.end));
+                    if !written.is_some_and(|text| text.starts_with("//")) {
+                        into.push(at);
+                    }
+                }
+                _ => {}
+            }
+        }
     }
 
     fn push(&mut self, what: Holds, role: Role, unit: Option<&'static str>, literals: Vec<Literal>) {
@@ -217,7 +260,7 @@ impl Reader<'_> {
                 if let Expr::Binary(binary) = expr
                     && let Some(value) = reader.fraction(binary)
                 {
-                    reader.push(value.0, *role, None, value.1);
+                    return reader.push(value.0, *role, None, value.1);
                 }
                 if let Some((n, at)) = reader.number(expr) {
                     reader.push(Holds::One(n), *role, None, vec![at]);
@@ -377,10 +420,10 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 
     fn visit_expr_binary(&mut self, binary: &'ast syn::ExprBinary) {
-        if let Some((what, at)) = self.fraction(binary) {
-            self.push(what, Role::Input, None, at);
+        match self.fraction(binary) {
+            Some((what, at)) => self.push(what, Role::Input, None, at),
+            None => visit::visit_expr_binary(self, binary),
         }
-        visit::visit_expr_binary(self, binary);
     }
 
     fn visit_expr_index(&mut self, index: &'ast syn::ExprIndex) {

@@ -42,6 +42,10 @@ impl Decimal {
         Some(Self::new(mantissa, self.exponent.checked_add(other.exponent)?))
     }
 
+    pub(crate) fn is_zero(self) -> bool {
+        self.mantissa == 0
+    }
+
     /// With the other sign.
     pub(crate) fn negated(self) -> Self {
         Self { mantissa: -self.mantissa, exponent: self.exponent }

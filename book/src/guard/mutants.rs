@@ -10,6 +10,7 @@
 use super::chapter::{Chapter, Reader};
 use super::code::Role;
 use super::numbers::{self, Beside, Findings};
+use super::words;
 use std::fmt;
 
 /// What became of the alterations of one chapter.
@@ -84,13 +85,9 @@ pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> 
             altered.push((*first, text));
         }
         if let Some(range) = &place.words {
-            let own = &chapter.text[range.clone()];
-            for other in ["thrice", "a thirtieth part, a fiftieth", "seven hundred times as"] {
-                let (before, after) = (&chapter.text[..range.start], &chapter.text[range.end..]);
-                if own != other {
-                    altered.push((range.start, format!("{before}{other}{after}")));
-                }
-            }
+            let (before, after) = (&chapter.text[..range.start], &chapter.text[range.end..]);
+            let others = words::altered(&chapter.text[range.clone()]);
+            altered.extend(others.iter().map(|other| (range.start, format!("{before}{other}{after}"))));
         }
         for (at, text) in altered {
             let score = if place.words.is_some() { &mut tally.words } else { &mut tally.text };

@@ -44,6 +44,8 @@ pub(crate) struct Counts {
     pub(crate) tables: usize,
     pub(crate) alts: usize,
     pub(crate) tex: usize,
+    /// In the comments of the Rust blocks.
+    pub(crate) comments: usize,
     pub(crate) by_assertion: usize,
     pub(crate) by_input: usize,
     pub(crate) by_fact: usize,
@@ -66,6 +68,7 @@ impl Counts {
             (&mut self.tables, other.tables),
             (&mut self.alts, other.alts),
             (&mut self.tex, other.tex),
+            (&mut self.comments, other.comments),
             (&mut self.by_assertion, other.by_assertion),
             (&mut self.by_input, other.by_input),
             (&mut self.by_fact, other.by_fact),
@@ -81,7 +84,7 @@ impl Counts {
 
     /// All numbers that must be bound.
     pub(crate) fn all(&self) -> usize {
-        self.prose + self.captions + self.tables + self.alts + self.tex
+        self.prose + self.captions + self.tables + self.alts + self.tex + self.comments
     }
 }
 
@@ -155,6 +158,9 @@ impl Source {
     }
 
     fn same(&self, mine: &Number, other: &Number) -> bool {
+        if other.power && other.value.is_zero() {
+            return false; // nothing times a power of ten: no way to write nothing
+        }
         if self.printed && !other.power { mine.printed == other.printed } else { mine.value == other.value }
     }
 }
@@ -289,6 +295,7 @@ fn shown(what: &What) -> String {
         What::One(n) => one(n),
         What::Fraction(a, b) => format!("{}/{}", one(a), one(b)),
         What::Tuple(all) => format!("({})", all.iter().map(one).collect::<Vec<_>>().join(", ")),
+        What::Power => "a power".into(),
     }
 }
 
@@ -375,6 +382,7 @@ impl Checker<'_> {
             (Kind::Caption, _) => (&mut counts.captions, "caption"),
             (Kind::Row, _) => (&mut counts.tables, "table"),
             (Kind::Alt, _) => (&mut counts.alts, "alt text"),
+            (Kind::Comment, _) => (&mut counts.comments, "comment"),
             (Kind::Prose | Kind::Heading(_), _) => (&mut counts.prose, "prose"),
         };
         *count += 1;

@@ -22,6 +22,8 @@ pub(crate) enum What {
     Fraction(Number, Number),
     /// `(1, 0, 0)`.
     Tuple(Vec<Number>),
+    /// A power of a number that is not ten, which nothing in the code could be.
+    Power,
 }
 
 /// A number in a text.
@@ -151,9 +153,22 @@ fn in_formula(text: &str, formula: &Range<usize>, found: &mut Vec<Token>) {
             What::Tuple(_) => false,
             What::One(n) => !(n.power || n.printed.contains('.') || own == whole || symbol.is_some()),
             What::Fraction(..) => own != whole && symbol.is_none(),
+            What::Power => has_symbol(whole),
         };
         token.name = symbol;
     }
+}
+
+/// Whether letters stand in this formula, besides its commands.
+fn has_symbol(tex: &str) -> bool {
+    let mut rest = tex;
+    while let Some(at) = rest.find(|c: char| c == '\\' || c.is_alphabetic()) {
+        let Some(command) = rest[at..].strip_prefix('\\') else {
+            return true;
+        };
+        rest = command.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    }
+    false
 }
 
 /// The name that code gives to a symbol: `\boldsymbol{\omega}` is `omega`, `\mathbf{L}` is `l`.
@@ -191,7 +206,7 @@ impl Scanner<'_> {
             let start = self.at;
             let what = match c {
                 '(' => self.tuple().map(What::Tuple),
-                _ => self.number().map(|n| self.perhaps_fraction(n)),
+                _ => self.number().map(|n| self.perhaps_more(n)),
             };
             if let Some(what) = what {
                 // `1/s` and `1/(kg m²)` are units.
@@ -354,9 +369,13 @@ impl Scanner<'_> {
         }
     }
 
-    /// `3/23`, where a slash and another number follow.
-    fn perhaps_fraction(&mut self, over: Number) -> What {
+    /// `3/23`, where a slash and another number follow; `2^{-3}`, where an exponent does.
+    fn perhaps_more(&mut self, over: Number) -> What {
         let at = self.at;
+        if let Some((_, taken)) = raised(self.rest()).filter(|_| !over.power) {
+            self.at += taken;
+            return What::Power;
+        }
         if self.rest().starts_with('/') {
             self.at += 1;
             if self.peek().is_some_and(|c| c.is_ascii_digit())

@@ -123,6 +123,28 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
     (found, counting)
 }
 
+/// The phrase with one of its number words replaced by another of its kind, in every place.
+pub(crate) fn altered(phrase: &str) -> Vec<String> {
+    let cardinals = || CARDINALS[1..].iter().copied().chain(POWERS.iter().map(|p| p.0));
+    let parts = || PARTS.iter().map(|p| p.0);
+    let multiples = || MULTIPLES.iter().map(|p| p.0);
+    let mut found = Vec::new();
+    for (word, at) in words(phrase) {
+        let plural = if word.ends_with('s') { "s" } else { "" };
+        let others: Vec<String> = if cardinal(&word).is_some() {
+            cardinals().filter(|c| *c != word).map(str::to_owned).collect()
+        } else if part(&word).is_some() {
+            parts().filter(|p| *p != word.trim_end_matches('s')).map(|p| format!("{p}{plural}")).collect()
+        } else {
+            multiples().filter(|m| multiples().any(|m| m == word) && *m != word).map(str::to_owned).collect()
+        };
+        for other in others {
+            found.push(format!("{}{other}{}", &phrase[..at.start], &phrase[at.end..]));
+        }
+    }
+    found
+}
+
 /// The words of the text in lower case, and where.
 fn words(text: &str) -> Vec<(String, Range<usize>)> {
     let mut found = Vec::new();
