@@ -57,6 +57,8 @@ pub(crate) enum Role {
     Input,
     /// A component of an [`Input`](Role::Input) vector, which only words may mean by itself.
     Component,
+    /// What something is divided by, which only a fraction in words may mean: `a twentieth`.
+    Divisor,
 }
 
 /// Rust that could not be read: the line, from zero, and why.
@@ -422,7 +424,13 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     fn visit_expr_binary(&mut self, binary: &'ast syn::ExprBinary) {
         match self.fraction(binary) {
             Some((what, at)) => self.push(what, Role::Input, None, at),
-            None => visit::visit_expr_binary(self, binary),
+            None => {
+                self.visit_expr(&binary.left);
+                match (&binary.op, self.number(&binary.right)) {
+                    (BinOp::Div(_), Some((n, at))) => self.push(Holds::One(n), Role::Divisor, None, vec![at]),
+                    _ => self.visit_expr(&binary.right),
+                }
+            }
         }
     }
 

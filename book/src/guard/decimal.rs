@@ -42,6 +42,13 @@ impl Decimal {
         Some(Self::new(mantissa, self.exponent.checked_add(other.exponent)?))
     }
 
+    /// This over `other`, where both are whole and so is that.
+    pub(crate) fn whole_ratio(self, other: Self) -> Option<Self> {
+        let whole = |n: Self| n.mantissa.checked_mul(10_i128.checked_pow(u32::try_from(n.exponent).ok()?)?);
+        let (over, under) = (whole(self)?, whole(other)?);
+        (over.checked_rem(under)? == 0).then(|| Self::new(over / under, 0))
+    }
+
     pub(crate) fn is_zero(self) -> bool {
         self.mantissa == 0
     }

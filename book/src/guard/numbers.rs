@@ -6,7 +6,7 @@ use super::decimal::Decimal;
 use super::facts::Fact;
 use super::offence::Offence;
 use super::token::{self, Number, Token, What};
-use super::words;
+use super::words::{self, Spelled};
 use std::cell::Cell;
 use std::collections::HashMap;
 
@@ -17,14 +17,14 @@ pub(crate) type Drawings = HashMap<String, Drawing>;
 #[derive(Debug, Default)]
 pub(crate) struct Drawing {
     tokens: Vec<Token>,
-    quantities: Vec<Decimal>,
+    quantities: Vec<Spelled>,
 }
 
 impl Drawing {
     /// Reads the words.
     pub(crate) fn new(words: &str) -> Self {
         let tokens = token::tokens(words, &[]);
-        let quantities = words::spelled(words).0.into_iter().map(|s| s.value).collect();
+        let quantities = words::spelled(words).0;
         Self { tokens, quantities }
     }
 }
@@ -132,7 +132,7 @@ struct Source {
 impl Source {
     /// Whether this number of a text is this value.
     fn holds(&self, token: &Token) -> bool {
-        if self.role == Role::Component {
+        if matches!(self.role, Role::Component | Role::Divisor) {
             return false;
         }
         let unit = match self.role {
@@ -280,11 +280,12 @@ impl Pool {
         }
     }
 
-    /// Whether the code has this value, or one over it, anywhere.
-    fn has_value(&self, value: Decimal) -> Option<Role> {
-        self.sources.iter().find_map(|s| match &s.what {
-            What::One(n) if n.value == value || n.value.is_inverse_of(value) => Some(s.role),
-            _ => None,
+    /// Whether the code has this quantity, and no other unit for it.
+    fn has(&self, word: &Spelled) -> bool {
+        self.sources.iter().any(|s| match &s.what {
+            What::One(n) if s.role == Role::Divisor => word.part && n.value.is_inverse_of(word.value),
+            What::One(n) => n.value == word.value && (s.unit.is_none() || s.unit == word.unit),
+            _ => false,
         })
     }
 }
@@ -509,16 +510,15 @@ impl Checker<'_> {
         for word in found {
             self.found.counts.quantities += 1;
             let drawn = drawing.is_some_and(|d| {
-                let ones = d
-                    .tokens
-                    .iter()
-                    .filter_map(|t| if let What::One(n) = &t.what { Some(n.value) } else { None });
-                d.quantities.iter().copied().chain(ones).any(|v| v == word.value)
+                d.quantities.iter().any(|q| q.value == word.value && q.unit == word.unit)
+                    || d.tokens.iter().any(|t| {
+                        matches!(&t.what, What::One(n) if n.value == word.value) && t.unit == word.unit
+                    })
             });
             let range = passage.source(word.at.start)..passage.source(word.at.end - 1) + 1;
             let shown = &passage.text[word.at.clone()];
-            if pool.has_value(word.value).is_none() && !drawn {
-                let expected = format!("{} or one over it in the section's code", word.value);
+            if !pool.has(&word) && !drawn {
+                let expected = format!("{} as a value of the section's code", word.value);
                 self.offend(range.start, format!("`{shown}`"), expected);
             }
             self.found.places.push(Place { kind: "words", digits: Vec::new(), words: Some(range) });

@@ -14,6 +14,9 @@ use std::ops::Range;
 pub(crate) struct Spelled {
     pub(crate) at: Range<usize>,
     pub(crate) value: Decimal,
+    pub(crate) unit: Option<&'static str>,
+    /// Whether it is a fraction, which may be written as what it is or as a division.
+    pub(crate) part: bool,
 }
 
 const CARDINALS: [&str; 21] = [
@@ -75,17 +78,19 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
     let mut i = 0;
     while i < words.len() {
         let start = words[i].1.start;
-        let mut take = |last: usize, value: Decimal| {
-            found.push(Spelled { at: start..words[last].1.end, value });
+        let mut take = |last: usize, value: Decimal, part: bool| {
+            let end = words[last].1.end;
+            let unit = unit_at(text, end).map(|(unit, _)| unit).filter(|u| *u != "times");
+            found.push(Spelled { at: start..end, value, unit, part });
             last + 1
         };
         let multiple = MULTIPLES.iter().find(|(name, _)| *name == word(i));
         if let Some(&(_, n)) = multiple {
-            i = take(i, Decimal::new(n, 0));
+            i = take(i, Decimal::new(n, 0), false);
             continue;
         }
         if let Some(value) = part(word(i)) {
-            i = take(i, value);
+            i = take(i, value, true);
             continue;
         }
         let article = matches!(word(i), "a" | "an") && POWERS.iter().any(|(name, _)| *name == word(i + 1));
@@ -104,17 +109,20 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
         let of_parts = part(next).and_then(|p| value.times(p));
         let compares =
             matches!(word(last + 2), "as" | "smaller" | "larger" | "less" | "more" | "that" | "the" | "its");
-        let ratio = cardinal(word(last + 2)).filter(|_| next == "to" && word(last) == "one");
+        let ratio = cardinal(word(last + 2)).filter(|_| next == "to").map(|to| {
+            // A ratio that is no whole number is nothing the code could say in one literal.
+            to.whole_ratio(value).unwrap_or(Decimal::new(-1, 0))
+        });
         i = if let Some(parts) = of_parts {
-            take(last + 1, parts)
+            take(last + 1, parts, true)
         } else if next == "times" && compares {
-            take(last + 1, value)
+            take(last + 1, value, false)
         } else if let Some(ratio) = ratio {
-            take(last + 2, ratio)
+            take(last + 2, ratio, false)
         } else if next != "times"
             && unit_at(text, words[last].1.end).is_some_and(|(unit, _)| unit != "m" && unit != "s")
         {
-            take(last, value)
+            take(last, value, false)
         } else {
             counting += 1;
             last + 1
@@ -127,7 +135,6 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
 pub(crate) fn altered(phrase: &str) -> Vec<String> {
     let cardinals = || CARDINALS[1..].iter().copied().chain(POWERS.iter().map(|p| p.0));
     let parts = || PARTS.iter().map(|p| p.0);
-    let multiples = || MULTIPLES.iter().map(|p| p.0);
     let mut found = Vec::new();
     for (word, at) in words(phrase) {
         let plural = if word.ends_with('s') { "s" } else { "" };
@@ -136,7 +143,9 @@ pub(crate) fn altered(phrase: &str) -> Vec<String> {
         } else if part(&word).is_some() {
             parts().filter(|p| *p != word.trim_end_matches('s')).map(|p| format!("{p}{plural}")).collect()
         } else {
-            multiples().filter(|m| multiples().any(|m| m == word) && *m != word).map(str::to_owned).collect()
+            let own = MULTIPLES.iter().find(|m| m.0 == word).map(|m| m.1);
+            let others = MULTIPLES.iter().filter(|m| own.is_some_and(|own| own != m.1));
+            others.map(|m| m.0.to_owned()).collect()
         };
         for other in others {
             found.push(format!("{}{other}{}", &phrase[..at.start], &phrase[at.end..]));
