@@ -31,7 +31,7 @@ impl fmt::Display for Report {
         let c = &self.counts;
         writeln!(
             f,
-            "numbers: {} in {} chapters (prose {}, tables {}, captions {}, alt texts {}, TeX {}, comments {})",
+            "numbers: {} in {} files (prose {}, tables {}, captions {}, alt texts {}, TeX {}, comments {})",
             c.all(),
             self.chapters,
             c.prose,
@@ -117,15 +117,21 @@ impl Book {
                 Err(fault) => wrong.push(fault),
             }
         }
+        if own {
+            chapters.push(readme(&mut reader)?);
+        }
         wrong.dedup();
         if !wrong.is_empty() {
             return Err(wrong.join("\n"));
         }
-        let facts = facts(folder)?;
+        let mut facts = facts(folder)?;
         for fact in &facts {
             if own && chapters.iter().all(|c| c.name != fact.chapter) {
                 return Err(format!("book/facts.toml: there is no chapter `{}`", fact.chapter));
             }
+        }
+        if own {
+            facts.extend(versions()?);
         }
         let drawings = drawings(folder, &chapters)?;
         Ok(Self { chapters, beside: Beside { facts, drawings }, reader })
@@ -148,6 +154,43 @@ fn listed(folder: &Path) -> Result<Vec<String>, String> {
         })
         .collect();
     if files.is_empty() { Err(format!("{} lists no chapter", file.display())) } else { Ok(files) }
+}
+
+/// The repository's first page, as a chapter.
+fn readme(reader: &mut Reader) -> Result<Chapter, String> {
+    let file = paths::repository().join("README.md");
+    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    reader.chapter("README", "README.md", &text)
+}
+
+/// The versions that the first page names, as the manifests have them.
+fn versions() -> Result<Vec<facts::Fact>, String> {
+    let manifest = |file: &Path| -> Result<toml::Table, String> {
+        let text = fs::read_to_string(file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+        text.parse().map_err(|e| format!("{}: {e}", file.display()))
+    };
+    let whole = manifest(&paths::repository().join("Cargo.toml"))?;
+    let book = manifest(&paths::book().join("Cargo.toml"))?;
+    let package = |key: &str| whole.get("workspace")?.get("package")?.get(key)?.as_str();
+    let mdbook = || book.get("dependencies")?.get("mdbook-preprocessor")?.as_str()?.rsplit_once('.');
+    let versions = [
+        ("Rust", package("rust-version")),
+        ("Apache", package("license").and_then(|license| license.rsplit_once("Apache-")).map(|(_, v)| v)),
+        ("mdBook", mdbook().map(|(major_minor, _)| major_minor)),
+    ];
+    versions
+        .into_iter()
+        .map(|(name, version)| {
+            let version = version.ok_or_else(|| format!("the manifests have no version of {name}"))?;
+            Ok(facts::Fact {
+                chapter: "README".into(),
+                text: format!("{name} {version}"),
+                number: version.into(),
+                source: "the manifests".into(),
+                certainty: "certain".into(),
+            })
+        })
+        .collect()
 }
 
 /// The facts beside the chapters, or those of this book where there are none.

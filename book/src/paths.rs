@@ -12,10 +12,15 @@ pub(crate) fn chapters() -> PathBuf {
     book().join("chapters")
 }
 
+/// The folder of the repository.
+pub(crate) fn repository() -> &'static Path {
+    // `CARGO_MANIFEST_DIR` is absolute and never the root of the file system.
+    book().parent().unwrap_or(book())
+}
+
 /// The folder of the drawn figures.
 pub(crate) fn figures() -> PathBuf {
-    // `CARGO_MANIFEST_DIR` is absolute and never the root of the file system.
-    book().parent().unwrap_or(book()).join("figures")
+    repository().join("figures")
 }
 
 /// The folder the pages are built into.

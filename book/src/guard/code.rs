@@ -132,7 +132,7 @@ struct Reader<'a> {
 fn unit_by_name(name: &str) -> Option<&'static str> {
     Some(match name {
         "degrees" | "angle" => "°",
-        "seconds" | "time" => "s",
+        "seconds" | "step" => "s",
         "omega" | "spin" => "rad/s",
         "momentum" | "l" => "kg m²/s",
         "torque" => "N m",

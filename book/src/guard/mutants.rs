@@ -27,7 +27,7 @@ pub(crate) struct Tally {
     pub(crate) claims_by_test: usize,
     /// Those of tolerances.
     pub(crate) tolerances: usize,
-    /// What went unnoticed in the text: `file:line: found -> altered`.
+    /// What went unnoticed in the text: `file:line: kind`, and the altered words.
     pub(crate) survivors: Vec<String>,
 }
 

@@ -103,7 +103,6 @@ pub(crate) struct Place {
 pub(crate) struct Claim {
     pub(crate) role: Role,
     pub(crate) digits: Vec<usize>,
-    pub(crate) line: usize,
 }
 
 /// All that was found in a chapter.
@@ -363,8 +362,11 @@ impl Checker<'_> {
             self.ordinal(passage, level, &mut tokens);
         }
         for token in &tokens {
-            let in_tex = tex.iter().any(|t| t.contains(&token.at.start));
-            let kind = self.count(passage.kind, in_tex);
+            let formula = passage.tex.iter().find(|t| t.at.contains(&token.at.start));
+            let kind = match (self.count(passage.kind, formula.is_some()), formula) {
+                (_, Some(formula)) if formula.display => "display TeX",
+                (kind, _) => kind,
+            };
             let digits = token
                 .digits
                 .clone()
@@ -548,8 +550,7 @@ impl Checker<'_> {
                         text.starts_with('"') || !text.contains('_') || !text.contains('f')
                     };
                     let digits = (start..end).filter(is_digit).filter(suffix).collect();
-                    let line = self.chapter.line(start);
-                    self.found.claims.push(Claim { role: value.role, digits, line });
+                    self.found.claims.push(Claim { role: value.role, digits });
                 }
             }
         }
