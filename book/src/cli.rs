@@ -175,14 +175,23 @@ fn checked(folder: &Path) -> Result<bool, String> {
 /// Tells what became of each alteration; whether those of numbers were all noticed.
 fn alterations(folder: &Path) -> Result<bool, String> {
     let tallies = guard::alterations(folder)?;
-    say!("{:18} {:>12} {:>10} {:>22} {:>11}", "altered, noticed", "numbers", "words", "assertions", "tolerances");
+    say!(
+        "{:18} {:>12} {:>10} {:>22} {:>11}",
+        "altered, noticed",
+        "numbers",
+        "words",
+        "assertions",
+        "tolerances"
+    );
     let mut all = guard::Tally { name: "the book".into(), ..guard::Tally::default() };
     for tally in &tallies {
         all.add(tally);
         say!("{tally}");
     }
     say!("{all}");
-    say!("(assertions: noticed by the guard + only by the assertion itself; a tolerance altered leaves it true)");
+    say!(
+        "(assertions: noticed by the guard + only by the assertion itself; a tolerance altered leaves it true)"
+    );
     for survivor in &all.survivors {
         say!("unnoticed: {survivor}");
     }
@@ -220,6 +229,9 @@ mod tests {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
         assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
+        assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, mutants: false })));
+        assert!(matches!(parsed(&["check", "x"]), Ok(Asked::Check { folder: Some(_), mutants: false })));
+        assert!(matches!(parsed(&["check", "--mutants"]), Ok(Asked::Check { folder: None, mutants: true })));
         assert!(matches!(parsed(&["preprocess"]), Ok(Asked::Preprocess)));
         assert!(
             matches!(parsed(&["preprocess", "supports", "html"]), Ok(Asked::Supports { renderer }) if renderer == "html")
@@ -237,5 +249,7 @@ mod tests {
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
+        assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));
+        assert!(parsed(&["figures", "--mutants"]).unwrap_err().contains("`check`"));
     }
 }

@@ -1,4 +1,31 @@
 //! The guard: says of every number in the book what holds it, and objects where nothing does.
+//!
+//! It reads the chapters (and the README) with the Markdown parser that makes the pages, and their Rust with a
+//! parser of Rust. A chapter is cut at its headings. Within each section, every number in prose, captions, tables,
+//! the words for figures, TeX and the comments of the code must be one of these:
+//!
+//! - **asserted**: an expected value of `assert_eq!`, or what `assert!` compares with. A value that the code formats
+//!   must be printed with the very same digits, and with its unit where the string has one; that the digits are the right
+//!   rounding is then the doc-test's affair. Other values must be equal, exactly, as decimals;
+//! - **an input** of the code: equal, exactly, and in the unit that the code gives it (the function it goes to, or the
+//!   name it gets: `code::unit_of_argument`, `code::unit_by_name`). A run of so many steps also gives its whole time;
+//! - **a fact**: the number of a fact of `facts.toml`, within the fact's own words. A fact that is told no more is an
+//!   offence too. The versions in the README are facts of the manifests;
+//! - **drawn**, in captions and words for figures: in the description inside the drawing, which is made from computed values. The
+//!   words for a figure may bring no other number, and bring them in the drawing's order.
+//!
+//! Some numbers are bound only together: a tuple `(1, 1, 0)` to a vector, a tuple or the same in a printed string; the
+//! members of a list `a, b and c` to values that follow one another in the code; a row of a table, where the section
+//! asserts rows, to a whole row. A formula `$a = 2$` is bound to `let a = 2.0`, by name.
+//!
+//! And the other way round: what an assertion prints must be said in its section. So a number cannot quietly become
+//! another that the section happens to have.
+//!
+//! Not bound, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`), and the list of references,
+//! whose years, volumes and pages are the entries themselves. Numbers before headings (`2. ...`) count up. Whole
+//! numbers inside a formula with symbols (an index, an exponent, a factor, a matrix's zero) are a part of the formula, and
+//! counted. Quantities in words (`a twentieth`, `twice`, `ten radians a second`) need a value of the code; words
+//! that count are counted: see `words`.
 
 mod chapter;
 mod code;
@@ -80,8 +107,10 @@ pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
     let mut tallies = Vec::new();
     for chapter in &book.chapters {
         if let Some(offence) = numbers::findings(chapter, &book.beside).offences.first() {
-            return Err(format!("{offence}
-Alterations can be judged once the chapters hold."));
+            return Err(format!(
+                "{offence}
+Alterations can be judged once the chapters hold."
+            ));
         }
         tallies.push(mutants::tally(chapter, &book.beside, &mut book.reader));
     }
@@ -222,3 +251,6 @@ fn inside(svg: &str, element: &str) -> String {
     let text = opened.and_then(|(_, rest)| rest.split_once(&format!("</{element}>"))).map_or("", |(t, _)| t);
     text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
 }
+
+#[cfg(test)]
+mod tests;

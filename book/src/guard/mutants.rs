@@ -97,7 +97,12 @@ pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> 
             } else {
                 let line = chapter.line(at);
                 let row = |text: &str| text.lines().nth(line - 1).unwrap_or_default().to_owned();
-                tally.survivors.push(format!("{}:{line}: {} `{}`", chapter.path, place.kind, near(&row(&text), &row(&chapter.text))));
+                tally.survivors.push(format!(
+                    "{}:{line}: {} `{}`",
+                    chapter.path,
+                    place.kind,
+                    near(&row(&text), &row(&chapter.text))
+                ));
             }
         }
     }
