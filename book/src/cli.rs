@@ -190,7 +190,7 @@ fn alterations(folder: &Path) -> Result<bool, String> {
     }
     say!("{all}");
     say!(
-        "(assertions: noticed by the guard + only by the assertion itself; a tolerance altered leaves it true)"
+        "(assertions: noticed by the guard + only by the assertion itself; a tolerance altered may leave it true)"
     );
     for survivor in &all.survivors {
         say!("unnoticed: {survivor}");

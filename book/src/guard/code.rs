@@ -51,7 +51,7 @@ pub(crate) enum Role {
     Expected,
     /// A part of what an assertion compares with.
     Compared,
-    /// How near an assertion wants two numbers: the right-hand side of its `<`.
+    /// A bound that could be another: the right-hand side of `<`, and the left where it is no distance.
     Tolerance,
     /// What the code starts from.
     Input,
@@ -301,7 +301,10 @@ impl Reader<'_> {
                     self.claim(&binary.right);
                 }
                 BinOp::Lt(_) | BinOp::Le(_) => {
-                    self.compared(&binary.left, Role::Compared);
+                    // Only how far two numbers are apart, `(x - 3.0 / 23.0).abs()`, pins one of them.
+                    let apart = matches!(&*binary.left, Expr::MethodCall(c) if c.method == "abs" || c.method == "norm");
+                    let role = if apart { Role::Compared } else { Role::Tolerance };
+                    self.compared(&binary.left, role);
                     self.compared(&binary.right, Role::Tolerance);
                 }
                 _ => {

@@ -4,8 +4,8 @@
 //!   away, and each quantity in words is replaced by another; the guard must object (or fail to read the chapter).
 //! - Each digit of each literal of an assertion is replaced by each of the nine others. Where the guard does not
 //!   object, the assertion itself fails when `cargo test` runs it: it holds today, and the value it compares with is
-//!   now another. The exception is a tolerance, the small number on the right of `<`: altered, it leaves the assertion true
-//!   or makes it stricter, and says nothing about the world. Those are counted apart.
+//!   now another. The exception is a bound, such as the small number on the right of `<`: altered, it may leave the
+//!   assertion true, or make it stricter. Those are counted apart.
 
 use super::chapter::{Chapter, Reader};
 use super::code::Role;
