@@ -246,9 +246,9 @@ impl<'a> Parser<'a> {
     }
 
     fn side(&mut self) -> Result<Side, TexError> {
-        let from = self.next;
+        let (from, start) = (self.next, self.at());
         let tree = self.sum()?;
-        Ok(Side { tree, text: self.written(from) })
+        Ok(Side { tree, text: self.written(from), range: start..self.behind() })
     }
 
     fn sum(&mut self) -> Result<Node, TexError> {

@@ -1,6 +1,7 @@
 //! What an equation says, as a tree.
 
 use crate::number::Rational;
+use std::ops::Range;
 
 /// An expression.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,6 +80,8 @@ pub struct Side {
     pub tree: Node,
     /// How it is written, without spaces.
     pub text: String,
+    /// Where it stands in the source, in bytes.
+    pub range: Range<usize>,
 }
 
 /// An equation or inequality, or a chain of them.
@@ -107,6 +110,6 @@ impl Statement {
 }
 
 /// Whether a pair only gives a value.
-pub(super) fn is_value(relation: Relation, right: &Side) -> bool {
+pub(crate) fn is_value(relation: Relation, right: &Side) -> bool {
     relation == Relation::Equal && right.tree.is_numeric()
 }

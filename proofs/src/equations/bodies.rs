@@ -1,0 +1,112 @@
+//! What the names mean where the book speaks of a body's mass: the same in every equation of a kind.
+
+use crate::number::Fraction;
+use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
+use crate::tex::{Scope, Value};
+use num_traits::{One, Zero};
+use tumbling::inertia::{omega_world, point_mass};
+use tumbling::solid::cuboid_moments;
+
+/// The names of a vector's components: `name_x`, `name_y`, `name_z`.
+fn with_components(scope: Scope, stem: &str, v: &Vector) -> Scope {
+    let axes = ["x", "y", "z"];
+    axes.iter().zip(v).fold(scope, |scope, (axis, x)| scope.with(&format!("{stem}_{axis}"), x.clone()))
+}
+
+/// The names of a matrix's entries: `name_{xx}`, `name_{xy}` and so on.
+fn with_entries(mut scope: Scope, stem: &str, m: &Matrix) -> Scope {
+    let axes = ["x", "y", "z"];
+    for (i, row) in axes.iter().enumerate() {
+        for (j, column) in axes.iter().enumerate() {
+            scope = scope.with(&format!("{stem}_{{{row}{column}}}"), m[(i, j)].clone());
+        }
+    }
+    scope
+}
+
+/// Any body: three points of any mass anywhere, which have every tensor that a body can have. Its momentum is
+/// the sum of `r x m (w x r)`, its energy that of `m (w x r)²/2`, its tensor the library's.
+pub(super) fn body() -> Scope {
+    of_points(&["r", "s", "t"].map(vector))
+}
+
+/// A flat one, in the plane of the first two axes.
+pub(super) fn flat() -> Scope {
+    of_points(&["r", "s", "t"].map(vector).map(|r| Vector::new(r.x.clone(), r.y.clone(), Fraction::zero())))
+}
+
+fn of_points(places: &[Vector; 3]) -> Scope {
+    let omega = vector("omega");
+    let masses = variables(["m_r", "m_s", "m_t"]);
+    let (mut tensor, mut momentum, mut energy) = (Matrix::zeros(), Vector::zeros(), Fraction::zero());
+    let mut scope = Scope::default().positive(["m_r", "m_s", "m_t"]);
+    for (m, r) in masses.iter().zip(places) {
+        let velocity = omega.cross(r);
+        tensor += point_mass(m, r);
+        momentum += r.cross(&velocity).map(|x| x * m);
+        energy += m * &velocity.dot(&velocity) / Fraction::from(2);
+        scope =
+            scope.with_piece([("m", m.clone()), ("x", r.x.clone()), ("y", r.y.clone()), ("z", r.z.clone())]);
+    }
+    scope = with_components(scope, "L", &momentum);
+    scope = with_components(scope, r"\omega", &omega);
+    scope = with_entries(scope, "I", &tensor);
+    for (i, name) in ["I_1", "I_2", "I_3"].into_iter().enumerate() {
+        scope = scope.with(name, tensor[(i, i)].clone());
+    }
+    scope
+        .with("I", tensor)
+        .with(r"\mathbf{L}", momentum)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with("E", energy)
+}
+
+/// A single piece.
+pub(super) fn piece() -> Scope {
+    let [m, x, y, z] = variables(["m", "x", "y", "z"]);
+    let tensor = point_mass(&m, &Vector::new(x.clone(), y.clone(), z.clone()));
+    Scope::default().with("m", m).with("x", x).with("y", y).with("z", z).with(r"I_{\text{piece}}", tensor)
+}
+
+/// Any box, of edges a, b, c along x, y, z.
+pub(super) fn the_box() -> Scope {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let tensor = diagonal(&cuboid_moments(&m, &a, &b, &c));
+    with_entries(Scope::default(), "I", &tensor).with("m", m).with("a", a).with("b", b).with("c", c)
+}
+
+/// The momentum that the library's law takes to this spin, with the body lying along the axes.
+fn momentum(moments: &Vector, omega: &Vector) -> Value {
+    let inverse = diagonal(&moments.map(|x| Fraction::one() / x));
+    let spin_of = |l: &Vector| omega_world(&Matrix::identity(), &inverse, l);
+    // The law is linear: its columns are what it makes of each axis.
+    let unit = |i: usize| Vector::from_fn(|j, _| if i == j { Fraction::one() } else { Fraction::zero() });
+    Value::Solution(
+        Matrix::from_columns(&[spin_of(&unit(0)), spin_of(&unit(1)), spin_of(&unit(2))]),
+        omega.clone(),
+    )
+}
+
+/// Any box, spun as in the example.
+pub(super) fn the_box_spun() -> Scope {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
+    the_box().with(r"\mathbf{L}", momentum(&cuboid_moments(&m, &a, &b, &c), &omega))
+}
+
+/// Any body along its principal axes, spun about none of the third.
+pub(super) fn planar() -> Scope {
+    let [x, y] = variables(["omega1", "omega2"]);
+    let moments = vector("I");
+    let scope = Scope::default().with("I_1", moments.x.clone()).with("I_2", moments.y.clone());
+    let scope = scope.with(r"\omega_x", x.clone()).with(r"\omega_y", y.clone());
+    scope.with(r"\mathbf{L}", momentum(&moments, &Vector::new(x, y, Fraction::zero())))
+}
+
+/// Any body along its principal axes, spun about one.
+pub(super) fn axis(k: usize) -> Scope {
+    let (moments, spin) = (vector("I"), Fraction::variable("omega"));
+    let omega = Vector::from_fn(|i, _| if i == k { spin.clone() } else { Fraction::zero() });
+    let scope = Scope::default().with(r"\mathbf{L}", momentum(&moments, &omega));
+    scope.with("I_k", moments[k].clone()).with(r"\boldsymbol{\omega}", omega)
+}
