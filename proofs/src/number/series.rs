@@ -207,40 +207,48 @@ impl<T: Field> PartialEq for Series<T> {
     }
 }
 
-/// The terms written by `number`, joined by plus signs.
-fn joined<T: Field>(series: &Series<T>, number: impl Fn(&T) -> String, dots: &str) -> String {
+/// The terms written by `number`, joined by their signs; sums are put in brackets.
+fn joined<T: Field>(
+    series: &Series<T>,
+    number: impl Fn(&T) -> String,
+    [open, close, dots]: [&str; 3],
+) -> String {
     if series.is_undefined() {
         return "undefined".to_owned();
     }
-    let mut terms = Vec::new();
+    let mut all = String::new();
+    let mut add = |term: String| {
+        all += &match term.strip_prefix('-') {
+            Some(rest) if !all.is_empty() => format!(" - {rest}"),
+            _ if !all.is_empty() => format!(" + {term}"),
+            _ => term,
+        };
+    };
     for (power, a) in series.coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
         let text = number(a);
-        let text = if power > 0 && text.contains(" + ") || text.contains(" - ") {
-            format!("({text})")
-        } else {
-            text
-        };
+        let sum = text.contains(" + ") || text.contains(" - ");
+        let text = if power > 0 && sum { format!("{open}{text}{close}") } else { text };
         let h = if power == 1 { "h".to_owned() } else { format!("h^{power}") };
-        terms.push(match (power, a.is_one()) {
+        add(match (power, a.is_one()) {
             (0, _) => text,
             (_, true) => h,
             (_, false) => format!("{text} {h}"),
         });
     }
     if series.known.is_some() {
-        terms.push(dots.to_owned());
+        add(dots.to_owned());
     }
-    if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") }
+    if all.is_empty() { "0".to_owned() } else { all }
 }
 
 impl<T: Field + fmt::Display> fmt::Display for Series<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&joined(self, T::to_string, "..."))
+        f.pad(&joined(self, T::to_string, ["(", ")", "..."]))
     }
 }
 
 impl<T: Field + Tex> Tex for Series<T> {
     fn tex(&self) -> String {
-        joined(self, T::tex, r"\dotsb")
+        joined(self, T::tex, [r"\left(", r"\right)", r"\dotsb"])
     }
 }

@@ -8,9 +8,13 @@ use std::sync::Arc;
 ///
 /// Names are plain: a stem of letters and, if any, an index: `x`, `I1`, `omega2`, `I_xy`, `sn`. That is
 /// how they print; in TeX the index goes below, Greek letters become Greek and other words upright.
+/// An index of digits is written without a dash: `I_1` is another way to say `I1`.
 ///
 /// ```
 /// use tumbling_proofs::{Symbol, Tex};
+/// assert_eq!(Symbol::new("I_1"), Symbol::new("I1"));
+/// assert_eq!(Symbol::with_index("omega", "2"), Symbol::new("omega2"));
+/// assert_eq!(Symbol::new("omega2").parts(), ("omega", "2"));
 /// assert_eq!(Symbol::new("I1").to_string(), "I1");
 /// assert_eq!(Symbol::new("I1").tex(), "I_{1}");
 /// assert_eq!(Symbol::new("omega2").tex(), r"\omega_{2}");
@@ -24,7 +28,18 @@ impl Symbol {
     /// The symbol of this name.
     #[must_use]
     pub fn new(name: &str) -> Self {
-        Self(name.into())
+        match name.split_once('_') {
+            Some((stem, index)) => Self::with_index(stem, index),
+            None => Self(name.into()),
+        }
+    }
+
+    /// The symbol with this stem and this index, which may be empty: the inverse of [`parts`](Self::parts).
+    #[must_use]
+    pub fn with_index(stem: &str, index: &str) -> Self {
+        let digit = |c: char| c.is_ascii_digit();
+        let apart = !index.is_empty() && (!index.chars().all(digit) || stem.ends_with(digit));
+        Self(format!("{stem}{}{index}", if apart { "_" } else { "" }).into())
     }
 
     /// Its name.

@@ -167,7 +167,7 @@ mod tests {
             vector: Vector3::zeros(),
         };
         let end = exact(&start, 5, law);
-        assert_eq!(end.attitude.coords.w.to_string(), "1 + -1/2 h^2 + 1/24 h^4 + ...");
-        assert_eq!(end.attitude.coords.z.to_string(), "h + -1/6 h^3 + 1/120 h^5 + ...");
+        assert_eq!(end.attitude.coords.w.to_string(), "1 - 1/2 h^2 + 1/24 h^4 + ...");
+        assert_eq!(end.attitude.coords.z.to_string(), "h - 1/6 h^3 + 1/120 h^5 + ...");
     }
 }
