@@ -1,7 +1,7 @@
 //! The guard's guard for equations: each checked equation altered in every way, one change at a time.
 
 use super::{Equation, Ledger, Standing, standings};
-use crate::tex::{Site, SiteKind, parse, parse_with_sites};
+use crate::tex::{Site, SiteKind, Statement, parse, parse_with_sites};
 
 /// What became of the altered copies of a chapter's equations.
 #[derive(Debug, Clone, Default)]
@@ -23,6 +23,9 @@ pub struct StillTrue {
     pub change: String,
     /// What came of it.
     pub tex: String,
+    /// Whether each side is still worth what it was: written otherwise, it says the same. Otherwise it says something
+    /// else that is also true.
+    pub same_sides: bool,
 }
 
 /// Alters each proven equation of a chapter: every sign, index, power, number, sign of order and product changed; every
@@ -39,28 +42,32 @@ pub fn alterations(name: &str, equations: &[Equation]) -> Alterations {
         }
         for (change, tex) in altered(&equation.tex) {
             table.made += 1;
-            if holds(&tex, &laws, &standings) {
-                table.still_true.push(StillTrue { line: equation.line, change, tex });
-            } else {
-                table.noticed += 1;
+            match holds(&tex, &laws, &standings) {
+                Some(same_sides) => {
+                    table.still_true.push(StillTrue { line: equation.line, change, tex, same_sides });
+                }
+                None => table.noticed += 1,
             }
         }
     }
     table
 }
 
-/// Whether an altered equation is proven too, for the same laws.
-fn holds(
-    tex: &str,
-    laws: &[Option<&Standing>],
-    before: &[(crate::tex::Statement, Option<Standing>)],
-) -> bool {
-    let Ok(statements) = parse(tex) else { return false };
-    statements.len() == laws.len()
-        && statements.iter().zip(laws).zip(before).all(|((statement, standing), (was, _))| match standing {
-            Some(Standing::Law(law)) => law.prove(statement).is_ok(),
-            _ => statement.text == was.text,
-        })
+/// If an altered equation is proven too, for the same laws: whether its sides are worth what they were.
+fn holds(tex: &str, laws: &[Option<&Standing>], before: &[(Statement, Option<Standing>)]) -> Option<bool> {
+    let statements = parse(tex).ok().filter(|statements| statements.len() == laws.len())?;
+    let mut same_sides = true;
+    for ((statement, standing), (was, _)) in statements.iter().zip(laws).zip(before) {
+        match standing {
+            Some(Standing::Law(law)) if law.prove(statement).is_ok() => {
+                same_sides &= law.says_the_same(statement, was);
+            }
+            Some(Standing::Law(_)) => return None,
+            _ if statement.text == was.text => {}
+            _ => return None,
+        }
+    }
+    Some(same_sides)
 }
 
 /// Every altered copy, with what was done.

@@ -16,6 +16,8 @@ pub struct Law {
     pub cases: &'static [fn() -> Scope],
     /// For a bound: meanings in which its two sides are equal, so that no weaker bound passes.
     pub attained: &'static [fn() -> Scope],
+    /// For an example: what it says in general, or why it is none of that.
+    pub in_general: fn(&Statement) -> Result<Statement, String>,
 }
 
 impl Law {
@@ -27,6 +29,7 @@ impl Law {
         if statement.gives_values() {
             return Err("gives nothing but values where a law is expected".to_owned());
         }
+        let statement = &(self.in_general)(statement)?;
         for case in self.cases {
             statement.prove(&case())?;
         }
@@ -35,6 +38,16 @@ impl Law {
             statement.prove_attained(&case()).map_err(not_attained)?;
         }
         Ok(())
+    }
+}
+
+impl Law {
+    /// Whether each side of two statements of it is worth the same, in every meaning of their names.
+    pub(super) fn says_the_same(&self, a: &Statement, b: &Statement) -> bool {
+        match ((self.in_general)(a), (self.in_general)(b)) {
+            (Ok(a), Ok(b)) => self.cases.iter().all(|case| a.same_sides(&b, &case())),
+            _ => false,
+        }
     }
 }
 
@@ -55,7 +68,7 @@ const fn law(
     cases: &'static [fn() -> Scope],
     says: &'static str,
 ) -> Law {
-    Law { chapter, left, says, cases, attained: &[] }
+    Law { chapter, left, says, cases, attained: &[], in_general: |statement| Ok(statement.clone()) }
 }
 
 /// The laws that the book states.
@@ -63,8 +76,8 @@ const fn law(
 pub fn laws() -> &'static [Law] {
     use bodies::{axis, body, piece, planar, the_box, the_box_spun};
     use motion::{
-        attitude, energy, frozen, grows, momentum_for_spin, rates, summit, swings, world_inverse,
-        world_tensor,
+        attitude, energy, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings,
+        world_inverse, world_tensor,
     };
     const LAWS: &[Law] = &[
         law(
@@ -79,12 +92,15 @@ pub fn laws() -> &'static [Law] {
         law("worked-example", r"I_{xx}", &[the_box], "solid::cuboid_moments, about x"),
         law("worked-example", r"I_{yy}", &[the_box], "solid::cuboid_moments, about y"),
         law("worked-example", r"I_{zz}", &[the_box], "solid::cuboid_moments, about z"),
-        law(
-            "worked-example",
-            r"\mathbf{L}",
-            &[the_box_spun],
-            "inertia::omega_world gives back the spin (1, 1, 0)",
-        ),
+        Law {
+            in_general: bodies::for_any_spin,
+            ..law(
+                "worked-example",
+                r"\mathbf{L}",
+                &[the_box_spun],
+                "inertia::omega_world gives back the spin, here (1, 1, 0)",
+            )
+        },
         law("two-arrows", r"\mathbf{L}", &[planar], "inertia::omega_world gives back the spin"),
         law(
             "two-arrows",
@@ -100,11 +116,13 @@ pub fn laws() -> &'static [Law] {
             "about each axis, inertia::omega_world gives back the spin",
         ),
         Law {
-            chapter: "principal-axes",
-            left: "I_1+I_2",
-            says: "the diagonal of inertia::point_mass, of any points; an equality for flat bodies",
-            cases: &[body],
             attained: &[bodies::flat],
+            ..law(
+                "principal-axes",
+                "I_1+I_2",
+                &[body],
+                "the diagonal of inertia::point_mass, of any points; an equality for flat bodies",
+            )
         },
         law(
             "body-and-world",
@@ -138,13 +156,19 @@ pub fn laws() -> &'static [Law] {
             "observe::energy, and half the sum of m v² over any points",
         ),
         law("eulers-equations", r"\lambda^2", &[motion::wobble], "stability::rate_squared"),
-        law(
-            "eulers-equations",
-            r"\lambda^2",
-            swings::BOTH,
-            "stability::rate_squared, about the largest and the smallest",
-        ),
-        law("eulers-equations", r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle"),
+        Law {
+            attained: &[equal_moments],
+            ..law(
+                "eulers-equations",
+                r"\lambda^2",
+                swings::BOTH,
+                "stability::rate_squared, about the largest and the smallest",
+            )
+        },
+        Law {
+            attained: &[equal_moments],
+            ..law("eulers-equations", r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle")
+        },
         law(
             "three-pitfalls",
             r"I_{\text{body}}\dot{\boldsymbol{\omega}}",

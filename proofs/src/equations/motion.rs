@@ -158,6 +158,12 @@ fn wobble_of([about, first, second]: [usize; 3]) -> Scope {
     Scope::default().with(r"\lambda", Value::Root(square)).positive(["omega", "I1", "a", "b"])
 }
 
+/// Where it neither swings nor grows: the bound of both.
+pub(super) fn equal_moments() -> Scope {
+    let [omega, moment, other] = variables(["omega", "I", "J"]);
+    Scope::default().with(r"\lambda", Value::Root(rate_squared(&omega, &moment, &moment, &other)))
+}
+
 /// About the ends.
 pub(super) mod swings {
     use super::*;

@@ -88,10 +88,8 @@ impl Statement {
     /// # Errors
     /// What is left over, or why there is no meaning in it.
     pub fn prove(&self, scope: &Scope) -> Result<(), String> {
-        for (left, relation, right) in self.pairs() {
-            if is_value(relation, right) {
-                continue;
-            }
+        for (left, relation, right) in self.pairs().filter(|(_, relation, right)| !is_value(*relation, right))
+        {
             let (a, b) = (scope.value(&left.tree)?, scope.value(&right.tree)?);
             scope
                 .related(relation, a, b)
@@ -100,16 +98,29 @@ impl Statement {
         Ok(())
     }
 
-    /// The same with every sign of order taken for equality: that a bound is attained.
+    /// Proves that all its sides are equal, whatever stands between them: that a bound is attained.
     ///
     /// # Errors
     /// What is left over.
     pub fn prove_attained(&self, scope: &Scope) -> Result<(), String> {
-        let mut equal = self.clone();
-        for (relation, _) in &mut equal.others {
-            *relation = Relation::Equal;
+        for (left, _, right) in self.pairs() {
+            scope.related(Relation::Equal, scope.value(&left.tree)?, scope.value(&right.tree)?)?;
         }
-        equal.prove(scope)
+        Ok(())
+    }
+
+    /// Whether each side is worth what the same side of `other` is.
+    pub(crate) fn same_sides(&self, other: &Self, scope: &Scope) -> bool {
+        let sides = |s: &Self| {
+            let others = s.others.iter().map(|(_, side)| side);
+            std::iter::once(&s.left).chain(others).map(|side| scope.value(&side.tree)).collect::<Vec<_>>()
+        };
+        let relations = |s: &Self| s.others.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
+        let same = |(a, b): (Result<Value, String>, Result<Value, String>)| match (a, b) {
+            (Ok(a), Ok(b)) => scope.equal(a, b).is_ok(),
+            _ => false,
+        };
+        relations(self) == relations(other) && sides(self).into_iter().zip(sides(other)).all(same)
     }
 }
 
