@@ -45,6 +45,10 @@ mod three_pitfalls {}
 mod dzhanibekov {}
 
 #[cfg(doctest)]
+#[doc = include_str!("proofs.md")]
+mod proofs {}
+
+#[cfg(doctest)]
 #[doc = include_str!("notation.md")]
 mod notation {}
 

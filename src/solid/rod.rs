@@ -8,7 +8,6 @@ use nalgebra::Vector3;
 
 /// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
 /// [LL76](crate::references), section 32, problem 2a.
-///.
 ///
 /// ```
 /// use nalgebra::Vector3;
