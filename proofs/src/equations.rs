@@ -3,7 +3,8 @@
 //! [`read_chapter`] takes the pieces of maths of a chapter. Whatever [states something](crate::tex::states_something)
 //! must be a law of [`laws`], and is then proven as it stands there, in TeX, against the library; or one of the
 //! [`exemptions`], each with its reason; or give nothing but values, which are numbers and not laws. A law or
-//! exemption that no longer stands in its chapter is a fault too.
+//! exemption that no longer stands in its chapter is a fault too. Of bare expressions those are proven whose worth
+//! the sentence around them states; the others are notation.
 //!
 //! ```
 //! use tumbling_proofs::equations::{Equation, read_chapter};
@@ -108,10 +109,12 @@ impl Ledger {
         if let Some(place) = self.exemptions.iter().position(|e| same_tex(e.tex, &statement.text)) {
             return Some(Standing::Exempt(self.exemptions.remove(place)));
         }
-        if statement.gives_values() {
+        let bare = statement.others.is_empty();
+        if !bare && statement.gives_values() {
             return Some(Standing::Values);
         }
-        let place = self.laws.iter().position(|law| same_tex(law.left, &statement.left.text))?;
+        let same = |law: &&Law| law.bare == bare && same_tex(law.left, &statement.left.text);
+        let place = self.laws.iter().position(same)?;
         Some(Standing::Law(self.laws.remove(place)))
     }
 }
@@ -123,10 +126,12 @@ fn same_tex(a: &str, b: &str) -> bool {
 
 /// The statements of one piece of maths with what each is to be taken for.
 fn standings(equation: &Equation, ledger: &mut Ledger) -> Result<Vec<(Statement, Option<Standing>)>, Fault> {
-    if !states_something(&equation.tex) {
-        return Ok(Vec::new());
-    }
-    let statements = parse(&equation.tex).map_err(|error| equation.fault(error.to_string()))?;
+    let statements = match parse(&equation.tex) {
+        Ok(statements) => statements,
+        Err(error) if states_something(&equation.tex) => return Err(equation.fault(error.to_string())),
+        // Notation, which may be anything.
+        Err(_) => return Ok(Vec::new()),
+    };
     let found = |statement: Statement| {
         let standing = ledger.find(&statement);
         (statement, standing)
@@ -162,6 +167,8 @@ pub fn read_chapter(name: &str, equations: &[Equation]) -> Chapter {
                     Ok(()) => chapter.proven.push(settled(law.says)),
                     Err(problem) => chapter.faults.push(equation.fault(problem)),
                 },
+                // A bare expression is notation, unless a law says what it is.
+                None if statement.others.is_empty() => {}
                 None => {
                     let problem =
                         format!("no law for a left side `{}` is expected here", statement.left.text);

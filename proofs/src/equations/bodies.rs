@@ -4,6 +4,7 @@ use crate::number::Fraction;
 use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
 use crate::tex::{Node, Scope, Statement, Value};
 use num_traits::{One, Zero};
+use tumbling::euler::coupling;
 use tumbling::inertia::{omega_world, point_mass};
 use tumbling::solid::cuboid_moments;
 
@@ -129,4 +130,32 @@ pub(super) fn axis(k: usize) -> Scope {
     let omega = Vector::from_fn(|i, _| if i == k { spin.clone() } else { Fraction::zero() });
     let scope = Scope::default().with(r"\mathbf{L}", momentum(&moments, &omega));
     scope.with("I_k", moments[k].clone()).with(r"\boldsymbol{\omega}", omega)
+}
+
+/// The momentum of a moving piece.
+pub(super) fn moving_piece() -> Scope {
+    let (m, r, omega) = (Fraction::variable("m"), vector("r"), vector("omega"));
+    let it = point_mass(&m, &r) * &omega;
+    Scope::default()
+        .with("m", m)
+        .with(r"\mathbf{r}", r)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(Scope::IT, it)
+}
+
+/// Twice the energy of any body.
+pub(super) fn twice_the_energy() -> Scope {
+    let body = body();
+    let twice = body.meaning("E").cloned().and_then(|e| Value::Scalar(Fraction::from(2)).times(e).ok());
+    twice.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
+}
+
+/// The tangent of the gap of any box spun equally about x and y.
+pub(super) fn box_gap() -> Scope {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let moments = cuboid_moments(&m, &a, &b, &c);
+    let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
+    let across = -coupling(&moments, &omega).z.clone();
+    let along = omega.dot(&(diagonal(&moments) * &omega));
+    the_box().with(Scope::IT, across / along)
 }

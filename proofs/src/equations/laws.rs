@@ -18,6 +18,8 @@ pub struct Law {
     pub attained: &'static [fn() -> Scope],
     /// For an example: what it says in general, or why it is none of that.
     pub in_general: fn(&Statement) -> Result<Statement, String>,
+    /// Whether it is a bare expression, the sentence around it saying what it is; then `left` is all of it.
+    pub bare: bool,
 }
 
 impl Law {
@@ -26,6 +28,9 @@ impl Law {
     /// # Errors
     /// What is left over, or why the statement has no meaning.
     pub fn prove(&self, statement: &Statement) -> Result<(), String> {
+        if self.bare {
+            return self.cases.iter().try_for_each(|case| statement.prove_worth(&case()));
+        }
         if statement.gives_values() {
             return Err("gives nothing but values where a law is expected".to_owned());
         }
@@ -44,6 +49,9 @@ impl Law {
 impl Law {
     /// Whether each side of two statements of it is worth the same, in every meaning of their names.
     pub(super) fn says_the_same(&self, a: &Statement, b: &Statement) -> bool {
+        if self.bare {
+            return true;
+        }
         match ((self.in_general)(a), (self.in_general)(b)) {
             (Ok(a), Ok(b)) => self.cases.iter().all(|case| a.same_sides(&b, &case())),
             _ => false,
@@ -68,7 +76,24 @@ const fn law(
     cases: &'static [fn() -> Scope],
     says: &'static str,
 ) -> Law {
-    Law { chapter, left, says, cases, attained: &[], in_general: |statement| Ok(statement.clone()) }
+    Law {
+        chapter,
+        left,
+        says,
+        cases,
+        attained: &[],
+        in_general: |statement| Ok(statement.clone()),
+        bare: false,
+    }
+}
+
+const fn bare(
+    chapter: &'static str,
+    tex: &'static str,
+    cases: &'static [fn() -> Scope],
+    says: &'static str,
+) -> Law {
+    Law { bare: true, ..law(chapter, tex, cases, says) }
 }
 
 /// The laws that the book states.
@@ -80,6 +105,49 @@ pub fn laws() -> &'static [Law] {
         world_inverse, world_tensor,
     };
     const LAWS: &[Law] = &[
+        bare(
+            "matrix-mass",
+            r"\boldsymbol{\omega}\times\mathbf{r}",
+            &[motion::carried_round],
+            "the rate of a turning place, by attitude::rate",
+        ),
+        bare(
+            "matrix-mass",
+            r"\mathbf{r}\times m(\boldsymbol{\omega}\times\mathbf{r})",
+            &[bodies::moving_piece],
+            "inertia::point_mass times the spin",
+        ),
+        bare("two-arrows", "b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's"),
+        bare(
+            "two-arrows",
+            r"\mathbf{L}\cdot\boldsymbol{\omega}",
+            &[bodies::twice_the_energy],
+            "twice the sum of m v²/2 of any points",
+        ),
+        bare(
+            "glossary",
+            r"(I\boldsymbol{\omega})\times\boldsymbol{\omega}",
+            &[motion::gyroscopic],
+            "euler::tensor_times_acceleration without torque",
+        ),
+        bare(
+            "proofs",
+            r"\boldsymbol{\omega}\cdot I\dot{\boldsymbol{\omega}}",
+            &[motion::power],
+            "the rate of observe::energy by euler::angular_acceleration",
+        ),
+        law("proofs", "I_2", &[motion::in_order], "symbols::ordered_moments"),
+        law("proofs", "I_3", &[motion::in_order], "symbols::ordered_moments"),
+        Law {
+            attained: &[equal_moments],
+            ..law("proofs", r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle")
+        },
+        bare(
+            "proofs",
+            "(a^2-b^2)/(a^2+b^2+2c^2)",
+            &[bodies::box_gap],
+            "the tangent of the gap by solid::cuboid_moments and euler::coupling",
+        ),
         law(
             "matrix-mass",
             r"\mathbf{L}",

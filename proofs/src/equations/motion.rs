@@ -1,6 +1,6 @@
 //! What the names mean where the book speaks of motion.
 
-use crate::number::Fraction;
+use crate::number::{Derivation, Fraction};
 use crate::symbols::{Matrix, Vector, adjugate, diagonal, ordered_moments, symmetric, variables, vector};
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
@@ -251,4 +251,62 @@ pub(super) fn attitude() -> Scope {
         .with(r"\mathbf{v}_{\text{world}}", carried)
         .with(r"\mathbf{v}_{\text{body}}", v)
         .under(unit)
+}
+
+/// The velocity of a place fixed in a turning body, in the body's axes.
+pub(super) fn carried_round() -> Scope {
+    let (q, unit) = crate::symbols::attitude();
+    let (r, omega) = (vector("r"), vector("omega"));
+    let [w, x, y, z] = {
+        let rate = rate(&q, &omega).coords;
+        [rate.w.clone(), rate.x.clone(), rate.y.clone(), rate.z.clone()]
+    };
+    let time = Derivation::new([("w", w), ("x", x), ("y", y), ("z", z)]);
+    let rotation = rotation_matrix(&q);
+    let velocity = rotation.transpose() * (&rotation * &r).map(|x| time.of(&x));
+    Scope::default()
+        .with(r"\mathbf{r}", r)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(Scope::IT, velocity.map(|x| unit.reduce_fraction(&x)))
+        .under(unit)
+}
+
+/// The slope of the momentum over that of the spin.
+pub(super) fn slopes() -> Scope {
+    let [a, b, slope] = variables(["a", "b", "t"]);
+    let inverse = inverse_diagonal(&Vector::new(a.clone(), b.clone(), Fraction::one()));
+    let momentum = Vector::new(Fraction::one(), slope.clone(), Fraction::zero());
+    let spin = omega_world(&Matrix::identity(), &inverse, &momentum);
+    let it = slope / (&spin.y / &spin.x);
+    Scope::default().with("a", a).with("b", b).with(Scope::IT, it)
+}
+
+/// The right-hand side of Euler's equations without torque.
+pub(super) fn gyroscopic() -> Scope {
+    let (tensor, omega) = (symmetric("I"), vector("omega"));
+    let it = tensor_times_acceleration(&tensor, &omega, &Vector::zeros());
+    Scope::default().with("I", tensor).with(r"\boldsymbol{\omega}", omega).with(Scope::IT, it)
+}
+
+/// The rate of the energy, with a torque, for without one it is zero.
+pub(super) fn power() -> Scope {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let acceleration = angular_acceleration(&moments, &omega, &vector("tau"));
+    let [x, y, z] = [0, 1, 2].map(|i| acceleration[i].clone());
+    let time = Derivation::new([("omega1", x), ("omega2", y), ("omega3", z)]);
+    let tensor = diagonal(&moments);
+    let it = time.of(&tumbling::observe::energy(&omega, &(&tensor * &omega)));
+    Scope::default()
+        .with("I", tensor)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(r"\dot{\boldsymbol{\omega}}", acceleration)
+        .with(Scope::IT, it)
+}
+
+/// Moments in order.
+pub(super) fn in_order() -> Scope {
+    let [a, b] = variables(["a", "b"]);
+    let moments = ordered_moments();
+    let scope = Scope::default().with("a", a).with("b", b);
+    (0..3).fold(scope, |scope, i| scope.with(&format!("I_{}", i + 1), moments[i].clone()))
 }

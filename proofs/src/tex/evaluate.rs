@@ -109,6 +109,18 @@ impl Statement {
         Ok(())
     }
 
+    /// Proves that a bare expression is worth what the scope calls [`Scope::IT`].
+    ///
+    /// # Errors
+    /// What is left over.
+    pub fn prove_worth(&self, scope: &Scope) -> Result<(), String> {
+        if !self.others.is_empty() {
+            return Err("an expression without an equals sign is expected".to_owned());
+        }
+        let it = scope.value(&Node::Name(Scope::IT.to_owned()))?;
+        scope.equal(scope.value(&self.left.tree)?, it)
+    }
+
     /// Whether each side is worth what the same side of `other` is.
     pub(crate) fn same_sides(&self, other: &Self, scope: &Scope) -> bool {
         let sides = |s: &Self| {

@@ -56,7 +56,7 @@ pub(crate) struct Site {
     pub(crate) range: Range<usize>,
 }
 
-/// Reads one piece of maths: equations and inequalities, one or several, with commas, `\qquad` or the rows
+/// Reads one piece of maths: equations, inequalities and bare expressions, one or several, with commas, `\qquad` or the rows
 /// of an `aligned` between them, a mark of the sentence at the end.
 ///
 /// Side by side is a product and binds tighter than `\cdot` and `\times`; so does `/`, which takes only the
@@ -238,11 +238,7 @@ impl<'a> Parser<'a> {
             text = format!("{text}{sign} {}", side.text);
             others.push((relation, side));
         }
-        if others.is_empty() {
-            self.error("an equals sign or an inequality")
-        } else {
-            Ok(Statement { left, others, text })
-        }
+        Ok(Statement { left, others, text })
     }
 
     fn side(&mut self) -> Result<Side, TexError> {

@@ -14,6 +14,9 @@ pub struct Scope {
 }
 
 impl Scope {
+    /// What a bare expression is to be worth; no name in TeX is written so.
+    pub const IT: &'static str = "it";
+
     /// With a name, as it is written in TeX without spaces. A later meaning hides an earlier one.
     #[must_use]
     pub fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
@@ -43,7 +46,7 @@ impl Scope {
     }
 
     /// What a name means.
-    pub(super) fn meaning(&self, name: &str) -> Option<&Value> {
+    pub(crate) fn meaning(&self, name: &str) -> Option<&Value> {
         self.names.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value)
     }
 

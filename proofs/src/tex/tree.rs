@@ -84,12 +84,12 @@ pub struct Side {
     pub range: Range<usize>,
 }
 
-/// An equation or inequality, or a chain of them.
+/// An equation or inequality, or a chain of them, or a bare expression.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     /// The left side.
     pub left: Side,
-    /// The others, each with what stands before it; at least one.
+    /// The others, each with what stands before it; none in a bare expression.
     pub others: Vec<(Relation, Side)>,
     /// How all of it is written, without spaces and the marks of the sentence.
     pub text: String,

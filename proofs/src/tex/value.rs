@@ -48,7 +48,7 @@ impl From<Quaternion<Fraction>> for Value {
 }
 
 /// Why something cannot be worked out.
-pub(super) type Meaningless = String;
+pub(crate) type Meaningless = String;
 
 impl Value {
     fn kind(&self) -> &'static str {
@@ -80,7 +80,7 @@ impl Value {
     }
 
     /// Side by side.
-    pub(super) fn times(self, other: Self) -> Result<Self, Meaningless> {
+    pub(crate) fn times(self, other: Self) -> Result<Self, Meaningless> {
         Ok(match (self.worked_out(&other), other) {
             (Self::Scalar(a), Self::Scalar(b)) => (a * b).into(),
             (Self::Scalar(a), Self::Vector(v)) | (Self::Vector(v), Self::Scalar(a)) => {
