@@ -136,6 +136,11 @@ impl Value {
 
     pub(super) fn power(self, n: i32) -> Result<Self, Meaningless> {
         let size = n.unsigned_abs();
+        if let Self::Scalar(x) | Self::Root(x) = &self
+            && !bearable(x, size)
+        {
+            return Err(format!("the power {n} of something this large is not worked out"));
+        }
         Ok(match self {
             Self::Scalar(x) if n < 0 => (Fraction::from(1) / x.pow(size)).into(),
             Self::Scalar(x) => x.pow(size).into(),
@@ -192,6 +197,10 @@ impl Value {
                 let one = diagonal(&Vector::from_element(Fraction::from(1)));
                 (a * b - one).iter().cloned().collect()
             }
+            // Enough, if more than is needed.
+            (Self::Solution(m, v), Self::Solution(n, u)) => {
+                (m - n).iter().chain((v - u).iter()).cloned().collect()
+            }
             (Self::Solution(m, v), Self::Vector(u)) | (Self::Vector(u), Self::Solution(m, v)) => {
                 (m * u - v).iter().cloned().collect()
             }
@@ -199,6 +208,17 @@ impl Value {
         };
         Ok((zero, None))
     }
+}
+
+/// Whether a power can be worked out without asking for much time: a text may nest them.
+fn bearable(x: &Fraction, n: u32) -> bool {
+    [x.numerator(), x.denominator()].iter().all(|p| {
+        let terms = u64::from(usize::BITS - p.len().leading_zeros());
+        let digits = p.terms().map(|(_, c)| c.numer().bits() + c.denom().bits()).max().unwrap_or(0);
+        [(p.degree(), 64), (terms, 36), (digits, 4096)]
+            .iter()
+            .all(|(size, most)| size * u64::from(n) <= *most)
+    })
 }
 
 /// By cofactors.
