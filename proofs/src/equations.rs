@@ -141,7 +141,8 @@ fn standings(equation: &Equation, ledger: &mut Ledger) -> Result<Vec<(Statement,
 
 impl Equation {
     fn fault(&self, problem: String) -> Fault {
-        Fault { line: Some(self.line), tex: self.tex.trim().to_owned(), problem }
+        let words: Vec<_> = self.tex.split_whitespace().collect();
+        Fault { line: Some(self.line), tex: words.join(" "), problem }
     }
 }
 
