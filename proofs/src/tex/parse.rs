@@ -1,16 +1,15 @@
 //! From parts to trees. What is not read is refused, with its place.
 
+mod factors;
+mod names;
+
 use super::token::{Kind, Token, tokens};
 use super::tree::{Node, Relation, Side, Statement};
-use crate::number::Rational;
 use std::fmt;
 use std::ops::Range;
 
 /// No deeper brackets are read, so that no text can exhaust the stack.
 const DEEPEST: usize = 32;
-
-/// No higher powers are read, so that no short text can ask for a long time.
-const HIGHEST: i32 = 12;
 
 /// TeX that is not read: where, and what could have stood there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -84,39 +83,6 @@ struct Parser<'a> {
     depth: usize,
     sites: Vec<Site>,
 }
-
-const GREEK: [&str; 23] = [
-    r"\alpha",
-    r"\beta",
-    r"\gamma",
-    r"\delta",
-    r"\epsilon",
-    r"\zeta",
-    r"\eta",
-    r"\theta",
-    r"\iota",
-    r"\kappa",
-    r"\lambda",
-    r"\mu",
-    r"\nu",
-    r"\xi",
-    r"\pi",
-    r"\rho",
-    r"\sigma",
-    r"\tau",
-    r"\upsilon",
-    r"\phi",
-    r"\chi",
-    r"\psi",
-    r"\omega",
-];
-
-/// What is set over or around a name.
-const DRESSES: [&str; 4] = [r"\mathbf", r"\boldsymbol", r"\dot", r"\ddot"];
-
-const FUNCTIONS: [&str; 3] = [r"\sin", r"\cos", r"\tan"];
-
-const FRACTIONS: [&str; 3] = [r"\frac", r"\tfrac", r"\dfrac"];
 
 impl<'a> Parser<'a> {
     fn peek(&self) -> Option<Token<'a>> {
@@ -318,204 +284,5 @@ impl<'a> Parser<'a> {
             Kind::Fence => token.text == r"\begin{pmatrix}",
             Kind::Mark => token.text == "(",
         }
-    }
-
-    fn power(&mut self) -> Result<Node, TexError> {
-        let base = self.factor()?;
-        let start = self.at();
-        if !self.take("^") {
-            return Ok(base);
-        }
-        let braces = self.take("{");
-        let token = self.peek();
-        let result = match token.map(|t| (t.text, t.kind)) {
-            Some((r"\mathsf", _)) => {
-                self.next += 1;
-                let inner = self.take("{");
-                self.need("T", "the T of a transpose")?;
-                if inner {
-                    self.need("}", "a closing brace")?;
-                }
-                Node::Transpose(Box::new(base))
-            }
-            Some((r"\top" | "T", _)) => {
-                self.next += 1;
-                Node::Transpose(Box::new(base))
-            }
-            Some(("-", _)) if braces => {
-                self.next += 1;
-                Node::Power(Box::new(base), -self.exponent(braces)?)
-            }
-            Some((_, Kind::Number)) => Node::Power(Box::new(base), self.exponent(braces)?),
-            _ => return self.error("a whole power or the T of a transpose"),
-        };
-        if braces {
-            self.need("}", "a closing brace")?;
-        }
-        self.site(SiteKind::Power, start);
-        if matches!(self.peek_text(), "^" | "_") {
-            return self.error("brackets, not a second exponent or an index after one");
-        }
-        Ok(result)
-    }
-
-    fn exponent(&mut self, braces: bool) -> Result<i32, TexError> {
-        let text = self.peek_text();
-        let value = text.parse().ok().filter(|n| *n <= HIGHEST && (braces || text.len() == 1));
-        let Some(value) = value else {
-            return self.error("a whole power from 0 to 12, in braces unless one digit");
-        };
-        self.next += 1;
-        Ok(value)
-    }
-
-    fn factor(&mut self) -> Result<Node, TexError> {
-        let expected = "a number, a name or a bracket";
-        let Some(token) = self.peek() else { return self.error(expected) };
-        match (token.kind, token.text) {
-            (Kind::Number, text) => {
-                let Some(value) = Rational::of_decimal(text) else { return self.error("a number") };
-                self.next += 1;
-                self.site(SiteKind::Number, token.at);
-                Ok(Node::Number(value))
-            }
-            (Kind::Mark, "(") => self.deeper(Self::bracket),
-            (Kind::Fence, r"\begin{pmatrix}") => self.deeper(Self::matrix),
-            (Kind::Command, text) if FRACTIONS.contains(&text) => {
-                self.next += 1;
-                let above = self.deeper(Self::group)?;
-                let below = self.deeper(Self::group)?;
-                Ok(Node::Quotient(Box::new(above), Box::new(below)))
-            }
-            (Kind::Command, r"\sqrt") => {
-                self.next += 1;
-                Ok(Node::Root(Box::new(self.deeper(Self::group)?)))
-            }
-            (Kind::Command, r"\sum") => {
-                self.next += 1;
-                Ok(Node::Total(Box::new(self.deeper(Self::term)?)))
-            }
-            (Kind::Command, text) if FUNCTIONS.contains(&text) => self.function(),
-            (Kind::Letter | Kind::Text | Kind::Command, _) => {
-                let name = self.name()?;
-                self.site(SiteKind::Name, token.at);
-                Ok(Node::Name(name))
-            }
-            _ => self.error(expected),
-        }
-    }
-
-    fn group(&mut self) -> Result<Node, TexError> {
-        self.need("{", "an opening brace")?;
-        let inner = self.sum()?;
-        self.need("}", "a closing brace")?;
-        Ok(inner)
-    }
-
-    fn bracket(&mut self) -> Result<Node, TexError> {
-        self.need("(", "an opening bracket")?;
-        let mut parts = vec![self.sum()?];
-        while self.take(",") {
-            parts.push(self.sum()?);
-        }
-        self.need(")", "a comma or a closing bracket")?;
-        Ok(if parts.len() == 1 { parts.swap_remove(0) } else { Node::Tuple(parts) })
-    }
-
-    fn matrix(&mut self) -> Result<Node, TexError> {
-        self.need(r"\begin{pmatrix}", "a matrix")?;
-        let mut rows = Vec::new();
-        loop {
-            let mut row = vec![self.sum()?];
-            while self.take("&") {
-                row.push(self.sum()?);
-            }
-            rows.push(row);
-            if self.take(r"\end{pmatrix}") {
-                return Ok(Node::Matrix(rows));
-            }
-            self.need(r"\\", "the next entry, the next row or the end of the matrix")?;
-        }
-    }
-
-    /// A function of a name is a name of its own.
-    fn function(&mut self) -> Result<Node, TexError> {
-        let start = self.at();
-        let function = self.peek_text();
-        self.next += 1;
-        let bracket = self.take("(");
-        let argument = self.name()?;
-        if bracket {
-            self.need(")", "a closing bracket: only functions of a name are read")?;
-        }
-        self.site(SiteKind::Name, start);
-        Ok(Node::Name(format!("{function}({argument})")))
-    }
-
-    /// A name with dress, index and primes, written in one way.
-    fn name(&mut self) -> Result<String, TexError> {
-        let mut name = self.deeper(Self::bare_name)?;
-        while self.take("'") {
-            name += "'";
-        }
-        if self.take("_") {
-            let start = self.at();
-            let index = self.index()?;
-            let range = start..self.behind();
-            self.sites.push(Site { kind: SiteKind::Index, range });
-            name = if index.chars().count() == 1 {
-                format!("{name}_{index}")
-            } else {
-                format!("{name}_{{{index}}}")
-            };
-        }
-        Ok(name)
-    }
-
-    fn bare_name(&mut self) -> Result<String, TexError> {
-        let Some(token) = self.peek() else { return self.error("a name") };
-        let readable = match token.kind {
-            Kind::Letter | Kind::Text => true,
-            Kind::Command => GREEK.contains(&token.text) || DRESSES.contains(&token.text),
-            _ => false,
-        };
-        if !readable {
-            return self.error("a name, or a command that the book's equations use");
-        }
-        self.next += 1;
-        if !DRESSES.contains(&token.text) {
-            return Ok(token.text.to_owned());
-        }
-        let braces = self.take("{");
-        let inner = self.deeper(if braces { Self::name } else { Self::bare_name })?;
-        if braces {
-            self.need("}", "a closing brace")?;
-        }
-        Ok(format!("{}{{{inner}}}", token.text))
-    }
-
-    fn index(&mut self) -> Result<String, TexError> {
-        let braces = self.take("{");
-        let from = self.next;
-        while let Some(token) = self.peek() {
-            match token.kind {
-                Kind::Number if !braces && token.text.len() > 1 => {
-                    return self.error("braces around the index");
-                }
-                Kind::Number | Kind::Letter | Kind::Text => self.next += 1,
-                _ => break,
-            }
-            if !braces {
-                break;
-            }
-        }
-        let index = self.written(from);
-        if index.is_empty() {
-            return self.error("an index of letters, digits or text");
-        }
-        if braces {
-            self.need("}", "a closing brace")?;
-        }
-        Ok(index)
     }
 }
