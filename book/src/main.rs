@@ -3,6 +3,7 @@
 mod build;
 mod cli;
 mod draw;
+mod guard;
 mod log;
 mod nearest;
 mod paths;
