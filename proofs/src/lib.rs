@@ -23,8 +23,10 @@ mod number;
 mod proofs;
 mod region;
 
+pub mod equations;
 pub mod proof;
 pub mod symbols;
+pub mod tex;
 
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;

@@ -1,0 +1,161 @@
+//! What the names mean where the book speaks of a body's mass: the same in every equation of a kind.
+
+use crate::number::Fraction;
+use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
+use crate::tex::{Node, Scope, Statement, Value};
+use num_traits::{One, Zero};
+use tumbling::euler::coupling;
+use tumbling::inertia::{omega_world, point_mass};
+use tumbling::solid::cuboid_moments;
+
+/// The names of a vector's components: `name_x`, `name_y`, `name_z`.
+fn with_components(scope: Scope, stem: &str, v: &Vector) -> Scope {
+    let axes = ["x", "y", "z"];
+    axes.iter().zip(v).fold(scope, |scope, (axis, x)| scope.with(&format!("{stem}_{axis}"), x.clone()))
+}
+
+/// The names of a matrix's entries: `name_{xx}`, `name_{xy}` and so on.
+fn with_entries(mut scope: Scope, stem: &str, m: &Matrix) -> Scope {
+    let axes = ["x", "y", "z"];
+    for (i, row) in axes.iter().enumerate() {
+        for (j, column) in axes.iter().enumerate() {
+            scope = scope.with(&format!("{stem}_{{{row}{column}}}"), m[(i, j)].clone());
+        }
+    }
+    scope
+}
+
+/// Any body: three points of any mass anywhere, which have every tensor that a body can have. Its momentum is
+/// the sum of `r x m (w x r)`, its energy that of `m (w x r)²/2`, its tensor the library's.
+pub(super) fn body() -> Scope {
+    of_points(&["r", "s", "t"].map(vector))
+}
+
+/// A flat one, in the plane of the first two axes.
+pub(super) fn flat() -> Scope {
+    of_points(&["r", "s", "t"].map(vector).map(|r| Vector::new(r.x.clone(), r.y.clone(), Fraction::zero())))
+}
+
+fn of_points(places: &[Vector; 3]) -> Scope {
+    let omega = vector("omega");
+    let masses = variables(["m_r", "m_s", "m_t"]);
+    let (mut tensor, mut momentum, mut energy) = (Matrix::zeros(), Vector::zeros(), Fraction::zero());
+    let mut scope = Scope::default().positive(["m_r", "m_s", "m_t"]);
+    for (m, r) in masses.iter().zip(places) {
+        let velocity = omega.cross(r);
+        tensor += point_mass(m, r);
+        momentum += r.cross(&velocity).map(|x| x * m);
+        energy += m * &velocity.dot(&velocity) / Fraction::from(2);
+        scope =
+            scope.with_piece([("m", m.clone()), ("x", r.x.clone()), ("y", r.y.clone()), ("z", r.z.clone())]);
+    }
+    scope = with_components(scope, "L", &momentum);
+    scope = with_components(scope, r"\omega", &omega);
+    scope = with_entries(scope, "I", &tensor);
+    for (i, name) in ["I_1", "I_2", "I_3"].into_iter().enumerate() {
+        scope = scope.with(name, tensor[(i, i)].clone());
+    }
+    scope
+        .with("I", tensor)
+        .with(r"\mathbf{L}", momentum)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with("E", energy)
+}
+
+/// A single piece.
+pub(super) fn piece() -> Scope {
+    let [m, x, y, z] = variables(["m", "x", "y", "z"]);
+    let tensor = point_mass(&m, &Vector::new(x.clone(), y.clone(), z.clone()));
+    Scope::default().with("m", m).with("x", x).with("y", y).with("z", z).with(r"I_{\text{piece}}", tensor)
+}
+
+/// Any box, of edges a, b, c along x, y, z.
+pub(super) fn the_box() -> Scope {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let tensor = diagonal(&cuboid_moments(&m, &a, &b, &c));
+    with_entries(Scope::default(), "I", &tensor).with("m", m).with("a", a).with("b", b).with("c", c)
+}
+
+/// The momentum that the library's law takes to this spin, with the body lying along the axes.
+fn momentum(moments: &Vector, omega: &Vector) -> Value {
+    let inverse = diagonal(&moments.map(|x| Fraction::one() / x));
+    let spin_of = |l: &Vector| omega_world(&Matrix::identity(), &inverse, l);
+    // The law is linear: its columns are what it makes of each axis.
+    let unit = |i: usize| Vector::from_fn(|j, _| if i == j { Fraction::one() } else { Fraction::zero() });
+    Value::Solution(
+        Matrix::from_columns(&[spin_of(&unit(0)), spin_of(&unit(1)), spin_of(&unit(2))]),
+        omega.clone(),
+    )
+}
+
+const SPIN: [&str; 3] = [r"\omega_x", r"\omega_y", r"\omega_z"];
+
+/// Any box with any spin.
+pub(super) fn the_box_spun() -> Scope {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let omega = vector("omega");
+    let scope = with_components(the_box(), r"\omega", &omega);
+    scope.with(r"\mathbf{L}", momentum(&cuboid_moments(&m, &a, &b, &c), &omega))
+}
+
+/// The example says each moment times 1, 1 and 0, the components of its spin: for those their names are put, so that
+/// what stands before them must be right also where that is 0.
+pub(super) fn for_any_spin(statement: &Statement) -> Result<Statement, String> {
+    let mut general = statement.clone();
+    let Some((_, side)) = general.others.first_mut() else { return Ok(general) };
+    let Node::Tuple(parts) = &mut side.tree else { return Err("three components are expected".to_owned()) };
+    for (i, (part, spin)) in parts.iter_mut().zip([1, 1, 0]).enumerate() {
+        match part {
+            Node::Dot(_, factor) if **factor == Node::Number(spin.into()) => {
+                **factor = Node::Name(SPIN[i].to_owned());
+            }
+            _ => return Err(format!("component {} is to be a moment times the spin's {spin}", i + 1)),
+        }
+    }
+    Ok(general)
+}
+
+/// Any body along its principal axes, spun about none of the third.
+pub(super) fn planar() -> Scope {
+    let [x, y] = variables(["omega1", "omega2"]);
+    let moments = vector("I");
+    let scope = Scope::default().with("I_1", moments.x.clone()).with("I_2", moments.y.clone());
+    let scope = scope.with(r"\omega_x", x.clone()).with(r"\omega_y", y.clone());
+    scope.with(r"\mathbf{L}", momentum(&moments, &Vector::new(x, y, Fraction::zero())))
+}
+
+/// Any body along its principal axes, spun about one.
+pub(super) fn axis(k: usize) -> Scope {
+    let (moments, spin) = (vector("I"), Fraction::variable("omega"));
+    let omega = Vector::from_fn(|i, _| if i == k { spin.clone() } else { Fraction::zero() });
+    let scope = Scope::default().with(r"\mathbf{L}", momentum(&moments, &omega));
+    scope.with("I_k", moments[k].clone()).with(r"\boldsymbol{\omega}", omega)
+}
+
+/// The momentum of a moving piece.
+pub(super) fn moving_piece() -> Scope {
+    let (m, r, omega) = (Fraction::variable("m"), vector("r"), vector("omega"));
+    let it = point_mass(&m, &r) * &omega;
+    Scope::default()
+        .with("m", m)
+        .with(r"\mathbf{r}", r)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(Scope::IT, it)
+}
+
+/// Twice the energy of any body.
+pub(super) fn twice_the_energy() -> Scope {
+    let body = body();
+    let twice = body.meaning("E").cloned().and_then(|e| Value::Scalar(Fraction::from(2)).times(e).ok());
+    twice.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
+}
+
+/// The tangent of the gap of any box spun equally about x and y.
+pub(super) fn box_gap() -> Scope {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let moments = cuboid_moments(&m, &a, &b, &c);
+    let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
+    let across = -coupling(&moments, &omega).z.clone();
+    let along = omega.dot(&(diagonal(&moments) * &omega));
+    the_box().with(Scope::IT, across / along)
+}

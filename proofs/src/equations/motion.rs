@@ -1,0 +1,312 @@
+//! What the names mean where the book speaks of motion.
+
+use crate::number::{Derivation, Fraction};
+use crate::symbols::{Matrix, Vector, adjugate, diagonal, ordered_moments, symmetric, variables, vector};
+use crate::tex::{Scope, Value};
+use nalgebra::Quaternion;
+use num_traits::{One, Zero};
+use tumbling::attitude::{product, rate, rotation_matrix};
+use tumbling::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
+use tumbling::inertia::{omega_world, point_mass, turned};
+use tumbling::stability::rate_squared;
+use tumbling::step::Engine;
+
+fn inverse_diagonal(moments: &Vector) -> Matrix {
+    diagonal(&moments.map(|x| Fraction::one() / x))
+}
+
+/// The world's tensor.
+pub(super) mod world_tensor {
+    use super::*;
+
+    pub(in super::super) const CASES: &[fn() -> Scope] = &[of_a_body, of_a_point];
+
+    fn turning() -> (Scope, Matrix) {
+        let (q, unit) = crate::symbols::attitude();
+        let rotation = rotation_matrix(&q);
+        (Scope::default().under(unit).with("R", rotation.clone()), rotation)
+    }
+
+    fn of_a_body() -> Scope {
+        let (scope, rotation) = turning();
+        let tensor = symmetric("I");
+        scope.with(r"I_{\text{world}}", turned(&rotation, &tensor)).with(r"I_{\text{body}}", tensor)
+    }
+
+    /// A point at `r` in the body is at `R r` in the world.
+    fn of_a_point() -> Scope {
+        let (scope, rotation) = turning();
+        let (m, r) = (Fraction::variable("m"), vector("r"));
+        let world = point_mass(&m, &(rotation * &r));
+        scope.with(r"I_{\text{world}}", world).with(r"I_{\text{body}}", point_mass(&m, &r))
+    }
+}
+
+/// The world's inverse and spin, for a body with its axes along the principal ones.
+pub(super) fn world_inverse() -> Scope {
+    let (q, unit) = crate::symbols::attitude();
+    let (rotation, moments, momentum) = (rotation_matrix(&q), vector("I"), vector("L"));
+    let tensor = diagonal(&moments);
+    let omega = omega_world(&rotation, &inverse_diagonal(&moments), &momentum);
+    let reduced = |m: Matrix| m.map(|x| unit.reduce_fraction(&x));
+    Scope::default()
+        .with("R", rotation.clone())
+        .with(r"I_{\text{world}}", reduced(turned(&rotation, &tensor)))
+        .with(r"I_{\text{body}}", tensor)
+        .with(r"\mathbf{L}", momentum)
+        .with(r"\boldsymbol{\omega}", omega.map(|x| unit.reduce_fraction(&x)))
+        .under(unit)
+}
+
+/// Rates of spin and momentum in the body.
+pub(super) mod rates {
+    use super::*;
+
+    /// By each of the library's three forms, in turn.
+    pub(in super::super) const ALL: &[fn() -> Scope] = &[along_principal_axes, by_momentum, by_spin];
+
+    fn along_principal_axes() -> Scope {
+        pushed(&vector("tau"))
+    }
+
+    /// Without torque.
+    pub(in super::super) fn free() -> Scope {
+        pushed(&Vector::zeros())
+    }
+
+    fn pushed(torque: &Vector) -> Scope {
+        let (moments, omega) = (vector("I"), vector("omega"));
+        let (tensor, inverse) = (diagonal(&moments), inverse_diagonal(&moments));
+        let acceleration = angular_acceleration(&moments, &omega, torque);
+        let momentum_rate = momentum_rate(&inverse, &(&tensor * &omega), torque);
+        let mut scope = Scope::default();
+        for i in 0..3 {
+            let n = i + 1;
+            scope = scope
+                .with(&format!("I_{n}"), moments[i].clone())
+                .with(&format!(r"\omega_{n}"), omega[i].clone())
+                .with(&format!(r"\dot{{\omega}}_{n}"), acceleration[i].clone());
+        }
+        named(scope, tensor, inverse, omega, torque, acceleration, momentum_rate)
+    }
+
+    /// Any axes: the spin follows from the momentum.
+    fn by_momentum() -> Scope {
+        let (inverse, momentum, torque) = (symmetric("J"), vector("L"), vector("tau"));
+        let rate = momentum_rate(&inverse, &momentum, &torque);
+        let omega = &inverse * &momentum;
+        let acceleration = &inverse * &rate;
+        let (adjugate, determinant) = adjugate(&inverse);
+        let tensor = adjugate.map(|x| x / &determinant);
+        named(Scope::default(), tensor, inverse, omega, &torque, acceleration, rate)
+            .with(r"\mathbf{L}", momentum)
+    }
+
+    /// Any axes: the momentum follows from the spin.
+    fn by_spin() -> Scope {
+        let (tensor, omega, torque) = (symmetric("I"), vector("omega"), vector("tau"));
+        let rate = tensor_times_acceleration(&tensor, &omega, &torque);
+        let (adjugate, determinant) = adjugate(&tensor);
+        let inverse = adjugate.map(|x| x / &determinant);
+        let acceleration = &inverse * &rate;
+        named(Scope::default(), tensor, inverse, omega, &torque, acceleration, rate)
+    }
+
+    fn named(
+        scope: Scope,
+        tensor: Matrix,
+        inverse: Matrix,
+        omega: Vector,
+        torque: &Vector,
+        acceleration: Vector,
+        momentum_rate: Vector,
+    ) -> Scope {
+        scope
+            .with(r"\mathbf{L}", &tensor * &omega)
+            .with("I", tensor)
+            .with("J", inverse)
+            .with(r"\boldsymbol{\omega}", omega)
+            .with(r"\boldsymbol{\tau}", torque.clone())
+            .with(r"\dot{\boldsymbol{\omega}}", acceleration)
+            .with(r"\dot{\mathbf{L}}", momentum_rate)
+    }
+}
+
+/// Energy.
+pub(super) fn energy() -> Scope {
+    let (omega, momentum) = (vector("omega"), vector("L"));
+    let energy = tumbling::observe::energy(&omega, &momentum);
+    Scope::default().with("E", energy).with(r"\boldsymbol{\omega}", omega).with(r"\mathbf{L}", momentum)
+}
+
+/// A small wobble about an axis.
+pub(super) fn wobble() -> Scope {
+    let [omega, about, first, second] = variables(["omega", "I", "I_a", "I_b"]);
+    let square = rate_squared(&omega, &about, &first, &second);
+    Scope::default()
+        .with(r"\lambda", Value::Root(square))
+        .with(r"\omega", omega)
+        .with("I", about)
+        .with("I_a", first)
+        .with("I_b", second)
+}
+
+/// A wobble about an axis by the place of its moment and of the others in the order of size.
+fn wobble_of([about, first, second]: [usize; 3]) -> Scope {
+    let (moments, omega) = (ordered_moments(), Fraction::variable("omega"));
+    let square = rate_squared(&omega, &moments[about], &moments[first], &moments[second]);
+    Scope::default().with(r"\lambda", Value::Root(square)).positive(["omega", "I1", "a", "b"])
+}
+
+/// Where it neither swings nor grows: the bound of both.
+pub(super) fn equal_moments() -> Scope {
+    let [omega, moment, other] = variables(["omega", "I", "J"]);
+    Scope::default().with(r"\lambda", Value::Root(rate_squared(&omega, &moment, &moment, &other)))
+}
+
+/// About the ends.
+pub(super) mod swings {
+    use super::*;
+    pub(in super::super) const BOTH: &[fn() -> Scope] = &[|| wobble_of([0, 1, 2]), || wobble_of([2, 0, 1])];
+}
+
+/// About the middle, the others in either order.
+pub(super) mod grows {
+    use super::*;
+    pub(in super::super) const BOTH: &[fn() -> Scope] = &[|| wobble_of([1, 0, 2]), || wobble_of([1, 2, 0])];
+}
+
+/// Pitfall 1: the rate that the wrong engine carries.
+pub(super) fn frozen() -> Scope {
+    let (tensor, omega) = (symmetric("I"), vector("omega"));
+    let (adjugate, determinant) = adjugate(&tensor);
+    let inverse = adjugate.map(|x| x / &determinant);
+    let rate = Engine::Frozen.carried_rate(&tensor, &inverse, &omega);
+    Scope::default()
+        .with(r"I_{\text{body}}", tensor)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(r"\dot{\boldsymbol{\omega}}", rate)
+}
+
+/// Pitfall 2: the spin that the wrong engine reads, with `m` the mean of the three moments.
+pub(super) fn momentum_for_spin() -> Scope {
+    let (moments, momentum) = (vector("I"), vector("L"));
+    let (q, _) = crate::symbols::attitude();
+    let (tensor, inverse) = (diagonal(&moments), inverse_diagonal(&moments));
+    let omega = Engine::MomentumForSpin.omega_world(&rotation_matrix(&q), &tensor, &inverse, &momentum);
+    Scope::default()
+        .with("m", moments.sum() / Fraction::from(3))
+        .with(r"\mathbf{L}", momentum)
+        .with(r"\boldsymbol{\omega}", omega)
+}
+
+/// Where the gap between two axes is widest, and how wide: moments `a` and `b`, the larger `b`.
+pub(super) fn summit() -> Scope {
+    let [a, excess, slope] = variables(["a", "d", "t"]);
+    let b = &a + &excess;
+    // In the plane of the two axes |L x w| has one component; over w.L it is the tangent of the gap.
+    let moments = Vector::new(a.clone(), b.clone(), Fraction::one());
+    let omega = Vector::new(Fraction::one(), slope, Fraction::zero());
+    let tangent = -coupling(&moments, &omega).z.clone() / omega.dot(&(diagonal(&moments) * &omega));
+    // Its derivative vanishes where c0 + c2 t² does.
+    let powers = tangent.derivative(&"t".into()).numerator().in_powers_of(&"t".into());
+    let square = match &powers[..] {
+        [c0, c1, c2] if c1.is_zero() => -Fraction::from(c0.clone()) / Fraction::from(c2.clone()),
+        _ => Fraction::ratio(1, 0),
+    };
+    // tan² there, t only by its square; sin² = tan² / (1 + tan²).
+    let squared = tangent.pow(2);
+    let at_summit = |p: &crate::number::Polynomial| {
+        let powers = p.in_powers_of(&"t".into());
+        let even = powers.iter().step_by(2).rev();
+        let odd_vanish = powers.iter().skip(1).step_by(2).all(Zero::is_zero);
+        let sum = even.fold(Fraction::zero(), |sum, c| sum * &square + Fraction::from(c.clone()));
+        if odd_vanish { sum } else { Fraction::ratio(1, 0) }
+    };
+    let tan2 = at_summit(squared.numerator()) / at_summit(squared.denominator());
+    let sin2 = &tan2 / &(Fraction::one() + &tan2);
+    Scope::default()
+        .with("a", a)
+        .with("b", b)
+        .with(r"\tan(\theta)", Value::Root(square))
+        .with(r"\sin(\text{gap})", Value::Root(sin2))
+        .positive(["a", "d"])
+}
+
+/// Attitude.
+pub(super) fn attitude() -> Scope {
+    let (q, unit) = crate::symbols::attitude();
+    let (omega, v) = (vector("omega"), vector("v"));
+    let rate = rate(&q, &omega);
+    let rotation = rotation_matrix(&q);
+    let arrow = Quaternion::new(Fraction::zero(), v.x.clone(), v.y.clone(), v.z.clone());
+    let back =
+        Quaternion::new(q.coords.w.clone(), -q.coords.x.clone(), -q.coords.y.clone(), -q.coords.z.clone());
+    let carried = product(&product(&q, &arrow), &back).coords.xyz();
+    Scope::default()
+        .with("q", q)
+        .with(r"\dot{q}", rate)
+        .with(r"\boldsymbol{\omega}_{\text{body}}", omega)
+        .with("R", rotation)
+        .with(r"\mathbf{v}_{\text{world}}", carried)
+        .with(r"\mathbf{v}_{\text{body}}", v)
+        .under(unit)
+}
+
+/// The velocity of a place fixed in a turning body, in the body's axes.
+pub(super) fn carried_round() -> Scope {
+    let (q, unit) = crate::symbols::attitude();
+    let (r, omega) = (vector("r"), vector("omega"));
+    let [w, x, y, z] = {
+        let rate = rate(&q, &omega).coords;
+        [rate.w.clone(), rate.x.clone(), rate.y.clone(), rate.z.clone()]
+    };
+    let time = Derivation::new([("w", w), ("x", x), ("y", y), ("z", z)]);
+    let rotation = rotation_matrix(&q);
+    let velocity = rotation.transpose() * (&rotation * &r).map(|x| time.of(&x));
+    Scope::default()
+        .with(r"\mathbf{r}", r)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(Scope::IT, velocity.map(|x| unit.reduce_fraction(&x)))
+        .under(unit)
+}
+
+/// The slope of the momentum over that of the spin.
+pub(super) fn slopes() -> Scope {
+    let [a, b, slope] = variables(["a", "b", "t"]);
+    let inverse = inverse_diagonal(&Vector::new(a.clone(), b.clone(), Fraction::one()));
+    let momentum = Vector::new(Fraction::one(), slope.clone(), Fraction::zero());
+    let spin = omega_world(&Matrix::identity(), &inverse, &momentum);
+    let it = slope / (&spin.y / &spin.x);
+    Scope::default().with("a", a).with("b", b).with(Scope::IT, it)
+}
+
+/// The right-hand side of Euler's equations without torque.
+pub(super) fn gyroscopic() -> Scope {
+    let (tensor, omega) = (symmetric("I"), vector("omega"));
+    let it = tensor_times_acceleration(&tensor, &omega, &Vector::zeros());
+    Scope::default().with("I", tensor).with(r"\boldsymbol{\omega}", omega).with(Scope::IT, it)
+}
+
+/// The rate of the energy, with a torque, for without one it is zero.
+pub(super) fn power() -> Scope {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let acceleration = angular_acceleration(&moments, &omega, &vector("tau"));
+    let [x, y, z] = [0, 1, 2].map(|i| acceleration[i].clone());
+    let time = Derivation::new([("omega1", x), ("omega2", y), ("omega3", z)]);
+    let tensor = diagonal(&moments);
+    let it = time.of(&tumbling::observe::energy(&omega, &(&tensor * &omega)));
+    Scope::default()
+        .with("I", tensor)
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(r"\dot{\boldsymbol{\omega}}", acceleration)
+        .with(Scope::IT, it)
+}
+
+/// Moments in order.
+pub(super) fn in_order() -> Scope {
+    let [a, b] = variables(["a", "b"]);
+    let moments = ordered_moments();
+    let scope = Scope::default().with("a", a).with("b", b);
+    (0..3).fold(scope, |scope, i| scope.with(&format!("I_{}", i + 1), moments[i].clone()))
+}

@@ -1,0 +1,32 @@
+//! Reads the equations of the book as they are written, in TeX, and works them out in symbols.
+//!
+//! [`parse`] turns the source into trees, for the part of TeX that the book uses, and says where it cannot. A
+//! [`Scope`] says what each name means: a number, a vector, a matrix or a quaternion of fractions. Then
+//! [`Statement::prove`] decides whether what is written is true for all values of what was left open.
+//!
+//! ```
+//! use tumbling_proofs::Fraction;
+//! use tumbling_proofs::tex::{Scope, parse};
+//! let [a, b] = ["a", "b"].map(Fraction::variable);
+//! let scope = Scope::default().with("a", a).with("b", b);
+//! let proven = |tex: &str| parse(tex).unwrap()[0].prove(&scope).is_ok();
+//! assert!(proven(r"(a + b)^2 - (a - b)^2 = 4\,a\,b"));
+//! assert!(!proven(r"(a + b)^2 + (a - b)^2 = 4\,a\,b"));
+//! assert_eq!(parse("a = b +").unwrap_err().to_string(), "expected a number, a name or a bracket at byte 7");
+//! ```
+
+mod evaluate;
+mod parse;
+mod scope;
+mod token;
+mod tree;
+mod value;
+
+pub use parse::{TexError, parse};
+pub use scope::Scope;
+pub use token::states_something;
+pub use tree::{Node, Relation, Side, Statement};
+pub use value::Value;
+
+pub(crate) use parse::{Site, SiteKind, parse_with_sites};
+pub(crate) use tree::is_value;

@@ -1,0 +1,165 @@
+//! From a tree to its worth, and from a statement to its proof.
+
+use super::scope::Scope;
+use super::tree::{Node, Relation, Statement, is_value};
+use super::value::{Meaningless, Value};
+use crate::number::Fraction;
+use crate::proof::vanishes;
+use crate::symbols::{Matrix, Vector};
+use nalgebra::Quaternion;
+use num_traits::Zero;
+
+impl Scope {
+    /// What an expression is worth.
+    ///
+    /// # Errors
+    /// A name that means nothing here, or an operation that does, such as the dot product of a matrix.
+    pub fn value(&self, node: &Node) -> Result<Value, String> {
+        let both = |a: &Node, b: &Node| Ok::<_, Meaningless>((self.value(a)?, self.value(b)?));
+        let value = match node {
+            Node::Number(x) => Fraction::from(x.clone()).into(),
+            Node::Name(name) => match self.meaning(name) {
+                Some(value) => value.clone(),
+                None => return Err(format!("`{name}` has no meaning here")),
+            },
+            Node::Sum(a, b) => both(a, b).and_then(|(a, b)| a.plus(b))?,
+            Node::Difference(a, b) => both(a, b).and_then(|(a, b)| a.plus(b.negative()?))?,
+            Node::Negative(a) => self.value(a)?.negative()?,
+            Node::Product(a, b) => both(a, b).and_then(|(a, b)| a.times(b))?,
+            Node::Dot(a, b) => both(a, b).and_then(|(a, b)| a.dot(b))?,
+            Node::Cross(a, b) => both(a, b).and_then(|(a, b)| a.cross(b))?,
+            Node::Quotient(a, b) => both(a, b).and_then(|(a, b)| a.over(b))?,
+            Node::Power(a, n) => self.value(a)?.power(*n)?,
+            Node::Transpose(a) => self.value(a)?.transpose()?,
+            Node::Root(a) => self.value(a)?.root()?,
+            Node::Total(a) => self.total(a)?,
+            Node::Tuple(parts) => {
+                tuple(parts.iter().map(|part| self.value(part)).collect::<Result<_, _>>()?)?
+            }
+            Node::Matrix(rows) => self.matrix(rows)?,
+        };
+        Ok(value.reduced(&self.relations))
+    }
+
+    fn total(&self, term: &Node) -> Result<Value, Meaningless> {
+        let mut terms = self.pieces.iter().map(|piece| self.inside(piece).value(term));
+        let first = terms.next().ok_or("there is nothing here to sum over")??;
+        terms.try_fold(first, |sum, term| sum.plus(term?))
+    }
+
+    fn matrix(&self, rows: &[Vec<Node>]) -> Result<Value, Meaningless> {
+        let entry = |node: &Node| match self.value(node)? {
+            Value::Scalar(x) => Ok(x),
+            _ => Err("an entry of a matrix is not a number".to_owned()),
+        };
+        let entries = rows.iter().flatten().map(entry).collect::<Result<Vec<_>, _>>()?;
+        let shape = (rows.len(), rows.iter().map(Vec::len).max(), rows.iter().map(Vec::len).min());
+        match shape {
+            (3, Some(3), Some(3)) => Ok(Matrix::from_row_iterator(entries).into()),
+            (3, Some(1), Some(1)) => Ok(Vector::from_iterator(entries).into()),
+            _ => Err("a matrix here has three rows of one or three entries".to_owned()),
+        }
+    }
+}
+
+/// Two or three numbers are a vector, in the plane or in space; a number and a vector are a quaternion.
+fn tuple(parts: Vec<Value>) -> Result<Value, Meaningless> {
+    match &parts[..] {
+        [Value::Scalar(x), Value::Scalar(y)] => {
+            Ok(Vector::new(x.clone(), y.clone(), Fraction::zero()).into())
+        }
+        [Value::Scalar(x), Value::Scalar(y), Value::Scalar(z)] => {
+            Ok(Vector::new(x.clone(), y.clone(), z.clone()).into())
+        }
+        [Value::Scalar(w), Value::Vector(v)] => {
+            Ok(Quaternion::new(w.clone(), v.x.clone(), v.y.clone(), v.z.clone()).into())
+        }
+        _ => {
+            Err("only two or three numbers, or a number and a vector, stand in brackets with commas"
+                .to_owned())
+        }
+    }
+}
+
+impl Statement {
+    /// Proves that it holds for all values of the variables behind its names. A side with nothing but numbers after
+    /// an equals sign is passed over: it is one case, rounded.
+    ///
+    /// # Errors
+    /// What is left over, or why there is no meaning in it.
+    pub fn prove(&self, scope: &Scope) -> Result<(), String> {
+        for (left, relation, right) in self.pairs().filter(|(_, relation, right)| !is_value(*relation, right))
+        {
+            let (a, b) = (scope.value(&left.tree)?, scope.value(&right.tree)?);
+            scope
+                .related(relation, a, b)
+                .map_err(|problem| format!("`{}` and `{}`: {problem}", left.text, right.text))?;
+        }
+        Ok(())
+    }
+
+    /// Proves that all its sides are equal, whatever stands between them: that a bound is attained.
+    ///
+    /// # Errors
+    /// What is left over.
+    pub fn prove_attained(&self, scope: &Scope) -> Result<(), String> {
+        for (left, _, right) in self.pairs() {
+            scope.related(Relation::Equal, scope.value(&left.tree)?, scope.value(&right.tree)?)?;
+        }
+        Ok(())
+    }
+
+    /// Proves that a bare expression is worth what the scope calls [`Scope::IT`].
+    ///
+    /// # Errors
+    /// What is left over.
+    pub fn prove_worth(&self, scope: &Scope) -> Result<(), String> {
+        if !self.others.is_empty() {
+            return Err("an expression without an equals sign is expected".to_owned());
+        }
+        let it = scope.value(&Node::Name(Scope::IT.to_owned()))?;
+        scope.equal(scope.value(&self.left.tree)?, it)
+    }
+
+    /// Whether each side is worth what the same side of `other` is.
+    pub(crate) fn same_sides(&self, other: &Self, scope: &Scope) -> bool {
+        let sides = |s: &Self| {
+            let others = s.others.iter().map(|(_, side)| side);
+            std::iter::once(&s.left).chain(others).map(|side| scope.value(&side.tree)).collect::<Vec<_>>()
+        };
+        let relations = |s: &Self| s.others.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
+        let same = |(a, b): (Result<Value, String>, Result<Value, String>)| match (a, b) {
+            (Ok(a), Ok(b)) => scope.equal(a, b).is_ok(),
+            _ => false,
+        };
+        relations(self) == relations(other) && sides(self).into_iter().zip(sides(other)).all(same)
+    }
+}
+
+impl Scope {
+    fn related(&self, relation: Relation, a: Value, b: Value) -> Result<(), String> {
+        let (low, high, strict) = match relation {
+            Relation::Equal => return self.equal(a, b),
+            Relation::Less => (a, b, true),
+            Relation::AtMost => (a, b, false),
+            Relation::Greater => (b, a, true),
+            Relation::AtLeast => (b, a, false),
+        };
+        match high.plus(low.negative()?)? {
+            Value::Scalar(x) if self.is_above(&x, strict) => Ok(()),
+            Value::Scalar(x) => Err(format!("the signs do not show it of {x}")),
+            _ => Err("only numbers have an order".to_owned()),
+        }
+    }
+
+    fn equal(&self, a: Value, b: Value) -> Result<(), String> {
+        let (zero, not_negative) = a.difference(b)?;
+        for x in &zero {
+            vanishes("the difference", x, &self.relations).map_err(|residue| residue.to_string())?;
+        }
+        match not_negative {
+            Some(x) if !self.is_above(&x, false) => Err(format!("a root is not below zero, and {x} may be")),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Names, with all that belongs to them.
+
+use super::{Parser, Site, SiteKind, TexError};
+use crate::tex::token::Kind;
+use crate::tex::tree::Node;
+
+const GREEK: [&str; 23] = [
+    r"\alpha",
+    r"\beta",
+    r"\gamma",
+    r"\delta",
+    r"\epsilon",
+    r"\zeta",
+    r"\eta",
+    r"\theta",
+    r"\iota",
+    r"\kappa",
+    r"\lambda",
+    r"\mu",
+    r"\nu",
+    r"\xi",
+    r"\pi",
+    r"\rho",
+    r"\sigma",
+    r"\tau",
+    r"\upsilon",
+    r"\phi",
+    r"\chi",
+    r"\psi",
+    r"\omega",
+];
+
+/// What is set over or around a name.
+const DRESSES: [&str; 4] = [r"\mathbf", r"\boldsymbol", r"\dot", r"\ddot"];
+
+impl Parser<'_> {
+    /// A function of a name is a name of its own.
+    pub(super) fn function(&mut self) -> Result<Node, TexError> {
+        let start = self.at();
+        let function = self.peek_text();
+        self.next += 1;
+        let bracket = self.take("(");
+        let argument = self.name()?;
+        if bracket {
+            self.need(")", "a closing bracket: only functions of a name are read")?;
+        }
+        self.site(SiteKind::Name, start);
+        Ok(Node::Name(format!("{function}({argument})")))
+    }
+
+    /// A name with dress, index and primes, written in one way.
+    pub(super) fn name(&mut self) -> Result<String, TexError> {
+        let mut name = self.deeper(Self::bare_name)?;
+        while self.take("'") {
+            name += "'";
+        }
+        if self.take("_") {
+            let start = self.at();
+            let index = self.index()?;
+            let range = start..self.behind();
+            self.sites.push(Site { kind: SiteKind::Index, range });
+            name = if index.chars().count() == 1 {
+                format!("{name}_{index}")
+            } else {
+                format!("{name}_{{{index}}}")
+            };
+        }
+        Ok(name)
+    }
+
+    fn bare_name(&mut self) -> Result<String, TexError> {
+        let Some(token) = self.peek() else { return self.error("a name") };
+        let readable = match token.kind {
+            Kind::Letter | Kind::Text => true,
+            Kind::Command => GREEK.contains(&token.text) || DRESSES.contains(&token.text),
+            _ => false,
+        };
+        if !readable {
+            return self.error("a name, or a command that the book's equations use");
+        }
+        self.next += 1;
+        if !DRESSES.contains(&token.text) {
+            return Ok(token.text.to_owned());
+        }
+        let braces = self.take("{");
+        let inner = self.deeper(if braces { Self::name } else { Self::bare_name })?;
+        if braces {
+            self.need("}", "a closing brace")?;
+        }
+        Ok(format!("{}{{{inner}}}", token.text))
+    }
+
+    fn index(&mut self) -> Result<String, TexError> {
+        let braces = self.take("{");
+        let from = self.next;
+        while let Some(token) = self.peek() {
+            match token.kind {
+                Kind::Number if !braces && token.text.len() > 1 => {
+                    return self.error("braces around the index");
+                }
+                Kind::Number | Kind::Letter | Kind::Text => self.next += 1,
+                _ => break,
+            }
+            if !braces {
+                break;
+            }
+        }
+        let index = self.written(from);
+        if index.is_empty() {
+            return self.error("an index of letters, digits or text");
+        }
+        if braces {
+            self.need("}", "a closing brace")?;
+        }
+        Ok(index)
+    }
+}

@@ -1,0 +1,82 @@
+//! What the names in an equation mean.
+
+use super::value::Value;
+use crate::number::{Fraction, Monomial, Polynomial, Relations};
+use num_traits::Signed;
+
+/// What each name means, what ties the variables, and which of them are above zero.
+#[derive(Debug, Clone, Default)]
+pub struct Scope {
+    pub(super) names: Vec<(String, Value)>,
+    pub(super) pieces: Vec<Vec<(String, Value)>>,
+    pub(super) relations: Relations,
+    positive: Vec<String>,
+}
+
+impl Scope {
+    /// What a bare expression is to be worth; no name in TeX is written so.
+    pub const IT: &'static str = "it";
+
+    /// With a name, as it is written in TeX without spaces. A later meaning hides an earlier one.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
+        self.names.push((name.to_owned(), value.into()));
+        self
+    }
+
+    /// With one more piece for `\sum` to run over, where these names mean this.
+    #[must_use]
+    pub fn with_piece<const N: usize>(mut self, names: [(&str, Fraction); N]) -> Self {
+        self.pieces.push(names.map(|(name, x)| (name.to_owned(), x.into())).to_vec());
+        self
+    }
+
+    /// With the ties between its variables.
+    #[must_use]
+    pub fn under(mut self, relations: Relations) -> Self {
+        self.relations = relations;
+        self
+    }
+
+    /// With variables that are above zero.
+    #[must_use]
+    pub fn positive<const N: usize>(mut self, variables: [&str; N]) -> Self {
+        self.positive.extend(variables.map(str::to_owned));
+        self
+    }
+
+    /// What a name means.
+    pub(crate) fn meaning(&self, name: &str) -> Option<&Value> {
+        self.names.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+
+    /// The names of a piece put over the others.
+    pub(super) fn inside(&self, piece: &[(String, Value)]) -> Self {
+        let mut scope = self.clone();
+        scope.names.extend_from_slice(piece);
+        scope.pieces.clear();
+        scope
+    }
+
+    /// Whether the coefficients show that `x` is not below zero, and whether even above.
+    fn sign_shown(&self, p: &Polynomial) -> (bool, bool) {
+        let positive = |s: &str| self.positive.iter().any(|name| name == s);
+        let not_negative = |m: &Monomial| m.powers().all(|(s, power)| power % 2 == 0 || positive(s.name()));
+        let above = |m: &Monomial| m.powers().all(|(s, _)| positive(s.name()));
+        let shown = p.terms().all(|(m, c)| c.is_positive() && not_negative(m));
+        (shown, shown && p.terms().any(|(m, _)| above(m)))
+    }
+
+    /// Whether `x` is shown to be above zero, or, unless `strict`, zero: every term is a positive number times
+    /// squares and what is positive.
+    pub(super) fn is_above(&self, x: &Fraction, strict: bool) -> bool {
+        let x = self.relations.reduce_fraction(x);
+        let shown = |sign: i64| {
+            let scaled = |p: &Polynomial| p.clone() * Polynomial::from(sign);
+            let (not_negative, positive) = self.sign_shown(&scaled(x.numerator()));
+            let (_, below) = self.sign_shown(&scaled(x.denominator()));
+            below && if strict { positive } else { not_negative }
+        };
+        !x.is_undefined() && (shown(1) || shown(-1))
+    }
+}
