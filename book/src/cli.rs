@@ -18,10 +18,11 @@ Draws the figures of the book and builds its pages.
                                                figures that are not what would be drawn
     cargo run --release -- list                name, chapter and subject of each figure
     cargo run --release -- build               build the book from the figures as they are
-    cargo run --release -- check [DIR]         say what number of the chapters (in DIR, else the book's
-                                               own) nothing holds: exit 1; 2 where something cannot be read
-    cargo run --release -- check --mutants     alter the book's numbers one digit at a time, and count
-                                               the alterations that go unnoticed
+    cargo run --release -- check [DIR]         say what number or equation of the chapters (in DIR, else
+                                               the book's own) nothing holds: exit 1; 2 where something
+                                               cannot be read
+    cargo run --release -- check --mutants     alter the book's numbers and equations, one change at a
+                                               time, and tell which alterations go unnoticed
     cargo run --release -- --help              this text
 
 The pages land in book/html/; open book/html/index.html in any browser, no server needed.
@@ -172,16 +173,18 @@ fn checked(folder: &Path) -> Result<bool, String> {
     Ok(report.offences.is_empty())
 }
 
-/// Tells what became of each alteration; whether those of numbers were all noticed.
+/// Tells what became of each alteration; whether those of numbers were all noticed. Of equations, those that were not
+/// are proven true.
 fn alterations(folder: &Path) -> Result<bool, String> {
     let tallies = guard::alterations(folder)?;
     say!(
-        "{:18} {:>12} {:>10} {:>22} {:>11}",
+        "{:18} {:>12} {:>10} {:>22} {:>11} {:>12}",
         "altered, noticed",
         "numbers",
         "words",
         "assertions",
-        "tolerances"
+        "tolerances",
+        "equations"
     );
     let mut all = guard::Tally { name: "the book".into(), ..guard::Tally::default() };
     for tally in &tallies {
@@ -194,6 +197,9 @@ fn alterations(folder: &Path) -> Result<bool, String> {
     );
     for survivor in &all.survivors {
         say!("unnoticed: {survivor}");
+    }
+    for still in &all.still_true {
+        say!("altered, and proven true as well: {still}");
     }
     Ok(all.text.killed == all.text.made)
 }

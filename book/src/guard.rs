@@ -1,4 +1,4 @@
-//! The guard: says of every number in the book what holds it, and objects where nothing does.
+//! The guard: says of every number and every equation in the book what holds it, and objects where nothing does.
 //!
 //! It reads the chapters (and the README) with the Markdown parser that makes the pages, and their Rust with a
 //! parser of Rust. A chapter is cut at its headings. Within each section, every number in prose, captions, tables,
@@ -21,6 +21,8 @@
 //! And the other way round: what an assertion prints must be said in its section. So a number cannot quietly become
 //! another that the section happens to have.
 //!
+//! Equations are proven from their TeX, against the library's own functions: see `tumbling_proofs::equations`.
+//!
 //! Not bound, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`), and the list of references,
 //! whose years, volumes and pages are the entries themselves. Numbers before headings (`2. ...`) count up. Whole
 //! numbers inside a formula with symbols (an index, an exponent, a factor, a matrix's zero) are a part of the formula, and
@@ -30,6 +32,7 @@
 mod chapter;
 mod code;
 mod decimal;
+mod equations;
 mod facts;
 mod mutants;
 mod numbers;
@@ -51,6 +54,7 @@ pub(crate) struct Report {
     pub(crate) chapters: usize,
     pub(crate) offences: Vec<Offence>,
     pub(crate) counts: Counts,
+    pub(crate) equations: equations::Counts,
 }
 
 impl fmt::Display for Report {
@@ -78,6 +82,8 @@ impl fmt::Display for Report {
             "words: {} quantities bound; {} counting words and {} numbers inside formulas not bound",
             c.quantities, c.counting, c.structural
         )?;
+        let e = &self.equations;
+        writeln!(f, "equations: {} proven, {} exempt, {} of values alone", e.proven, e.exempt, e.values)?;
         write!(f, "offences: {}", self.offences.len())
     }
 }
@@ -88,11 +94,21 @@ impl fmt::Display for Report {
 /// What could not be read, with its file and line.
 pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     let book = Book::read(folder)?;
-    let mut report =
-        Report { chapters: book.chapters.len(), offences: Vec::new(), counts: Counts::default() };
+    if let [first, ..] = equations::missing(&book.chapters)[..]
+        && book.own
+    {
+        return Err(format!("the chapter `{first}` has laws to prove, and is not in SUMMARY.md"));
+    }
+    let mut report = Report {
+        chapters: book.chapters.len(),
+        offences: Vec::new(),
+        counts: Counts::default(),
+        equations: equations::Counts::default(),
+    };
     for chapter in &book.chapters {
         let found = numbers::findings(chapter, &book.beside);
         report.offences.extend(found.offences);
+        report.offences.extend(equations::offences(chapter, &mut report.equations));
         report.counts.add(&found.counts);
     }
     Ok(report)
@@ -112,7 +128,9 @@ pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
 Alterations can be judged once the chapters hold."
             ));
         }
-        tallies.push(mutants::tally(chapter, &book.beside, &mut book.reader));
+        let mut tally = mutants::tally(chapter, &book.beside, &mut book.reader);
+        tally.take_equations(chapter, equations::altered(chapter));
+        tallies.push(tally);
     }
     Ok(tallies)
 }
@@ -122,6 +140,8 @@ struct Book {
     chapters: Vec<Chapter>,
     beside: Beside,
     reader: Reader,
+    /// Whether it is the book's own folder, and not a copy of some of it.
+    own: bool,
 }
 
 impl Book {
@@ -163,7 +183,7 @@ impl Book {
             facts.extend(versions()?);
         }
         let drawings = drawings(folder, &chapters)?;
-        Ok(Self { chapters, beside: Beside { facts, drawings }, reader })
+        Ok(Self { chapters, beside: Beside { facts, drawings }, reader, own })
     }
 }
 

@@ -1,0 +1,56 @@
+//! The equations of a chapter, handed to the proofs: each is a law of the library's own functions, or on the short list
+//! of exemptions, or nothing but values.
+
+use super::chapter::Chapter;
+use super::offence::Offence;
+use tumbling_proofs::equations::{Alterations, Equation, Fault, alterations, missing_chapters, read_chapter};
+
+/// How the equations stand.
+#[derive(Debug, Default)]
+pub(crate) struct Counts {
+    pub(crate) proven: usize,
+    pub(crate) exempt: usize,
+    pub(crate) values: usize,
+}
+
+/// The maths of a chapter, as it stands there.
+fn maths(chapter: &Chapter) -> Vec<Equation> {
+    let passages = chapter.sections.iter().flat_map(|section| &section.passages);
+    passages
+        .flat_map(|passage| {
+            passage.tex.iter().map(|tex| Equation {
+                line: chapter.line(passage.source(tex.at.start)),
+                tex: passage.text[tex.at.clone()].to_owned(),
+                display: tex.display,
+            })
+        })
+        .collect()
+}
+
+fn offence(file: &str, fault: Fault) -> Offence {
+    Offence {
+        file: file.to_owned(),
+        line: fault.line.unwrap_or(1),
+        found: format!("`{}`", fault.tex),
+        expected: format!("an equation that the library's functions prove ({})", fault.problem),
+    }
+}
+
+/// Proves the equations of a chapter; what cannot be proven is an offence.
+pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts) -> Vec<Offence> {
+    let read = read_chapter(&chapter.name, &maths(chapter));
+    counts.proven += read.proven.len();
+    counts.exempt += read.exempt.len();
+    counts.values += read.values.len();
+    read.faults.into_iter().map(|fault| offence(&chapter.path, fault)).collect()
+}
+
+/// Chapters that have laws to prove and are not among these.
+pub(crate) fn missing(chapters: &[Chapter]) -> Vec<&'static str> {
+    missing_chapters(&chapters.iter().map(|chapter| chapter.name.as_str()).collect::<Vec<_>>())
+}
+
+/// Alters each proven equation in every way, one change at a time.
+pub(crate) fn altered(chapter: &Chapter) -> Alterations {
+    alterations(&chapter.name, &maths(chapter))
+}
