@@ -21,6 +21,7 @@ Draws the figures of the book and builds its pages.
     cargo run --release -- check [DIR]         say what number or equation of the chapters (in DIR, else
                                                the book's own) nothing holds: exit 1; 2 where something
                                                cannot be read
+    cargo run --release -- check --list        the same, and for each number and equation what holds it
     cargo run --release -- check --mutants     alter the book's numbers and equations, one change at a
                                                time, and tell which alterations go unnoticed
     cargo run --release -- --help              this text
@@ -31,6 +32,17 @@ With mdBook installed, `mdbook serve book` shows the same pages and follows your
 
 The code of the chapters is tested by `cargo test`.";
 
+/// What `check` is to tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Checking {
+    /// What nothing holds.
+    Offences,
+    /// That, and for all else what holds it.
+    Listing,
+    /// What alterations go unnoticed.
+    Mutants,
+}
+
 /// A command, understood.
 #[derive(Debug)]
 pub(crate) enum Asked {
@@ -39,7 +51,7 @@ pub(crate) enum Asked {
     List,
     Build,
     Figures { names: Vec<&'static Figure>, check: bool },
-    Check { folder: Option<PathBuf>, mutants: bool },
+    Check { folder: Option<PathBuf>, how: Checking },
     Preprocess,
     Supports { renderer: String },
 }
@@ -55,16 +67,17 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut parser = lexopt::Parser::from_args(args);
     let mut words = Vec::new();
     let mut check = false;
-    let mut mutants = false;
+    let mut how = Checking::Offences;
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
             Short('h') | Long("help") => return Ok(Asked::Help),
             Long("check") => check = true,
-            Long("mutants") => mutants = true,
+            Long("mutants") => how = Checking::Mutants,
+            Long("list") => how = Checking::Listing,
             Value(word) => words.push(word.to_string_lossy().into_owned()),
             Long(unknown) => {
                 let unknown = format!("--{unknown}");
-                let near = nearest::perhaps(&unknown, ["--help", "--check", "--mutants"]);
+                let near = nearest::perhaps(&unknown, ["--help", "--check", "--list", "--mutants"]);
                 return Err(format!("There is no option `{unknown}`.{near}"));
             }
             other => return Err(other.unexpected().to_string()),
@@ -76,15 +89,15 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     if check && command.as_deref() != Some("figures") {
         return Err("`--check` goes with `figures`.".into());
     }
-    if mutants && command.as_deref() != Some("check") {
-        return Err("`--mutants` goes with `check`.".into());
+    if how != Checking::Offences && command.as_deref() != Some("check") {
+        return Err("`--list` and `--mutants` go with `check`.".into());
     }
     match command.as_deref() {
         None => Ok(Asked::Everything),
         Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
         Some("check") => match rest.as_slice() {
-            [] => Ok(Asked::Check { folder: None, mutants }),
-            [folder] => Ok(Asked::Check { folder: Some(folder.into()), mutants }),
+            [] => Ok(Asked::Check { folder: None, how }),
+            [folder] => Ok(Asked::Check { folder: Some(folder.into()), how }),
             [_, extra, ..] => Err(format!("`check` takes one folder, but got `{extra}` besides.")),
         },
         Some("preprocess") => match rest.as_slice() {
@@ -134,9 +147,12 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         Asked::List => say!("{}", listing(registry())),
         Asked::Figures { names, check: true } => draw::check(&names, &paths::figures())?,
         Asked::Figures { names, check: false } => draw::draw(&names, &paths::figures())?,
-        Asked::Check { folder, mutants } => {
+        Asked::Check { folder, how } => {
             let folder = folder.unwrap_or_else(paths::chapters);
-            let told = if mutants { alterations(&folder) } else { checked(&folder) };
+            let told = match how {
+                Checking::Mutants => alterations(&folder),
+                Checking::Offences | Checking::Listing => checked(&folder, how == Checking::Listing),
+            };
             return Ok(match told {
                 Ok(true) => ExitCode::SUCCESS,
                 Ok(false) => ExitCode::FAILURE,
@@ -164,8 +180,13 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
 }
 
 /// Tells what the guard found; whether that was nothing.
-fn checked(folder: &Path) -> Result<bool, String> {
+fn checked(folder: &Path, list: bool) -> Result<bool, String> {
     let report = guard::check(folder)?;
+    if list {
+        for held in &report.held {
+            say!("{held}");
+        }
+    }
     for offence in &report.offences {
         say!("{offence}");
     }
@@ -235,9 +256,15 @@ mod tests {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
         assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
-        assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, mutants: false })));
-        assert!(matches!(parsed(&["check", "x"]), Ok(Asked::Check { folder: Some(_), mutants: false })));
-        assert!(matches!(parsed(&["check", "--mutants"]), Ok(Asked::Check { folder: None, mutants: true })));
+        assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, how: Checking::Offences })));
+        assert!(matches!(
+            parsed(&["check", "x"]),
+            Ok(Asked::Check { folder: Some(_), how: Checking::Offences })
+        ));
+        assert!(matches!(
+            parsed(&["check", "--mutants"]),
+            Ok(Asked::Check { folder: None, how: Checking::Mutants })
+        ));
         assert!(matches!(parsed(&["preprocess"]), Ok(Asked::Preprocess)));
         assert!(
             matches!(parsed(&["preprocess", "supports", "html"]), Ok(Asked::Supports { renderer }) if renderer == "html")
@@ -256,6 +283,7 @@ mod tests {
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
         assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));
+        assert!(matches!(parsed(&["check", "--list"]), Ok(Asked::Check { how: Checking::Listing, .. })));
         assert!(parsed(&["figures", "--mutants"]).unwrap_err().contains("`check`"));
     }
 }

@@ -55,6 +55,8 @@ pub(crate) struct Report {
     pub(crate) offences: Vec<Offence>,
     pub(crate) counts: Counts,
     pub(crate) equations: equations::Counts,
+    /// Each number, and each equation, with what holds it.
+    pub(crate) held: Vec<String>,
 }
 
 impl fmt::Display for Report {
@@ -104,11 +106,13 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         offences: Vec::new(),
         counts: Counts::default(),
         equations: equations::Counts::default(),
+        held: Vec::new(),
     };
     for chapter in &book.chapters {
         let found = numbers::findings(chapter, &book.beside);
         report.offences.extend(found.offences);
-        report.offences.extend(equations::offences(chapter, &mut report.equations));
+        report.held.extend(found.held);
+        report.offences.extend(equations::offences(chapter, &mut report.equations, &mut report.held));
         report.counts.add(&found.counts);
     }
     Ok(report)

@@ -112,6 +112,8 @@ pub(crate) struct Findings {
     pub(crate) counts: Counts,
     pub(crate) places: Vec<Place>,
     pub(crate) claims: Vec<Claim>,
+    /// Each number and what holds it: `file:line: number: holder`.
+    pub(crate) held: Vec<String>,
 }
 
 /// Something in a section's code that numbers may be bound to.
@@ -221,7 +223,7 @@ impl Pool {
     }
 
     /// Who holds this number, or all members of this list, one after the other in the code.
-    fn holder(&self, tokens: &[&Token]) -> Option<Role> {
+    fn holder(&self, tokens: &[&Token]) -> Option<&Source> {
         let ordered = |expected: bool| {
             self.sources
                 .iter()
@@ -232,7 +234,7 @@ impl Pool {
             let mut held = None;
             for run in sources.windows(tokens.len().max(1)) {
                 if run.iter().zip(tokens).all(|(source, token)| source.holds(token)) {
-                    held = run.first().map(|s| s.role);
+                    held = run.first().copied();
                 }
             }
             if held.is_some() {
@@ -423,18 +425,20 @@ impl Checker<'_> {
         while let Some(first) = tokens.get(at) {
             let list: Vec<&Token> = tokens[at..].iter().take_while(|t| t.list == first.list).collect();
             at += list.len();
-            if list.iter().all(|t| self.is_fact(passage, t)) {
-                self.found.counts.by_fact += list.len();
-                continue;
-            }
             let shown = &passage.text[first.at.start..list.last().map_or(first.at.end, |t| t.at.end)];
             let place = passage.source(first.at.start);
+            if list.iter().all(|t| self.is_fact(passage, t)) {
+                self.found.counts.by_fact += list.len();
+                self.hold(place, shown, "a fact");
+                continue;
+            }
             if passage.kind == Kind::Alt {
                 // The words for the figure say what the drawing says of itself, in the same order.
                 match drawing.and_then(|d| run_of(&d.tokens[told..], &list)) {
                     Some(end) => {
                         told += end;
                         self.found.counts.by_drawing += list.len();
+                        self.hold(place, shown, "the drawing");
                     }
                     None => {
                         let name = passage.figure.as_deref().unwrap_or("?");
@@ -446,10 +450,17 @@ impl Checker<'_> {
                 continue;
             }
             match pool.holder(&list) {
-                Some(Role::Input | Role::Component) => self.found.counts.by_input += list.len(),
-                Some(_) => self.found.counts.by_assertion += list.len(),
+                Some(source) if matches!(source.role, Role::Input | Role::Component) => {
+                    self.found.counts.by_input += list.len();
+                    self.hold(place, shown, &format!("the input in line {}", source.line));
+                }
+                Some(source) => {
+                    self.found.counts.by_assertion += list.len();
+                    self.hold(place, shown, &format!("the assertion in line {}", source.line));
+                }
                 None if drawing.is_some_and(|d| run_of(&d.tokens, &list).is_some()) => {
                     self.found.counts.by_drawing += list.len();
+                    self.hold(place, shown, "the drawing");
                 }
                 None => {
                     let expected = pool.nearest(first, &passage.text);
@@ -460,12 +471,21 @@ impl Checker<'_> {
         }
     }
 
+    fn hold(&mut self, place: usize, shown: &str, holder: &str) {
+        let (file, line) = (&self.chapter.path, self.chapter.line(place));
+        self.found.held.push(format!("{file}:{line}: `{shown}`: {holder}"));
+    }
+
     fn row(&mut self, passage: &Passage, tokens: &[Token], pool: &Pool) {
         let text = passage.text.trim();
-        let held =
-            pool.rows.iter().filter(|(row, ..)| row == text).map(|(_, _, said)| said.set(true)).count();
-        if held > 0 {
+        let mut held = None;
+        for (_, line, said) in pool.rows.iter().filter(|(row, ..)| row == text) {
+            said.set(true);
+            held = Some(line);
+        }
+        if let Some(line) = held {
             self.found.counts.by_assertion += tokens.len();
+            self.hold(passage.source(0), text, &format!("the row in line {line}"));
             return;
         }
         let near = pool.rows.iter().max_by(|a, b| {
