@@ -4,8 +4,8 @@ use crate::error::{Error, finite};
 use crate::scalar::{Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
-/// How far an attitude's length may be from 1: far above the rounding of any normalised quaternion,
-/// far below what would show.
+/// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far below
+/// what a mistake would make it.
 const UNIT_TOLERANCE: f64 = 1e-9;
 
 /// The quaternion product `p q`, for any number type: first turn by `q`, then by `p`.
@@ -75,12 +75,19 @@ pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quat
     Quaternion::from_vector(Vector4::new(half(&twice.x), half(&twice.y), half(&twice.z), half(&twice.w)))
 }
 
-/// The rotation matrix of a checked attitude.
+/// The rotation matrix of an attitude.
 pub(crate) fn matrix(attitude: &UnitQuaternion<f64>) -> Result<Matrix3<f64>, Error> {
+    Ok(rotation_matrix(checked(attitude)?.quaternion()))
+}
+
+/// An attitude of length 1 to rounding: a quaternion stands for a turn by its direction alone, so a length that has
+/// drifted a little is divided out; one that is far off is refused.
+pub(crate) fn checked(attitude: &UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
     let q = attitude.quaternion();
     let norm = finite("the length of the attitude quaternion", q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {
         return Err(Error::NotUnit { norm, tolerance: UNIT_TOLERANCE });
     }
-    Ok(rotation_matrix(q))
+    let drifted = (norm - 1.0).abs() > 2.0 * f64::EPSILON;
+    Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { *attitude })
 }

@@ -34,16 +34,35 @@ impl Body {
     /// A body with the given angular momentum in world axes, kg m²/s.
     ///
     /// # Errors
-    /// An inertia without inverse, an attitude not of length 1, or a value that is not finite.
+    /// An inertia without inverse, an attitude whose length is not 1 to a billionth, a value that is not finite, or a
+    /// spin beyond `f64`. (A length that is nearly 1 is made 1: a quaternion's direction alone says the attitude.)
     pub fn new(
         inertia: Inertia,
         attitude: UnitQuaternion<f64>,
         momentum_world: &Vector3<f64>,
     ) -> Result<Self, Error> {
-        finite_vector("the angular momentum", momentum_world)?;
-        let rotation = attitude::matrix(&attitude)?;
         let inverse = inertia.inverse()?;
-        Ok(Self { inertia, inverse, attitude, rotation, momentum: *momentum_world })
+        Self::in_range(inertia, inverse, attitude, momentum_world)
+    }
+
+    /// A body whose momentum is finite, and whose spin is too and has not vanished.
+    fn in_range(
+        inertia: Inertia,
+        inverse: InverseInertia,
+        attitude: UnitQuaternion<f64>,
+        momentum_world: &Vector3<f64>,
+    ) -> Result<Self, Error> {
+        finite_vector("the angular momentum", momentum_world)?;
+        let attitude = attitude::checked(&attitude)?;
+        let rotation = attitude::rotation_matrix(attitude.quaternion());
+        let body = Self { inertia, inverse, attitude, rotation, momentum: *momentum_world };
+        let (in_body, in_world) = (body.omega_body(), body.omega_world());
+        let off = in_body.iter().chain(&in_world).find(|x| !x.is_finite());
+        let gone = (in_body == Vector3::zeros() && *momentum_world != Vector3::zeros()).then_some(&0.0);
+        match off.or(gone) {
+            Some(&value) => Err(Error::OutOfRange { what: "the spin", value }),
+            None => Ok(body),
+        }
     }
 
     /// A body with the given spin in body axes, rad/s.
@@ -57,7 +76,8 @@ impl Body {
     ) -> Result<Self, Error> {
         finite_vector("the spin", omega_body)?;
         let momentum = attitude::matrix(&attitude)? * inertia.momentum(omega_body);
-        if let Some(&value) = momentum.iter().find(|x| !x.is_finite()) {
+        let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
+        if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
             return Err(Error::OutOfRange { what: "the angular momentum", value });
         }
         Self::new(inertia, attitude, &momentum)
@@ -67,11 +87,9 @@ impl Body {
     /// computed again.
     ///
     /// # Errors
-    /// An attitude not of length 1, or a value that is not finite.
+    /// As [`new`](Self::new).
     pub fn with(&self, attitude: UnitQuaternion<f64>, momentum_world: &Vector3<f64>) -> Result<Self, Error> {
-        finite_vector("the angular momentum", momentum_world)?;
-        let rotation = attitude::matrix(&attitude)?;
-        Ok(Self { attitude, rotation, momentum: *momentum_world, ..*self })
+        Self::in_range(self.inertia, self.inverse, attitude, momentum_world)
     }
 
     /// The inertia tensor in the body frame, which never changes.
@@ -122,7 +140,8 @@ impl Body {
         self.inverse.omega(&self.momentum_body())
     }
 
-    /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds.
+    /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or short of
+    /// digits if it falls below.
     #[must_use]
     pub fn energy(&self) -> f64 {
         0.5 * self.omega_body().dot(&self.momentum_body())

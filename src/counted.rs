@@ -33,11 +33,24 @@ thread_local! {
     static COST: Cell<Cost> = const { Cell::new(Cost { multiplications: 0, additions: 0, divisions: 0 }) };
 }
 
-/// Runs `work` and returns its result with what it cost in [`Counted`] operations on this thread.
+/// Runs `work` and returns its result with what it cost in [`Counted`] operations on this thread. What an inner count
+/// finds counts for the outer one too.
+///
+/// ```
+/// use tumbling::counted::{Counted, count};
+/// let x = Counted::new(3.0);
+/// let (_, outer) = count(|| x * count(|| -x * x + x).0);
+/// assert_eq!((outer.multiplications, outer.additions), (2, 1));
+/// ```
 pub fn count<R>(work: impl FnOnce() -> R) -> (R, Cost) {
     let before = COST.take();
     let result = work();
-    let cost = COST.replace(before);
+    let cost = COST.get();
+    COST.set(Cost {
+        multiplications: before.multiplications + cost.multiplications,
+        additions: before.additions + cost.additions,
+        divisions: before.divisions + cost.divisions,
+    });
     (result, cost)
 }
 
@@ -45,10 +58,22 @@ pub fn count<R>(work: impl FnOnce() -> R) -> (R, Cost) {
 ///
 /// A product with the constant [`One::one`] is free: the linear algebra underneath writes such products
 /// where a general scale factor happens to be 1, and a compiler drops them.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[derive(Debug, Clone, Copy)]
 pub struct Counted {
     value: f64,
     unity: bool,
+}
+
+impl PartialEq for Counted {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl PartialOrd for Counted {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
 }
 
 impl Counted {

@@ -102,6 +102,13 @@ pub enum Error {
         /// How many there must be.
         needed: usize,
     },
+    /// More of something was asked for than there is memory to hold.
+    TooMany {
+        /// What was asked for.
+        what: &'static str,
+        /// How many.
+        count: usize,
+    },
     /// A face of a mesh names a vertex that is not there, or one vertex twice.
     BadFace {
         /// Which face, from 0.
@@ -185,6 +192,9 @@ impl fmt::Display for Error {
             ),
             Self::TooFew { what, count, needed } => {
                 write!(f, "{count} {what} given: at least {needed} needed")
+            }
+            Self::TooMany { what, count } => {
+                write!(f, "{count} {what} asked for: more than there is memory to hold")
             }
             Self::BadFace { face, vertices: [a, b, c], count } => write!(
                 f,

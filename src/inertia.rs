@@ -123,6 +123,7 @@ impl Inertia {
     /// its sums have, so only its range is checked.
     pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
         in_range("a moment of inertia", &tensor)?;
+        moments_in_range(&PrincipalAxes::of(&tensor).moments())?;
         Ok(Self { tensor })
     }
 
@@ -133,12 +134,22 @@ impl Inertia {
     /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below
     /// zero, or a tensor that no distribution of mass has.
     pub fn from_matrix(tensor: &Matrix3<f64>) -> Result<Self, Error> {
+        Self::within(tensor, 0.0)
+    }
+
+    /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`, whose
+    /// rounding it carries.
+    fn within(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
+        let rounding = ROUNDING_ULPS * ulp(origin);
         for ((i, j), what) in
             [((0, 0), "the moment Ixx"), ((1, 1), "the moment Iyy"), ((2, 2), "the moment Izz")]
         {
-            not_negative(what, tensor[(i, j)])?;
+            let moment = finite(what, tensor[(i, j)])?;
+            if origin == 0.0 || moment < -rounding {
+                not_negative(what, moment)?;
+            }
         }
-        let tolerance = ROUNDING_ULPS * ulp(tensor.amax());
+        let tolerance = ROUNDING_ULPS * ulp(tensor.amax().max(origin));
         for ((row, column), what) in
             [((0, 1), "the product Ixy"), ((0, 2), "the product Ixz"), ((1, 2), "the product Iyz")]
         {
@@ -151,7 +162,12 @@ impl Inertia {
         let tensor = evened(tensor);
         positive("the largest moment of inertia", tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
-        physically_possible(&PrincipalAxes::of(&tensor).moments(), ulps)?;
+        let moments = PrincipalAxes::of(&tensor).moments();
+        moments_in_range(&moments)?;
+        physically_possible(
+            &moments,
+            (ulps * ulp(moments[2])).max(if origin == 0.0 { 0.0 } else { rounding }),
+        )?;
         Ok(Self { tensor })
     }
 
@@ -186,7 +202,9 @@ impl Inertia {
         let tensor = self.tensor.map(|x| Double::from(unit(x, self.tensor.amax())));
         let row = |i: usize| tensor[(i, 0)] * w.x + tensor[(i, 1)] * w.y + tensor[(i, 2)] * w.z;
         let l = [row(0), row(1), row(2)];
-        if l.iter().all(|x| x.value() == 0.0) {
+        // A rod that is turned carries the rounding of its entries: momentum below that is none.
+        let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
+        if l.iter().all(|x| x.value().abs() <= rounding) {
             return Err(Error::ZeroVector { what: "the angular momentum" });
         }
         let cross = Vector3::new(
@@ -201,10 +219,15 @@ impl Inertia {
     /// The moment about the axis along `direction` (any length) through the same point, kg m².
     ///
     /// # Errors
-    /// A direction that is not finite or has no length.
+    /// A direction that is not finite or has no length, or a moment beyond `f64`.
     pub fn about_axis(&self, direction: &Vector3<f64>) -> Result<f64, Error> {
         let n = unit("the axis", direction)?;
-        Ok(n.dot(&(self.tensor * n)))
+        let moment = n.dot(&(self.tensor * n));
+        if moment.is_finite() {
+            Ok(moment)
+        } else {
+            Err(Error::OutOfRange { what: "the moment", value: moment })
+        }
     }
 
     /// The same body's tensor about a point `offset` (m) away, given that this one is about its centre of
@@ -225,13 +248,14 @@ impl Inertia {
     ///
     /// # Errors
     /// As [`shifted_from_centre`](Self::shifted_from_centre); also a tensor that cannot be that body's
-    /// about that point, since what remains about the centre is impossible.
+    /// about that point, since what remains about the centre is impossible by more than the rounding of the tensor
+    /// given.
     pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
         positive("the mass", mass)?;
         finite_vector("the offset", offset)?;
         let shifted = self.tensor - point_mass(&mass, offset);
         in_range("a shifted moment", &shifted)?;
-        Self::from_matrix(&shifted)
+        Self::within(&shifted, self.tensor.amax())
     }
 
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
@@ -325,8 +349,7 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
 
 /// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
 /// the other two, to rounding.
-fn physically_possible(moments: &Vector3<f64>, ulps: f64) -> Result<(), Error> {
-    let tolerance = ulps * ulp(moments[2]);
+fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
     if moments[0] < -tolerance {
         return Err(Error::Negative { what: "the smallest principal moment", value: moments[0] });
     }
@@ -335,6 +358,14 @@ fn physically_possible(moments: &Vector3<f64>, ulps: f64) -> Result<(), Error> {
         return Err(Error::TriangleInequality { moments: (*moments).into(), excess, tolerance });
     }
     Ok(())
+}
+
+/// That the largest principal moment is a finite number: it can exceed every entry of the tensor.
+fn moments_in_range(moments: &Vector3<f64>) -> Result<(), Error> {
+    match moments.iter().find(|x| !x.is_finite()) {
+        Some(&value) => Err(Error::OutOfRange { what: "a principal moment", value }),
+        None => Ok(()),
+    }
 }
 
 /// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's

@@ -46,9 +46,11 @@
 //! # Errors
 //!
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin; what has been
-//! constructed works everywhere. No public function panics, whatever it is given.
+//! constructed works everywhere. No public function panics on any `f64`. The generic laws do what their numbers do: whole
+//! numbers, say, overflow and divide by zero in their own way.
 //!
 //! Sources are given by keys, which stand in [`references`].
+#![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod attitude;

@@ -18,7 +18,8 @@ pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
 /// change of sign of the spin along the middle axis.
 ///
 /// `samples` are pairs of time and value, in order of time. A value of exactly zero belongs to the sign
-/// before it. Pairs that are not finite are passed over.
+/// before it, so where a sample is zero and the next has the other sign, the change is at the zero. Pairs that are not
+/// finite are passed over.
 ///
 /// ```
 /// use tumbling::observe::sign_changes;
@@ -28,17 +29,22 @@ pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
 #[must_use]
 pub fn sign_changes(samples: impl IntoIterator<Item = (f64, f64)>) -> Vec<f64> {
     let mut crossings = Vec::new();
-    let mut last: Option<(f64, f64)> = None;
+    let mut last = (0.0, 0.0);
+    let mut below: Option<bool> = None;
     for (t, x) in samples {
-        if !(t.is_finite() && x.is_finite()) || x == 0.0 {
+        if !(t.is_finite() && x.is_finite()) {
             continue;
         }
-        if let Some((t0, x0)) = last
-            && (x0 < 0.0) != (x < 0.0)
-        {
-            crossings.push(t0 + (t - t0) * (x0 / (x0 - x)));
+        if x != 0.0 {
+            if below.is_some_and(|below| below != (x < 0.0)) {
+                let (t0, x0): (f64, f64) = last;
+                // The share of the way, and the mean of the ends with it, without a sum that could overflow.
+                let share = if x0 == 0.0 { 0.0 } else { 1.0 / (1.0 + (x / x0).abs()) };
+                crossings.push(t0 * (1.0 - share) + t * share);
+            }
+            below = Some(x < 0.0);
         }
-        last = Some((t, x));
+        last = (t, x);
     }
     crossings
 }

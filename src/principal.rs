@@ -31,10 +31,10 @@ impl Axis {
 
 /// The principal moments and axes of an inertia tensor, from [`Inertia::principal`](crate::Inertia::principal).
 ///
-/// The frame is right-handed and reproducible: each of the first two axes points so that its first
-/// large component (above 0.57) is positive, and the third completes them. Where two moments agree to
-/// rounding, any direction between their axes is principal; then the one nearest the body axis that
-/// leans least on the third is taken, and where all three agree, the body's own axes.
+/// The frame is right-handed and reproducible. With three different moments, each of the first two axes points so
+/// that its first large component (above 0.57) is positive, and the third completes them. Where two moments agree to
+/// rounding, the axis of the lone third points that way; any direction across it is principal, and the first taken
+/// is the one nearest the body axis that leans least on it. Where all three agree, it is the body's own axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
     moments: Vector3<f64>,

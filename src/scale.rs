@@ -25,10 +25,9 @@ pub(crate) fn exponent(x: f64) -> i32 {
     }
 }
 
-/// The distance from `|x|` to the next larger number: one unit in the last place.
+/// One unit in the last place of a finite `x`: the distance between its neighbours, also at the ends of the range.
 pub(crate) fn ulp(x: f64) -> f64 {
-    let x = x.abs();
-    x.next_up() - x
+    if x == 0.0 { 5e-324 } else { times_power_of_two(1.0, (exponent(x) - 52).max(-1074)) }
 }
 
 #[cfg(test)]
@@ -44,5 +43,14 @@ mod tests {
             assert_eq!(times_power_of_two(unit, e), x);
         }
         assert_eq!(exponent(0.0), 0);
+    }
+
+    #[test]
+    fn a_unit_in_the_last_place_is_finite_at_both_ends_of_the_range() {
+        for x in [1.0, -1.5, 3.7e-200, 1e300, f64::MIN_POSITIVE, 1e-310] {
+            assert_eq!(ulp(x), x.abs().next_up() - x.abs(), "{x:e}");
+        }
+        assert_eq!(ulp(f64::MAX), f64::MAX - f64::MAX.next_down());
+        assert_eq!(ulp(0.0), 5e-324);
     }
 }

@@ -239,6 +239,70 @@ fn turning_at_the_end_of_the_range_is_finite_or_refused() {
 }
 
 #[test]
+fn flat_and_thin_bodies_come_back_from_a_far_point_where_the_rounding_is_that_of_the_far_tensor() {
+    for q in [UnitQuaternion::identity(), UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7)] {
+        for (ix, iy) in [(0.1369 / 12.0, 0.01 / 12.0), (0.2, 1e-9), (0.3, 0.0)] {
+            let body = Inertia::from_moments(ix, iy, ix + iy).unwrap().turned(&q).unwrap();
+            for offset in [Vector3::new(0.0, 0.0, 1.0), Vector3::new(3.0, -2.0, 0.5)] {
+                let far = body.shifted_from_centre(1.0, &offset).unwrap();
+                let back = far.shifted_to_centre(1.0, &offset).unwrap();
+                assert!((back.matrix() - body.matrix()).amax() <= 8.0 * ulp(far.matrix().amax()));
+            }
+        }
+    }
+    // What is impossible by more than that is still refused.
+    let near = Inertia::from_moments(1.0, 1.0, 1.0).unwrap();
+    assert!(near.shifted_to_centre(1.0, &Vector3::new(1.0, 1.0, 0.0)).is_err());
+}
+
+#[test]
+fn the_top_of_the_range_has_no_tolerance_without_end() {
+    assert!(matches!(Inertia::from_moments(1.0, 1.0, f64::MAX), Err(Error::TriangleInequality { .. })));
+    let lopsided = Matrix3::new(f64::MAX, 1e300, 0.0, 0.0, f64::MAX, 0.0, 0.0, 0.0, f64::MAX);
+    assert!(matches!(Inertia::from_matrix(&lopsided), Err(Error::Asymmetric { .. })));
+    let beyond = Inertia::new([1.7e308; 3], [-1.7e308, -1.7e308, 1.7e308]);
+    assert!(matches!(beyond, Err(Error::OutOfRange { .. })), "{beyond:?}");
+}
+
+#[test]
+fn along_a_turned_rod_there_is_no_momentum_and_so_no_gap() {
+    let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
+    let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap().turned(&q).unwrap();
+    assert!(matches!(rod.gap(&(q * Vector3::z())), Err(Error::ZeroVector { .. })));
+    // A needle of 1e-12 is no rod: along itself it has momentum, and the gap is small.
+    let needle = Inertia::from_moments(1.0, 1.0, 1e-12).unwrap();
+    assert_eq!(needle.gap(&Vector3::z()).unwrap(), 0.0);
+}
+
+#[test]
+fn a_body_whose_spin_or_momentum_leaves_the_range_is_refused() {
+    let light = Inertia::from_moments(1e-200, 1.2e-200, 1.5e-200).unwrap();
+    let upright = UnitQuaternion::identity();
+    let askew = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
+    for inertia in [light, light.turned(&askew).unwrap()] {
+        let heavy = Body::new(inertia, upright, &Vector3::new(1e150, -1e150, 1e150));
+        assert!(matches!(heavy, Err(Error::OutOfRange { .. })), "{heavy:?}");
+        let still = Body::spinning(inertia, upright, &Vector3::new(1e-130, 0.0, 0.0));
+        assert!(matches!(still, Err(Error::OutOfRange { .. })), "{still:?}");
+    }
+}
+
+#[test]
+fn an_attitude_that_has_drifted_turns_as_its_direction_says_and_one_far_off_is_refused() {
+    let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let (true_one, omega) = (UnitQuaternion::from_euler_angles(0.4, 0.3, -1.0), Vector3::new(1.0, 1.0, 0.0));
+    let stretched = |by: f64| UnitQuaternion::new_unchecked(true_one.into_inner() * by);
+    let body = Body::spinning(tensor, stretched(1.0 + 9e-10), &omega).unwrap();
+    // To the rounding of a turn there and back; without it the stretch itself would show, at 4e-9.
+    assert!((body.energy() - 1.5).abs() < 5e-15 && (body.omega_body() - omega).norm() < 5e-15);
+    let run = tumbling::step::Engine::Turned.run(&body, 0.01, 1).unwrap();
+    assert!((run[0].energy() - 1.5).abs() < 5e-15);
+    for by in [1.0 + 2e-9, 1.0 - 2e-9, 0.5, 0.0] {
+        assert!(matches!(Body::spinning(tensor, stretched(by), &omega), Err(Error::NotUnit { .. })), "{by}");
+    }
+}
+
+#[test]
 fn a_spin_without_direction_has_no_gap() {
     let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     assert!(matches!(tensor.gap(&Vector3::zeros()), Err(Error::ZeroVector { .. })));

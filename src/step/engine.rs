@@ -119,7 +119,8 @@ impl Engine {
     /// ```
     ///
     /// # Errors
-    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds.
+    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds; more steps than there is
+    /// memory for.
     pub fn run(self, body: &Body, h: f64, count: usize) -> Result<Vec<Body>, Error> {
         finite("the step", h)?;
         let carried = self.carried(body);
@@ -134,7 +135,10 @@ impl Engine {
             }
         };
         let mut motion = Motion { attitude: body.attitude().into_inner(), vector: carried };
+        let length = count.saturating_add(1);
         let mut bodies = Vec::new();
+        // Asked for at once, so that a run too long for the memory is refused before it begins.
+        bodies.try_reserve_exact(length).map_err(|_| Error::TooMany { what: "steps", count })?;
         for step in 0..=count {
             if step > 0 {
                 motion = rk4(&motion, &h, law);
