@@ -32,6 +32,7 @@ enum Form {
         /// Sine and cosine of the phase at the start, and turns of it per unit of time.
         start: [f64; 2],
         turns: Double,
+        turns_per_argument: f64,
     },
     Hyperbolic {
         spin: Hyperbolic,
@@ -113,7 +114,7 @@ impl Elliptic {
         let modulus = motion.modulus();
         let complement = motion.complement(0);
         // Where the complement is nearly out of range, all that is proportional to it is kept larger.
-        let shift = if complement.value() < 1e-150 { 500 } else { 0 };
+        let shift = if complement.value() < 1e-150 { 500 } else { 0 }; // never with sines and cosines
         let [w_x, _, w_c] = spins(motion, omega, shift);
         let w_m = spins(motion, omega, 0)[1];
         let forward = w_c > 0.0;
@@ -148,7 +149,7 @@ impl Elliptic {
 
         let tilt = share_m / (1.0 + share_c * complement.value());
         let tau = Double::PI * 2.0;
-        let (form, drift, start) = if ratio >= TURNING_RATIO {
+        let (mut form, drift) = if ratio >= TURNING_RATIO {
             let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.value() };
             let q = (-PI * ratio).exp();
             let pair = TrigonometricPair::new(q, &shape);
@@ -158,8 +159,8 @@ impl Elliptic {
             let about = (twice_energy + momentum * amplitude_c) / (momentum + amplitude_c * i[c]) * sign;
             let drift = about * 0.5 / tau - turns * pair.turning_at_zero();
             let start = phase_at_start(sn, cn, dn, complement.value(), quarter.value());
-            let form = Form::Trigonometric { spin: Trigonometric::new(q), pair, start, turns };
-            (form, drift, pair.raw(start[0], start[1]))
+            let form = Form::Trigonometric { spin: Trigonometric::new(q), pair, start, turns, turns_per_argument: 0.25 / quarter.value() };
+            (form, drift)
         } else {
             let shape = Shape { cyclic, forward, tilt, depth: PI * depth / (4.0 * other) };
             let p = if motion.separatrix { 0.0 } else { (-FRAC_PI_2 / ratio).exp() };
@@ -183,19 +184,19 @@ impl Elliptic {
                 turn: if cn < 0.0 { -1.0 } else { 1.0 },
             };
             let spin = Hyperbolic::new(p * p, motion.complement(shift).value(), shift);
-            let place = way.at(0.0);
-            let start = pair.raw(Way::from_flip(&place, p), place.side, place.turn);
-            (Form::Hyperbolic { spin, pair, way, step: 2.0 * angle / (2.0 * PI) }, drift, start)
+            (Form::Hyperbolic { spin, pair, way, step: 2.0 * angle / (2.0 * PI) }, drift)
         };
-        let shift = if ratio >= TURNING_RATIO { 0 } else { shift };
+        let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
+        form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
+        let start = form.start();
         let (total, part) = (motion.clock - shift, if motion.clock - shift < -900 { 600 } else { 0 });
         Self {
             axes: [x, m, c],
-            amplitudes: [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()],
+            amplitudes,
             unscale: [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)],
             unscale_middle: times_power_of_two(1.0, motion.clock),
             form,
-            start: start.scaled(1.0 / start.length()),
+            start,
             drift,
         }
     }
@@ -224,7 +225,7 @@ impl Elliptic {
     /// Spin and attitude at scaled time `time`.
     pub(crate) fn at(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
         let (values, pair, extra) = match &self.form {
-            Form::Trigonometric { spin, pair, start, turns } => {
+            Form::Trigonometric { spin, pair, start, turns, .. } => {
                 let (sin, cos) = advanced(start, *turns * time);
                 (spin.at(sin, cos), pair.raw(sin, cos), Double::ZERO)
             }
@@ -253,6 +254,54 @@ impl Elliptic {
             }
         };
         pair.turned(phase(self.drift * time + extra)).since(&self.start, self.axes[2])
+    }
+}
+
+impl Form {
+    /// Shifts the phase and scales the amplitudes, by roundings, so that the start comes out as it was given.
+    ///
+    /// Of the relative errors of the across and middle components, what they differ by is the phase's; what they
+    /// share, weighed so that the one near zero does not count, is the amplitude's.
+    fn meet_the_start(&mut self, amplitudes: &mut [f64; 3], omega: [f64; 3], modulus: f64) {
+        let values = self.values_at_start();
+        let found = [values.cn, values.sn, values.dn];
+        let off = [0, 1, 2].map(|k| {
+            let off = amplitudes[k] * found[k] / omega[k] - 1.0;
+            if off.abs() < 1e-6 { off } else { 0.0 }
+        });
+        let square = values.sn * values.sn;
+        let shared = off[1] * square + off[0] * (1.0 - square);
+        let quotient = values.sn * (values.cn / values.dn);
+        let shift = (off[1] - off[0]) * quotient;
+        amplitudes[0] *= 1.0 - shared;
+        amplitudes[1] *= 1.0 - shared;
+        amplitudes[2] *= 1.0 - (off[2] + shift * modulus * modulus * quotient);
+        match self {
+            Self::Trigonometric { start: [sin, cos], turns_per_argument, .. } => {
+                let angle = 2.0 * PI * *turns_per_argument * shift;
+                (*sin, *cos) = (*sin - *cos * angle, *cos + *sin * angle);
+            }
+            Self::Hyperbolic { way, .. } => way.start = way.start - Double::from(shift),
+        }
+    }
+
+    fn values_at_start(&self) -> elliptic::Values {
+        match self {
+            Self::Trigonometric { spin, start: [sin, cos], .. } => spin.at(*sin, *cos),
+            Self::Hyperbolic { spin, way, .. } => hyperbolic_values(spin, &way.at(0.0)),
+        }
+    }
+
+    /// The attitude's two complex numbers at the start, of length 1.
+    fn start(&self) -> Pair {
+        let raw = match self {
+            Self::Trigonometric { pair, start: [sin, cos], .. } => pair.raw(*sin, *cos),
+            Self::Hyperbolic { pair, way, .. } => {
+                let place = way.at(0.0);
+                pair.raw(Way::from_flip(&place, pair.nome()), place.side, place.turn)
+            }
+        };
+        raw.scaled(1.0 / raw.length())
     }
 }
 

@@ -27,7 +27,7 @@ impl Turn {
     pub(crate) fn at(&self, time: f64) -> Quaternion<f64> {
         let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
         let v = self.direction * sin;
-        Quaternion::new(cos, v.x, v.y, v.z)
+        super::klein::unit(Quaternion::new(cos, v.x, v.y, v.z))
     }
 }
 
@@ -67,7 +67,7 @@ impl Precession {
         let (sin, cos) = sin_cos_of_turns(self.wobble * (0.5 * time));
         let mut back = [0.0; 3];
         back[self.axis] = -sin;
-        self.about_momentum.at(time) * Quaternion::new(cos, back[0], back[1], back[2])
+        super::klein::unit(self.about_momentum.at(time) * Quaternion::new(cos, back[0], back[1], back[2]))
     }
 }
 

@@ -60,8 +60,16 @@ impl Pair {
         vector[axis] = (dot[0][1] + dot[1][1]) * over;
         vector[(axis + 1) % 3] = (dot[2][0] - dot[3][0]) * over;
         vector[(axis + 2) % 3] = (dot[2][1] - dot[3][1]) * over;
-        Quaternion::new(real, vector[0], vector[1], vector[2])
+        unit(Quaternion::new(real, vector[0], vector[1], vector[2]))
     }
+}
+
+/// One of length 1 to a few roundings brought to length 1 as near as its components can be.
+pub(crate) fn unit(q: Quaternion<f64>) -> Quaternion<f64> {
+    let [x, y, z, w] = [q.coords.x, q.coords.y, q.coords.z, q.coords.w];
+    // Sorted into pairs so that the sum stays short; the excess itself has all the digits it needs.
+    let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);
+    q * (1.0 - 0.5 * excess)
 }
 
 /// What both forms are made from.
