@@ -4,8 +4,8 @@ mod circulating;
 mod elementary;
 mod klein;
 
-use crate::error::{Error, finite, finite_vector, positive};
-use crate::inertia::Inertia;
+use crate::error::{Error, finite, finite_vector};
+use crate::inertia::possible_moments;
 use crate::invariants::{Kind, classify};
 use circulating::Elliptic;
 use elementary::{Precession, Turn, scaled};
@@ -34,10 +34,7 @@ impl FreeMotion {
     /// # Errors
     /// Bad.
     pub fn new(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Self, Error> {
-        for &moment in moments {
-            positive("a principal moment", moment)?;
-        }
-        Inertia::from_moments(moments.x, moments.y, moments.z)?;
+        possible_moments(moments)?;
         finite_vector("the spin", omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = ((*moments).into(), (*omega).into());
         let (unit_moments, unit_omega, clock) = scaled(&i, &w);

@@ -41,6 +41,8 @@ pub(crate) struct Asymmetric {
     off_squared: Double,
     off_axis: i32,
     round_squared: Double,
+    /// The complementary modulus times `2^-small`.
+    scaled_complement: Double,
 }
 
 fn distance(a: f64, b: f64) -> Double {
@@ -81,6 +83,8 @@ impl Asymmetric {
             let w = times_power_of_two(omega[axis], -scale);
             d * i[axis] * Double::product(w, w)
         };
+        let discriminant = signed.abs();
+        let round_squared = term(middle, d_mx, clock) + term(around, d_cx, clock);
         Self {
             clock,
             around,
@@ -91,11 +95,12 @@ impl Asymmetric {
             d_cm,
             d_mx,
             separatrix: signed == Double::ZERO,
-            discriminant: signed.abs(),
+            discriminant,
             small,
             off_squared: term(across, d_cx, clock + off_axis) + term(middle, d_cm, clock + off_axis),
             off_axis,
-            round_squared: term(middle, d_mx, clock) + term(around, d_cx, clock),
+            round_squared,
+            scaled_complement: (d_cx * discriminant / (d_cm * round_squared)).sqrt(),
         }
     }
 
@@ -111,20 +116,16 @@ impl Asymmetric {
         (first * self.round_squared / Double::product(m, c)).sqrt()
     }
 
-    /// The complementary modulus times `2^-small`.
-    fn scaled_complement(&self) -> Double {
-        (self.d_cx * self.discriminant / (self.d_cm * self.round_squared)).sqrt()
-    }
-
     /// The complementary modulus `k'`, times `2^shift`.
     pub(crate) fn complement(&self, shift: i32) -> Double {
-        self.scaled_complement().scaled(self.small + shift)
+        self.scaled_complement.scaled(self.small + shift)
     }
 
     /// The modulus `k`.
     pub(crate) fn modulus(&self) -> f64 {
-        let squared = self.d_mx * self.off_squared / (self.d_cm * self.round_squared);
-        squared.sqrt().scaled(self.off_axis).value()
+        let [d_mx, off, d_cm, round] =
+            [self.d_mx, self.off_squared, self.d_cm, self.round_squared].map(Double::value);
+        times_power_of_two((d_mx * off / (d_cm * round)).sqrt(), self.off_axis)
     }
 
     /// A quarter of the period in Jacobi's argument; infinite on the separatrix.
@@ -132,7 +133,7 @@ impl Asymmetric {
         if self.separatrix {
             return Double::from(f64::INFINITY);
         }
-        let scaled = self.scaled_complement();
+        let scaled = self.scaled_complement;
         let root = scaled.sqrt().scaled(self.small / 2);
         quarter_period_from_root(scaled.scaled(self.small), root)
     }

@@ -8,13 +8,13 @@ use std::f64::consts::FRAC_PI_2;
 /// The root is asked for by itself since it has all its digits where the complement is subnormal.
 pub(crate) fn quarter_period_from_root(complement: Double, root: Double) -> Double {
     let (mut a, mut g) = ((Double::ONE + complement) * 0.5, root);
-    // Each step doubles the digits, once the first ten at most have brought 1e-162 up to where that sets in;
-    // a difference of 1e-16 becomes one of 1e-32.
+    // Each step doubles the digits, once the first ten at most have brought 1e-162 up to where that sets in.
     for _ in 0..24 {
-        let close = (a - g).value().abs() <= 1e-15 * a.value();
+        let difference = (a - g).value();
         let mean = (a + g) * 0.5;
-        if close {
-            a = mean;
+        if difference.abs() <= 1e-8 * a.value() {
+            // What the next step would take off, but for its square.
+            a = mean - Double::from(difference * difference / (16.0 * mean.value()));
             break;
         }
         g = (a * g).sqrt();

@@ -112,9 +112,10 @@ impl Elliptic {
         let i = motion.moments;
         let [amplitude_x, amplitude_m, amplitude_c] = motion.amplitudes();
         let modulus = motion.modulus();
-        let complement = motion.complement(0);
+        let complement = motion.complement(0).value();
         // Where the complement is nearly out of range, all that is proportional to it is kept larger.
-        let shift = if complement.value() < 1e-150 { 500 } else { 0 }; // never with sines and cosines
+        let shift = if complement < 1e-150 { 500 } else { 0 }; // never with sines and cosines
+        let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).value() };
         let [w_x, _, w_c] = spins(motion, omega, shift);
         let w_m = spins(motion, omega, 0)[1];
         let forward = w_c > 0.0;
@@ -129,25 +130,25 @@ impl Elliptic {
         let ratio = if motion.separatrix { 0.0 } else { other / quarter.value() };
 
         // The start: sn, and cn, dn times 2^shift.
-        let sn = (Double::from(w_m) / amplitude_m).value();
-        let cn = (Double::from(w_x) / amplitude_x).value();
-        let dn = (Double::from(w_c.abs()) / amplitude_c).value();
+        let [sn, cn, dn] =
+            [w_m / amplitude_m.value(), w_x / amplitude_x.value(), w_c.abs() / amplitude_c.value()];
 
         // L and 2E in the same units, and the momentum's greatest shares.
         let w = [0, 1, 2].map(|axis| times_power_of_two(omega[axis], -motion.clock));
         let sum = |f: &dyn Fn(usize) -> Double| f(0) + f(1) + f(2);
         let twice_energy = sum(&|k| Double::product(w[k], w[k]) * i[k]);
         let momentum = sum(&|k| Double::product(w[k], w[k]) * Double::product(i[k], i[k])).sqrt();
-        let share_c = (amplitude_c * i[c] / momentum).value();
-        let share_m = (amplitude_m * i[m] / momentum).value();
+        let share_c = amplitude_c.value() * i[c] / momentum.value();
+        let share_m = amplitude_m.value() * i[m] / momentum.value();
 
         // The zero of the theta functions: y = rho^(-1/2) R_F((rho-1)/rho, (rho-1+m)/rho, 1).
-        let over_rho = (motion.d_cm * i[x] / (motion.d_cx * i[m])).value();
-        let excess = (motion.d_mx * i[c] / (motion.d_cx * i[m])).value();
+        let [d_cx, d_cm, d_mx] = [motion.d_cx, motion.d_cm, motion.d_mx].map(Double::value);
+        let over_rho = d_cm * i[x] / (d_cx * i[m]);
+        let excess = d_mx * i[c] / (d_cx * i[m]);
         let depth = over_rho.sqrt()
             * elliptic::rf_of_roots(excess.sqrt(), (excess + modulus * modulus * over_rho).sqrt(), 1.0);
 
-        let tilt = share_m / (1.0 + share_c * complement.value());
+        let tilt = share_m / (1.0 + share_c * complement);
         let tau = Double::PI * 2.0;
         let (mut form, drift) = if ratio >= TURNING_RATIO {
             let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.value() };
@@ -158,7 +159,7 @@ impl Elliptic {
             // the theta function turns there.
             let about = (twice_energy + momentum * amplitude_c) / (momentum + amplitude_c * i[c]) * sign;
             let drift = about * 0.5 / tau - turns * pair.turning_at_zero();
-            let start = phase_at_start(sn, cn, dn, complement.value(), quarter.value());
+            let start = phase_at_start(sn, cn, dn, complement, quarter.value());
             let form = Form::Trigonometric { spin: Trigonometric::new(q), pair, start, turns, turns_per_argument: 0.25 / quarter.value() };
             (form, drift)
         } else {
@@ -168,22 +169,22 @@ impl Elliptic {
             let stretch = PI / (2.0 * other);
             let (angle, turning) = pair.angle_and_turning_at_middle();
             // At the saddle the rate is L/I_M but for terms that vanish with the complement.
-            let slow = (amplitude_c * complement).value();
+            let slow = amplitude_c.value() * complement;
             let lead = momentum / Double::from(i[m]);
             let side = if i[c] > i[m] { 1.0 } else { -1.0 };
             let signed_distance = side * motion.distance_from_separatrix();
             let l = momentum.value();
             let rest = -(signed_distance + l * slow * (i[c] - i[m])) / (i[m] * (l + i[c] * slow));
             let about = (lead + Double::from(rest)) * sign;
-            let drift = about * 0.5 / tau - rate * (stretch * turning) / tau;
+            let drift = (about * 0.5 - rate * (stretch * turning)) / tau;
             let way = Way {
-                start: argument_at_start(sn, cn, dn, motion.complement(shift).value(), quarter, shift),
+                start: argument_at_start(sn, cn, dn, scaled_complement, quarter, shift),
                 rate: if motion.separatrix { rate } else { rate / (quarter * 2.0) },
                 quarter,
                 stretch,
                 turn: if cn < 0.0 { -1.0 } else { 1.0 },
             };
-            let spin = Hyperbolic::new(p * p, motion.complement(shift).value(), shift);
+            let spin = Hyperbolic::new(p * p, scaled_complement, shift);
             (Form::Hyperbolic { spin, pair, way, step: 2.0 * angle / (2.0 * PI) }, drift)
         };
         let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
