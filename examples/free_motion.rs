@@ -74,7 +74,8 @@ fn solve(case: &Value) -> Result<Answer, String> {
     let motion = FreeMotion::new(&moments, &omega).map_err(|error| error.to_string())?;
     let mut answer = Answer::default();
     for t in times {
-        let (w, q) = motion.at(t).map_err(|error| error.to_string())?;
+        let at = motion.at(t).map_err(|error| error.to_string())?;
+        let (w, q) = (at.omega, at.attitude);
         answer.0.push([w.x, w.y, w.z]);
         answer.1.push([q.w, q.i, q.j, q.k]);
     }

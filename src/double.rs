@@ -145,6 +145,31 @@ impl Div for Double {
     }
 }
 
+/// The sum of any terms, exact before it is rounded to twice the precision: an expansion grown term by term
+/// [She97].
+pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Double {
+    let mut expansion: Vec<f64> = Vec::new();
+    for term in terms {
+        let mut carried = term;
+        for part in &mut expansion {
+            let sum = two_sum(*part, carried);
+            (*part, carried) = (sum.lo, sum.hi);
+        }
+        expansion.push(carried);
+    }
+    // Parts do not overlap, the largest last.
+    expansion.iter().fold(Double::ZERO, |sum, &part| sum + Double::from(part))
+}
+
+/// Every term multiplied by `factor`, without error: two for each.
+pub(crate) fn exact_products(terms: &[f64], factor: f64) -> Vec<f64> {
+    let pair = |&term: &f64| {
+        let product = Double::product(term, factor);
+        [product.lo, product.hi]
+    };
+    terms.iter().flat_map(pair).collect()
+}
+
 /// `a b - c d` as if computed exactly and rounded once (but for underflow).
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> Double {
     Double::product(a, b) - Double::product(c, d)
@@ -171,6 +196,14 @@ mod tests {
             let expected = exact as f64;
             prop_assert!((ours - expected).abs() <= f64::EPSILON * expected.abs(), "{ours} {expected}");
         }
+    }
+
+    #[test]
+    fn an_exact_sum_finds_what_is_left_hundreds_of_bits_down() {
+        let tiny = 2_f64.powi(-300);
+        let sum = exact_sum([1.0, 1e10, tiny, -1e10, 2_f64.powi(-100), -1.0, -2_f64.powi(-100)]);
+        assert_eq!(sum.value(), tiny);
+        assert_eq!(exact_sum([0.1, -0.1]), Double::ZERO);
     }
 
     #[test]

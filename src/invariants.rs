@@ -4,7 +4,7 @@
 //! difference that matters, which is taken in twice the precision; nothing that is small is formed by
 //! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
 
-use crate::double::Double;
+use crate::double::{Double, exact_products, exact_sum};
 use crate::elliptic::quarter_period_from_root;
 use crate::scale::{exponent, times_power_of_two};
 
@@ -166,5 +166,18 @@ fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) 
         let w = times_power_of_two(omega[axis], -scale);
         distance(i[axis], i[middle]) * i[axis] * Double::product(w, w)
     };
-    term(high) - term(low)
+    let (above, below) = (term(high), term(low));
+    let difference = above - below;
+    if difference.value().abs() > 1e-15 * above.value() {
+        return difference;
+    }
+    // So close that twice the precision may not tell it from the separatrix: without rounding.
+    let terms = |axis: usize, sign: f64| {
+        let w = times_power_of_two(omega[axis], -scale);
+        let gap = Double::sum(i[axis], -i[middle]);
+        let gap = gap.abs();
+        let with_moment = exact_products(&[gap.rest(), gap.value()], sign * i[axis]);
+        exact_products(&exact_products(&with_moment, w), w)
+    };
+    exact_sum(terms(high, 1.0).into_iter().chain(terms(low, -1.0)))
 }

@@ -1,9 +1,12 @@
 //! The motion of a body with three different moments, about its largest or smallest axis or between.
 
+use super::Regime;
+use super::flips::Clock;
 use super::klein::{HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
 use crate::double::Double;
 use crate::elliptic::{self, Decay, Hyperbolic, TURNING_RATIO, Trigonometric};
 use crate::invariants::Asymmetric;
+use crate::principal::Axis;
 use crate::scale::times_power_of_two;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -20,8 +23,25 @@ pub(crate) struct Elliptic {
     unscale_middle: f64,
     form: Form,
     start: Pair,
-    /// Turns of the common phase per unit of time.
+    /// Turns of the common phase, which is half the angle about the momentum, per unit of time.
     drift: Double,
+    constants: Constants,
+}
+
+/// What belongs to the whole motion rather than to an instant, in the same units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Constants {
+    about: Axis,
+    modulus: f64,
+    complement: f64,
+    /// With its sign, per unit of time.
+    rate: Double,
+    /// Infinite on the separatrix.
+    quarter: Double,
+    /// Jacobi's argument at the start.
+    argument: Double,
+    /// The greatest share of the momentum along each of the three axes.
+    shares: [f64; 3],
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,7 +209,7 @@ impl Elliptic {
         };
         let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
         form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
-        let start = form.start();
+        let (start, argument) = (form.start(), form.argument());
         let (total, part) = (motion.clock - shift, if motion.clock - shift < -900 { 600 } else { 0 });
         Self {
             axes: [x, m, c],
@@ -199,7 +219,69 @@ impl Elliptic {
             form,
             start,
             drift,
+            constants: Constants {
+                about: if i[c] > i[m] { Axis::Largest } else { Axis::Smallest },
+                modulus,
+                complement,
+                rate,
+                quarter,
+                argument,
+                shares: [amplitude_x.value() * i[x] / momentum.value(), share_m, share_c],
+            },
         }
+    }
+
+    pub(crate) fn regime(&self, per_second: impl Fn(f64) -> f64) -> Regime {
+        let Constants { about, modulus, complement, rate, quarter, .. } = self.constants;
+        let rate = per_second(rate.value().abs());
+        if quarter.value().is_infinite() {
+            return Regime::Separatrix { rate };
+        }
+        Regime::Circulating { about, modulus, complement, rate }
+    }
+
+    /// The largest component that the spin ever has, rad/s.
+    pub(crate) fn greatest_spin(&self) -> f64 {
+        self.amplitudes.iter().fold(0.0_f64, |most, w| most.max(w.abs())) * self.unscale_middle
+    }
+
+    /// Half the spin's period, in scaled time.
+    pub(crate) fn half_period(&self) -> Option<f64> {
+        let Constants { rate, quarter, .. } = self.constants;
+        quarter.value().is_finite().then(|| (quarter * 2.0 / rate.abs()).value())
+    }
+
+    pub(crate) fn clock(&self) -> Clock {
+        let Constants { rate, quarter, argument, .. } = self.constants;
+        if quarter.value().is_infinite() {
+            return Clock::Once(-argument / rate);
+        }
+        Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) }
+    }
+
+    /// Least and greatest angle between a principal axis and the momentum.
+    pub(crate) fn angles(&self, axis: usize) -> [f64; 2] {
+        let [across, middle, around] = self.constants.shares;
+        let least = around * self.constants.complement;
+        let swing = |angle: f64| [angle, PI - angle];
+        if axis == self.axes[0] {
+            swing(around.atan2(across))
+        } else if axis == self.axes[1] {
+            swing(least.atan2(middle))
+        } else {
+            let [near, far] = [across.atan2(around), middle.atan2(least)];
+            if self.amplitudes[2] > 0.0 { [near, far] } else { [PI - far, PI - near] }
+        }
+    }
+
+    /// Radians about the momentum from one flip to the next.
+    pub(crate) fn twist_of_half_period(&self) -> Option<f64> {
+        let half = self.half_period()?;
+        let step = match &self.form {
+            Form::Trigonometric { .. } => 0.0,
+            Form::Hyperbolic { step, .. } => step * self.constants.rate.value().signum(),
+        };
+        Some((4.0 * PI * (self.drift.value() * half + step)).abs())
     }
 
     fn spin(&self, values: &elliptic::Values) -> Vector3<f64> {
@@ -290,6 +372,16 @@ impl Form {
         match self {
             Self::Trigonometric { spin, start: [sin, cos], .. } => spin.at(*sin, *cos),
             Self::Hyperbolic { spin, way, .. } => hyperbolic_values(spin, &way.at(0.0)),
+        }
+    }
+
+    /// Jacobi's argument at the start.
+    fn argument(&self) -> Double {
+        match self {
+            Self::Trigonometric { start: [sin, cos], turns_per_argument, .. } => {
+                Double::from(sin.atan2(*cos) / (2.0 * PI * turns_per_argument))
+            }
+            Self::Hyperbolic { way, .. } => way.start,
         }
     }
 

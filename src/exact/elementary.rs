@@ -4,12 +4,13 @@ use crate::double::Double;
 use crate::elliptic::sin_cos_of_turns;
 use crate::scale::{exponent, times_power_of_two};
 use nalgebra::{Quaternion, Vector3};
+use std::f64::consts::PI;
 
 /// A turn at an even rate about a fixed direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turn {
     direction: Vector3<f64>,
-    /// Half turns per unit of scaled time: quaternions take half the angle.
+    /// Turns of half the angle, which is what a quaternion takes, per unit of scaled time.
     half_rate: Double,
 }
 
@@ -22,6 +23,11 @@ impl Turn {
         let [x, y, z] = scaled.map(|x| (x / length).value());
         let half_rate = (length / (Double::PI * 4.0)).scaled(scale);
         Self { direction: Vector3::new(x, y, z), half_rate }
+    }
+
+    /// Radians per unit of scaled time.
+    pub(crate) fn rate(&self) -> f64 {
+        4.0 * PI * self.half_rate.value()
     }
 
     pub(crate) fn at(&self, time: f64) -> Quaternion<f64> {
@@ -41,6 +47,8 @@ pub(crate) struct Precession {
     wobble: Double,
     /// The turn about the momentum.
     about_momentum: Turn,
+    /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
+    smooth: f64,
 }
 
 impl Precession {
@@ -51,7 +59,32 @@ impl Precession {
         let wobble = difference * scaled[axis] / Double::from(equal) / (Double::PI * 2.0);
         let momentum =
             [0, 1, 2].map(|k| Double::product(moments[k], scaled[k]) / Double::from(equal));
-        Self { axis, omega: *omega, wobble, about_momentum: Turn::along(momentum) }
+        let about_momentum = Turn::along(momentum);
+        // psi' = (2E + L |w_C|)/(L + I_C |w_C|), all over the equal moment.
+        let (m, w) = (momentum.map(Double::value), scaled);
+        let twice_energy = m[0] * w[0] + m[1] * w[1] + m[2] * w[2];
+        let (length, along) = (about_momentum.rate(), w[axis].abs());
+        let smooth = (twice_energy + length * along) / (length + moments[axis] / equal * along);
+        Self { axis, omega: *omega, wobble, about_momentum, smooth }
+    }
+
+    pub(crate) fn axis(&self) -> usize {
+        self.axis
+    }
+
+    /// Turns per unit of scaled time.
+    pub(crate) fn wobble_turns(&self) -> f64 {
+        self.wobble.value()
+    }
+
+    /// `L / I` with the equal moments, radians per unit of scaled time.
+    pub(crate) fn precession(&self) -> f64 {
+        self.about_momentum.rate()
+    }
+
+    /// Radians about the momentum in half a turn of the spin.
+    pub(crate) fn twist_of_half_period(&self) -> f64 {
+        0.5 * self.smooth / self.wobble.value().abs()
     }
 
     pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
