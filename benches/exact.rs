@@ -30,7 +30,9 @@ fn works() -> Vec<Work> {
         Box::new(move |_| state = rk4(black_box(&state), black_box(&1e-6), law)),
     )];
     // Well inside, and close to the separatrix, where hyperbolic functions take over.
-    for (where_, omega) in [("generic", Vector3::new(0.3, 0.4, 1.0)), ("flipping", Vector3::new(1.0, 1e-3, 1e-3))] {
+    for (where_, omega) in
+        [("generic", Vector3::new(0.3, 0.4, 1.0)), ("flipping", Vector3::new(1.0, 1e-3, 1e-3))]
+    {
         let moments = black_box(moments);
         let motion = FreeMotion::new(&moments, &omega).expect("a body");
         let times: Vec<f64> = (0..1024).map(|k| f64::from(k * 37 % 1024) * 0.117).collect();

@@ -42,7 +42,8 @@ fn main() -> ExitCode {
     let mut failed = false;
     let mut answers = Vec::new();
     for (index, case) in cases.iter().enumerate() {
-        let name = case.get("name").and_then(Value::as_str).map_or_else(|| format!("case {index}"), str::to_owned);
+        let name =
+            case.get("name").and_then(Value::as_str).map_or_else(|| format!("case {index}"), str::to_owned);
         let mut answer = Map::new();
         answer.insert("name".to_owned(), json!(name));
         match solve(case) {
@@ -92,7 +93,9 @@ fn vector(case: &Value, field: &str) -> Result<Vector3<f64>, String> {
 fn numbers(case: &Value, field: &str) -> Result<Vec<f64>, String> {
     let value = case.get(field).ok_or_else(|| format!("the field `{field}` is missing"))?;
     let list = value.as_array().ok_or_else(|| format!("`{field}` is not a list"))?;
-    list.iter().map(|x| number(x).ok_or_else(|| format!("`{field}` holds {x}: not a finite number"))).collect()
+    list.iter()
+        .map(|x| number(x).ok_or_else(|| format!("`{field}` holds {x}: not a finite number")))
+        .collect()
 }
 
 /// A number, or a string that is one, if finite.

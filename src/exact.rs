@@ -111,9 +111,7 @@ impl FreeMotion {
         let law = match classify(i, w) {
             Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
             Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
-            Kind::Symmetric(axis) => {
-                Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega))
-            }
+            Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
             Kind::Asymmetric(motion) => Law::Elliptic(Elliptic::new(&motion, &w)),
         };
         if let Law::Elliptic(motion) = &law

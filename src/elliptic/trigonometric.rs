@@ -19,8 +19,7 @@ impl Trigonometric {
         let (q2, q4, q6, q9) = (q * q, q.powi(4), q.powi(6), q.powi(9));
         let q12 = q6 * q6;
         let outer = [1.0 - 2.0 * q4, 4.0 * q4, 2.0 * q - 6.0 * q9, 8.0 * q9];
-        let inner =
-            [1.0 - q2 - q6 + q12, 4.0 * q6 - 4.0 * q12, 2.0 * q2 - 2.0 * q6 - 4.0 * q12, 8.0 * q12];
+        let inner = [1.0 - q2 - q6 + q12, 4.0 * q6 - 4.0 * q12, 2.0 * q2 - 2.0 * q6 - 4.0 * q12, 8.0 * q12];
         let mut sums = Self { outer, inner, factors: [1.0; 3] };
         let [third, fourth, second, _] = sums.thetas(1.0);
         sums.factors = [third / second, fourth / second, fourth / third];

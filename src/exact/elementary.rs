@@ -57,8 +57,7 @@ impl Precession {
         let equal = moments[(axis + 1) % 3];
         let difference = Double::from(moments[axis]) - Double::from(equal);
         let wobble = difference * scaled[axis] / Double::from(equal) / (Double::PI * 2.0);
-        let momentum =
-            [0, 1, 2].map(|k| Double::product(moments[k], scaled[k]) / Double::from(equal));
+        let momentum = [0, 1, 2].map(|k| Double::product(moments[k], scaled[k]) / Double::from(equal));
         let about_momentum = Turn::along(momentum);
         // psi' = (2E + L |w_C|)/(L + I_C |w_C|), all over the equal moment.
         let (m, w) = (momentum.map(Double::value), scaled);
@@ -108,9 +107,5 @@ impl Precession {
 pub(crate) fn scaled(moments: &[f64; 3], omega: &[f64; 3]) -> ([f64; 3], [f64; 3], i32) {
     let largest = |v: &[f64; 3]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let (heaviest, clock) = (exponent(largest(moments)), exponent(largest(omega)).clamp(-1000, 1000));
-    (
-        moments.map(|x| times_power_of_two(x, -heaviest)),
-        omega.map(|x| times_power_of_two(x, -clock)),
-        clock,
-    )
+    (moments.map(|x| times_power_of_two(x, -heaviest)), omega.map(|x| times_power_of_two(x, -clock)), clock)
 }

@@ -13,10 +13,7 @@ pub(crate) enum Clock {
     /// At this scaled time alone.
     Once(Double),
     /// At all whole numbers of `offset + rate t`.
-    Evenly {
-        offset: Double,
-        rate: Double,
-    },
+    Evenly { offset: Double, rate: Double },
 }
 
 /// The flips in an interval, in order of time; see [`FreeMotion::flips`](super::FreeMotion::flips).

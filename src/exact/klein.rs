@@ -119,11 +119,8 @@ impl TrigonometricPair {
         // 2 exp(-B) q^(2n(n+1)) cosh (2n+1)B and sinh.
         let (q3, q4, q10, q12) = (q.powi(3), q.powi(4), q.powi(10), q.powi(12));
         let c = [1.0 + fall, q3 * rise + q4 * fall * fall, q10 * rise * rise + q12 * fall.powi(3)];
-        let d = [
-            -(-shape.depth).exp_m1(),
-            q3 * rise - q4 * fall * fall,
-            q10 * rise * rise - q12 * fall.powi(3),
-        ];
+        let d =
+            [-(-shape.depth).exp_m1(), q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * fall.powi(3)];
         let b_along_sin = [c[0] - c[1] - c[2], -2.0 * c[1] + 2.0 * c[2], 4.0 * c[2]];
         let b_along_cos = [d[0] + d[1] - d[2], -2.0 * d[1] - 2.0 * d[2], 4.0 * d[2]].map(|x| -s * x);
         let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, cyclic: shape.cyclic };
