@@ -146,7 +146,7 @@ impl Div for Double {
 }
 
 /// The sum of any terms, exact before it is rounded to twice the precision: an expansion grown term by term
-/// [She97].
+/// [She97](crate::references).
 pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Double {
     let mut expansion: Vec<f64> = Vec::new();
     for term in terms {

@@ -2,7 +2,7 @@
 //!
 //! The modulus of a nearly perfect middle-axis spin is 1 to the last bit of any `f64`; what tells one such
 //! spin from another is the complement `k' = sqrt(1 - k²)`, which can be 1e-300. So everything here is given
-//! `k'`, and never forms it. [`Jacobi`] has `sn`, `cn` and `dn` by four-term theta sums [DLMF, chapter 20],
+//! `k'`, and never forms it. [`Jacobi`] has `sn`, `cn` and `dn` by four-term theta sums ([DLMF](crate::references), chapter 20),
 //! in sines and cosines or, near the separatrix, in hyperbolic functions.
 
 mod carlson;
@@ -34,7 +34,7 @@ pub struct Values {
     pub dn: f64,
 }
 
-/// Carlson's `R_F(x, y, z)`, half the integral of `1/sqrt((t+x)(t+y)(t+z))` over positive `t` [Car95].
+/// Carlson's `R_F(x, y, z)`, half the integral of `1/sqrt((t+x)(t+y)(t+z))` over positive `t` [Car95](crate::references).
 ///
 /// ```
 /// let value = tumbling::elliptic::carlson_rf(1.0, 1.0, 4.0)?;

@@ -1,8 +1,8 @@
 //! Free motion in closed form: the spin and the attitude of a torque-free body at any instant, to rounding.
 //!
 //! Prepare a [`FreeMotion`] once from the moments and the spin at time 0; each later (or earlier) instant
-//! then costs the same, however far it is. The spin is Jacobi's [LL76, section 37], by theta functions of the phase;
-//! the attitude two more theta functions, as Klein and Sommerfeld have them [KS97, vZS07]. Nothing is integrated
+//! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by theta functions of the phase;
+//! the attitude two more theta functions, as Klein and Sommerfeld have them [KS97](crate::references), [vZS07](crate::references). Nothing is integrated
 //! in time, so nothing drifts: an error is what the rounding of the inputs already makes of the answer, a few
 //! units of it.
 //!
@@ -28,9 +28,11 @@ mod flips;
 mod geometry;
 mod klein;
 mod regime;
+mod sensitivity;
 
 pub use flips::Flips;
 pub use regime::Regime;
+pub use sensitivity::Sensitivity;
 
 use crate::body::Body;
 use crate::error::{Error, finite, finite_vector};

@@ -62,8 +62,8 @@ proptest! {
         let at = Jacobi::of_complement(complement).unwrap().at(u).unwrap();
         prop_assert!((at.sn - angle.sin()).abs() < 4e-15 && (at.cn - angle.cos()).abs() < 4e-15, "{at:?}");
         let k = Jacobi::of_complement(complement).unwrap().quarter_period();
-        // The rounding of m, which their K is taken of, counts for up to 1/(2 (1-m)).
-        let bound = 2.0 * f64::EPSILON * (1.0 + m / (complement * complement));
+        // Their K is a fitted polynomial, off by 3e-15 at k' = 0.386 (with 50 digits); ours the table judges.
+        let bound = 1e-14;
         prop_assert!((k / ellip::ellipk(m).unwrap() - 1.0).abs() < bound);
     }
 

@@ -1,4 +1,4 @@
-//! Carlson's symmetric integral of the first kind [Car95], by duplication.
+//! Carlson's symmetric integral of the first kind [Car95](crate::references), by duplication.
 
 /// `R_F(x², y², z²)` for three numbers not below zero, at most one of them zero (two zeros give infinity).
 ///
@@ -25,7 +25,7 @@ pub(crate) fn rf_of_roots(x: f64, y: f64, z: f64) -> f64 {
     let [a, b] = [0, 1].map(|i| 1.0 - v[i] / mean);
     let c = -a - b;
     let (e2, e3) = (a * b - c * c, a * b * c);
-    // The series of [Car95] to the terms of seventh order.
+    // The series of [Car95](crate::references) to the terms of seventh order.
     let series = -e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0 - 5.0 * e2 * e2 * e2 / 208.0
         + 3.0 * e3 * e3 / 104.0
         + e2 * e2 * e3 / 16.0;

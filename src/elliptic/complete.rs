@@ -1,4 +1,4 @@
-//! The complete integral by the arithmetic-geometric mean [Gau99].
+//! The complete integral by the arithmetic-geometric mean [Gau99](crate::references).
 
 use crate::double::Double;
 use std::f64::consts::FRAC_PI_2;

@@ -3,7 +3,7 @@
 //! With the circled axis as `i` and the next two in cyclic order as `j` and `k = i j`, write the quaternion that
 //! takes the body to axes with `i` along the momentum as `a + b j`. Both complex numbers are, up to one
 //! common length and one common phase that grows evenly with time, single theta functions of the nome squared
-//! [KS97; vZS07 has the same for the rotation matrix]:
+//! [KS97](crate::references); [vZS07](crate::references) have the same for the rotation matrix:
 //!
 //! ```text
 //! a ~ theta_4(z - i s B),   b ~ theta_1(z - i s B)
