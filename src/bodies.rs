@@ -47,7 +47,7 @@ impl NamedBody {
     /// Its mass, centre and inertia.
     ///
     /// # Errors
-    /// None that the library's tests have not excluded: the sizes are constants.
+    /// None: the sizes are constants.
     pub fn properties(&self) -> Result<MassProperties, Error> {
         (self.make)()
     }
@@ -79,7 +79,7 @@ pub fn all() -> &'static [NamedBody] {
 /// The box of the worked example: 2 m along x, 1 m along y, 3 m along z, 1 kg. Moments 10/12, 13/12 and 5/12.
 ///
 /// # Errors
-/// None: the sizes are constants. So it is for every function here.
+/// None: the sizes are constants.
 pub fn the_box() -> Result<MassProperties, Error> {
     Cuboid::new(2.0, 1.0, 3.0)?.with_mass(1.0)
 }
@@ -137,8 +137,8 @@ pub fn hammer() -> Result<MassProperties, Error> {
 /// A tennis racket, 685 mm long and 0.327 kg: an oval hoop with 16 by 19 strings, two throat bars and a
 /// handle, with the handle along z and the strings in the xz plane.
 ///
-/// The sizes are typical and chosen by us, within the rules of tennis (at most 737 mm by 317 mm). Real
-/// rackets have their masses measured, not drawn: Brody's measured Wilson T-2000, of steel, had 0.00121,
+/// The sizes are typical and chosen by us, within the rules of tennis (at most 737 mm by 317 mm,
+/// ITF Rules of Tennis, appendix II). A real racket to compare it with: the Wilson T-2000 that Brody measured had 0.00121,
 /// 0.01638 and 0.01748 kg m² ([Bro85](crate::references) as quoted in [Ash91](crate::references)).
 ///
 /// # Errors

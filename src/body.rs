@@ -92,7 +92,7 @@ impl Body {
         self.attitude
     }
 
-    /// The attitude as a rotation matrix, the document's `R`, body to world.
+    /// The attitude as a rotation matrix, the book's `R`, body to world.
     #[must_use]
     pub fn rotation(&self) -> Matrix3<f64> {
         self.rotation

@@ -2,7 +2,7 @@
 //!
 //! For the few places where the answer is a small difference of large terms: the gap between spin
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
-//! The error-free sum and product are Knuth's and Dekker's, see [Dek71] in [`references`](crate::references).
+//! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
 use crate::scale::times_power_of_two;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,7 +1,7 @@
 //! Euler's equations: how spin and momentum change, seen from the turning body.
 //!
-//! Written twice, as the document does and without a division, for any number type. All vectors here are
-//! in the body frame. Source: [Eul65]; the momentum form is [Arn66]'s.
+//! Written component by component, as they are printed, and without a division, for any number type. All vectors here are
+//! in the body frame. Source: [Eul65](crate::references); the momentum form is [Arn66](crate::references)'s.
 
 use crate::scalar::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};

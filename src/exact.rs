@@ -1,9 +1,10 @@
 //! Free motion in closed form: the spin and the attitude of a torque-free body at any instant, to rounding.
 //!
 //! Prepare a [`FreeMotion`] once from the moments and the spin at time 0; each later (or earlier) instant
-//! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by theta functions of the phase;
-//! the attitude two more theta functions, as Klein and Sommerfeld have them [KS97](crate::references), [vZS07](crate::references). Nothing is integrated
-//! in time, so nothing drifts: an error is what the rounding of the inputs already makes of the answer, a few
+//! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by theta
+//! functions of the phase; the attitude two more theta functions, which are its Cayley-Klein parameters ([KS97](crate::references); by
+//! theta functions too, but of the rotation matrix: [vZS07](crate::references)). Nothing is integrated in time, so
+//! nothing drifts: an error is what the rounding of the inputs already makes of the answer, a few
 //! units of it.
 //!
 //! ```
@@ -70,6 +71,7 @@ struct Mount {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(clippy::large_enum_variant)] // a box would cost every instant a detour, and the motion its `Copy`
 enum Law {
     AtRest,
     Steady(Turn),

@@ -61,7 +61,7 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
 
 /// Spin from momentum, both in world axes: `w = R J R^T L`, with `J` the body's inverse tensor.
 ///
-/// This is the document's way: the inverse is stored once in the body frame and carried to the world
+/// The usual way of engines: the inverse is stored once in the body frame and carried to the world
 /// at each step. Rotation matrix `rotation` takes body to world.
 ///
 /// ```
@@ -148,9 +148,7 @@ impl Inertia {
                 return Err(Error::Asymmetric { row, column, value, mirrored, tolerance });
             }
         }
-        // Halved before they are added, so that the mean of two large entries does not overflow.
-        let mean = |a: f64, b: f64| if a == b { a } else { 0.5 * a + 0.5 * b };
-        let tensor = tensor.zip_map(&tensor.transpose(), mean);
+        let tensor = evened(tensor);
         positive("the largest moment of inertia", tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         physically_possible(&PrincipalAxes::of(&tensor).moments(), ulps)?;
@@ -239,12 +237,13 @@ impl Inertia {
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
     ///
     /// # Errors
-    /// An attitude that is not finite or not of length 1.
+    /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::attitude::matrix(attitude)?;
-        let m = turned(&rotation, &self.tensor);
         // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
-        Ok(Self { tensor: (m + m.transpose()) * 0.5 })
+        let tensor = evened(&turned(&rotation, &self.tensor));
+        in_range("a turned moment", &tensor)?;
+        Ok(Self { tensor })
     }
 
     /// The inverse, computed once, to be kept and turned instead of inverting at each step.
@@ -305,11 +304,12 @@ impl InverseInertia {
     /// The inverse in axes turned by `attitude`: `R J R^T`.
     ///
     /// # Errors
-    /// An attitude that is not finite or not of length 1.
+    /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::attitude::matrix(attitude)?;
-        let m = turned(&rotation, &self.matrix);
-        Ok(Self { matrix: (m + m.transpose()) * 0.5 })
+        let matrix = evened(&turned(&rotation, &self.matrix));
+        in_range("an inverse moment", &matrix)?;
+        Ok(Self { matrix })
     }
 }
 
@@ -319,6 +319,12 @@ pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
     let mut sorted: [f64; 3] = (*moments).into();
     sorted.sort_by(f64::total_cmp);
     physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS)
+}
+
+/// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
+/// do not overflow, and left alone where they agree, so that small ones keep their last bit.
+fn evened(m: &Matrix3<f64>) -> Matrix3<f64> {
+    m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b })
 }
 
 fn is_diagonal(m: &Matrix3<f64>) -> bool {

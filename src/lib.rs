@@ -1,4 +1,54 @@
 //! Rotation of rigid bodies: why a tossed book flips, with every claim checked.
+//!
+//! For turning, mass is a matrix. A body's [`Inertia`] takes its spin to its angular momentum, and the two
+//! arrows point the same way only along the [principal axes](PrincipalAxes). A free body keeps its momentum;
+//! so its spin must move, and about the middle axis it flips.
+//!
+//! ```
+//! use nalgebra::{UnitQuaternion, Vector3};
+//! use tumbling::solid::{Cuboid, Solid};
+//! use tumbling::{Body, observe::sign_changes, step::Engine};
+//!
+//! // A box of 2 x 1 x 3 m and 1 kg, spun halfway between two of its edges.
+//! let inertia = Cuboid::new(2.0, 1.0, 3.0)?.with_mass(1.0)?.inertia();
+//! let omega = Vector3::new(1.0, 1.0, 0.0);
+//! assert_eq!(format!("{:.1}°", inertia.gap(&omega)?.to_degrees()), "7.4°");
+//!
+//! // Near its middle axis, it flips for the first time after 15.1 s.
+//! let start = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 0.01, 0.01))?;
+//! let flight = Engine::Turned.run(&start, 0.01, 2000)?;
+//! let flips = sign_changes(flight.iter().enumerate().map(|(i, body)| (0.01 * i as f64, body.omega_body().x)));
+//! assert_eq!(format!("{:.1} s", flips[0]), "15.1 s");
+//! # Ok::<(), tumbling::Error>(())
+//! ```
+//!
+//! # The way through
+//!
+//! Data flows one way, and each stop is a module or a type:
+//!
+//! - [`solid`]: a shape and a mass give [`MassProperties`]: mass, centre, tensor. [`bodies`] has ready ones.
+//! - [`Inertia`]: apply, invert once, shift, turn to the world, measure the gap. [`PrincipalAxes`] follow from it.
+//! - [`Body`]: inertia, attitude and angular momentum; the spin is derived.
+//! - [`euler`]: the equations of motion. [`stability`]: what becomes of a small push.
+//! - [`step`]: stepping through time, right and wrong. [`observe`]: what to read off the motion.
+//!
+//! # Conventions
+//!
+//! SI units and radians. Attitudes take body coordinates to world. Products of inertia carry the sign that
+//! makes `L = I w` hold. Names end in `_body` or `_world` where it matters.
+//!
+//! # Many kinds of number
+//!
+//! The laws ([`euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in [`solid`]) are generic
+//! over [`scalar::Ring`] or [`scalar::Field`]: the same functions run on `f64`, on exact rationals, on dual numbers, or on
+//! numbers that [count](counted) what a formula costs.
+//!
+//! # Errors
+//!
+//! Constructors check and return an [`Error`] that names the value, the rule and the margin; what has been
+//! constructed works everywhere. No public function panics, whatever it is given.
+//!
+//! Sources are given by keys, which stand in [`references`].
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod attitude;

@@ -74,9 +74,9 @@ impl PrincipalAxes {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }
 
-    /// Of a symmetric, finite, nonzero matrix. Jacobi's method [Jac46]: each rotation clears one
+    /// Of a symmetric, finite, nonzero matrix. Jacobi's method [Jac46](crate::references): each rotation clears one
     /// product; it leaves a diagonal tensor untouched, and keeps the small moment of a needle to the
-    /// relative accuracy that the entries allow [DV92], which the usual reduction does not.
+    /// relative accuracy that the entries allow [DV92](crate::references), which the usual reduction does not.
     pub(crate) fn of(tensor: &Matrix3<f64>) -> Self {
         let scale = exponent(tensor.amax());
         let mut a = tensor.map(|x| times_power_of_two(x, -scale));

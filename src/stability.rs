@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 /// `second`.
 ///
 /// It is `-w² (I - I_first)(I - I_second) / (I_first I_second)`: Euler's equations with the two small
-/// components' product left out. Only the order of the moments decides its sign [LL76].
+/// components' product left out. Only the order of the moments decides its sign [LL76](crate::references).
 ///
 /// ```
 /// // The middle of 1, 2, 3 grows, the ends do not.
@@ -100,8 +100,8 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
 /// component along the middle axis changes sign; every free motion but those named does that, a stable
 /// wobble too, where it is small and quick.
 ///
-/// The formula is `2 K / rate` [LL76, section 37], with the elliptic integral `K` from the arithmetic-geometric mean
-/// [Gau99]. The small differences on which it hangs are taken between the given moments, never between
+/// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the arithmetic-geometric mean
+/// [Gau99](crate::references). The small differences on which it hangs are taken between the given moments, never between
 /// squares, so that it is right for a push of 1e-300 too.
 ///
 /// ```

@@ -53,7 +53,7 @@ proptest! {
     }
 }
 
-/// Where the document's box, started at (1, 1, 0), must be when its spin about x has vanished: energy and
+/// Where the book's box, started at (1, 1, 0), must be when its spin about x has vanished: energy and
 /// |L|² give two linear equations for the squares of the other two components.
 #[test]
 fn a_quarter_period_after_the_start_the_spin_is_where_the_two_conserved_quantities_put_it() {

@@ -225,6 +225,20 @@ fn the_inverse_of_a_tensor_times_the_tensor_is_one_over_the_whole_range_of_scale
 }
 
 #[test]
+fn turning_at_the_end_of_the_range_is_finite_or_refused() {
+    let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
+    for scale in [1e-320, 1e-308, 1e307, 1.5e308] {
+        let Ok(inertia) = Inertia::from_moments(scale, scale, 1.1 * scale) else {
+            panic!("a body at {scale:e}")
+        };
+        match inertia.turned(&q) {
+            Ok(turned) => assert!(turned.matrix().iter().all(|x| x.is_finite()), "{scale:e}"),
+            Err(error) => assert!(matches!(error, Error::OutOfRange { .. }), "{error}"),
+        }
+    }
+}
+
+#[test]
 fn a_spin_without_direction_has_no_gap() {
     let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     assert!(matches!(tensor.gap(&Vector3::zeros()), Err(Error::ZeroVector { .. })));

@@ -51,7 +51,11 @@ async function open(base, options = {}) {
     const url = request.url();
     if (!url.startsWith(base) && !url.startsWith("data:")) tell(`asks for ${url}`);
   });
-  page.on("requestfailed", (request) => tell(`cannot load ${request.url()}`));
+  page.on("requestfailed", (request) => {
+    const why = request.failure()?.errorText;
+    // Leaving a page ends what it was still loading; that is no fault of the page.
+    if (why !== "net::ERR_ABORTED") tell(`cannot load ${request.url()} (${why})`);
+  });
   page.on("response", (r) => r.status() >= 400 && tell(`got ${r.status()} for ${r.url()}`));
   page.on("console", (message) => tell(`console: ${message.text()}`));
   page.on("pageerror", (error) => tell(`script error: ${error.message}`));
@@ -90,6 +94,42 @@ async function rules(page, where) {
   }
 }
 
+/** The colours of the drawings against the page: no rule above looks into a drawing. */
+function drawingColours() {
+  const dot = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const light = (colour) => {
+    dot.fillStyle = colour;
+    dot.fillRect(0, 0, 1, 1);
+    const [r, g, b] = [...dot.getImageData(0, 0, 1, 1).data].map((c) =>
+      c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const probe = document.body.appendChild(document.createElement("span"));
+  const colour = (name) => {
+    probe.style.color = "";
+    probe.style.color = `var(${name}, transparent)`;
+    return getComputedStyle(probe).color;
+  };
+  const page = light(getComputedStyle(document.documentElement).backgroundColor);
+  const least = { "--fig-paper": 0, "--fig-surface": 0, "--fig-faint": 3 };
+  const meant = ["omega", "momentum", "axis-min", "axis-mid", "axis-max", "separatrix", "wrong"];
+  const found = [];
+  for (const name of [...meant.map((word) => `--fig-${word}`), ...Object.keys(least)]) {
+    const got = colour(name);
+    const [low, high] = [light(got), page].sort((a, b) => a - b);
+    const contrast = (high + 0.05) / (low + 0.05);
+    if (got === "rgba(0, 0, 0, 0)") found.push(`${name} has no colour`);
+    else if (contrast < (least[name] ?? 4.5)) found.push(`${name} stands out by ${contrast.toFixed(2)} only`);
+  }
+  const asked = new Set(document.querySelector("main").innerHTML.match(/--fig-[a-z-]+/g));
+  const style = getComputedStyle(document.documentElement);
+  for (const name of asked) {
+    if (style.getPropertyValue(name) === "") found.push(`${name} is asked for by a drawing, but not in palette.css`);
+  }
+  probe.remove();
+  return found;
+}
+
 let looks = 0;
 for (const name of pages) {
   for (const base of Object.values(bases)) {
@@ -106,6 +146,9 @@ for (const name of pages) {
       await page.goto(bases.file + name); // anew: mdBook opens the contents by the width it starts with
       await page.evaluate(() => document.fonts.ready);
       for (const what of await page.evaluate(tooWide)) fault(where, what);
+      if (width === WIDTHS[0]) {
+        for (const what of await page.evaluate(drawingColours)) fault(`${name}, ${theme}`, what);
+      }
       // The print page repeats the others: its words are checked where they stand.
       if (name !== "print.html" && (width === 1400 || theme === "light")) await rules(page, where);
       if (shots && name !== "print.html" && ["light", "navy"].includes(theme)) {

@@ -8,6 +8,58 @@
 #[doc = include_str!("introduction.md")]
 mod introduction {}
 
+#[cfg(doctest)]
+#[doc = include_str!("toss-a-book.md")]
+mod toss_a_book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("matrix-mass.md")]
+mod matrix_mass {}
+
+#[cfg(doctest)]
+#[doc = include_str!("principal-axes.md")]
+mod principal_axes {}
+
+#[cfg(doctest)]
+#[doc = include_str!("two-arrows.md")]
+mod two_arrows {}
+
+#[cfg(doctest)]
+#[doc = include_str!("worked-example.md")]
+mod worked_example {}
+
+#[cfg(doctest)]
+#[doc = include_str!("body-and-world.md")]
+mod body_and_world {}
+
+#[cfg(doctest)]
+#[doc = include_str!("eulers-equations.md")]
+mod eulers_equations {}
+
+#[cfg(doctest)]
+#[doc = include_str!("three-pitfalls.md")]
+mod three_pitfalls {}
+
+#[cfg(doctest)]
+#[doc = include_str!("dzhanibekov.md")]
+mod dzhanibekov {}
+
+#[cfg(doctest)]
+#[doc = include_str!("proofs.md")]
+mod proofs {}
+
+#[cfg(doctest)]
+#[doc = include_str!("notation.md")]
+mod notation {}
+
+#[cfg(doctest)]
+#[doc = include_str!("references.md")]
+mod references {}
+
+#[cfg(doctest)]
+#[doc = include_str!("glossary.md")]
+mod glossary {}
+
 /// A chapter that is not listed here is a chapter whose code nobody runs; one that `SUMMARY.md` lacks
 /// is one that nobody reads.
 #[cfg(test)]
@@ -33,14 +85,10 @@ mod listed {
         let tested = between(modules, "#[doc = include_str!(\"", "\")]");
         assert_eq!(read, tested, "left: SUMMARY.md, right: chapters/lib.rs");
 
-        let names: Vec<&str> = modules
-            .lines()
-            .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(" {}"))
-            .collect();
-        let expected: Vec<String> = tested
-            .iter()
-            .map(|file| file.trim_end_matches(".md").replace(['-', '/'], "_"))
-            .collect();
+        let names: Vec<&str> =
+            modules.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(" {}")).collect();
+        let expected: Vec<String> =
+            tested.iter().map(|file| file.trim_end_matches(".md").replace(['-', '/'], "_")).collect();
         assert_eq!(names, expected, "a module is named after its chapter");
 
         let mut files: Vec<String> = fs::read_dir(&folder)
@@ -51,9 +99,6 @@ mod listed {
         let mut named = read;
         files.sort();
         named.sort_unstable();
-        assert_eq!(
-            files, named,
-            "left: the files in book/chapters, right: SUMMARY.md"
-        );
+        assert_eq!(files, named, "left: the files in book/chapters, right: SUMMARY.md");
     }
 }

@@ -15,28 +15,23 @@ use std::time::Instant;
 pub(crate) fn build() -> Result<(), String> {
     let start = Instant::now();
     let pages = build_into(None)?;
-    say!(
-        "Built {pages} pages in {:.1} s: {}",
-        start.elapsed().as_secs_f64(),
-        paths::pages().display()
-    );
+    say!("Built {pages} pages in {:.1} s: {}", start.elapsed().as_secs_f64(), paths::pages().display());
     Ok(())
 }
 
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
 fn build_into(destination: Option<&Path>) -> Result<usize, String> {
-    let (built, complaints) =
-        log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
-            let mut book = MDBook::load(paths::book())?;
-            if let Some(folder) = destination {
-                book.config.build.build_dir = folder.to_owned();
-            }
-            // book.toml names our preprocessor as a command, for those who run mdBook itself. Here it
-            // is at hand: ours of the same name takes the place of the command.
-            book.with_preprocessor(Preprocess);
-            book.build()?;
-            Ok(book.build_dir_for("html"))
-        });
+    let (built, complaints) = log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
+        let mut book = MDBook::load(paths::book())?;
+        if let Some(folder) = destination {
+            book.config.build.build_dir = folder.to_owned();
+        }
+        // book.toml names our preprocessor as a command, for those who run mdBook itself. Here it
+        // is at hand: ours of the same name takes the place of the command.
+        book.with_preprocessor(Preprocess);
+        book.build()?;
+        Ok(book.build_dir_for("html"))
+    });
     let folder = built.map_err(|e| format!("the book was not built.\n{e:#}"))?;
     if complaints > 0 {
         return Err(format!("mdBook complained {complaints} times, see above"));
@@ -85,10 +80,6 @@ mod tests {
         fs::write(folder.path().join("a.html"), "fine").unwrap();
         assert_eq!(left_directives(folder.path()), Ok(1));
         fs::write(folder.path().join("b.html"), "{{#include missing.rs}}").unwrap();
-        assert!(
-            left_directives(folder.path())
-                .unwrap_err()
-                .contains("b.html")
-        );
+        assert!(left_directives(folder.path()).unwrap_err().contains("b.html"));
     }
 }

@@ -1,9 +1,11 @@
 //! What was asked for on the command line, and carrying it out.
 
-use crate::{build, draw, nearest, paths, preprocess, say};
+use crate::{build, complain, draw, guard, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::Instant;
 use tumbling_figures::{Figure, registry};
 
@@ -16,6 +18,10 @@ Draws the figures of the book and builds its pages.
                                                figures that are not what would be drawn
     cargo run --release -- list                name, chapter and subject of each figure
     cargo run --release -- build               build the book from the figures as they are
+    cargo run --release -- check [DIR]         say what number of the chapters (in DIR, else the book's
+                                               own) nothing holds: exit 1; 2 where something cannot be read
+    cargo run --release -- check --mutants     alter the book's numbers one digit at a time, and count
+                                               the alterations that go unnoticed
     cargo run --release -- --help              this text
 
 The pages land in book/html/; open book/html/index.html in any browser, no server needed.
@@ -31,17 +37,13 @@ pub(crate) enum Asked {
     Help,
     List,
     Build,
-    Figures {
-        names: Vec<&'static Figure>,
-        check: bool,
-    },
+    Figures { names: Vec<&'static Figure>, check: bool },
+    Check { folder: Option<PathBuf>, mutants: bool },
     Preprocess,
-    Supports {
-        renderer: String,
-    },
+    Supports { renderer: String },
 }
 
-const COMMANDS: [&str; 5] = ["figures", "list", "build", "help", "preprocess"];
+const COMMANDS: [&str; 6] = ["figures", "check", "list", "build", "help", "preprocess"];
 
 /// Reads the arguments that follow the program's name.
 ///
@@ -52,11 +54,18 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut parser = lexopt::Parser::from_args(args);
     let mut words = Vec::new();
     let mut check = false;
+    let mut mutants = false;
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
             Short('h') | Long("help") => return Ok(Asked::Help),
             Long("check") => check = true,
+            Long("mutants") => mutants = true,
             Value(word) => words.push(word.to_string_lossy().into_owned()),
+            Long(unknown) => {
+                let unknown = format!("--{unknown}");
+                let near = nearest::perhaps(&unknown, ["--help", "--check", "--mutants"]);
+                return Err(format!("There is no option `{unknown}`.{near}"));
+            }
             other => return Err(other.unexpected().to_string()),
         }
     }
@@ -66,33 +75,33 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     if check && command.as_deref() != Some("figures") {
         return Err("`--check` goes with `figures`.".into());
     }
+    if mutants && command.as_deref() != Some("check") {
+        return Err("`--mutants` goes with `check`.".into());
+    }
     match command.as_deref() {
         None => Ok(Asked::Everything),
-        Some("figures") => Ok(Asked::Figures {
-            names: named(&rest, registry())?,
-            check,
-        }),
+        Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
+        Some("check") => match rest.as_slice() {
+            [] => Ok(Asked::Check { folder: None, mutants }),
+            [folder] => Ok(Asked::Check { folder: Some(folder.into()), mutants }),
+            [_, extra, ..] => Err(format!("`check` takes one folder, but got `{extra}` besides.")),
+        },
         Some("preprocess") => match rest.as_slice() {
             [] => Ok(Asked::Preprocess),
-            [word, renderer] if word == "supports" => Ok(Asked::Supports {
-                renderer: renderer.clone(),
-            }),
+            [word, renderer] if word == "supports" => Ok(Asked::Supports { renderer: renderer.clone() }),
             _ => Err("`preprocess` takes nothing, or `supports RENDERER`.".into()),
         },
         Some(word @ ("list" | "build" | "help")) => match rest.first() {
-            Some(extra) => Err(format!(
-                "`{word}` takes no further word, but got `{extra}`."
-            )),
+            Some(extra) => Err(format!("`{word}` takes no further word, but got `{extra}`.")),
             None => Ok(match word {
                 "list" => Asked::List,
                 "build" => Asked::Build,
                 _ => Asked::Help,
             }),
         },
-        Some(unknown) => Err(format!(
-            "There is no command `{unknown}`.{}",
-            nearest::perhaps(unknown, COMMANDS)
-        )),
+        Some(unknown) => {
+            Err(format!("There is no command `{unknown}`.{}", nearest::perhaps(unknown, COMMANDS)))
+        }
     }
 }
 
@@ -104,14 +113,12 @@ fn named(names: &[String], all: &'static [Figure]) -> Result<Vec<&'static Figure
     names
         .iter()
         .map(|name| {
-            all.iter()
-                .find(|figure| figure.name == name)
-                .ok_or_else(|| {
-                    format!(
-                        "There is no figure `{name}`.{} `-- list` lists them all.",
-                        nearest::perhaps(name, all.iter().map(|figure| figure.name))
-                    )
-                })
+            all.iter().find(|figure| figure.name == name).ok_or_else(|| {
+                format!(
+                    "There is no figure `{name}`.{} `-- list` lists them all.",
+                    nearest::perhaps(name, all.iter().map(|figure| figure.name))
+                )
+            })
         })
         .collect()
 }
@@ -120,21 +127,29 @@ fn named(names: &[String], all: &'static [Figure]) -> Result<Vec<&'static Figure
 ///
 /// # Errors
 /// What went wrong, in words for whoever typed the command.
-pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
+pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
     match asked {
         Asked::Help => say!("{HELP}"),
         Asked::List => say!("{}", listing(registry())),
         Asked::Figures { names, check: true } => draw::check(&names, &paths::figures())?,
-        Asked::Figures {
-            names,
-            check: false,
-        } => draw::draw(&names, &paths::figures())?,
+        Asked::Figures { names, check: false } => draw::draw(&names, &paths::figures())?,
+        Asked::Check { folder, mutants } => {
+            let folder = folder.unwrap_or_else(paths::chapters);
+            let told = if mutants { alterations(&folder) } else { checked(&folder) };
+            return Ok(match told {
+                Ok(true) => ExitCode::SUCCESS,
+                Ok(false) => ExitCode::FAILURE,
+                Err(wrong) => {
+                    complain!("error: {wrong}");
+                    ExitCode::from(2)
+                }
+            });
+        }
         Asked::Build => build::build()?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
+        // mdBook asks by the exit code alone, and a no is no error.
         Asked::Supports { renderer } => {
-            if !preprocess::supports(&renderer) {
-                return Err(format!("nothing to do for the renderer `{renderer}`").into());
-            }
+            return Ok(if preprocess::supports(&renderer) { ExitCode::SUCCESS } else { ExitCode::FAILURE });
         }
         Asked::Everything => {
             let start = Instant::now();
@@ -144,7 +159,43 @@ pub(crate) fn run(asked: Asked) -> Result<(), Box<dyn Error>> {
             say!("{}", paths::pages().join("index.html").display());
         }
     }
-    Ok(())
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Tells what the guard found; whether that was nothing.
+fn checked(folder: &Path) -> Result<bool, String> {
+    let report = guard::check(folder)?;
+    for offence in &report.offences {
+        say!("{offence}");
+    }
+    say!("{report}");
+    Ok(report.offences.is_empty())
+}
+
+/// Tells what became of each alteration; whether those of numbers were all noticed.
+fn alterations(folder: &Path) -> Result<bool, String> {
+    let tallies = guard::alterations(folder)?;
+    say!(
+        "{:18} {:>12} {:>10} {:>22} {:>11}",
+        "altered, noticed",
+        "numbers",
+        "words",
+        "assertions",
+        "tolerances"
+    );
+    let mut all = guard::Tally { name: "the book".into(), ..guard::Tally::default() };
+    for tally in &tallies {
+        all.add(tally);
+        say!("{tally}");
+    }
+    say!("{all}");
+    say!(
+        "(assertions: noticed by the guard + only by the assertion itself; a tolerance altered may leave it true)"
+    );
+    for survivor in &all.survivors {
+        say!("unnoticed: {survivor}");
+    }
+    Ok(all.text.killed == all.text.made)
 }
 
 fn listing(all: &[Figure]) -> String {
@@ -177,10 +228,10 @@ mod tests {
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
-        assert!(matches!(
-            parsed(&["figures", "--check"]),
-            Ok(Asked::Figures { check: true, .. })
-        ));
+        assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
+        assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, mutants: false })));
+        assert!(matches!(parsed(&["check", "x"]), Ok(Asked::Check { folder: Some(_), mutants: false })));
+        assert!(matches!(parsed(&["check", "--mutants"]), Ok(Asked::Check { folder: None, mutants: true })));
         assert!(matches!(parsed(&["preprocess"]), Ok(Asked::Preprocess)));
         assert!(
             matches!(parsed(&["preprocess", "supports", "html"]), Ok(Asked::Supports { renderer }) if renderer == "html")
@@ -192,17 +243,13 @@ mod tests {
         let answer = parsed(&["biuld"]).unwrap_err();
         assert_eq!(answer, "There is no command `biuld`. Did you mean `build`?");
         let answer = parsed(&["figures", "no-such-figure-at-all"]).unwrap_err();
-        assert!(
-            answer.starts_with("There is no figure `no-such-figure-at-all`."),
-            "{answer}"
-        );
-        assert!(parsed(&["--chekc"]).is_err());
+        assert!(answer.starts_with("There is no figure `no-such-figure-at-all`."), "{answer}");
+        let answer = parsed(&["figures", "--chekc"]).unwrap_err();
+        assert!(answer.starts_with("There is no option `--chekc`. Did you mean `--check`"), "{answer}");
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
-        assert!(
-            parsed(&["list", "--check"])
-                .unwrap_err()
-                .contains("`figures`")
-        );
+        assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
+        assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));
+        assert!(parsed(&["figures", "--mutants"]).unwrap_err().contains("`check`"));
     }
 }

@@ -29,9 +29,7 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
                 return Ok("as it was");
             }
             changed += 1;
-            fs::write(&file, svg)
-                .map(|()| "new")
-                .map_err(|e| format!("cannot write {}: {e}", file.display()))
+            fs::write(&file, svg).map(|()| "new").map_err(|e| format!("cannot write {}: {e}", file.display()))
         });
         match outcome {
             Ok(news) => say!("  {:24} {:6.2} s  {news}", figure.name, took.as_secs_f64()),
@@ -41,11 +39,7 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     if !failures.is_empty() {
         return Err(failures.join("\n"));
     }
-    say!(
-        "Drew {} figures ({changed} changed) in {:.1} s.",
-        figures.len(),
-        start.elapsed().as_secs_f64()
-    );
+    say!("Drew {} figures ({changed} changed) in {:.1} s.", figures.len(), start.elapsed().as_secs_f64());
     Ok(())
 }
 
@@ -61,10 +55,7 @@ pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
         Ok(svg) => match fs::read(file_of(figure, folder)) {
             Err(_) => wrong.push(format!("  {}: the file is missing", figure.name)),
             Ok(old) if old != svg.as_bytes() => {
-                wrong.push(format!(
-                    "  {}: the file is not what would be drawn",
-                    figure.name
-                ));
+                wrong.push(format!("  {}: the file is not what would be drawn", figure.name));
             }
             Ok(_) => {}
         },
@@ -104,9 +95,7 @@ fn file_of(figure: &Figure, folder: &Path) -> PathBuf {
 fn each_drawn<'a>(figures: &[&'a Figure], mut take: impl FnMut(Drawn<'a>)) {
     let next = AtomicUsize::new(0);
     let (send, receive) = mpsc::channel::<Drawn<'a>>();
-    let workers = thread::available_parallelism()
-        .map_or(1, usize::from)
-        .min(figures.len());
+    let workers = thread::available_parallelism().map_or(1, usize::from).min(figures.len());
     thread::scope(|scope| {
         for _ in 0..workers {
             let (send, next) = (send.clone(), &next);
@@ -127,12 +116,39 @@ fn each_drawn<'a>(figures: &[&'a Figure], mut take: impl FnMut(Drawn<'a>)) {
 }
 
 fn words_of(panic: &(dyn Any + Send)) -> String {
-    let words = panic
-        .downcast_ref::<String>()
-        .map(String::as_str)
-        .or_else(|| panic.downcast_ref::<&str>().copied());
-    format!(
-        "its program panicked: {}",
-        words.unwrap_or("without a word")
-    )
+    let words =
+        panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
+    format!("its program panicked: {}", words.unwrap_or("without a word"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paths;
+
+    #[test]
+    fn a_drawing_that_no_figure_draws_is_named() {
+        let folder = tempfile::TempDir::new().unwrap();
+        fs::write(folder.path().join("left-over.svg"), "<svg></svg>").unwrap();
+        fs::write(folder.path().join("lib.rs"), "").unwrap();
+        assert_eq!(strays(&[], folder.path()), ["  left-over.svg: no figure draws it"]);
+    }
+
+    #[test]
+    fn every_figure_is_drawn_and_shown_in_its_chapter() {
+        let missing: Vec<String> = registry()
+            .iter()
+            .filter_map(|figure| {
+                if !file_of(figure, &paths::figures()).is_file() {
+                    return Some(format!("figures/{}.svg is not there", figure.name));
+                }
+                let chapter = format!("book/chapters/{}.md", figure.chapter);
+                let file = paths::book().join("chapters").join(format!("{}.md", figure.chapter));
+                let text = fs::read_to_string(file).unwrap_or_default();
+                let shown = text.contains(&format!("figures/{}.svg)", figure.name));
+                (!shown).then(|| format!("{chapter} does not show the figure {}", figure.name))
+            })
+            .collect();
+        assert!(missing.is_empty(), "{}", missing.join("\n"));
+    }
 }

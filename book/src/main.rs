@@ -3,6 +3,7 @@
 mod build;
 mod cli;
 mod draw;
+mod guard;
 mod log;
 mod nearest;
 mod paths;
@@ -38,7 +39,7 @@ fn main() -> ExitCode {
         }
     };
     match cli::run(asked) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(reason) => {
             complain!("error: {reason}");
             ExitCode::FAILURE

@@ -14,11 +14,7 @@ pub(crate) fn perhaps<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>)
         .filter(|(likeness, _)| *likeness >= 0.45)
         .collect();
     near.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-    let names: Vec<String> = near
-        .iter()
-        .take(3)
-        .map(|(_, name)| format!("`{name}`"))
-        .collect();
+    let names: Vec<String> = near.iter().take(3).map(|(_, name)| format!("`{name}`")).collect();
     match names.as_slice() {
         [] => String::new(),
         [one] => format!(" Did you mean {one}?"),
@@ -33,10 +29,7 @@ mod tests {
     #[test]
     fn near_names_come_nearest_first_and_far_ones_not_at_all() {
         let known = ["two-arrows", "two-axes", "polhodes", "gap-by-direction"];
-        assert_eq!(
-            perhaps("two-arows", known),
-            " Did you mean `two-arrows` or `two-axes`?"
-        );
+        assert_eq!(perhaps("two-arows", known), " Did you mean `two-arrows` or `two-axes`?");
         assert_eq!(perhaps("Polhode", known), " Did you mean `polhodes`?");
         assert_eq!(perhaps("gap", known), " Did you mean `gap-by-direction`?");
         assert_eq!(perhaps("zzzzzzzz", known), "");

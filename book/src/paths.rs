@@ -7,10 +7,20 @@ pub(crate) fn book() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
+/// The folder of the chapters.
+pub(crate) fn chapters() -> PathBuf {
+    book().join("chapters")
+}
+
+/// The folder of the repository.
+pub(crate) fn repository() -> &'static Path {
+    // `CARGO_MANIFEST_DIR` is absolute and never the root of the file system.
+    book().parent().unwrap_or(book())
+}
+
 /// The folder of the drawn figures.
 pub(crate) fn figures() -> PathBuf {
-    // `CARGO_MANIFEST_DIR` is absolute and never the root of the file system.
-    book().parent().unwrap_or(book()).join("figures")
+    repository().join("figures")
 }
 
 /// The folder the pages are built into.

@@ -2,7 +2,15 @@
 //!
 //! [`registry`] lists them; asking one to [`draw`](Figure::draw) computes and draws only that one.
 //! A drawing is a complete SVG document, the same bytes on every run, with a title and a
-//! description inside that say what it shows.
+//! description inside that say what it shows. Its colours are custom properties (`--fig-omega` for the spin,
+//! `--fig-momentum`, `--fig-axis-min`, `--fig-axis-mid`, `--fig-axis-max`, `--fig-separatrix`, `--fig-wrong`,
+//! `--fig-surface`, `--fig-paper`, `--fig-faint`; everything else is `currentColor`), so that a page
+//! which holds it sets them; opened by itself it has its own, for a light and for a dark ground.
+
+mod draw;
+mod figures;
+mod ink;
+mod motion;
 
 /// One figure of the book.
 #[derive(Debug, Clone, Copy)]
@@ -13,7 +21,7 @@ pub struct Figure {
     pub shows: &'static str,
     /// The chapter's file name without its ending, for instance `two-arrows`.
     pub chapter: &'static str,
-    draw: fn() -> Result<String, Box<dyn std::error::Error>>,
+    draw: fn() -> Result<figures::Picture, Box<dyn std::error::Error>>,
 }
 
 impl Figure {
@@ -22,12 +30,13 @@ impl Figure {
     /// # Errors
     /// What the library or the drawing backend reported.
     pub fn draw(&self) -> Result<String, Box<dyn std::error::Error>> {
-        (self.draw)()
+        let figures::Picture { canvas, description } = (self.draw)()?;
+        Ok(canvas.finish(self.name, self.shows, &description))
     }
 }
 
 /// Every figure, in the order of the book.
 #[must_use]
 pub fn registry() -> &'static [Figure] {
-    &[]
+    &figures::ALL
 }

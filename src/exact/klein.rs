@@ -2,15 +2,15 @@
 //!
 //! With the circled axis as `i` and the next two in cyclic order as `j` and `k = i j`, write the quaternion that
 //! takes the body to axes with `i` along the momentum as `a + b j`. Both complex numbers are, up to one
-//! common length and one common phase that grows evenly with time, single theta functions of the nome squared
-//! [KS97](crate::references); [vZS07](crate::references) have the same for the rotation matrix:
+//! common length and one common phase that grows evenly with time, single theta functions of the nome squared:
 //!
 //! ```text
 //! a ~ theta_4(z - i s B),   b ~ theta_1(z - i s B)
 //! ```
 //!
-//! since `|a|² = (1 + n)/2` and `|b|² = (1 - n)/2`, with `n` the momentum's share along the circled axis, have their
-//! zeros where `n` is -1 and 1. The length is found by making the quaternion one of length 1; nothing has to
+//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) have the rotation
+//! matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 - n)/2`, with `n`
+//! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the quaternion one of length 1; nothing has to
 //! be integrated, no angle unwound.
 
 use crate::double::Double;

@@ -7,7 +7,8 @@ use crate::wide::Wide;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// The moment of a ball about any axis through its centre: `2/5 m r²`. Source: [EulTM](crate::references).
+/// The moment of a ball about any axis through its centre: `2/5 m r²`. Source:
+/// [LL76](crate::references), section 32, problem 2b.
 ///
 /// ```
 /// assert_eq!(tumbling::solid::ball_moment(&10.0, &3.0), 36.0);

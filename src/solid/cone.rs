@@ -9,7 +9,8 @@ use num_traits::Zero;
 use std::f64::consts::PI;
 
 /// The moments of a full cone about its centre of mass: `3/80 m (4r² + h²)` across, `3/10 m r²` along its
-/// axis, z. Source: [EulTM](crate::references).
+/// axis, z. Source:
+/// [LL76](crate::references), section 32, problem 2e.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -6,7 +6,8 @@ use crate::scalar::Field;
 use crate::wide::Wide;
 use nalgebra::Vector3;
 
-/// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source: [EulTM](crate::references).
+/// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source:
+/// [LL76](crate::references), section 32, problem 2d.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// The moments of a full cylinder about its centre: `m/12 (3r² + h²)` across, `m r²/2` along its axis, z.
-/// Source: [EulTM](crate::references).
+/// Source: [LL76](crate::references), section 32, problem 2c.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -7,8 +7,8 @@ use crate::wide::Wide;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// The moments of a thin disk in the xy plane about its centre: `m r²/4` across, `m r²/2` about z. Source:
-/// [EulTM](crate::references).
+/// The moments of a thin disk in the xy plane about its centre: `m r²/4` across, `m r²/2` about z.
+/// A cylinder without height: [LL76](crate::references), section 32, problem 2c.
 ///
 /// ```
 /// use nalgebra::Vector3;

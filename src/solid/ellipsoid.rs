@@ -7,7 +7,8 @@ use crate::wide::Wide;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and so on round. Source: [EulTM](crate::references).
+/// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and so on round. Source:
+/// [LL76](crate::references), section 32, problem 2f.
 ///
 /// ```
 /// use nalgebra::Vector3;

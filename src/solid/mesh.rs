@@ -45,8 +45,8 @@ pub fn mesh_sums<'a, T: Ring>(
 ) -> MeshSums<T> {
     let mut sums = MeshSums { six_volumes: T::zero(), first: Vector3::zeros(), second: Matrix3::zeros() };
     for triangle in triangles {
+        let six_volumes = spanned(triangle, reference, |v| triple(v[0], v[1], v[2]));
         let [a, b, c] = triangle.map(|vertex| vertex - reference);
-        let six_volumes = triple(&a, &b, &c);
         let s = &a + &b + &c;
         let mut second: Matrix3<T> = Matrix3::zeros();
         for v in [&a, &b, &c, &s] {
@@ -78,6 +78,17 @@ pub fn mesh_moments<T: Field>(sums: &MeshSums<T>, reference: &Vector3<T>) -> Mas
     let spread = about_reference - &middle * middle.transpose() * mass.clone();
     let inertia = Matrix3::from_diagonal_element(spread.trace()) - spread;
     MassMoments { mass, centre: reference + middle, inertia }
+}
+
+/// `measure` of three vectors that span what a triangle and the reference point span: to one corner, and
+/// along two edges. Of the three corners' own vectors it would be the same number, but far from the
+/// reference these are long and nearly parallel, and rounding would drown a small face.
+fn spanned<T: Ring, M>(
+    [a, b, c]: [&Vector3<T>; 3],
+    reference: &Vector3<T>,
+    measure: impl FnOnce([&Vector3<T>; 3]) -> M,
+) -> M {
+    measure([&(a - reference), &(b - a), &(c - a)])
 }
 
 /// `a . (b x c)`.
@@ -191,9 +202,8 @@ fn enclosed<'a>(
 ) -> Result<(), Error> {
     let (mut six_volumes, mut size, mut count) = (Wide::zero(), Wide::zero(), 0.0);
     for triangle in triangles {
-        let [a, b, c] = triangle.map(|v| v - reference);
-        let (determinant, bound) = determinant([&a, &b, &c]);
-        six_volumes += determinant;
+        let (term, bound) = spanned(triangle, reference, determinant);
+        six_volumes += term;
         size += bound;
         count += 1.0;
     }

@@ -7,7 +7,8 @@ use crate::wide::Wide;
 use nalgebra::Vector3;
 
 /// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about
-/// z, as for everything flat. Source: [EulTM](crate::references).
+/// z, as for everything flat.
+/// A box without thickness: [LL76](crate::references), section 32, problem 2d.
 ///
 /// ```
 /// use nalgebra::Vector3;

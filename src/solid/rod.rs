@@ -6,8 +6,8 @@ use crate::scalar::Field;
 use crate::wide::Wide;
 use nalgebra::Vector3;
 
-/// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source: [EulTM](crate::references),
-///.
+/// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
+/// [LL76](crate::references), section 32, problem 2a.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! The classical fourth-order Runge-Kutta method [Kut01], for any number type.
+//! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
 
 use crate::scalar::Field;
 use nalgebra::{Quaternion, Vector3};

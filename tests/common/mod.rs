@@ -1,5 +1,8 @@
-//! Exact arithmetic for tests: what the library computes in `f64`, computed here without rounding.
+//! Shared by the tests: exact arithmetic, what to draw bodies and motions from, and ([`cloud`]) mass sampled
+//! point by point.
 #![allow(dead_code)] // each test program uses its own part
+
+pub mod cloud;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;

@@ -22,14 +22,10 @@ pub(super) fn faults(source: &Source<'_>, pieces: &[Piece<'_>]) -> Vec<String> {
                 // An escaped dollar begins its own text, right after the backslash.
                 let escaped = source.text[..range.start].ends_with('\\');
                 let text = &source.text[range.clone()];
-                if let Some(at) = text
-                    .bytes()
-                    .skip(usize::from(escaped))
-                    .position(|b| b == b'$')
-                {
-                    let what = "a dollar sign that neither begins nor ends maths \
-                                (a blank line inside, a line inside that begins like a list, \
-                                a space just after it?); a plain one is written `\\$`";
+                if let Some(at) = text.bytes().skip(usize::from(escaped)).position(|b| b == b'$') {
+                    let what = "a dollar sign that neither begins nor ends maths (inside it a blank \
+                                line, a line that begins like a list, or braces that do not \
+                                balance? a space just after it?); a plain one is written `\\$`";
                     faults.push(source.fault(range.start + usize::from(escaped) + at, what));
                 }
             }

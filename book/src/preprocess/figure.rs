@@ -31,9 +31,7 @@ pub(super) fn replace(
             let placed = if depth == 1 { placed(pieces, at) } else { None };
             let html = match &placed {
                 Some(_) => opening(source, &name, &words(&pieces[at..]), folders, shown),
-                None => {
-                    Err("a figure stands in a paragraph of its own, in no list and no quote".into())
-                }
+                None => Err("a figure stands in a paragraph of its own, in no list and no quote".into()),
             };
             match (placed, html) {
                 (Some(place), Ok(html)) => place.edit(html, edits),
@@ -63,8 +61,7 @@ pub(super) fn lay_out(shown: &Shown, folder: &Path) -> Result<(), String> {
         if fs::read(&file).is_ok_and(|old| old == drawing.alone().as_bytes()) {
             continue;
         }
-        fs::write(&file, drawing.alone())
-            .map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        fs::write(&file, drawing.alone()).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
     }
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let known = |file: &str| shown.keys().any(|name| file_name(name) == file);
@@ -80,12 +77,7 @@ fn figure_name(source: &Source<'_>, target: &str, folders: &Folders) -> Option<S
     let chapter = folders.chapters.join(source.path);
     let file = normal(&chapter.parent()?.join(target));
     (file.parent() == Some(&normal(&folders.figures)))
-        .then(|| {
-            file.file_name()?
-                .to_str()?
-                .strip_suffix(".svg")
-                .map(str::to_owned)
-        })
+        .then(|| file.file_name()?.to_str()?.strip_suffix(".svg").map(str::to_owned))
         .flatten()
 }
 
@@ -125,10 +117,7 @@ impl Place {
             Some(Caption { paragraph, inner }) => {
                 let before = self.paragraph.start..inner.start;
                 edits.replace(before, html + "<figcaption>\n\n");
-                edits.replace(
-                    inner.end..paragraph.end,
-                    "\n\n</figcaption>\n</figure>\n\n".into(),
-                );
+                edits.replace(inner.end..paragraph.end, "\n\n</figcaption>\n</figure>\n\n".into());
             }
         }
     }
@@ -139,37 +128,23 @@ fn placed(pieces: &[Piece<'_>], image: usize) -> Option<Place> {
     let (Event::Start(Tag::Paragraph), paragraph) = pieces.get(image.checked_sub(1)?)? else {
         return None;
     };
-    let end = image
-        + pieces[image..]
-            .iter()
-            .position(|(e, _)| *e == Event::End(TagEnd::Image))?;
+    let end = image + pieces[image..].iter().position(|(e, _)| *e == Event::End(TagEnd::Image))?;
     let (Event::End(TagEnd::Paragraph), _) = pieces.get(end + 1)? else {
         return None;
     };
-    Some(Place {
-        paragraph: paragraph.clone(),
-        caption: caption(&pieces[end + 2..]),
-    })
+    Some(Place { paragraph: paragraph.clone(), caption: caption(&pieces[end + 2..]) })
 }
 
 fn caption(next: &[Piece<'_>]) -> Option<Caption> {
-    let [
-        (Event::Start(Tag::Paragraph), paragraph),
-        (Event::Start(Tag::Emphasis), emphasis),
-        ..,
-    ] = next
+    let [(Event::Start(Tag::Paragraph), paragraph), (Event::Start(Tag::Emphasis), emphasis), ..] = next
     else {
         return None;
     };
-    let end = next
-        .iter()
-        .position(|(e, _)| *e == Event::End(TagEnd::Paragraph))?;
+    let end = next.iter().position(|(e, _)| *e == Event::End(TagEnd::Paragraph))?;
     // The emphasis that the paragraph begins with must be the one that it ends with.
     let (last, closing) = &next[end - 1];
-    (*last == Event::End(TagEnd::Emphasis) && closing == emphasis).then(|| Caption {
-        paragraph: paragraph.clone(),
-        inner: emphasis.start + 1..emphasis.end - 1,
-    })
+    (*last == Event::End(TagEnd::Emphasis) && closing == emphasis)
+        .then(|| Caption { paragraph: paragraph.clone(), inner: emphasis.start + 1..emphasis.end - 1 })
 }
 
 /// The description of the image that these pieces start with.
@@ -195,9 +170,7 @@ fn opening(
     shown: &mut Shown,
 ) -> Result<String, String> {
     if words.trim().is_empty() {
-        return Err(format!(
-            "the figure `{name}` needs words that say what is seen: `![words](...)`"
-        ));
+        return Err(format!("the figure `{name}` needs words that say what is seen: `![words](...)`"));
     }
     if let Some((_, earlier)) = shown.get(name) {
         return Err(format!(

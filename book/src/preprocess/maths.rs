@@ -20,10 +20,7 @@ impl Maths {
     /// # Errors
     /// What is wrong with the TeX.
     pub(super) fn shown(&self, tex: &str, display: MathDisplay) -> Result<String, String> {
-        let shown = self
-            .0
-            .convert_with_local_state(tex, display)
-            .map_err(|e| e.error_message())?;
+        let shown = self.0.convert_with_local_state(tex, display).map_err(|e| e.error_message())?;
         let math = guarded(&shown.mathml);
         Ok(match display {
             MathDisplay::Inline => math,
@@ -57,8 +54,7 @@ impl Maths {
                 _ => continue,
             };
             if in_image {
-                let what =
-                    format!("the description of an image is plain text, but holds `${tex}$`");
+                let what = format!("the description of an image is plain text, but holds `${tex}$`");
                 faults.push(source.fault(range.start, what));
                 continue;
             }
@@ -66,14 +62,7 @@ impl Maths {
                 Ok(math) if display == MathDisplay::Inline => {
                     let (range, before, after) = with_its_marks(source.text, range);
                     let shown = format!("<span class=\"math-inline\">{before}{math}{after}</span>");
-                    edits.replace(
-                        range,
-                        if before.len() + after.len() > 0 {
-                            shown
-                        } else {
-                            math
-                        },
-                    );
+                    edits.replace(range, if before.len() + after.len() > 0 { shown } else { math });
                 }
                 Ok(math) => edits.replace(range.clone(), math),
                 Err(reason) => {
@@ -93,20 +82,11 @@ fn with_its_marks<'a>(text: &'a str, range: &Range<usize>) -> (Range<usize>, &'a
     let (head, tail) = (&text[..range.start], &text[range.end..]);
     // `](` opens the target of a link, `![` an image: no marks of ours.
     let opens = head.ends_with('(') && !head.ends_with("](") && !head.ends_with("\\(");
-    let marks = tail
-        .find(|c| !".,;:!?)-–’".contains(c))
-        .unwrap_or(tail.len());
-    let marks = if tail[..marks].ends_with('!') && tail[marks..].starts_with('[') {
-        marks - 1
-    } else {
-        marks
-    };
+    let marks = tail.find(|c| !".,;:!?)-–’".contains(c)).unwrap_or(tail.len());
+    let marks =
+        if tail[..marks].ends_with('!') && tail[marks..].starts_with('[') { marks - 1 } else { marks };
     let start = range.start - usize::from(opens);
-    (
-        start..range.end + marks,
-        &text[start..range.start],
-        &tail[..marks],
-    )
+    (start..range.end + marks, &text[start..range.start], &tail[..marks])
 }
 
 /// Hides every mark that Markdown might take for its own (`_`, `*`, `|`, a line break ...) in the text

@@ -53,10 +53,7 @@ impl Preprocessor for Preprocess {
             let Some(path) = chapter.source_path.clone() else {
                 return;
             };
-            let source = Source {
-                path: &path,
-                text: &chapter.content,
-            };
+            let source = Source { path: &path, text: &chapter.content };
             match chapter_as_shown(&source, &maths, &folders, &mut shown) {
                 Ok(text) => chapter.content = text,
                 Err(more) => faults.extend(more),
@@ -93,10 +90,10 @@ impl Source<'_> {
 }
 
 /// An event of the Markdown parser and the bytes it came from.
-type Piece<'a> = (Event<'a>, Range<usize>);
+pub(crate) type Piece<'a> = (Event<'a>, Range<usize>);
 
 /// Reads Markdown as mdBook does, and maths besides.
-fn pieces(text: &str) -> Vec<Piece<'_>> {
+pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
     let options = Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
         | Options::ENABLE_STRIKETHROUGH
@@ -120,11 +117,16 @@ fn chapter_as_shown(
     let mut faults = check::faults(source, &pieces);
     faults.extend(maths.replace(source, &pieces, &mut edits));
     faults.extend(figure::replace(source, &pieces, folders, shown, &mut edits));
-    if faults.is_empty() {
-        Ok(edits.applied_to(source.text))
-    } else {
-        Err(faults)
-    }
+    if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
+}
+
+/// What is wrong with this chapter as Markdown and TeX, each with its line; figures are not looked for.
+pub(crate) fn unreadable(path: &Path, text: &str) -> Vec<String> {
+    let source = Source { path, text };
+    let pieces = pieces(text);
+    let mut faults = check::faults(&source, &pieces);
+    faults.extend(maths::Maths::new().replace(&source, &pieces, &mut Edits::default()));
+    faults
 }
 
 #[cfg(test)]

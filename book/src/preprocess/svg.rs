@@ -16,16 +16,12 @@ impl Drawing {
     pub(super) fn new(name: &str, text: String) -> Result<Self, String> {
         let fault = |what: String| Err(format!("figures/{name}.svg {what}"));
         if !text.starts_with("<svg") || !text.trim_end().ends_with("</svg>") {
-            return fault(
-                "must begin with `<svg` and end with `</svg>`: no header, one drawing".into(),
-            );
+            return fault("must begin with `<svg` and end with `</svg>`: no header, one drawing".into());
         }
         for id in ids(&text) {
             // On one page, and all on the print page, the ids of all drawings meet.
             if !id.starts_with(name) {
-                return fault(format!(
-                    "has the id `{id}`, which does not begin with the figure's name"
-                ));
+                return fault(format!("has the id `{id}`, which does not begin with the figure's name"));
             }
         }
         for outside in ["<script", "<image", "<foreignObject", "http://", "https://"] {
@@ -34,20 +30,14 @@ impl Drawing {
                 let names_a_format =
                     rest[..at].ends_with("xmlns=\"") || rest[..at].ends_with("xmlns:xlink=\"");
                 if !names_a_format {
-                    return fault(format!(
-                        "contains `{outside}`: a drawing loads nothing and runs nothing"
-                    ));
+                    return fault(format!("contains `{outside}`: a drawing loads nothing and runs nothing"));
                 }
                 rest = &rest[at + outside.len()..];
             }
         }
         let title = id_of(&text, "title");
         let description = id_of(&text, "desc");
-        Ok(Self {
-            text,
-            title,
-            description,
-        })
+        Ok(Self { text, title, description })
     }
 
     /// The drawing as a document of its own.
@@ -72,14 +62,8 @@ impl Drawing {
             });
         }
         // No blank line and no carriage return: the first would end a block of HTML in Markdown.
-        let lines: Vec<&str> = self
-            .text
-            .lines()
-            .filter(|line| !line.trim().is_empty())
-            .collect();
-        lines
-            .join("\n")
-            .replacen("<svg", &format!("<svg{named}"), 1)
+        let lines: Vec<&str> = self.text.lines().filter(|line| !line.trim().is_empty()).collect();
+        lines.join("\n").replacen("<svg", &format!("<svg{named}"), 1)
     }
 
     fn start_tag(&self) -> &str {
@@ -89,22 +73,15 @@ impl Drawing {
 
 /// The values of all `id` attributes.
 fn ids(svg: &str) -> impl Iterator<Item = &str> {
-    svg.split(" id=\"")
-        .skip(1)
-        .filter_map(|rest| rest.split('"').next())
+    svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
 }
 
 /// The id of the first element of this kind, if it has one.
 fn id_of(svg: &str, element: &str) -> Option<String> {
     let start = svg.find(&format!("<{element} "))?;
-    ids(svg[start..].split('>').next()?)
-        .next()
-        .map(str::to_owned)
+    ids(svg[start..].split('>').next()?).next().map(str::to_owned)
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('"', "&quot;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    text.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -25,17 +25,9 @@ fn shown_with(svg: &str, text: &str) -> std::result::Result<String, String> {
         chapters: repository.path().join("book/chapters"),
         figures: repository.path().join("figures"),
     };
-    let source = Source {
-        path: Path::new("x.md"),
-        text,
-    };
-    chapter_as_shown(
-        &source,
-        &maths::Maths::new(),
-        &folders,
-        &mut figure::Shown::new(),
-    )
-    .map_err(|faults| faults.join("\n"))
+    let source = Source { path: Path::new("x.md"), text };
+    chapter_as_shown(&source, &maths::Maths::new(), &folders, &mut figure::Shown::new())
+        .map_err(|faults| faults.join("\n"))
 }
 
 fn shown(text: &str) -> std::result::Result<String, String> {
@@ -46,32 +38,18 @@ fn shown(text: &str) -> std::result::Result<String, String> {
 fn inline_and_display_maths_become_mathml() {
     let out = shown("Let $I$ be.\n\n$$\n\\mathbf{L} = I\\,\\boldsymbol{\\omega}\n$$\n").unwrap();
     assert!(out.starts_with("Let <math><mi>I</mi></math> be."), "{out}");
-    assert!(
-        out.contains("<span class=\"math-display\"><math display=\"block\">"),
-        "{out}"
-    );
+    assert!(out.contains("<span class=\"math-display\"><math display=\"block\">"), "{out}");
     assert!(!out.contains('$'), "{out}");
 }
 
 #[test]
 fn what_markdown_could_take_for_its_own_is_hidden() {
     let out = shown("$a_1 * b_2 * c' | d$ and\n\n$$\nx +\ny \\text{a\\_b*c*}\n$$\n").unwrap();
-    let between_tags: String = out
-        .split('<')
-        .filter_map(|tag| tag.split_once('>'))
-        .map(|t| t.1)
-        .collect();
-    let bare: Vec<char> = between_tags
-        .chars()
-        .filter(|c| "_*|`~[]\\".contains(*c))
-        .collect();
+    let between_tags: String = out.split('<').filter_map(|tag| tag.split_once('>')).map(|t| t.1).collect();
+    let bare: Vec<char> = between_tags.chars().filter(|c| "_*|`~[]\\".contains(*c)).collect();
     assert!(bare.is_empty(), "{bare:?} in {between_tags}");
     // The formula is one line: Markdown ends a block of HTML at a blank one.
-    assert!(
-        out.lines()
-            .any(|line| line.starts_with("<span") && line.ends_with("</span>")),
-        "{out}"
-    );
+    assert!(out.lines().any(|line| line.starts_with("<span") && line.ends_with("</span>")), "{out}");
 }
 
 #[test]
@@ -102,13 +80,11 @@ fn a_formula_keeps_the_marks_that_cling_to_it() {
 
 #[test]
 fn maths_works_in_headings_lists_quotes_tables_and_footnotes() {
-    let text = "# The $I$\n\n- one $a$\n\n> $$b$$\n\n| $c$ | d |\n|---|---|\n| $e$ | $f$ |\n\nx[^1]\n\n[^1]: $g$\n";
+    let text =
+        "# The $I$\n\n- one $a$\n\n> $$b$$\n\n| $c$ | d |\n|---|---|\n| $e$ | $f$ |\n\nx[^1]\n\n[^1]: $g$\n";
     let out = shown(text).unwrap();
     assert_eq!(out.matches("<math").count(), 7, "{out}");
-    assert!(
-        out.contains("# The <math>") && out.contains("> <span class=\"math-display\">"),
-        "{out}"
-    );
+    assert!(out.contains("# The <math>") && out.contains("> <span class=\"math-display\">"), "{out}");
     assert!(out.contains("| <math><mi>e</mi></math> |"), "{out}");
 }
 
@@ -117,14 +93,8 @@ fn tex_that_cannot_be_shown_names_its_file_its_line_and_itself() {
     let faults = shown("# A\n\nFine: $x$.\nBroken: $\\frac{1}$ and $\\nosuch$.\n").unwrap_err();
     let lines: Vec<&str> = faults.lines().collect();
     assert_eq!(lines.len(), 2, "{faults}");
-    assert!(
-        lines[0].starts_with("book/chapters/x.md:4: ") && lines[0].contains("`\\frac{1}`"),
-        "{faults}"
-    );
-    assert!(
-        lines[1].starts_with("book/chapters/x.md:4: ") && lines[1].contains("`\\nosuch`"),
-        "{faults}"
-    );
+    assert!(lines[0].starts_with("book/chapters/x.md:4: ") && lines[0].contains("`\\frac{1}`"), "{faults}");
+    assert!(lines[1].starts_with("book/chapters/x.md:4: ") && lines[1].contains("`\\nosuch`"), "{faults}");
 }
 
 #[test]
@@ -132,38 +102,23 @@ fn lines_are_counted_with_windows_line_ends_too() {
     let faults = shown("# A\r\n\r\ntext\r\n\r\n$$\r\n\\nosuch\r\n$$\r\n").unwrap_err();
     assert!(faults.starts_with("book/chapters/x.md:5: "), "{faults}");
     let out = shown("$$\r\nx\r\n$$\r\n").unwrap();
-    assert_eq!(
-        out,
-        "<span class=\"math-display\"><math display=\"block\"><mi>x</mi></math></span>\r\n"
-    );
+    assert_eq!(out, "<span class=\"math-display\"><math display=\"block\"><mi>x</mi></math></span>\r\n");
 }
 
 #[test]
 fn a_dollar_that_is_neither_maths_nor_escaped_is_a_fault() {
-    for text in [
-        "It costs $5.\n",
-        "a\n\n$$\nx\n\ny\n$$\n",
-        "spaces $ x $ here\n",
-        "\\$5 or $6\n",
-    ] {
+    for text in ["It costs $5.\n", "a\n\n$$\nx\n\ny\n$$\n", "spaces $ x $ here\n", "\\$5 or $6\n"] {
         let faults = shown(text).unwrap_err();
         assert!(faults.contains("dollar sign"), "{text:?}: {faults}");
     }
-    assert!(
-        shown("a\n\nb $5\n")
-            .unwrap_err()
-            .starts_with("book/chapters/x.md:3: ")
-    );
+    assert!(shown("a\n\nb $5\n").unwrap_err().starts_with("book/chapters/x.md:3: "));
 }
 
 #[test]
 fn code_without_a_language_is_a_fault() {
     for text in ["a\n\n```\nlet x;\n```\n", "a\n\n    indented\n"] {
         let faults = shown(text).unwrap_err();
-        assert!(
-            faults.starts_with("book/chapters/x.md:3: code of no language"),
-            "{faults}"
-        );
+        assert!(faults.starts_with("book/chapters/x.md:3: code of no language"), "{faults}");
     }
     assert!(shown("```rust,standalone_crate\nfn main() {}\n```\n").is_ok());
 }
@@ -182,10 +137,7 @@ fn a_figure_becomes_its_drawing_with_its_caption() {
         assert!(out.contains(expected), "{expected}\nin\n{out}");
     }
     let html = &out[out.find("<figure").unwrap()..out.find("<figcaption").unwrap()];
-    assert!(
-        html.lines().all(|line| !line.trim().is_empty()),
-        "a blank line would end the HTML: {html}"
-    );
+    assert!(html.lines().all(|line| !line.trim().is_empty()), "a blank line would end the HTML: {html}");
     assert!(!html.contains('\r'), "{html:?}");
 }
 
@@ -194,10 +146,7 @@ fn a_paragraph_that_only_begins_with_emphasis_is_no_caption() {
     let image = "![Two arrows.](../../figures/arrows.svg)\n\n";
     for text in ["*Not* a caption.\n", "*One* and *two*\n", "Plain.\n", ""] {
         let out = shown(&format!("{image}{text}")).unwrap();
-        assert!(
-            out.contains("</figure>") && !out.contains("<figcaption>"),
-            "{out}"
-        );
+        assert!(out.contains("</figure>") && !out.contains("<figcaption>"), "{out}");
         assert!(out.ends_with(text), "{out}");
     }
 }
@@ -206,21 +155,14 @@ fn a_paragraph_that_only_begins_with_emphasis_is_no_caption() {
 fn a_figure_that_is_wrong_says_how() {
     let wrong = |text: &str| shown(text).unwrap_err();
     let missing = wrong("a\n\n![What.](../../figures/none.svg)\n");
-    assert!(
-        missing.starts_with("book/chapters/x.md:3: there is no drawing figures/none.svg"),
-        "{missing}"
-    );
+    assert!(missing.starts_with("book/chapters/x.md:3: there is no drawing figures/none.svg"), "{missing}");
     assert!(wrong("![](../../figures/arrows.svg)\n").contains("words"));
     assert!(wrong("See ![A](../../figures/arrows.svg) here.\n").contains("paragraph of its own"));
     assert!(wrong("- ![A](../../figures/arrows.svg)\n").contains("paragraph of its own"));
     assert!(wrong("> ![A](../../figures/arrows.svg)\n").contains("paragraph of its own"));
     assert!(wrong("![The $I$](../../figures/arrows.svg)\n").contains("plain text"));
     let twice = "![A](../../figures/arrows.svg)\n\n![A](../../figures/arrows.svg)\n";
-    assert!(
-        wrong(twice).contains("shown already in x.md"),
-        "{}",
-        wrong(twice)
-    );
+    assert!(wrong(twice).contains("shown already in x.md"), "{}", wrong(twice));
 }
 
 #[test]
@@ -230,10 +172,7 @@ fn a_drawing_that_may_not_stand_in_a_page_says_why() {
         ("<?xml version=\"1.0\"?><svg></svg>", "must begin with"),
         ("<svg><g id=\"clip\"/></svg>", "`clip`"),
         ("<svg><script>1</script></svg>", "`<script`"),
-        (
-            "<svg><image href=\"https://example.org/x.png\"/></svg>",
-            "`<image`",
-        ),
+        ("<svg><image href=\"https://example.org/x.png\"/></svg>", "`<image`"),
         ("<svg><a href=\"https://example.org\"/></svg>", "`https://`"),
     ] {
         let faults = shown_with(svg, text).unwrap_err();
@@ -243,15 +182,8 @@ fn a_drawing_that_may_not_stand_in_a_page_says_why() {
 
 #[test]
 fn a_drawing_without_a_title_is_known_by_the_words_of_the_chapter() {
-    let out = shown_with(
-        "<svg><path/></svg>",
-        "![Left & \"right\"](../../figures/arrows.svg)\n",
-    )
-    .unwrap();
-    assert!(
-        out.contains("<svg role=\"img\" aria-label=\"Left &amp; &quot;right&quot;\">"),
-        "{out}"
-    );
+    let out = shown_with("<svg><path/></svg>", "![Left & \"right\"](../../figures/arrows.svg)\n").unwrap();
+    assert!(out.contains("<svg role=\"img\" aria-label=\"Left &amp; &quot;right&quot;\">"), "{out}");
 }
 
 #[test]
@@ -265,9 +197,7 @@ fn book_of(chapters: &[(&str, &str)]) -> Book {
     Book::new_with_items(
         chapters
             .iter()
-            .map(|(path, text)| {
-                BookItem::Chapter(Chapter::new(path, (*text).to_owned(), *path, Vec::new()))
-            })
+            .map(|(path, text)| BookItem::Chapter(Chapter::new(path, (*text).to_owned(), *path, Vec::new())))
             .collect(),
     )
 }
@@ -287,47 +217,28 @@ fn drawings_that_are_shown_are_laid_beside_the_chapters_and_no_others() {
     fs::write(copies.join("old.svg"), "<svg></svg>").unwrap();
     let book = book_of(&[("x.md", "![A](../../figures/arrows.svg)\n")]);
     Preprocess.run(&context(&root), book).unwrap();
-    assert_eq!(
-        fs::read_to_string(copies.join("arrows.svg")).unwrap(),
-        ARROWS
-    );
+    assert_eq!(fs::read_to_string(copies.join("arrows.svg")).unwrap(), ARROWS);
     assert!(!copies.join("old.svg").exists());
 }
 
 #[test]
 fn the_faults_of_all_chapters_are_told_at_once() {
     let repository = with_drawing(ARROWS);
-    let book = book_of(&[
-        ("x.md", "$\\nosuch$"),
-        ("y.md", "fine"),
-        ("z.md", "$\\other$"),
-    ]);
-    let faults = Preprocess
-        .run(&context(&repository.path().join("book")), book)
-        .unwrap_err();
+    let book = book_of(&[("x.md", "$\\nosuch$"), ("y.md", "fine"), ("z.md", "$\\other$")]);
+    let faults = Preprocess.run(&context(&repository.path().join("book")), book).unwrap_err();
     let faults = faults.to_string();
-    assert!(
-        faults.contains("x.md:1") && faults.contains("z.md:1"),
-        "{faults}"
-    );
+    assert!(faults.contains("x.md:1") && faults.contains("z.md:1"), "{faults}");
 }
 
 #[test]
 fn the_protocol_takes_a_book_and_gives_it_back_changed() {
     let repository = with_drawing(ARROWS);
-    let sent = (
-        context(&repository.path().join("book")),
-        book_of(&[("x.md", "The $I$.")]),
-    );
+    let sent = (context(&repository.path().join("book")), book_of(&[("x.md", "The $I$.")]));
     let mut answer = Vec::new();
     protocol::answer(serde_json::to_vec(&sent).unwrap().as_slice(), &mut answer).unwrap();
     let book: Book = serde_json::from_slice(&answer).unwrap();
     let chapters: Vec<&Chapter> = book.chapters().collect();
-    assert!(
-        chapters[0].content.contains("<math>"),
-        "{}",
-        chapters[0].content
-    );
+    assert!(chapters[0].content.contains("<math>"), "{}", chapters[0].content);
     assert!(supports("html") && !supports("markdown"));
     assert!(protocol::answer("no JSON".as_bytes(), Vec::new()).is_err());
 }

@@ -1,0 +1,256 @@
+//! The guard: says of every number in the book what holds it, and objects where nothing does.
+//!
+//! It reads the chapters (and the README) with the Markdown parser that makes the pages, and their Rust with a
+//! parser of Rust. A chapter is cut at its headings. Within each section, every number in prose, captions, tables,
+//! the words for figures, TeX and the comments of the code must be one of these:
+//!
+//! - **asserted**: an expected value of `assert_eq!`, or what `assert!` compares with. A value that the code formats
+//!   must be printed with the very same digits, and with its unit where the string has one; that the digits are the right
+//!   rounding is then the doc-test's affair. Other values must be equal, exactly, as decimals;
+//! - **an input** of the code: equal, exactly, and in the unit that the code gives it (the function it goes to, or the
+//!   name it gets: `code::unit_of_argument`, `code::unit_by_name`). A run of so many steps also gives its whole time;
+//! - **a fact**: the number of a fact of `facts.toml`, within the fact's own words. A fact that is told no more is an
+//!   offence too. The versions in the README are facts of the manifests;
+//! - **drawn**, in captions and words for figures: in the description inside the drawing, which is made from computed values. The
+//!   words for a figure may bring no other number, and bring them in the drawing's order.
+//!
+//! Some numbers are bound only together: a tuple `(1, 1, 0)` to a vector, a tuple or the same in a printed string; the
+//! members of a list `a, b and c` to values that follow one another in the code; a row of a table, where the section
+//! asserts rows, to a whole row. A formula `$a = 2$` is bound to `let a = 2.0`, by name.
+//!
+//! And the other way round: what an assertion prints must be said in its section. So a number cannot quietly become
+//! another that the section happens to have.
+//!
+//! Not bound, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`), and the list of references,
+//! whose years, volumes and pages are the entries themselves. Numbers before headings (`2. ...`) count up. Whole
+//! numbers inside a formula with symbols (an index, an exponent, a factor, a matrix's zero) are a part of the formula, and
+//! counted. Quantities in words (`a twentieth`, `twice`, `ten radians a second`) need a value of the code; words
+//! that count are counted: see `words`.
+
+mod chapter;
+mod code;
+mod decimal;
+mod facts;
+mod mutants;
+mod numbers;
+mod offence;
+mod token;
+mod words;
+
+use crate::{paths, preprocess};
+use chapter::{Chapter, Reader};
+pub(crate) use mutants::Tally;
+use numbers::{Beside, Counts, Drawing, Drawings};
+use offence::Offence;
+use std::path::Path;
+use std::{fmt, fs};
+
+/// What the guard found.
+#[derive(Debug)]
+pub(crate) struct Report {
+    pub(crate) chapters: usize,
+    pub(crate) offences: Vec<Offence>,
+    pub(crate) counts: Counts,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let c = &self.counts;
+        writeln!(
+            f,
+            "numbers: {} in {} files (prose {}, tables {}, captions {}, alt texts {}, TeX {}, comments {})",
+            c.all(),
+            self.chapters,
+            c.prose,
+            c.tables,
+            c.captions,
+            c.alts,
+            c.tex,
+            c.comments
+        )?;
+        writeln!(
+            f,
+            "bound to: assertions {}, inputs {}, facts {}, drawings {}, order of headings {}",
+            c.by_assertion, c.by_input, c.by_fact, c.by_drawing, c.ordinals
+        )?;
+        writeln!(
+            f,
+            "words: {} quantities bound; {} counting words and {} numbers inside formulas not bound",
+            c.quantities, c.counting, c.structural
+        )?;
+        write!(f, "offences: {}", self.offences.len())
+    }
+}
+
+/// Checks the chapters in this folder.
+///
+/// # Errors
+/// What could not be read, with its file and line.
+pub(crate) fn check(folder: &Path) -> Result<Report, String> {
+    let book = Book::read(folder)?;
+    let mut report =
+        Report { chapters: book.chapters.len(), offences: Vec::new(), counts: Counts::default() };
+    for chapter in &book.chapters {
+        let found = numbers::findings(chapter, &book.beside);
+        report.offences.extend(found.offences);
+        report.counts.add(&found.counts);
+    }
+    Ok(report)
+}
+
+/// Alters the chapters in this folder one digit at a time, and tells what became of it.
+///
+/// # Errors
+/// What could not be read, or what the guard objects to already.
+pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
+    let mut book = Book::read(folder)?;
+    let mut tallies = Vec::new();
+    for chapter in &book.chapters {
+        if let Some(offence) = numbers::findings(chapter, &book.beside).offences.first() {
+            return Err(format!(
+                "{offence}
+Alterations can be judged once the chapters hold."
+            ));
+        }
+        tallies.push(mutants::tally(chapter, &book.beside, &mut book.reader));
+    }
+    Ok(tallies)
+}
+
+/// The chapters and what stands beside them.
+struct Book {
+    chapters: Vec<Chapter>,
+    beside: Beside,
+    reader: Reader,
+}
+
+impl Book {
+    fn read(folder: &Path) -> Result<Self, String> {
+        if !folder.is_dir() {
+            return Err(format!("there is no folder {}", folder.display()));
+        }
+        let own = fs::canonicalize(folder).ok() == fs::canonicalize(paths::chapters()).ok();
+        let mut reader = Reader::default();
+        let mut chapters = Vec::new();
+        let mut wrong = Vec::new();
+        for file in listed(folder)? {
+            let path = folder.join(&file);
+            let text =
+                fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+            let shown = if own { format!("book/chapters/{file}") } else { path.display().to_string() };
+            let faults = preprocess::unreadable(Path::new(&file), &text);
+            wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{file}"), &shown, 1)));
+            let name = file.trim_end_matches(".md");
+            match reader.chapter(name, &shown, &text) {
+                Ok(chapter) => chapters.push(chapter),
+                Err(fault) => wrong.push(fault),
+            }
+        }
+        if own {
+            chapters.push(readme(&mut reader)?);
+        }
+        wrong.dedup();
+        if !wrong.is_empty() {
+            return Err(wrong.join("\n"));
+        }
+        let mut facts = facts(folder)?;
+        for fact in &facts {
+            if own && chapters.iter().all(|c| c.name != fact.chapter) {
+                return Err(format!("book/facts.toml: there is no chapter `{}`", fact.chapter));
+            }
+        }
+        if own {
+            facts.extend(versions()?);
+        }
+        let drawings = drawings(folder, &chapters)?;
+        Ok(Self { chapters, beside: Beside { facts, drawings }, reader })
+    }
+}
+
+/// The chapters' files, in the order of `SUMMARY.md`.
+fn listed(folder: &Path) -> Result<Vec<String>, String> {
+    let file = folder.join("SUMMARY.md");
+    let text = fs::read_to_string(&file).map_err(|e| {
+        format!("cannot read {}: {e}; a folder of chapters has a SUMMARY.md that lists them", file.display())
+    })?;
+    let files: Vec<String> = preprocess::pieces(&text)
+        .into_iter()
+        .filter_map(|(event, _)| match event {
+            pulldown_cmark::Event::Start(pulldown_cmark::Tag::Link { dest_url, .. }) => {
+                Some(dest_url.to_string())
+            }
+            _ => None,
+        })
+        .collect();
+    if files.is_empty() { Err(format!("{} lists no chapter", file.display())) } else { Ok(files) }
+}
+
+/// The repository's first page, as a chapter.
+fn readme(reader: &mut Reader) -> Result<Chapter, String> {
+    let file = paths::repository().join("README.md");
+    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    reader.chapter("README", "README.md", &text)
+}
+
+/// The versions that the first page names, as the manifests have them.
+fn versions() -> Result<Vec<facts::Fact>, String> {
+    let manifest = |file: &Path| -> Result<toml::Table, String> {
+        let text = fs::read_to_string(file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+        text.parse().map_err(|e| format!("{}: {e}", file.display()))
+    };
+    let whole = manifest(&paths::repository().join("Cargo.toml"))?;
+    let book = manifest(&paths::book().join("Cargo.toml"))?;
+    let package = |key: &str| whole.get("workspace")?.get("package")?.get(key)?.as_str();
+    let mdbook = || book.get("dependencies")?.get("mdbook-preprocessor")?.as_str()?.rsplit_once('.');
+    let versions = [
+        ("Rust", package("rust-version")),
+        ("Apache", package("license").and_then(|license| license.rsplit_once("Apache-")).map(|(_, v)| v)),
+        ("mdBook", mdbook().map(|(major_minor, _)| major_minor)),
+    ];
+    versions
+        .into_iter()
+        .map(|(name, version)| {
+            let version = version.ok_or_else(|| format!("the manifests have no version of {name}"))?;
+            Ok(facts::Fact {
+                chapter: "README".into(),
+                text: format!("{name} {version}"),
+                number: version.into(),
+                source: "the manifests".into(),
+                certainty: "certain".into(),
+            })
+        })
+        .collect()
+}
+
+/// The facts beside the chapters, or those of this book where there are none.
+fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
+    let beside = folder.join("../facts.toml");
+    let file = if beside.is_file() { beside } else { paths::book().join("facts.toml") };
+    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+/// What the drawings of these chapters say of themselves.
+fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<Drawings, String> {
+    let mut drawings = Drawings::new();
+    let passages = chapters.iter().flat_map(|c| &c.sections).flat_map(|s| &s.passages);
+    for name in passages.filter_map(|p| p.figure.as_ref()) {
+        let beside = folder.join("../../figures").join(format!("{name}.svg"));
+        let file = if beside.is_file() { beside } else { paths::figures().join(format!("{name}.svg")) };
+        let svg = fs::read_to_string(&file)
+            .map_err(|e| format!("cannot read the drawing figures/{name}.svg: {e}"))?;
+        let words = ["title", "desc"].map(|element| inside(&svg, element)).join(". ");
+        drawings.insert(name.clone(), Drawing::new(&words));
+    }
+    Ok(drawings)
+}
+
+/// What the first element of this kind holds.
+fn inside(svg: &str, element: &str) -> String {
+    let opened = svg.split_once(&format!("<{element}")).and_then(|(_, rest)| rest.split_once('>'));
+    let text = opened.and_then(|(_, rest)| rest.split_once(&format!("</{element}>"))).map_or("", |(t, _)| t);
+    text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,22 @@
+//! What the guard objects to, and where.
+
+use std::fmt;
+
+/// A place where the book says something that nothing holds.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Offence {
+    /// The file, as the reader of the message would open it.
+    pub(crate) file: String,
+    /// Its line, counted from one.
+    pub(crate) line: usize,
+    /// What stands there.
+    pub(crate) found: String,
+    /// What would have been right.
+    pub(crate) expected: String,
+}
+
+impl fmt::Display for Offence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: found {}, expected {}", self.file, self.line, self.found, self.expected)
+    }
+}

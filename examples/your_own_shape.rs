@@ -1,0 +1,52 @@
+//! Your own shape: parts placed and turned, and a body from a triangle mesh, and which spin will flip.
+//!
+//! `cargo run --example your_own_shape`
+
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::solid::{Compound, Cuboid, Cylinder, MassProperties, Mesh, Solid};
+use tumbling::stability::{Stability, of_spin};
+use tumbling::{Axis, Error};
+
+fn main() -> Result<(), Error> {
+    // A mallet: a wooden handle along z, and a heavier head laid across its end.
+    let handle = Cylinder::new(0.015, 0.3)?.with_density(650.0)?;
+    let head = Cuboid::new(0.12, 0.06, 0.06)?.with_density(1100.0)?;
+    let tilted = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.1);
+    let mallet =
+        Compound::new().at(handle, Vector3::zeros()).with(head, Vector3::new(0.0, 0.0, 0.18), tilted);
+    report("a mallet of two parts", &mallet.properties()?)?;
+
+    // A wedge from six vertices and eight triangles, counter-clockwise seen from outside.
+    let vertices = [
+        [0.0, 0.0, 0.0],
+        [0.3, 0.0, 0.0],
+        [0.0, 0.2, 0.0],
+        [0.0, 0.0, 0.1],
+        [0.3, 0.0, 0.1],
+        [0.0, 0.2, 0.1],
+    ]
+    .map(Vector3::from);
+    let faces = [[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
+    report("a wedge of eight triangles", &Mesh::new(&vertices, &faces)?.with_mass(0.5)?)?;
+
+    // What cannot be is refused, with the reason.
+    if let Err(error) = Mesh::new(&vertices, &faces[1..]) {
+        println!("The wedge without its first face: {error}.");
+    }
+    Ok(())
+}
+
+fn report(what: &str, body: &MassProperties) -> Result<(), Error> {
+    let axes = body.inertia().principal();
+    println!("{what}: {:.3} kg, centre {:.4?}", body.mass(), body.centre().as_slice());
+    for axis in Axis::ALL {
+        let fate = match of_spin(axes.moments().into(), axis, 1.0)? {
+            Stability::Growth { rate } => format!("a push grows, {rate:.3} per radian turned"),
+            Stability::Wobble { rate } => format!("a push circles, {rate:.3} rounds per turn"),
+            _ => "a push drifts".to_string(),
+        };
+        println!("  {:.3e} kg m² about {:+.3?}: {fate}", axes.moment(axis), axes.axis(axis).as_slice());
+    }
+    println!();
+    Ok(())
+}

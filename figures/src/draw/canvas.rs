@@ -1,0 +1,306 @@
+//! The canvas: what plotters draws on, and the few marks that plotters lacks.
+//!
+//! A backend of its own for plotters, because its SVG backend writes fixed colours, and these figures take
+//! the colours of the page they stand in.
+
+use super::pen::{DEFAULT_WIDTH, FINENESS, Fill, Pen};
+use super::text::{Label, SIZE, escaped};
+use crate::ink::{Ink, stand_alone_style};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+};
+use std::cell::RefCell;
+use std::convert::Infallible;
+use std::fmt::Write as _;
+use std::rc::Rc;
+
+/// A point: right and down from the upper left corner.
+pub(crate) type P = (f64, f64);
+
+/// The point `r` away from `centre` at `angle` (radians, from the right, upwards).
+pub(crate) fn polar(centre: P, r: f64, angle: f64) -> P {
+    (centre.0 + r * angle.cos(), centre.1 - r * angle.sin())
+}
+
+/// A sheet of the given size on which marks gather. Clones are the same sheet.
+#[derive(Debug, Clone)]
+pub(crate) struct Canvas {
+    size: (u32, u32),
+    body: Rc<RefCell<String>>,
+}
+
+/// The width of every figure, in points.
+pub(crate) const WIDTH: u32 = 680;
+
+#[allow(clippy::cast_possible_truncation)]
+fn fine(p: P) -> BackendCoord {
+    ((p.0 * FINENESS).round() as i32, (p.1 * FINENESS).round() as i32)
+}
+
+impl Canvas {
+    /// A sheet of the common width.
+    pub(crate) fn new(height: u32) -> Self {
+        Self { size: (WIDTH, height), body: Rc::default() }
+    }
+
+    fn push(&self, element: &str) {
+        self.body.borrow_mut().push_str(element);
+    }
+
+    fn shape(&self, points: &[BackendCoord], close: bool, style: &str) {
+        if points.len() < 2 {
+            return;
+        }
+        self.push(&format!(
+            "<path d=\"{}{}\" style=\"{style}\"/>\n",
+            path_data(points),
+            if close { "z" } else { "" }
+        ));
+    }
+
+    /// An open line through the points.
+    pub(crate) fn path(&self, points: &[P], pen: Pen) {
+        let points: Vec<_> = points.iter().map(|&p| fine(p)).collect();
+        self.shape(&simplified(&points), false, &pen.css());
+    }
+
+    /// A line between two points.
+    pub(crate) fn line(&self, from: P, to: P, pen: Pen) {
+        self.path(&[from, to], pen);
+    }
+
+    /// A closed area, with an outline or without.
+    pub(crate) fn area(&self, points: &[P], fill: Fill, outline: Option<Pen>) {
+        let points: Vec<_> = points.iter().map(|&p| fine(p)).collect();
+        let mut style = fill.css();
+        if let Some(pen) = outline {
+            style = format!("{style};{}", pen.css());
+        }
+        self.shape(&simplified(&points), true, &style);
+    }
+
+    /// A filled disc, with an outline or without.
+    pub(crate) fn disc(&self, centre: P, r: f64, fill: Fill, outline: Option<Pen>) {
+        let (x, y) = fine(centre);
+        let mut style = fill.css();
+        if let Some(pen) = outline {
+            style = format!("{style};{}", pen.css());
+        }
+        self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{:.0}\" style=\"{style}\"/>\n", r * FINENESS));
+    }
+
+    /// An arc from one angle to another (radians, from the right, upwards).
+    pub(crate) fn arc(&self, centre: P, r: f64, from: f64, to: f64, pen: Pen) {
+        let points: Vec<P> =
+            (0..=48).map(|i| polar(centre, r, from + (to - from) * f64::from(i) / 48.0)).collect();
+        self.path(&points, pen);
+    }
+
+    /// A line with a head at its end; the head's point is the end.
+    pub(crate) fn arrow(&self, from: P, to: P, pen: Pen) {
+        self.arrow_along(&[from, to], pen);
+    }
+
+    /// A bent line with a head at its end.
+    pub(crate) fn arrow_along(&self, points: &[P], pen: Pen) {
+        let Some(&tip) = points.last() else { return };
+        let long = 6.0 + 2.6 * pen.width();
+        // The head points from where the line enters its circle; the line itself ends inside the head.
+        let distance = |p: P| (p.0 - tip.0).hypot(p.1 - tip.1);
+        let Some(kept) = points.iter().rposition(|&p| distance(p) > 0.8 * long) else { return };
+        let d = distance(points[kept]);
+        let (ux, uy) = ((tip.0 - points[kept].0) / d, (tip.1 - points[kept].1) / d);
+        let mut shaft = points[..=kept].to_vec();
+        shaft.push((tip.0 - 0.7 * long * ux, tip.1 - 0.7 * long * uy));
+        self.path(&shaft, pen);
+        let side = |s: f64| (tip.0 - long * ux - s * long * uy, tip.1 - long * uy + s * long * ux);
+        let notch = (tip.0 - 0.72 * long * ux, tip.1 - 0.72 * long * uy);
+        self.area(&[tip, side(0.4), notch, side(-0.4)], Fill::new(pen.ink()), None);
+    }
+
+    /// Writing, with its baseline at the point.
+    pub(crate) fn label(&self, at: P, label: &Label) {
+        self.push(&label.svg(at, FINENESS));
+    }
+
+    /// The whole document. `name` prefixes its ids.
+    pub(crate) fn finish(self, name: &str, title: &str, description: &str) -> String {
+        let (w, h) = (f64::from(self.size.0) * FINENESS, f64::from(self.size.1) * FINENESS);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" viewBox=\"0 0 {w} {h}\" role=\"img\" \
+             aria-labelledby=\"{name}-title {name}-desc\" fill=\"currentColor\" font-size=\"{}\" \
+             style=\"font-family:var(--fig-font,system-ui,sans-serif)\">\n\
+             <title id=\"{name}-title\">{}</title>\n<desc id=\"{name}-desc\">{}</desc>\n\
+             <style>{}</style>\n\
+             <g fill=\"none\" stroke-width=\"{DEFAULT_WIDTH}\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n{}</g>\n</svg>\n",
+            self.size.0,
+            SIZE * FINENESS,
+            escaped(title),
+            escaped(description),
+            stand_alone_style(),
+            self.body.borrow().replace("<text ", "<text fill=\"currentColor\" "),
+        )
+    }
+}
+
+/// Absolute start, then steps: shorter than absolute points.
+fn path_data(points: &[BackendCoord]) -> String {
+    let mut data = String::new();
+    let mut last = (0, 0);
+    for (i, &(x, y)) in points.iter().enumerate() {
+        if i == 0 {
+            let _ = write!(data, "M{x} {y}");
+        } else {
+            let (dx, dy) = (x - last.0, y - last.1);
+            let _ = write!(
+                data,
+                "{}{dx}",
+                if i == 1 {
+                    "l"
+                } else if dx < 0 {
+                    ""
+                } else {
+                    " "
+                }
+            );
+            let _ = write!(data, "{}{dy}", if dy < 0 { "" } else { " " });
+        }
+        last = (x, y);
+    }
+    data
+}
+
+/// The same curve by fewer points: none moves by more than a tenth of a point (Ramer, Douglas, Peucker).
+fn simplified(points: &[BackendCoord]) -> Vec<BackendCoord> {
+    const TOLERANCE: f64 = 1.0;
+    let mut keep = vec![false; points.len()];
+    let mut spans = vec![(0, points.len().saturating_sub(1))];
+    while let Some((a, b)) = spans.pop() {
+        for end in [a, b] {
+            if let Some(kept) = keep.get_mut(end) {
+                *kept = true;
+            }
+        }
+        if b <= a + 1 {
+            continue;
+        }
+        let ((ax, ay), (bx, by)) = (points[a], points[b]);
+        let (dx, dy) = (f64::from(bx - ax), f64::from(by - ay));
+        let length = dx.hypot(dy);
+        let off = |(x, y): BackendCoord| {
+            let (px, py) = (f64::from(x - ax), f64::from(y - ay));
+            if length == 0.0 { px.hypot(py) } else { (px * dy - py * dx).abs() / length }
+        };
+        let far =
+            (a + 1..b).map(|i| (i, off(points[i]))).fold((a, 0.0), |m, x| if x.1 > m.1 { x } else { m });
+        if far.1 > TOLERANCE {
+            spans.push((a, far.0));
+            spans.push((far.0, b));
+        }
+    }
+    points.iter().zip(&keep).filter(|&(_, &kept)| kept).map(|(&p, _)| p).collect()
+}
+
+type Drawn = Result<(), DrawingErrorKind<Infallible>>;
+
+impl DrawingBackend for Canvas {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let fine = FINENESS as u32;
+        (self.size.0 * fine, self.size.1 * fine)
+    }
+
+    fn ensure_prepared(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, at: BackendCoord, color: BackendColor) -> Drawn {
+        let ink = Ink::from_index(usize::from(color.rgb.0));
+        self.push(&format!("<path d=\"M{} {}h1v1h-1z\" style=\"{}\"/>\n", at.0, at.1, Fill::new(ink).css()));
+        Ok(())
+    }
+
+    fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Drawn {
+        self.shape(&[from, to], false, &Pen::of_backend(style).css());
+        Ok(())
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        upper_left: BackendCoord,
+        bottom_right: BackendCoord,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        let ((l, t), (r, b)) = (upper_left, bottom_right);
+        let corners = [(l, t), (r, t), (r, b), (l, b)];
+        if fill {
+            self.fill_polygon(corners, style)
+        } else {
+            self.draw_path([(l, t), (r, t), (r, b), (l, b), (l, t)], style)
+        }
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
+        let points: Vec<_> = path.into_iter().collect();
+        self.shape(&simplified(&points), false, &Pen::of_backend(style).css());
+        Ok(())
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        centre: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        let pen = Pen::of_backend(style);
+        let css = if fill { Fill::new(pen.ink()).opacity(style.color().alpha).css() } else { pen.css() };
+        self.push(&format!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" style=\"{css}\"/>\n",
+            centre.0, centre.1
+        ));
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
+        let pen = Pen::of_backend(style);
+        let points: Vec<_> = path.into_iter().collect();
+        self.shape(&simplified(&points), true, &Fill::new(pen.ink()).opacity(style.color().alpha).css());
+        Ok(())
+    }
+
+    fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
+        let ink = Ink::from_index(usize::from(style.color().rgb.0));
+        let at = (f64::from(at.0) / FINENESS, f64::from(at.1) / FINENESS);
+        self.label(at, &Label::new(text).ink(ink).size(style.size() / FINENESS));
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_straight_run_of_points_becomes_its_two_ends_and_a_corner_stays() {
+        let straight: Vec<_> = (0..100).map(|i| (i, 2 * i)).collect();
+        assert_eq!(simplified(&straight), [(0, 0), (99, 198)]);
+        assert_eq!(simplified(&[(0, 0), (50, 0), (50, 50)]).len(), 3);
+        assert!(simplified(&[]).is_empty());
+    }
+}

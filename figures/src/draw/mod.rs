@@ -1,0 +1,13 @@
+//! What figures are drawn with: a canvas, letters, plots, and a view of things in space.
+
+mod canvas;
+mod pen;
+mod plot;
+mod space;
+mod text;
+
+pub(crate) use canvas::{Canvas, P, polar};
+pub(crate) use pen::{Fill, Pen};
+pub(crate) use plot::{Plot, Scale};
+pub(crate) use space::{Cuboid, View};
+pub(crate) use text::Label;

@@ -1,0 +1,89 @@
+use super::{BOX_EDGES, Drawing, Picture, document_box};
+use crate::draw::{Canvas, Fill, Label, Pen, polar};
+use crate::ink::Ink;
+use nalgebra::Vector3;
+
+pub(super) fn draw() -> Drawing {
+    let inertia = document_box()?;
+    let omega = Vector3::new(1.0, 1.0, 0.0);
+    let momentum = inertia.momentum(&omega);
+    let [w_angle, l_angle] = [omega, momentum].map(|v| v.y.atan2(v.x));
+    let gap = inertia.gap(&omega)?.to_degrees();
+
+    let canvas = Canvas::new(480);
+    let centre = (196.0, 362.0);
+    // A metre of box and a unit of either arrow.
+    let (metre, unit) = (140.0, 262.0);
+    let on = |x: f64, y: f64| (centre.0 + unit * x, centre.1 - unit * y);
+    let [a, b, _] = BOX_EDGES.map(|edge| 0.5 * edge * metre);
+    let corners = [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| (centre.0 + x, centre.1 + y));
+    canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
+    let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
+    canvas.line((centre.0 - a - 20.0, centre.1), (590.0, centre.1), axis);
+    canvas.line((centre.0, centre.1 + b + 20.0), (centre.0, 40.0), axis);
+    canvas.label((598.0, centre.1 + 5.0), &Label::new("$x$"));
+    canvas.label((centre.0 - 5.0, 30.0), &Label::new("$y$"));
+    canvas.label(
+        (centre.0 - 0.5 * a, centre.1 + b + 24.0),
+        &Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle(),
+    );
+    canvas.label((centre.0 - a + 10.0, centre.1 + 30.0), &Label::new(format!("$b$ = {:.0} m", BOX_EDGES[1])));
+
+    // Each component of the momentum is that of the spin times its own moment.
+    let guide = |ink| Pen::new(ink, 1.2).dashed();
+    let (w_tip, l_tip) = (on(omega.x, omega.y), on(momentum.x, momentum.y));
+    canvas.line(l_tip, (l_tip.0, centre.1), guide(Ink::Momentum));
+    canvas.line(l_tip, (centre.0, l_tip.1), guide(Ink::Momentum));
+    canvas.line(w_tip, (w_tip.0, centre.1), guide(Ink::Omega));
+    canvas.line(w_tip, (centre.0, w_tip.1), guide(Ink::Omega));
+    canvas.label(
+        (centre.0 - 10.0, l_tip.1 + 2.0),
+        &Label::new(format!("$L_y$ = {:.3}", momentum.y)).ink(Ink::Momentum).end(),
+    );
+    canvas.label(
+        (centre.0 - 10.0, w_tip.1 + 10.0),
+        &Label::new(format!("$ω_y$ = {:.0}", omega.y)).ink(Ink::Omega).end(),
+    );
+    canvas.label(
+        (l_tip.0 - 2.0, centre.1 + 24.0),
+        &Label::new(format!("$L_x$ = {:.3}", momentum.x)).ink(Ink::Momentum).middle(),
+    );
+    canvas.label(
+        (w_tip.0 + 26.0, centre.1 + 24.0),
+        &Label::new(format!("$ω_x$ = {:.0}", omega.x)).ink(Ink::Omega),
+    );
+
+    let arc = Pen::new(Ink::Text, 1.2);
+    canvas.arc(centre, 60.0, 0.0, w_angle, arc);
+    canvas.arc(centre, 100.0, 0.0, l_angle, arc);
+    canvas.arc(centre, 236.0, w_angle, l_angle, Pen::new(Ink::Text, 2.4));
+    canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
+    canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
+    canvas.disc(centre, 4.0, Fill::new(Ink::Text), None);
+    canvas.label((w_tip.0 + 12.0, w_tip.1 + 4.0), &Label::new("$!ω$ = (1, 1, 0) rad/s").ink(Ink::Omega));
+    canvas.label(
+        (l_tip.0 - 4.0, l_tip.1 - 14.0),
+        &Label::new(format!("$!L$ = ({:.3}, {:.3}, 0) kg m²/s", momentum.x, momentum.y)).ink(Ink::Momentum),
+    );
+    let small =
+        |at: (f64, f64), text: String| canvas.label((at.0 + 5.0, at.1 + 4.0), &Label::new(text).size(15.5));
+    small(polar(centre, 60.0, 0.35), format!("{:.0}°", w_angle.to_degrees()));
+    small(polar(centre, 100.0, 0.4), format!("{:.1}°", l_angle.to_degrees()));
+    let by_the_arc = polar(centre, 236.0, 0.5 * (w_angle + l_angle));
+    canvas
+        .label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The box, {:.0} m by {:.0} m, seen along z. The spin (1, 1, 0) is a blue arrow from its centre at {:.0}° from x. \
+             The momentum ({:.3}, {:.3}, 0) is an orange arrow from the same point at {:.1}°: each component of the spin is \
+             multiplied by its own moment, so it leans to the y edge. The gap between them is {gap:.1}°.",
+            BOX_EDGES[0],
+            BOX_EDGES[1],
+            w_angle.to_degrees(),
+            momentum.x,
+            momentum.y,
+            l_angle.to_degrees()
+        ),
+    })
+}

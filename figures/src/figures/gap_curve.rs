@@ -1,0 +1,98 @@
+use super::{Drawing, Picture};
+use crate::draw::{Canvas, Label, Pen, Plot, Scale};
+use crate::ink::Ink;
+use nalgebra::Vector3;
+use tumbling::solid::{Ball, Cylinder, Solid, ThinPlate};
+use tumbling::{Axis, Error, Inertia, bodies};
+
+struct Curve {
+    name: &'static str,
+    inertia: Inertia,
+    /// From the lighter axis to the heavier one.
+    plane: [Vector3<f64>; 2],
+}
+
+impl Curve {
+    /// From the axis with the smallest moment to that with the largest.
+    fn across(name: &'static str, inertia: Inertia) -> Self {
+        let axes = inertia.principal();
+        Self { name, inertia, plane: [axes.axis(Axis::Smallest), axes.axis(Axis::Largest)] }
+    }
+
+    fn gap(&self, degrees: f64) -> Result<f64, Error> {
+        let (s, c) = degrees.to_radians().sin_cos();
+        Ok(self.inertia.gap(&(self.plane[0] * c + self.plane[1] * s))?.to_degrees())
+    }
+
+    /// The heavier moment in parts of the lighter one.
+    fn ratio(&self) -> Result<f64, Error> {
+        Ok(self.inertia.about_axis(&self.plane[1])? / self.inertia.about_axis(&self.plane[0])?)
+    }
+
+    /// The direction of the widest gap and the gap, degrees, by golden sections.
+    fn widest(&self) -> Result<(f64, f64), Error> {
+        let (mut a, mut b) = (0.0, 90.0);
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        for _ in 0..50 {
+            let (p, q) = (b - golden * (b - a), a + golden * (b - a));
+            if self.gap(p)? < self.gap(q)? { a = p } else { b = q }
+        }
+        let at = 0.5 * (a + b);
+        Ok((at, self.gap(at)?))
+    }
+}
+
+pub(super) fn draw() -> Drawing {
+    let in_plane = [Vector3::x(), Vector3::y()];
+    let curves = [
+        Curve::across("pencil", Cylinder::new(0.0035, 0.18)?.with_mass(0.005)?.inertia()),
+        Curve::across("racket", bodies::tennis_racket()?.inertia()),
+        Curve {
+            name: "plate, 2 × 1",
+            inertia: ThinPlate::new(2.0, 1.0)?.with_mass(1.0)?.inertia(),
+            plane: in_plane,
+        },
+        Curve { name: "box, x to y", inertia: bodies::the_box()?.inertia(), plane: in_plane },
+        Curve::across("ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
+    ];
+    let canvas = Canvas::new(480);
+    let plot =
+        Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
+    let ticks = || (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
+    plot.x_axis(ticks(), "spin direction, from the lighter axis (0°) to the heavier (90°)");
+    plot.y_axis(ticks(), "gap between $!ω$ and $!L$");
+    let mut said = Vec::new();
+    for curve in &curves {
+        // Finer where a slender body's curve is steep.
+        let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
+        let points: Result<Vec<_>, Error> = directions.map(|d| Ok((d, curve.gap(d)?))).collect();
+        let ball = curve.ratio()? == 1.0;
+        plot.curve(points?, if ball { Pen::new(Ink::Text, 3.4) } else { Pen::new(Ink::Text, 2.2) })?;
+        if ball {
+            let p = plot.at(45.0, 0.0);
+            canvas.label((p.0, p.1 - 9.0), &Label::new(format!("{}: none", curve.name)).middle());
+            said.push(format!("{}: none in any direction", curve.name));
+            continue;
+        }
+        let (at, gap) = curve.widest()?;
+        plot.dots([(at, gap)], 4.5, Ink::Text)?;
+        let p = plot.at(at, gap);
+        if (20.0..80.0).contains(&gap) {
+            // Under the peak, where there is room between the curves.
+            canvas.label((p.0 + 6.0, p.1 + 25.0), &Label::new(curve.name).middle());
+            canvas.label((p.0 + 6.0, p.1 + 47.0), &Label::new(format!("{gap:.1}°")).middle());
+        } else {
+            canvas.label((p.0 + 6.0, p.1 - 12.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
+        }
+        said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()?));
+    }
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The gap between spin and momentum against the direction of the spin, from the lighter to the heavier of two \
+             principal axes. It is zero at both ends and widest between them. The widest gaps: {}. The more unequal the \
+             moments, the wider the gap, and the nearer to the lighter axis.",
+            said.join("; ")
+        ),
+    })
+}

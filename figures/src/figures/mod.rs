@@ -1,0 +1,184 @@
+//! The figures, one file each.
+
+use crate::Figure;
+use crate::draw::Canvas;
+use crate::ink::Ink;
+use nalgebra::Vector3;
+use tumbling::solid::{Cuboid, MassProperties, Solid};
+use tumbling::{Axis, Error, Inertia};
+
+mod box_arrows;
+mod box_moments;
+mod cover;
+mod engines_energy;
+mod engines_paths;
+mod flip_strip;
+mod flip_time;
+mod gap_curve;
+mod moments_gallery;
+mod moments_map;
+mod polhode;
+mod polhodes;
+mod rod_two_ways;
+mod three_spins;
+mod turning_tensor;
+mod two_arrows;
+mod wobble_growth;
+
+/// A finished drawing, and what it shows in words, for those who do not see it.
+pub(crate) struct Picture {
+    pub(crate) canvas: Canvas,
+    pub(crate) description: String,
+}
+
+type Drawing = Result<Picture, Box<dyn std::error::Error>>;
+
+/// In the order of the book.
+pub(crate) static ALL: [Figure; 17] = [
+    Figure {
+        name: "cover",
+        shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
+        chapter: "introduction",
+        draw: cover::draw,
+    },
+    Figure {
+        name: "flip-strip",
+        shows: "A thrown book flips: nine instants, as you see it and without the tumbling",
+        chapter: "toss-a-book",
+        draw: flip_strip::draw,
+    },
+    Figure {
+        name: "rod-two-ways",
+        shows: "One rod, two moments: about its length and end over end",
+        chapter: "matrix-mass",
+        draw: rod_two_ways::draw,
+    },
+    Figure {
+        name: "moments-gallery",
+        shows: "The book's bodies and their three principal moments",
+        chapter: "principal-axes",
+        draw: moments_gallery::draw,
+    },
+    Figure {
+        name: "moments-map",
+        shows: "Every rigid body is a point in one triangle",
+        chapter: "principal-axes",
+        draw: moments_map::draw,
+    },
+    Figure {
+        name: "two-arrows",
+        shows: "A flat plate spun off its axes: the angular momentum leans to the heavier axis",
+        chapter: "two-arrows",
+        draw: two_arrows::draw,
+    },
+    Figure {
+        name: "gap-curve",
+        shows: "The angle between spin and momentum, for every direction of the spin and several bodies",
+        chapter: "two-arrows",
+        draw: gap_curve::draw,
+    },
+    Figure {
+        name: "box-moments",
+        shows: "The box of the worked example, its edges and its three moments",
+        chapter: "worked-example",
+        draw: box_moments::draw,
+    },
+    Figure {
+        name: "box-arrows",
+        shows: "The box seen along z, its spin, its momentum and the gap between them",
+        chapter: "worked-example",
+        draw: box_arrows::draw,
+    },
+    Figure {
+        name: "turning-tensor",
+        shows: "The box turns, and its tensor in world axes turns with it",
+        chapter: "body-and-world",
+        draw: turning_tensor::draw,
+    },
+    Figure {
+        name: "three-spins",
+        shows: "The same small push about each of the three axes: two wobble, one flips",
+        chapter: "eulers-equations",
+        draw: three_spins::draw,
+    },
+    Figure {
+        name: "engines-energy",
+        shows: "Energy of a free box: the right engine, and the one with a frozen tensor",
+        chapter: "three-pitfalls",
+        draw: engines_energy::draw,
+    },
+    Figure {
+        name: "engines-paths",
+        shows: "Spin about the middle axis: the right engine flips, two wrong ones refuse",
+        chapter: "three-pitfalls",
+        draw: engines_paths::draw,
+    },
+    Figure {
+        name: "polhodes",
+        shows: "Paths of the spin on the ellipsoid of equal energy, with the separatrix",
+        chapter: "dzhanibekov",
+        draw: polhodes::draw,
+    },
+    Figure {
+        name: "wobble-growth",
+        shows: "A small wobble about the middle axis grows as theory says, until it flips",
+        chapter: "dzhanibekov",
+        draw: wobble_growth::draw,
+    },
+    Figure {
+        name: "flip-time",
+        shows: "Time between flips against the push",
+        chapter: "dzhanibekov",
+        draw: flip_time::draw,
+    },
+    Figure {
+        name: "flip-map",
+        shows: "How fast a wobble about the middle axis grows, for every rigid body",
+        chapter: "dzhanibekov",
+        draw: moments_map::draw_growth,
+    },
+];
+
+/// The document's box: edges 2, 1 and 3 m, mass 1 kg.
+const BOX_EDGES: [f64; 3] = [2.0, 1.0, 3.0];
+
+/// Its tensor.
+fn document_box() -> Result<Inertia, Error> {
+    let [a, b, c] = BOX_EDGES;
+    Ok(Cuboid::new(a, b, c)?.with_mass(1.0)?.inertia())
+}
+
+/// The same body, its frame turned along its principal axes, smallest moment first.
+fn in_principal_axes(inertia: &Inertia) -> Result<Inertia, Error> {
+    let m = inertia.principal().moments();
+    Inertia::from_moments(m[0], m[1], m[2])
+}
+
+/// The edges of an even box with this mass and these moments about x, y and z, m.
+fn edges_of(body: &MassProperties) -> Vector3<f64> {
+    let m = body.inertia().matrix().diagonal();
+    m.map(|moment| (6.0 * (m.sum() - 2.0 * moment) / body.mass()).sqrt())
+}
+
+/// The ink of a principal axis.
+fn ink_of(axis: Axis) -> Ink {
+    match axis {
+        Axis::Smallest => Ink::AxisMin,
+        Axis::Middle => Ink::AxisMid,
+        Axis::Largest => Ink::AxisMax,
+    }
+}
+
+/// A power of ten as an axis shows it.
+fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0 => "1".into(),
+        1 => "10".into(),
+        n => format!("$10^{{{}}}$", n.to_string().replace('-', "−")),
+    }
+}
+
+/// The next power of ten above a small error: what may be said of it on every machine.
+fn bound(error: f64) -> f64 {
+    10_f64.powf(error.log10().ceil())
+}

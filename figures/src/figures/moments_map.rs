@@ -1,0 +1,140 @@
+//! Every body's place among all bodies: its two smaller moments in parts of its largest.
+
+use super::{Drawing, Picture};
+use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
+use crate::ink::Ink;
+use tumbling::bodies;
+use tumbling::stability::rate_squared;
+
+/// The triangle of possible bodies, with its corners and edges named.
+fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
+    let plot = Plot::new(canvas, 76.0, 84.0, 616.0, 454.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
+    let tenths = |range: std::ops::RangeInclusive<i32>| {
+        range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))))
+    };
+    plot.x_axis(tenths(0..=10).step_by(2), "smallest moment in parts of the largest, $I_1/I_3$");
+    plot.y_axis(tenths(5..=10), "");
+    canvas.label((20.0, 32.0), &Label::new("middle moment in parts of the largest, $I_2/I_3$"));
+    let corners = [(0.0, 1.0), (0.5, 0.5), (1.0, 1.0)].map(|(x, y)| plot.at(x, y));
+    canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 2.2)));
+    Ok(plot)
+}
+
+/// Two lines on each side of the triangle that no body crosses, and what stands in its corners.
+fn edges(canvas: &Canvas, plot: &Plot) {
+    let outside = |x: f64, y: f64, lines: [&str; 2], end: bool| {
+        let p = plot.at(x, y);
+        for (down, line) in [0.0, 21.0].into_iter().zip(lines) {
+            let label = Label::new(line).size(15.5);
+            canvas.label((p.0, p.1 + down), &if end { label.end() } else { label });
+        }
+    };
+    outside(0.30, 0.57, ["flat: plates", "$I_1 + I_2 = I_3$"], true);
+    outside(0.68, 0.57, ["round: wheels, coins", "$I_1 = I_2$"], false);
+    let corner = plot.at(0.5, 0.5);
+    canvas.label((corner.0 + 22.0, corner.1 - 8.0), &Label::new("disk").size(15.5));
+    let ball = plot.at(1.0, 1.0);
+    canvas.label((ball.0 + 10.0, ball.1 + 5.0), &Label::new("ball").size(15.5));
+    let needle = plot.at(0.0, 1.0);
+    canvas.label((needle.0, needle.1 - 12.0), &Label::new("needle").size(15.5));
+    let top = plot.at(0.5, 1.0);
+    canvas.label((top.0, top.1 - 12.0), &Label::new("round: rods, $I_2 = I_3$").size(15.5).middle());
+}
+
+/// A named body, and where its name goes beside its point.
+const NAMES: [(&str, f64, f64, bool); 8] = [
+    ("the box", 9.0, 5.0, false),
+    ("the book", -9.0, 12.0, true),
+    ("the phone", -9.0, 10.0, true),
+    ("the remote control", 9.0, 2.0, false),
+    ("the hammer", 9.0, 9.0, false),
+    ("the tennis racket", 9.0, 8.0, false),
+    ("the wing nut", 9.0, 5.0, false),
+    ("the T-handle", -9.0, 12.0, true),
+];
+
+fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::error::Error>> {
+    let mut said = Vec::new();
+    for body in bodies::all() {
+        let m = body.properties()?.inertia().principal().moments();
+        let (x, y) = (m[0] / m[2], m[1] / m[2]);
+        let (_, dx, dy, end) =
+            *NAMES.iter().find(|name| name.0 == body.name()).ok_or("a body without a place for its name")?;
+        let p = plot.at(x, y);
+        canvas.disc(p, 4.5, Fill::new(Ink::Text), None);
+        let name = body.name().trim_start_matches("the ");
+        let label = Label::new(name).size(16.0);
+        // Names to the right of their points stand on the triangle, the others beside it.
+        canvas.label((p.0 + dx, p.1 + dy), &if end { label.end() } else { label.halo(Ink::Surface) });
+        said.push(format!("{name} ({x:.2}, {y:.2})"));
+    }
+    Ok(said)
+}
+
+pub(super) fn draw() -> Drawing {
+    let canvas = Canvas::new(518);
+    let plot = map(&canvas)?;
+    edges(&canvas, &plot);
+    let said = points(&canvas, &plot)?;
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "Every rigid body is a point in a triangle: across, its smallest moment in parts of the largest; up, its middle moment \
+             in parts of the largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). No body \
+             lies left of the edge I1 + I2 = I3, where flat plates are. The book's bodies: {}.",
+            said.join(", ")
+        ),
+    })
+}
+
+/// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
+pub(super) fn draw_growth() -> Drawing {
+    let canvas = Canvas::new(518);
+    let plot = map(&canvas)?;
+    let rate = |x: f64, y: f64| rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt();
+    let mut levels = Vec::new();
+    for tenth in [2, 4, 6] {
+        let level = 0.1 * f64::from(tenth);
+        // On each height the rate falls from the left edge to the right one.
+        let mut line = Vec::new();
+        for i in 0..=400 {
+            let y = 0.5 + 0.5 * f64::from(i) / 400.0;
+            let (mut left, mut right) = ((1.0 - y).max(1e-9), y);
+            if rate(left, y) < level {
+                continue;
+            }
+            for _ in 0..50 {
+                let middle = 0.5 * (left + right);
+                if rate(middle, y) > level { left = middle } else { right = middle }
+            }
+            line.push((left, y));
+        }
+        let named = line.iter().copied().find(|p| p.1 >= 0.725).unwrap_or_default();
+        plot.curve(line, Pen::new(Ink::AxisMid, 1.8).dashed())?;
+        let p = plot.at(named.0, named.1);
+        canvas.label((p.0 + 6.0, p.1 + 5.0), &Label::new(format!("{level:.1}")).ink(Ink::AxisMid).size(15.5));
+        levels.push(format!("{level:.1}"));
+    }
+    edges(&canvas, &plot);
+    points(&canvas, &plot)?;
+    let words = plot.at(0.80, 0.78);
+    for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a wobble’s growth"), (42.0, "per radian of spin")]
+    {
+        canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
+    }
+    let mut said = Vec::new();
+    for body in bodies::all() {
+        let m = body.properties()?.inertia().principal().moments();
+        said.push(format!("{} {:.2}", body.name(), rate(m[0] / m[2], m[1] / m[2])));
+    }
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The triangle of all rigid bodies with lines of equal growth rate of a wobble about the middle axis, in parts of the spin: \
+             {}. It is nothing along the two edges of round bodies and largest towards the needle along the edge of flat \
+             plates. The book's bodies: {}.",
+            levels.join(", "),
+            said.join(", ")
+        ),
+    })
+}

@@ -1,0 +1,91 @@
+use super::{Drawing, Picture, document_box, in_principal_axes, ink_of};
+use crate::draw::{Canvas, Label, Pen, Plot, Scale};
+use crate::motion;
+use nalgebra::Vector3;
+use tumbling::Axis;
+use tumbling::observe::sign_changes;
+
+/// The spin, the push about each other axis (rad/s), and the time watched (s).
+const SPIN: f64 = 10.0;
+const PUSH: f64 = 0.3;
+const END: f64 = 5.0;
+const STEP: f64 = 0.002;
+
+pub(super) fn draw() -> Drawing {
+    let inertia = in_principal_axes(&document_box()?)?;
+    let canvas = Canvas::new(618);
+    let pens = [
+        Pen::new(ink_of(Axis::Smallest), 2.2).dash_dotted(),
+        Pen::new(ink_of(Axis::Middle), 2.8),
+        Pen::new(ink_of(Axis::Largest), 2.2).dashed(),
+    ];
+    let mut said = Vec::new();
+    for (k, (axis, name)) in
+        [(Axis::Smallest, "smallest"), (Axis::Middle, "middle"), (Axis::Largest, "largest")]
+            .into_iter()
+            .enumerate()
+    {
+        #[allow(clippy::cast_precision_loss)]
+        let top = 58.0 + 190.0 * k as f64;
+        let plot = Plot::new(
+            &canvas,
+            62.0,
+            top,
+            600.0,
+            top + 130.0,
+            Scale::linear(0.0..END),
+            Scale::linear(-11.5..11.5),
+        );
+        let last = k == 2;
+        let number = |s: i32| if last { s.to_string() } else { String::new() };
+        plot.x_axis((0..=5).map(|s| (f64::from(s), number(s))), if last { "time $t$ (s)" } else { "" });
+        plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "");
+        let mut omega = Vector3::repeat(PUSH);
+        omega[k] = SPIN;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let run = motion::free(&motion::spun(inertia, omega)?, STEP, (END / STEP).round() as usize)?;
+        // The spin that was meant is drawn last, over the others.
+        for i in [(k + 1) % 3, (k + 2) % 3, k] {
+            plot.curve(run.iter().map(|(t, body)| (*t, body.omega_body()[i])), pens[i])?;
+        }
+        let moment = inertia.principal().moment(axis);
+        let title = format!("about the axis with the {name} moment, $I_{}$ = {moment:.3} kg m²", k + 1);
+        canvas.label((62.0, top - 12.0), &Label::new(title).ink(pens[k].ink()));
+        let beside = |i: usize, y: f64, nudge: f64| {
+            let p = plot.at(END, y);
+            canvas.label(
+                (p.0 + 10.0 + nudge, p.1 + 5.0),
+                &Label::new(format!("$ω_{}$", i + 1)).ink(pens[i].ink()),
+            );
+        };
+        let w_end = run[run.len() - 1].1.omega_body();
+        if k == 1 {
+            let flips = sign_changes(run.iter().map(|(t, b)| (*t, b.omega_body()[1])));
+            let flips: Vec<_> = flips.iter().map(|t| format!("{t:.2} s")).collect();
+            said.push(format!("About the middle axis the spin reverses, at {}", flips.join(", ")));
+            for i in 0..3 {
+                beside(i, w_end[i], 0.0);
+            }
+        } else {
+            let others = [0, 1, 2].into_iter().filter(|&i| i != k);
+            let most = |i: usize| run.iter().map(|(_, b)| b.omega_body()[i].abs()).fold(0.0, f64::max);
+            said.push(format!(
+                "About the {name} axis the other components never exceed {:.2} rad/s",
+                others.clone().map(most).fold(0.0, f64::max)
+            ));
+            beside(k, w_end[k], 0.0);
+            for (n, i) in others.enumerate() {
+                beside(i, 0.0, if n == 0 { 0.0 } else { 32.0 });
+            }
+        }
+    }
+    canvas.label((20.0, 22.0), &Label::new("spin in body axes, $ω$ (rad/s)"));
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The box spun at {SPIN:.0} rad/s about each principal axis in turn, with the same push of {PUSH} rad/s about both \
+             others. {}.",
+            said.join(". ")
+        ),
+    })
+}

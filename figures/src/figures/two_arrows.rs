@@ -1,0 +1,119 @@
+use super::{Drawing, Picture};
+use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
+use crate::ink::Ink;
+use nalgebra::Vector3;
+use tumbling::Inertia;
+use tumbling::solid::{Solid, ThinPlate};
+
+/// The plate: 2 m wide, 1 m high, 1 kg, of no thickness.
+const WIDE: f64 = 2.0;
+const HIGH: f64 = 1.0;
+
+/// The spin of the large picture, from the horizontal axis.
+const SHOWN: f64 = 30.0;
+
+struct Arrows {
+    omega: f64,
+    momentum: f64,
+    /// Length of the momentum over its greatest.
+    relative: f64,
+    gap: f64,
+}
+
+fn arrows(plate: &Inertia, degrees: f64) -> Result<Arrows, tumbling::Error> {
+    // Exactly along the axes at the ends: the cosine of a right angle is not quite zero.
+    let w = match degrees {
+        90.0 => Vector3::y(),
+        d => Vector3::new(d.to_radians().cos(), d.to_radians().sin(), 0.0),
+    };
+    let l = plate.momentum(&w);
+    let most = plate.momentum(&Vector3::y()).norm();
+    Ok(Arrows {
+        omega: w.y.atan2(w.x),
+        momentum: l.y.atan2(l.x),
+        relative: l.norm() / most,
+        gap: plate.gap(&w)?,
+    })
+}
+
+fn plate_at(canvas: &Canvas, centre: P, scale: f64) {
+    let (w, h) = (0.5 * WIDE * scale, 0.5 * HIGH * scale);
+    let corners = [(-w, -h), (w, -h), (w, h), (-w, h)].map(|(x, y)| (centre.0 + x, centre.1 + y));
+    canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
+}
+
+pub(super) fn draw() -> Drawing {
+    let plate = ThinPlate::new(WIDE, HIGH)?.with_mass(1.0)?.inertia();
+    let [light, heavy] = [Vector3::x(), Vector3::y()].map(|axis| plate.about_axis(&axis));
+    let (light, heavy) = (light?, heavy?);
+    let canvas = Canvas::new(530);
+
+    let centre = (262.0, 228.0);
+    plate_at(&canvas, centre, 160.0);
+    let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
+    canvas.line((centre.0 - 215.0, centre.1), (centre.0 + 225.0, centre.1), axis);
+    canvas.line((centre.0, centre.1 + 110.0), (centre.0, centre.1 - 206.0), axis);
+    canvas.label((centre.0 + 235.0, centre.1 - 4.0), &Label::new("the lighter axis"));
+    canvas.label((centre.0 + 235.0, centre.1 + 18.0), &Label::new(format!("$I_1$ = {light:.3} kg m²")));
+    canvas.label((centre.0 - 14.0, centre.1 - 188.0), &Label::new("the heavier axis").end());
+    canvas.label((centre.0 - 14.0, centre.1 - 166.0), &Label::new(format!("$I_2$ = {heavy:.3} kg m²")).end());
+
+    let shown = arrows(&plate, SHOWN)?;
+    let w_tip = polar(centre, 225.0, shown.omega);
+    let l_tip = polar(centre, 345.0 * shown.relative, shown.momentum);
+    let arc = Pen::new(Ink::Text, 1.2);
+    canvas.arc(centre, 112.0, shown.omega, shown.momentum, arc);
+    canvas.arc(centre, 62.0, 0.0, shown.omega, arc);
+    canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
+    canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
+    canvas.disc(centre, 4.0, Fill::new(Ink::Text), None);
+    let w_text = Label::new("spin $!ω$").ink(Ink::Omega);
+    canvas.label((w_tip.0 + 8.0, w_tip.1 + 2.0), &w_text);
+    canvas.label((l_tip.0 + 12.0, l_tip.1 + 8.0), &Label::new("momentum $!L$ = $I!ω$").ink(Ink::Momentum));
+    let gap = format!("{:.1}°", shown.gap.to_degrees());
+    let by_the_arc = polar(centre, 146.0, 0.5 * (shown.omega + shown.momentum));
+    canvas.label((by_the_arc.0, by_the_arc.1 + 6.0), &Label::new(gap.clone()).bold().middle());
+    let half = polar(centre, 70.0, 0.5 * shown.omega);
+    canvas.label((half.0, half.1 + 6.0), &Label::new(format!("{SHOWN:.0}°")).size(15.5));
+
+    let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
+    let mut gaps = Vec::new();
+    canvas.label(
+        (20.0, 378.0),
+        &Label::new("The spin turned from one axis to the other, and below it the gap:"),
+    );
+    for (i, &degrees) in directions.iter().enumerate() {
+        #[allow(clippy::cast_precision_loss)]
+        let centre = (50.0 + 93.0 * i as f64, 452.0);
+        plate_at(&canvas, centre, 28.0);
+        let a = arrows(&plate, degrees)?;
+        let dot_at = polar(centre, 54.0, a.omega);
+        // Where they coincide both must be seen: the momentum wider and below.
+        canvas.arrow(
+            centre,
+            polar(centre, 54.0 * a.relative.max(0.35), a.momentum),
+            Pen::new(Ink::Momentum, 3.6),
+        );
+        canvas.arrow(centre, dot_at, Pen::new(Ink::Omega, 1.6));
+        canvas.disc(centre, 2.4, Fill::new(Ink::Text), None);
+        canvas.label(
+            (centre.0, centre.1 + 42.0),
+            &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle(),
+        );
+        let gap = format!("{:.1}°", a.gap.to_degrees());
+        canvas.label((centre.0, centre.1 + 66.0), &Label::new(gap.clone()).middle().bold());
+        gaps.push(format!("{gap} at {degrees:.0}°"));
+    }
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "A flat plate, {WIDE:.0} m wide and {HIGH:.0} m high, 1 kg. Its moment about the horizontal axis is \
+             {light:.3}, about the vertical axis {heavy:.3} kg m². The spin, a blue arrow, points {SHOWN:.0}° above the \
+             horizontal axis; the momentum, an orange arrow from the same point, points {:.1}° above it: it leans to the \
+             heavier, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
+             from one axis to the other; the gap is {}. The arrows coincide only at the two ends.",
+            shown.momentum.to_degrees(),
+            gaps.join(", ")
+        ),
+    })
+}

@@ -1,0 +1,131 @@
+//! The palette: one colour, one meaning, in every figure. A page may set its own values.
+
+/// What a mark stands for; its colour follows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Ink {
+    /// What is right, and all plain lines and letters: the colour of the text around the figure.
+    Text,
+    /// Angular velocity.
+    Omega,
+    /// Angular momentum.
+    Momentum,
+    /// The principal axis with the smallest moment.
+    AxisMin,
+    /// The middle one.
+    AxisMid,
+    /// The one with the largest moment.
+    AxisMax,
+    /// The curve between two kinds of motion.
+    Separatrix,
+    /// What a wrong program does.
+    Wrong,
+    /// The surface of a body.
+    Surface,
+    /// The ground that the figure stands on.
+    Paper,
+    /// Grid lines, hidden edges, remarks.
+    Faint,
+}
+
+struct Shade {
+    ink: Ink,
+    /// The custom property that a page may set.
+    property: &'static str,
+    light: &'static str,
+    dark: &'static str,
+}
+
+const fn shade(ink: Ink, property: &'static str, light: &'static str, dark: &'static str) -> Shade {
+    Shade { ink, property, light, dark }
+}
+
+/// The colours of a figure that stands alone: blue, orange and the others after Okabe and Ito, darkened or
+/// lightened until each has a contrast of 3 : 1 or more with its ground (the body's surface excepted).
+const SHADES: [Shade; 11] = [
+    shade(Ink::Text, "color", "#1f2328", "#e6edf3"),
+    shade(Ink::Omega, "--fig-omega", "#0072b2", "#56b4e9"),
+    shade(Ink::Momentum, "--fig-momentum", "#c06a00", "#f0a030"),
+    shade(Ink::AxisMin, "--fig-axis-min", "#00805f", "#2fc79a"),
+    shade(Ink::AxisMid, "--fig-axis-mid", "#b0307f", "#f08cc6"),
+    shade(Ink::AxisMax, "--fig-axis-max", "#7d6c00", "#dcc84f"),
+    shade(Ink::Separatrix, "--fig-separatrix", "#5b3fa8", "#b9a3ff"),
+    shade(Ink::Wrong, "--fig-wrong", "#c4281b", "#ff7a66"),
+    shade(Ink::Surface, "--fig-surface", "#e3eaf0", "#2a333c"),
+    shade(Ink::Paper, "--fig-paper", "#ffffff", "#0d1117"),
+    shade(Ink::Faint, "--fig-faint", "#848b94", "#848d97"),
+];
+
+impl Ink {
+    /// The colour as CSS has it: the page's own, or else this one.
+    pub(crate) fn css(self) -> String {
+        if self == Self::Text {
+            return "currentColor".into();
+        }
+        let shade = &SHADES[self.index()];
+        format!("var({},{})", shade.property, shade.light)
+    }
+
+    /// A number that stands for this ink inside plotters, which knows only red, green and blue.
+    pub(crate) fn index(self) -> usize {
+        SHADES.iter().position(|shade| shade.ink == self).unwrap_or(0)
+    }
+
+    /// The ink behind such a number.
+    pub(crate) fn from_index(index: usize) -> Self {
+        SHADES.get(index).map_or(Self::Text, |shade| shade.ink)
+    }
+}
+
+/// The style sheet of a figure that is opened or embedded by itself. `svg:root` matches only there: in a
+/// page the root is the page, and the page's own theme holds.
+pub(crate) fn stand_alone_style() -> String {
+    let list = |pick: fn(&Shade) -> &'static str| -> String {
+        SHADES.iter().map(|shade| format!("{}:{};", shade.property, pick(shade))).collect()
+    };
+    format!(
+        "svg:root{{{}}}@media (prefers-color-scheme:dark){{svg:root{{{}}}}}",
+        list(|s| s.light),
+        list(|s| s.dark)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance, as the Web Content Accessibility Guidelines 2.2 define it.
+    fn luminance(hex: &str) -> f64 {
+        let channel = |at: usize| {
+            let c = f64::from(u8::from_str_radix(&hex[at..at + 2], 16).unwrap()) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    fn contrast(a: &str, b: &str) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn every_ink_stands_out_from_its_ground_and_letters_more_so() {
+        let paper = &SHADES[Ink::Paper.index()];
+        for shade in &SHADES {
+            if matches!(shade.ink, Ink::Paper | Ink::Surface) {
+                continue;
+            }
+            let least = if shade.ink == Ink::Text { 7.0 } else { 3.0 };
+            for (ink, ground) in [(shade.light, paper.light), (shade.dark, paper.dark)] {
+                let seen = contrast(ink, ground);
+                assert!(seen >= least, "{:?}: {ink} on {ground} has {seen:.2} : 1", shade.ink);
+            }
+        }
+    }
+
+    #[test]
+    fn an_ink_survives_the_way_through_plotters() {
+        for shade in &SHADES {
+            assert_eq!(Ink::from_index(shade.ink.index()), shade.ink);
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! Free motions, as the library's right engine steps them.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::step::Engine;
+use tumbling::{Body, Error, Inertia};
+
+/// A body upright in the world with this spin, rad/s.
+pub(crate) fn spun(inertia: Inertia, omega: Vector3<f64>) -> Result<Body, Error> {
+    Body::spinning(inertia, UnitQuaternion::identity(), &omega)
+}
+
+/// Pairs of time and body, `count` steps of `h` seconds.
+pub(crate) fn free(body: &Body, h: f64, count: usize) -> Result<Vec<(f64, Body)>, Error> {
+    timed(Engine::Turned, body, h, count)
+}
+
+/// The same as some engine has it.
+pub(crate) fn timed(engine: Engine, body: &Body, h: f64, count: usize) -> Result<Vec<(f64, Body)>, Error> {
+    #[allow(clippy::cast_precision_loss)]
+    let time = |i: usize| h * i as f64;
+    Ok(engine.run(body, h, count)?.into_iter().enumerate().map(|(i, body)| (time(i), body)).collect())
+}

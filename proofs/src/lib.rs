@@ -1,0 +1,37 @@
+//! The laws of the `tumbling` library, proven for all bodies at once.
+//!
+//! The library writes each law once, over whatever can be added and multiplied. Here the very same
+//! functions run on [`Polynomial`]s and [`Fraction`]s in named variables instead of floats: what comes out
+//! is the law itself, and whether two laws agree is decided, not sampled.
+//!
+//! ```
+//! use tumbling::euler::coupling;
+//! use tumbling_proofs::symbols::vector;
+//!
+//! // Euler's equations for every body and every spin, and why they keep the energy: w . (I w') is nothing.
+//! let (moments, omega) = (vector("I"), vector("omega"));
+//! let torque_free = coupling(&moments, &omega);
+//! assert_eq!(torque_free.x.to_string(), "I2 omega2 omega3 - I3 omega2 omega3");
+//! assert_eq!(omega.dot(&torque_free).to_string(), "0");
+//! ```
+//!
+//! [`proofs()`] lists them all. A proof is about the formula in exact arithmetic: it says nothing of rounding,
+//! of overflow, or of what is computed with branches and roots, which other tests must watch.
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod number;
+mod proofs;
+mod region;
+
+pub mod proof;
+pub mod symbols;
+
+pub use num_bigint::BigInt;
+pub use num_rational::BigRational;
+pub use number::{
+    Circular, Derivation, Fraction, Monomial, ParseError, Polynomial, Rational, Relations, Series, Symbol,
+    Tex,
+};
+pub use proof::{Mutant, Outcome, Proof, Residue};
+pub use proofs::engines::{Law, keeps};
+pub use proofs::proofs;

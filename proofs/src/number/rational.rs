@@ -1,0 +1,193 @@
+//! Exact fractions of whole numbers of any size.
+
+use super::ops::operator;
+use super::tex::Tex;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::fmt;
+use std::ops::Neg;
+
+/// An exact fraction of two whole numbers, as large as they need to be: nothing rounds or overflows.
+///
+/// A quotient by zero is *undefined*, and so is all that is computed from it. As with a float's NaN,
+/// undefined equals nothing, not even itself; so no equality that is found can rest on a division by zero.
+///
+/// ```
+/// use tumbling_proofs::{Rational, Tex};
+/// let third = Rational::new(1, 3);
+/// assert_eq!(third.clone() + third.clone() + third.clone(), Rational::from(1));
+/// assert_eq!(third.to_string(), "1/3");
+/// assert_eq!((-third).tex(), r"-\frac{1}{3}");
+/// assert!(Rational::new(1, 0).is_undefined());
+/// assert_ne!(Rational::new(1, 0), Rational::new(1, 0));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Rational(Option<BigRational>);
+
+impl Rational {
+    /// The fraction `numerator / denominator`; undefined if that divides by zero.
+    #[must_use]
+    pub fn new(numerator: i64, denominator: i64) -> Self {
+        Self::from(numerator) / Self::from(denominator)
+    }
+
+    /// The exact value of a float; undefined if that is infinite or not a number.
+    ///
+    /// ```
+    /// use tumbling_proofs::Rational;
+    /// assert_eq!(Rational::of_f64(0.375), Rational::new(3, 8));
+    /// assert_ne!(Rational::of_f64(0.1), Rational::new(1, 10));
+    /// ```
+    #[must_use]
+    pub fn of_f64(x: f64) -> Self {
+        Self(BigRational::from_float(x))
+    }
+
+    /// A decimal such as `-12`, `0.4167` or `2.5e-3`, taken exactly; `None` if it is not one, or if its power
+    /// of ten is beyond a thousand.
+    ///
+    /// ```
+    /// use tumbling_proofs::Rational;
+    /// assert_eq!(Rational::of_decimal("0.4167"), Some(Rational::new(4167, 10_000)));
+    /// assert_eq!(Rational::of_decimal("-2.5e3"), Some(Rational::from(-2500)));
+    /// assert_eq!(Rational::of_decimal("2,5"), None);
+    /// ```
+    #[must_use]
+    pub fn of_decimal(text: &str) -> Option<Self> {
+        let (mantissa, power) = match text.split_once(['e', 'E']) {
+            Some((mantissa, power)) => (mantissa, power.parse::<i64>().ok()?),
+            None => (text, 0),
+        };
+        let (sign, digits) = match mantissa.strip_prefix('-') {
+            Some(rest) => (-1, rest),
+            None => (1, mantissa),
+        };
+        let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+        let all = format!("{whole}{decimals}");
+        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let power = power - i64::try_from(decimals.len()).ok()?;
+        if !(-1000..=1000).contains(&power) {
+            return None;
+        }
+        let ten = BigInt::from(10).pow(u32::try_from(power.unsigned_abs()).ok()?);
+        let digits = all.parse::<BigInt>().ok()? * sign;
+        let value = if power < 0 { BigRational::new(digits, ten) } else { BigRational::from(digits * ten) };
+        Some(value.into())
+    }
+
+    /// Whether a division by zero stands behind it.
+    #[must_use]
+    pub fn is_undefined(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// The value, unless undefined.
+    #[must_use]
+    pub fn value(&self) -> Option<&BigRational> {
+        self.0.as_ref()
+    }
+
+    /// The nearest float; not a number if undefined, infinite if too large.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.value().and_then(ToPrimitive::to_f64).unwrap_or(f64::NAN)
+    }
+
+    fn with(&self, other: &Self, f: impl Fn(&BigRational, &BigRational) -> Option<BigRational>) -> Self {
+        Self(self.value().zip(other.value()).and_then(|(a, b)| f(a, b)))
+    }
+
+    fn sum(&self, other: &Self) -> Self {
+        self.with(other, |a, b| Some(a + b))
+    }
+
+    fn difference(&self, other: &Self) -> Self {
+        self.with(other, |a, b| Some(a - b))
+    }
+
+    fn product(&self, other: &Self) -> Self {
+        self.with(other, |a, b| Some(a * b))
+    }
+
+    fn quotient(&self, other: &Self) -> Self {
+        self.with(other, |a, b| (!b.is_zero()).then(|| a / b))
+    }
+}
+
+operator!(Rational: Add add AddAssign add_assign = Rational::sum);
+operator!(Rational: Sub sub SubAssign sub_assign = Rational::difference);
+operator!(Rational: Mul mul MulAssign mul_assign = Rational::product);
+operator!(Rational: Div div DivAssign div_assign = Rational::quotient);
+
+impl Neg for Rational {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(Neg::neg))
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(n: i64) -> Self {
+        BigRational::from(BigInt::from(n)).into()
+    }
+}
+
+impl From<BigRational> for Rational {
+    fn from(value: BigRational) -> Self {
+        Self(Some(value))
+    }
+}
+
+impl Zero for Rational {
+    fn zero() -> Self {
+        BigRational::zero().into()
+    }
+    fn is_zero(&self) -> bool {
+        self.value().is_some_and(Zero::is_zero)
+    }
+}
+
+impl One for Rational {
+    fn one() -> Self {
+        BigRational::one().into()
+    }
+}
+
+impl PartialEq for Rational {
+    fn eq(&self, other: &Self) -> bool {
+        self.value().zip(other.value()).is_some_and(|(a, b)| a == b)
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        self.value().zip(other.value()).map(|(a, b)| a.cmp(b))
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.value() {
+            Some(value) => write!(f, "{value}"),
+            None => f.write_str("undefined"),
+        }
+    }
+}
+
+impl Tex for Rational {
+    fn tex(&self) -> String {
+        self.value().map_or_else(|| r"\text{undefined}".to_owned(), tex)
+    }
+}
+
+/// The TeX of an exact fraction.
+pub(super) fn tex(value: &BigRational) -> String {
+    if value.is_integer() {
+        return value.numer().to_string();
+    }
+    let sign = if value.is_negative() { "-" } else { "" };
+    format!(r"{sign}\frac{{{}}}{{{}}}", value.numer().abs(), value.denom())
+}

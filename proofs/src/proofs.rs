@@ -1,0 +1,32 @@
+//! The list of proofs, in the order of the library.
+
+mod closed_forms;
+mod conserved;
+pub mod engines;
+mod euler;
+mod gap;
+mod inertia;
+mod order;
+mod solids;
+mod stability;
+mod turning;
+
+use crate::proof::Proof;
+
+/// Every proof.
+#[must_use]
+pub fn proofs() -> Vec<&'static Proof> {
+    let parts: [&[Proof]; 10] = [
+        solids::PROOFS,
+        inertia::PROOFS,
+        turning::PROOFS,
+        euler::PROOFS,
+        conserved::PROOFS,
+        stability::PROOFS,
+        gap::PROOFS,
+        engines::PROOFS,
+        closed_forms::PROOFS,
+        order::PROOFS,
+    ];
+    parts.into_iter().flatten().collect()
+}

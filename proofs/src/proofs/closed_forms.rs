@@ -1,0 +1,169 @@
+//! Motions in closed form: each put into Euler's equations, which it satisfies identically.
+
+use crate::number::{Derivation, Fraction, Polynomial, Relations, Symbol};
+use crate::proof::{Mutant, Outcome, Proof, Residue, same, same_vectors_under, vanishes};
+use crate::symbols::{Vector, diagonal, variables, vector};
+use num_traits::One;
+use tumbling::euler::angular_acceleration;
+use tumbling::observe::energy;
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "symmetric-top",
+        part: "exact",
+        statement: "With I1 = I2 the spin circles the third axis at the rate (I3 - I1) w3 / I1: w1 = A cos, w2 = A sin, w3 constant.",
+        check: || symmetric_top(angular_acceleration, 1),
+        mutants: &[
+            Mutant { change: "the other way round", check: || symmetric_top(angular_acceleration, -1) },
+            Mutant { change: "a sign in Euler's equations", check: || symmetric_top(one_sign_wrong, 1) },
+        ],
+    },
+    Proof {
+        name: "separatrix",
+        part: "exact",
+        statement: "On the separatrix the spin is (A1 sech, w tanh, A3 sech) of w t sqrt((I2 - I1)(I3 - I2) / (I1 I3)), with A1 and A3 in \
+                    closed form; then L² = 2 E I2. For every body with three different moments.",
+        check: || separatrix(angular_acceleration, 1),
+        mutants: &[
+            Mutant {
+                change: "one amplitude with the wrong sign",
+                check: || separatrix(angular_acceleration, -1),
+            },
+            Mutant { change: "a sign in Euler's equations", check: || separatrix(one_sign_wrong, 1) },
+        ],
+    },
+    Proof {
+        name: "circling-the-largest-axis",
+        part: "exact",
+        statement: "Off the separatrix, on the side of the largest moment, the spin is (A1 cn, A2 sn, A3 dn), with amplitudes, rate and \
+                    parameter in closed form. For every body with three different moments.",
+        check: || elliptic(angular_acceleration, Side::Largest, 1),
+        mutants: &[
+            Mutant {
+                change: "the rate reversed",
+                check: || elliptic(angular_acceleration, Side::Largest, -1),
+            },
+            Mutant {
+                change: "a sign in Euler's equations",
+                check: || elliptic(one_sign_wrong, Side::Largest, 1),
+            },
+        ],
+    },
+    Proof {
+        name: "circling-the-smallest-axis",
+        part: "exact",
+        statement: "On the side of the smallest moment the spin is (A1 dn, A2 sn, A3 cn), the same with the two ends exchanged.",
+        check: || elliptic(angular_acceleration, Side::Smallest, 1),
+        mutants: &[Mutant {
+            change: "the rate reversed",
+            check: || elliptic(angular_acceleration, Side::Smallest, -1),
+        }],
+    },
+    Proof {
+        name: "which-side",
+        part: "exact",
+        statement: "L² - 2 E I2 = I3 (I3 - I2) w3² - I1 (I2 - I1) w1²: the sum of one positive and one negative square that says which end the \
+                    spin circles; likewise 2 E I3 - L² and L² - 2 E I1 are sums of positive squares.",
+        check: || sides(1),
+        mutants: &[Mutant { change: "a plus between the squares", check: || sides(-1) }],
+    },
+];
+
+fn one_sign_wrong(moments: &Vector, omega: &Vector, torque: &Vector) -> Vector {
+    let mut rate = angular_acceleration(moments, omega, torque);
+    rate.y = -rate.y.clone();
+    rate
+}
+
+fn symmetric_top(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64) -> Outcome {
+    let [i1, i3, amplitude, w3, cos, sin] = variables(["I1", "I3", "A", "omega3", "cos", "sin"]);
+    let rate = (&i3 - &i1) * &w3 / &i1 * Fraction::from(factor);
+    let time = Derivation::new([("cos", -(&rate * &sin)), ("sin", rate * &cos)]);
+    let omega = Vector::new(&amplitude * cos, amplitude * sin, w3);
+    let expected = law(&Vector::new(i1.clone(), i1, i3), &omega, &Vector::zeros());
+    let circle = Relations::circle("cos", "sin");
+    same_vectors_under(&circle, "w'", &omega.map(|x| time.of(&x)), &expected)
+}
+
+/// Roots of the moments and of their differences, as symbols: `x1² = I1`, `p² = I2 - I1`, `q² = I3 - I2`,
+/// `r² = I3 - I1`; `more` goes before them.
+fn roots(more: Vec<(Symbol, Polynomial)>) -> Result<Relations, Residue> {
+    let square = |name: &str| Polynomial::variable(name).pow(2);
+    let (i1, p, q) = (square("x1"), square("p"), square("q"));
+    let mut rules = more;
+    rules.push(("x2".into(), &i1 + &p));
+    rules.push(("x3".into(), &i1 + &p + &q));
+    rules.push(("r".into(), p + q));
+    Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })
+}
+
+/// The squares of the roots of the moments: the moments, in order of size.
+fn moments() -> Vector {
+    Vector::from(variables(["x1", "x2", "x3"])).map(|x| x.pow(2))
+}
+
+fn separatrix(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64) -> Outcome {
+    let [x1, x2, x3, p, q, r, spin, sech, tanh] =
+        variables(["x1", "x2", "x3", "p", "q", "r", "Omega", "sech", "tanh"]);
+    let square = Polynomial::one() - Polynomial::variable("tanh").pow(2);
+    let relations = roots(vec![("sech".into(), square)])?;
+    let rate = &spin * &p * &q / (&x1 * &x3);
+    let time = Derivation::hyperbolic(&rate);
+    let a1 = &spin * &q * &x2 / (&x1 * &r) * Fraction::from(factor);
+    let a3 = &spin * &p * &x2 / (&x3 * &r);
+    let omega = Vector::new(a1 * &sech, &spin * tanh, a3 * sech);
+    let moments = moments();
+    let expected = law(&moments, &omega, &Vector::zeros());
+    same_vectors_under(&relations, "w'", &omega.map(|x| time.of(&x)), &expected)?;
+    let momentum = diagonal(&moments) * &omega;
+    let discriminant = momentum.dot(&momentum) - energy(&omega, &momentum) * &moments.y * Fraction::from(2);
+    vanishes("L² - 2 E I2", &discriminant, &relations)
+}
+
+/// Which end the spin circles.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Smallest,
+    Largest,
+}
+
+/// Symbols: `Q` is free and says how fast; `k` is the modulus, `k² = m`.
+fn elliptic(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, side: Side, factor: i64) -> Outcome {
+    let [x1, x2, x3, p, q, r, k, big, sn, cn, dn] =
+        variables(["x1", "x2", "x3", "p", "q", "r", "k", "Q", "sn", "cn", "dn"]);
+    let [sn2, m] = ["sn", "m"].map(Polynomial::variable);
+    let sn2 = sn2.pow(2);
+    let relations = roots(vec![
+        ("cn".into(), Polynomial::one() - &sn2),
+        ("dn".into(), Polynomial::one() - &m * sn2),
+        ("k".into(), m),
+    ])?;
+    // Between the circled axis and the middle, and between the middle and the other end.
+    let (near, far) = if side == Side::Largest { (&q, &p) } else { (&p, &q) };
+    let small = &k * &big * near / far;
+    let rate = near * &big / (&x1 * &x2 * &x3) * Fraction::from(factor);
+    let (end, circled) = if side == Side::Largest { (&x1, &x3) } else { (&x3, &x1) };
+    let across = &small / (end * &r) * cn;
+    let along = &big / (circled * &r) * dn;
+    let middle = &small / (&x2 * near) * sn;
+    let omega = if side == Side::Largest {
+        Vector::new(across, middle, along)
+    } else {
+        Vector::new(along, middle, across)
+    };
+    let time = Derivation::elliptic(&rate);
+    let expected = law(&moments(), &omega, &Vector::zeros());
+    same_vectors_under(&relations, "w'", &omega.map(|x| time.of(&x)), &expected)
+}
+
+fn sides(sign: i64) -> Outcome {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let momentum = diagonal(&moments) * &omega;
+    let twice_energy = energy(&omega, &momentum) * Fraction::from(2);
+    let square = momentum.dot(&momentum);
+    let term = |i: usize, j: usize, k: usize| &moments[i] * (&moments[j] - &moments[k]) * omega[i].pow(2);
+    let two_terms = term(2, 2, 1) - term(0, 1, 0) * Fraction::from(sign);
+    same("L² - 2 E I2", &(&square - &twice_energy * &moments.y), &two_terms)?;
+    same("2 E I3 - L²", &(&twice_energy * &moments.z - &square), &(term(0, 2, 0) + term(1, 2, 1)))?;
+    same("L² - 2 E I1", &(square - twice_energy * &moments.x), &(term(1, 1, 0) + term(2, 2, 0)))
+}

@@ -1,0 +1,224 @@
+//! The engines, right and wrong: which laws of motion each keeps, and what is left over of those it breaks.
+
+use crate::number::{Derivation, Fraction, Relations};
+use crate::proof::{Mutant, Outcome, Proof, breaks, same_vectors_under, vanishes};
+use crate::symbols::{Matrix, Vector, attitude, diagonal, vector};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use tumbling::attitude::{rate, rotation_matrix};
+use tumbling::euler::tensor_times_acceleration;
+use tumbling::inertia::turned;
+use tumbling::step::Engine;
+
+/// A law that the motion of a free body obeys, and that an engine may break.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Law {
+    /// The momentum that the body's mass truly has, `R I R^T w`, is constant.
+    Momentum,
+    /// Its length is.
+    LengthOfMomentum,
+    /// The energy that the body truly has, half of `w . R I R^T w`, is constant.
+    Energy,
+    /// Euler's equations: `I w' = (I w) x w` in the body.
+    Euler,
+    /// What the engine carries, if it is meant as momentum, is the momentum that the body truly has.
+    SpinFromMomentum,
+}
+
+impl Law {
+    /// All five.
+    pub const ALL: [Self; 5] =
+        [Self::Momentum, Self::LengthOfMomentum, Self::Energy, Self::Euler, Self::SpinFromMomentum];
+}
+
+use Law::{Energy, Euler, LengthOfMomentum, Momentum, SpinFromMomentum};
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "right-engine",
+        part: "step",
+        statement: "The right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to its momentum.",
+        check: || keeps_only(Engine::Turned, &Law::ALL),
+        mutants: &[Mutant {
+            change: "the frozen tensor in its place",
+            check: || keeps_only(Engine::Frozen, &Law::ALL),
+        }],
+    },
+    Proof {
+        name: "frozen-tensor",
+        part: "step",
+        statement: "With the tensor frozen in the world (pitfall 1), momentum, its length, energy and Euler's equations all break as \
+                    soon as the body has turned.",
+        check: || keeps_only(Engine::Frozen, &[SpinFromMomentum]),
+        mutants: &[
+            Mutant {
+                change: "said to keep the energy",
+                check: || keeps_only(Engine::Frozen, &[SpinFromMomentum, Energy]),
+            },
+            Mutant {
+                change: "the right engine in its place",
+                check: || keeps_only(Engine::Turned, &[SpinFromMomentum]),
+            },
+        ],
+    },
+    Proof {
+        name: "momentum-for-spin",
+        part: "step",
+        statement: "With momentum taken for spin (pitfall 2) energy and the length of momentum stay, but the body's own momentum \
+                    turns away, is not the one carried, and Euler's equations break.",
+        check: || keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum]),
+        mutants: &[
+            Mutant {
+                change: "said to keep momentum",
+                check: || keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum, Momentum]),
+            },
+            Mutant {
+                change: "said to break the energy",
+                check: || keeps_only(Engine::MomentumForSpin, &[LengthOfMomentum]),
+            },
+        ],
+    },
+    Proof {
+        name: "no-gyroscopic-term",
+        part: "step",
+        statement: "With constant spin (pitfall 3) energy and the length of momentum stay, which is why it looks right, but \
+                    momentum turns with the body and Euler's equations break.",
+        check: || keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum, SpinFromMomentum]),
+        mutants: &[Mutant {
+            change: "said to keep Euler's equations",
+            check: || {
+                keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum, SpinFromMomentum, Euler])
+            },
+        }],
+    },
+    Proof {
+        name: "wrong-engines-are-right-for-a-ball",
+        part: "step",
+        statement: "For a body with three equal moments every engine, right or wrong, keeps every law.",
+        check: || ball(&[0, 0, 0]),
+        mutants: &[Mutant { change: "one moment larger", check: || ball(&[0, 1, 0]) }],
+    },
+];
+
+/// A free body as an engine moves it: tensor and attitude, spin, and the rate of change with time.
+struct Run {
+    unit: Relations,
+    rotation: Matrix,
+    tensor: Matrix,
+    carried: Vector,
+    omega: Vector,
+    time: Derivation,
+}
+
+impl Run {
+    fn new(engine: Engine, moments: &Vector) -> Self {
+        let (q, unit) = attitude();
+        let reduced = |v: Vector| v.map(|x| unit.reduce_fraction(&x));
+        let rotation = rotation_matrix(&q);
+        let (tensor, inverse) = (diagonal(moments), diagonal(&moments.map(|x| Fraction::one() / x)));
+        let carried = vector("v");
+        let omega = reduced(engine.omega_world(&rotation, &tensor, &inverse, &carried));
+        let q_rate = rate(&q, &reduced(rotation.transpose() * &omega)).coords;
+        let v_rate = engine.carried_rate(&tensor, &inverse, &carried);
+        let time = Derivation::new([
+            ("w", q_rate.w.clone()),
+            ("x", q_rate.x.clone()),
+            ("y", q_rate.y.clone()),
+            ("z", q_rate.z.clone()),
+            ("v1", v_rate.x.clone()),
+            ("v2", v_rate.y.clone()),
+            ("v3", v_rate.z.clone()),
+        ]);
+        Self { unit, rotation, tensor, carried, omega, time }
+    }
+
+    fn reduced(&self, v: &Vector) -> Vector {
+        v.map(|x| self.unit.reduce_fraction(&x))
+    }
+
+    /// What each law leaves over: zero where it is kept. In the attitude of the moment.
+    fn left_over(&self, engine: Engine, law: Law) -> Vector {
+        let body_spin = self.reduced(&(self.rotation.transpose() * &self.omega));
+        let body_momentum = &self.tensor * &body_spin;
+        let only = |x: Fraction| Vector::new(x, Fraction::zero(), Fraction::zero());
+        match law {
+            Law::Momentum => {
+                let momentum = self.reduced(&(&self.rotation * &body_momentum));
+                momentum.map(|x| self.time.of(&x))
+            }
+            Law::LengthOfMomentum => only(self.time.of(&body_momentum.dot(&body_momentum))),
+            Law::Energy => only(self.time.of(&tumbling::observe::energy(&body_spin, &body_momentum))),
+            Law::Euler => {
+                let acceleration = body_spin.map(|x| self.time.of(&x));
+                &self.tensor * acceleration
+                    - tensor_times_acceleration(&self.tensor, &body_spin, &Vector::zeros())
+            }
+            Law::SpinFromMomentum => match engine {
+                Engine::Turned | Engine::MomentumForSpin => {
+                    turned(&self.rotation, &self.tensor) * &self.omega - &self.carried
+                }
+                _ => Vector::zeros(),
+            },
+        }
+    }
+}
+
+/// Checks that an engine keeps a law, for every body, attitude and spin.
+///
+/// # Errors
+/// If it does not, what is left over after a quarter turn about z if anything is then, else at any attitude.
+/// There `v` is the vector that the engine carries, along the world's axes.
+///
+/// ```
+/// use tumbling::step::Engine;
+/// use tumbling_proofs::{Law, keeps};
+/// assert!(keeps(Engine::NoGyroscopicTerm, Law::Energy).is_ok());
+/// let broken = keeps(Engine::NoGyroscopicTerm, Law::Euler).unwrap_err();
+/// assert_eq!(broken.to_string(), "NoGyroscopicTerm, Euler: leaves I2 v1 v3 - I3 v1 v3");
+/// ```
+pub fn keeps(engine: Engine, law: Law) -> Outcome {
+    keeps_with(engine, law, &vector("I"))
+}
+
+fn keeps_with(engine: Engine, law: Law, moments: &Vector) -> Outcome {
+    let run = Run::new(engine, moments);
+    let left = run.left_over(engine, law);
+    let claim = format!("{engine:?}, {law:?}");
+    // Reduced, it is made of even powers of w, x, y, z; after a quarter turn about z, w and z are both the
+    // root of one half.
+    let half =
+        Relations::new(vec![("w".into(), BigRational::new(1.into(), 2.into()).into())]).unwrap_or_default();
+    let w = Fraction::variable("w");
+    let quarter_turn = [("x", Fraction::zero()), ("y", Fraction::zero()), ("z", w)];
+    for x in &left {
+        let there =
+            quarter_turn.iter().fold(x.clone(), |x, (name, value)| x.substitute(&(*name).into(), value));
+        vanishes(&claim, &there, &half)?;
+    }
+    same_vectors_under(&run.unit, &claim, &left, &Vector::zeros())
+}
+
+/// That an engine keeps these laws and breaks the others.
+fn keeps_only(engine: Engine, kept: &[Law]) -> Outcome {
+    for law in Law::ALL {
+        let outcome = keeps(engine, law);
+        if kept.contains(&law) {
+            outcome?;
+        } else {
+            breaks(&format!("{engine:?} breaks {law:?}"), outcome)?;
+        }
+    }
+    Ok(())
+}
+
+/// That every engine keeps every law if the moments are one and the same, but for what is added to each.
+fn ball(added: &[i64; 3]) -> Outcome {
+    let moment = Fraction::variable("I");
+    let moments = Vector::from_fn(|i, _| &moment + Fraction::from(added[i]));
+    for engine in Engine::ALL {
+        for law in Law::ALL {
+            keeps_with(engine, law, &moments)?;
+        }
+    }
+    Ok(())
+}

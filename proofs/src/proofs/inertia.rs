@@ -1,0 +1,118 @@
+//! The tensor itself: what it is for one point, and how it moves with the point it is taken about.
+
+use crate::number::Fraction;
+use crate::proof::{Mutant, Outcome, Proof, same, same_matrices, same_vectors};
+use crate::symbols::{Matrix, Vector, scalar, variables, vector};
+use tumbling::inertia::point_mass;
+use tumbling::solid::{MassMoments, combined, point_masses_moments};
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "point-mass",
+        part: "inertia",
+        statement: "The tensor of a point, applied to a spin w, is its angular momentum m r x (w x r), for every point and spin.",
+        check: || point(point_mass),
+        mutants: &[
+            Mutant {
+                change: "the products without their minus",
+                check: || {
+                    point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone()))
+                },
+            },
+            Mutant {
+                change: "the axes one further on",
+                check: || {
+                    point(|m, r| Matrix::from_fn(|i, j| point_mass(m, r)[((i + 1) % 3, (j + 1) % 3)].clone()))
+                },
+            },
+        ],
+    },
+    Proof {
+        name: "every-body-obeys-the-triangle-inequality",
+        part: "inertia",
+        statement: "About every axis n, half the trace less the moment is the sum of m (n.r)², for every point and so for \
+                    every body: never below zero, hence no moment above the sum of the others.",
+        check: || triangle(point_mass),
+        mutants: &[Mutant {
+            change: "the products without their minus",
+            check: || {
+                triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone()))
+            },
+        }],
+    },
+    Proof {
+        name: "parallel-axes",
+        part: "inertia",
+        statement: "About a point away from the centre, a body's tensor is that about the centre plus that of a point with all its mass.",
+        check: || parallel_axes(1),
+        mutants: &[Mutant { change: "subtracted, not added", check: || parallel_axes(-1) }],
+    },
+    Proof {
+        name: "parts-of-a-body",
+        part: "inertia",
+        statement: "Parts put together in steps, counted from any point, make the same body; two points turn as one with \
+                    their reduced mass.",
+        check: || parts(combined),
+        mutants: &[Mutant {
+            change: "the parts' tensors added without their distances",
+            check: || {
+                parts(|parts, reference| {
+                    let sum = parts.iter().fold(Matrix::zeros(), |sum, part| sum + &part.inertia);
+                    MassMoments { inertia: sum, ..combined(parts, reference) }
+                })
+            },
+        }],
+    },
+];
+
+fn sign(plus: bool) -> Fraction {
+    Fraction::from(if plus { 1 } else { -1 })
+}
+
+fn point(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
+    let (m, r, w) = (Fraction::variable("m"), vector("r"), vector("omega"));
+    let momentum = r.cross(&w.cross(&r)).map(|x| x * m.clone());
+    same_vectors("L = I w", &(law(&m, &r) * &w), &momentum)
+}
+
+fn triangle(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
+    let (m, r, n) = (Fraction::variable("m"), vector("r"), vector("n"));
+    let tensor = law(&m, &r);
+    let half_trace = tensor.trace() / Fraction::from(2);
+    let less_the_moment = half_trace * n.dot(&n) - n.dot(&(&tensor * &n));
+    let along = n.dot(&r);
+    same("half the trace less the moment", &less_the_moment, &(m * &along * &along))
+}
+
+/// Three points: mass, first and second moments of theirs can be anything, and no more than those count.
+fn points() -> Vec<(Fraction, Vector)> {
+    ["r", "s", "t"].iter().map(|name| (Fraction::variable(&format!("m_{name}")), vector(name))).collect()
+}
+
+fn parallel_axes(factor: i64) -> Outcome {
+    let (points, away) = (points(), vector("d"));
+    let body = point_masses_moments(&points, &Vector::zeros());
+    let from = |position: &Vector| position - &away;
+    let about = points.iter().fold(Matrix::zeros(), |sum, (m, r)| sum + point_mass(m, &from(r)));
+    let shift = point_mass(&body.mass, &from(&body.centre)).map(|x| x * Fraction::from(factor));
+    same_matrices("the tensor about d", &about, &(body.inertia + shift))
+}
+
+fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction>) -> Outcome {
+    let part = |(mass, centre)| MassMoments { mass, centre, inertia: Matrix::zeros() };
+    let all: Vec<_> = points().into_iter().map(part).collect();
+    let together = law(&all, &vector("d"));
+    let pair = law(&all[1..], &Vector::zeros());
+    let in_steps = law(&[pair, all[0].clone()], &Vector::zeros());
+    same_vectors("centre", &together.centre, &in_steps.centre)?;
+    same_matrices("inertia", &together.inertia, &in_steps.inertia)?;
+    // Two points turn about their centre as one with their reduced mass at their distance.
+    let (light, heavy) = (&all[1], &all[2]);
+    let reduced = &light.mass * &heavy.mass / (&light.mass + &heavy.mass);
+    let dumbbell = law(&all[1..], &Vector::zeros()).inertia;
+    same_matrices("two points", &dumbbell, &point_mass(&reduced, &(&light.centre - &heavy.centre)))?;
+    // And one part alone stays what it is.
+    let [m] = variables(["m"]);
+    let alone = MassMoments { mass: m.clone(), centre: vector("r"), inertia: scalar(&m) };
+    same_matrices("one part alone", &law(&[alone], &vector("d")).inertia, &scalar(&m))
+}

@@ -1,0 +1,126 @@
+//! Spin about each principal axis: steady, and for every body stable about two axes and not about the third.
+
+use crate::number::Fraction;
+use crate::proof::{Mutant, Outcome, Proof, positive, same, same_vectors};
+use crate::symbols::{Vector, ordered_moments, vector};
+use num_traits::Zero;
+use tumbling::euler::angular_acceleration;
+use tumbling::stability::rate_squared;
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "steady-spins",
+        part: "stability",
+        statement: "A spin about a principal axis does not change, for every body and every axis.",
+        check: || steady(angular_acceleration),
+        mutants: &[Mutant {
+            change: "w1 w1 for w2 w3 in the second equation",
+            check: || {
+                steady(|i, w, t| {
+                    let mut rate = angular_acceleration(i, w, t);
+                    rate.y = (&i.z - &i.x) * &w.x * &w.x / i.y.clone();
+                    rate
+                })
+            },
+        }],
+    },
+    Proof {
+        name: "rates-of-the-wobble",
+        part: "stability",
+        statement: "Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small \
+                    components by each other, so that their second rate is the library's rate squared times themselves.",
+        check: || linearised(rate_squared),
+        mutants: &[
+            Mutant { change: "the sign", check: || linearised(|w, i, a, b| -rate_squared(w, i, a, b)) },
+            Mutant {
+                change: "divided by the wrong moment",
+                check: || linearised(|w, i, a, b| rate_squared(w, i, a, b) * a.clone() / i.clone()),
+            },
+        ],
+    },
+    Proof {
+        name: "the-middle-axis",
+        part: "stability",
+        statement: "For every body with I1 < I2 < I3 the wobble grows about the middle axis and swings about the other two: with \
+                    I2 = I1 + a and I3 = I1 + a + b all coefficients have one sign.",
+        check: || middle(rate_squared, 1),
+        mutants: &[
+            Mutant { change: "the sign", check: || middle(|w, i, a, b| -rate_squared(w, i, a, b), 1) },
+            Mutant {
+                change: "the smallest axis taken for the middle one",
+                check: || middle(rate_squared, 0),
+            },
+        ],
+    },
+    Proof {
+        name: "equal-moments",
+        part: "stability",
+        statement: "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.",
+        check: || equal(rate_squared),
+        mutants: &[Mutant {
+            change: "w² added",
+            check: || equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
+        }],
+    },
+];
+
+type RateLaw<'a> = &'a dyn Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction;
+
+fn spin_about(axis: usize) -> Vector {
+    Vector::from_fn(|i, _| if i == axis { Fraction::variable("Omega") } else { Fraction::zero() })
+}
+
+fn steady(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Outcome {
+    for axis in 0..3 {
+        let rate = law(&vector("I"), &spin_about(axis), &Vector::zeros());
+        same_vectors(&format!("w' about axis {}", axis + 1), &rate, &Vector::zeros())?;
+    }
+    Ok(())
+}
+
+fn linearised(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
+    for axis in 0..3 {
+        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+        let steady = spin_about(axis);
+        // The derivative of component `row` of the rate by component `column` of the spin, at the steady spin.
+        let slope = |row: usize, column: usize| {
+            let slope = rate[row].derivative(&format!("omega{}", column + 1).as_str().into());
+            (0..3).fold(slope, |x, i| x.substitute(&format!("omega{}", i + 1).as_str().into(), &steady[i]))
+        };
+        for (row, column) in [(axis, 0), (axis, 1), (axis, 2), (j, axis), (k, axis), (j, j), (k, k)] {
+            same("a slope that should vanish", &slope(row, column), &Fraction::zero())?;
+        }
+        let squared = law(&Fraction::variable("Omega"), &moments[axis], &moments[j], &moments[k]);
+        same(&format!("the rate squared about axis {}", axis + 1), &(slope(j, k) * slope(k, j)), &squared)?;
+    }
+    Ok(())
+}
+
+/// The square of the rate about an axis.
+fn rate_about(law: RateLaw<'_>, moments: &Vector, axis: usize) -> Fraction {
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    law(&Fraction::variable("Omega"), &moments[axis], &moments[j], &moments[k])
+}
+
+fn middle(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction, unstable: usize) -> Outcome {
+    for axis in 0..3 {
+        let squared = rate_about(&law, &ordered_moments(), axis);
+        let claim = format!("the rate squared about axis {}", axis + 1);
+        positive(&claim, &if axis == unstable { squared } else { -squared })?;
+    }
+    Ok(())
+}
+
+fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
+    let [i, a] = ["I1", "a"].map(Fraction::variable);
+    for (pair, lone) in [(i.clone(), &i + &a), (&i + &a, i.clone())] {
+        let moments = Vector::new(pair.clone(), pair, lone);
+        for axis in [0, 1] {
+            same("the rate squared of an equal pair", &rate_about(&law, &moments, axis), &Fraction::zero())?;
+        }
+        positive("the swing about the lone axis", &-rate_about(&law, &moments, 2))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! Integrals over solids: volume, centre and inertia from the definition, in symbols.
+
+use crate::number::{Derivation, Fraction, Polynomial, Relations, Symbol};
+use crate::proof::Residue;
+use crate::symbols::{Matrix, Vector};
+use num_traits::{One, Zero};
+
+/// A solid swept by three parameters: where each point is, and how far the parameters run.
+///
+/// The volume element is not given but computed, as the determinant of the derivatives.
+#[derive(Debug, Clone)]
+pub(crate) struct Region {
+    position: Vector,
+    relations: Relations,
+    ranges: Vec<Range>,
+}
+
+#[derive(Debug, Clone)]
+struct Range {
+    rate: Derivation,
+    run: Run,
+}
+
+#[derive(Debug, Clone)]
+enum Run {
+    Between(Symbol, Polynomial, Polynomial),
+    /// Once around: cosine and sine.
+    Around(Symbol, Symbol),
+}
+
+impl Region {
+    /// The point at each value of the parameters, which may hold symbols tied by `relations`.
+    pub(crate) fn new(position: Vector, relations: Relations) -> Self {
+        Self { position, relations, ranges: Vec::new() }
+    }
+
+    /// A parameter that runs from `from` to `to`, which may hold the parameters before it.
+    pub(crate) fn between(self, name: &str, from: &Polynomial, to: &Polynomial) -> Self {
+        self.between_with(name, from, to, Derivation::default())
+    }
+
+    /// The same, where other symbols change with the parameter.
+    pub(crate) fn between_with(
+        mut self,
+        name: &str,
+        from: &Polynomial,
+        to: &Polynomial,
+        also: Derivation,
+    ) -> Self {
+        let run = Run::Between(name.into(), from.clone(), to.clone());
+        self.ranges.push(Range { rate: also.and(name, Fraction::one()), run });
+        self
+    }
+
+    /// An angle that runs once around, by the names of its cosine and sine.
+    pub(crate) fn around(mut self, cos: &str, sin: &str) -> Self {
+        let rate = Derivation::new([(cos, -Fraction::variable(sin)), (sin, Fraction::variable(cos))]);
+        self.ranges.push(Range { rate, run: Run::Around(cos.into(), sin.into()) });
+        self
+    }
+
+    /// The integral over the solid of a function of the position, `pi` being a symbol.
+    fn integral(&self, integrand: &Fraction) -> Result<Fraction, Residue> {
+        let claim = "the integral over a solid of a polynomial".to_owned();
+        let [a, b, c] = &self.ranges[..] else { return Err(Residue::Missing { claim }) };
+        let [a, b, c] = [a, b, c].map(|range| self.position.map(|x| range.rate.of(&x)));
+        let element = self.relations.reduce_fraction(&a.dot(&b.cross(&c)));
+        let whole = self.relations.reduce_fraction(&(element * integrand.clone()));
+        let Some(mut value) = whole.as_polynomial().cloned() else { return Err(Residue::Missing { claim }) };
+        for range in self.ranges.iter().rev() {
+            value = match &range.run {
+                Run::Between(symbol, from, to) => value.integral(symbol, from, to),
+                Run::Around(cos, sin) => around(&value, cos, sin),
+            };
+            value = self.relations.reduce(&value);
+        }
+        Ok(value.into())
+    }
+
+    /// Volume, first moments `∫ r` and inertia `∫ (y² + z²)`, `-∫ x y`, ... about the origin.
+    pub(crate) fn sums(&self) -> Result<Sums, Residue> {
+        let r = &self.position;
+        let square = |i: usize| &r[i] * &r[i];
+        let mut first = Vector::zeros();
+        let mut inertia = Matrix::zeros();
+        for i in 0..3 {
+            first[i] = self.integral(&r[i])?;
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            inertia[(i, i)] = self.integral(&(square(j) + square(k)))?;
+            inertia[(i, j)] = self.integral(&-(&r[i] * &r[j]))?;
+            inertia[(j, i)] = inertia[(i, j)].clone();
+        }
+        Ok(Sums { volume: self.integral(&Fraction::one())?, first, inertia })
+    }
+}
+
+/// Volume, first moments and inertia about the origin, all for density 1. Bodies add, holes subtract.
+#[derive(Debug, Clone)]
+pub(crate) struct Sums {
+    pub(crate) volume: Fraction,
+    pub(crate) first: Vector,
+    pub(crate) inertia: Matrix,
+}
+
+impl Sums {
+    /// Both together.
+    pub(crate) fn and(self, other: &Self) -> Self {
+        Self {
+            volume: self.volume + &other.volume,
+            first: self.first + &other.first,
+            inertia: self.inertia + &other.inertia,
+        }
+    }
+
+    /// This with `hole` taken out.
+    pub(crate) fn without(self, hole: &Self) -> Self {
+        let negative = Self {
+            volume: -hole.volume.clone(),
+            first: hole.first.map(|x| -x),
+            inertia: hole.inertia.map(|x| -x),
+        };
+        self.and(&negative)
+    }
+}
+
+/// The integral once around an angle: odd powers of sine or cosine leave nothing, and
+/// `∫ sin^n = 2 pi (1/2) (3/4) ... ((n - 1)/n)` for even `n`.
+fn around(p: &Polynomial, cos: &Symbol, sin: &Symbol) -> Polynomial {
+    let circle = Relations::circle(cos.name(), sin.name());
+    let mut sum = Polynomial::zero();
+    let even_in_cos = circle.reduce(p).in_powers_of(cos).swap_remove(0);
+    let mut mean = Polynomial::from(2) * Polynomial::variable("pi");
+    let mut n: i64 = 0;
+    for (power, part) in even_in_cos.in_powers_of(sin).into_iter().enumerate() {
+        if power % 2 == 1 {
+            continue;
+        }
+        if power > 0 {
+            n += 2;
+            mean = mean.scaled(&num_rational::BigRational::new((n - 1).into(), n.into()));
+        }
+        sum += part * mean.clone();
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Once around, the integral of a rate of change is nothing, and that of 1 is 2 pi: with
+    /// `c² + s² = 1` this settles every integral of powers of cosine and sine.
+    #[test]
+    fn around_an_angle_every_rate_of_change_sums_to_zero() {
+        let [cos, sin] = ["cos", "sin"].map(Symbol::new);
+        let [c, s] = ["cos", "sin"].map(Polynomial::variable);
+        let full = Polynomial::from(2) * Polynomial::variable("pi");
+        assert_eq!(around(&Polynomial::one(), &cos, &sin), full);
+        for i in 0..6 {
+            for j in 0..6 {
+                let p = c.pow(i) * s.pow(j);
+                let rate = p.derivative(&sin) * c.clone() - p.derivative(&cos) * s.clone();
+                assert!(around(&rate, &cos, &sin).is_zero(), "{p}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_region_without_three_parameters_is_refused() {
+        let [u, v] = ["u", "v"].map(Fraction::variable);
+        let flat = Region::new(Vector::new(u, v, Fraction::zero()), Relations::none());
+        let flat = flat.between("u", &Polynomial::zero(), &Polynomial::one());
+        assert!(matches!(flat.sums(), Err(Residue::Missing { .. })));
+    }
+}

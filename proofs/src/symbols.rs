@@ -1,0 +1,73 @@
+//! Every body at once: moments, spins, tensors and attitudes made of symbols.
+
+use crate::number::{Fraction, Relations};
+use nalgebra::{Matrix3, Quaternion, Vector3};
+
+/// Fractions in named variables.
+pub type Vector = Vector3<Fraction>;
+/// Fractions in named variables.
+pub type Matrix = Matrix3<Fraction>;
+
+/// The variables of these names.
+#[must_use]
+pub fn variables<const N: usize>(names: [&str; N]) -> [Fraction; N] {
+    names.map(Fraction::variable)
+}
+
+/// The vector `(name1, name2, name3)`.
+///
+/// ```
+/// assert_eq!(tumbling_proofs::symbols::vector("omega")[1].to_string(), "omega2");
+/// ```
+#[must_use]
+pub fn vector(name: &str) -> Vector {
+    Vector::from_fn(|i, _| Fraction::variable(&format!("{name}{}", i + 1)))
+}
+
+/// The symmetric matrix with entries `name_xx`, `name_xy`, ...
+#[must_use]
+pub fn symmetric(name: &str) -> Matrix {
+    Matrix::from_fn(|i, j| {
+        let axes = ["x", "y", "z"];
+        Fraction::variable(&format!("{name}_{}{}", axes[i.min(j)], axes[i.max(j)]))
+    })
+}
+
+/// The diagonal matrix with these entries.
+#[must_use]
+pub fn diagonal(entries: &Vector) -> Matrix {
+    Matrix::from_diagonal(entries)
+}
+
+/// The unit matrix times `x`.
+#[must_use]
+pub fn scalar(x: &Fraction) -> Matrix {
+    Matrix::from_diagonal_element(x.clone())
+}
+
+/// The attitude `w + x i + y j + z k`, and the relation that makes it one: length 1.
+#[must_use]
+pub fn attitude() -> (Quaternion<Fraction>, Relations) {
+    let names = ["w", "x", "y", "z"];
+    let [w, x, y, z] = variables(names);
+    (Quaternion::new(w, x, y, z), Relations::unit_quaternion(names))
+}
+
+/// Three moments in order of size, `I1 < I2 < I3`: `I1`, `I1 + a`, `I1 + a + b` with `a` and `b` positive.
+#[must_use]
+pub fn ordered_moments() -> Vector {
+    let [i, a, b] = variables(["I1", "a", "b"]);
+    Vector::new(i.clone(), &i + &a, i + a + b)
+}
+
+/// The matrix of cofactors, transposed, which is the inverse times the determinant; and the determinant.
+#[must_use]
+pub fn adjugate(m: &Matrix) -> (Matrix, Fraction) {
+    let adjugate = Matrix::from_fn(|i, j| {
+        let ((r, s), (p, q)) = (((j + 1) % 3, (j + 2) % 3), ((i + 1) % 3, (i + 2) % 3));
+        &m[(r, p)] * &m[(s, q)] - &m[(r, q)] * &m[(s, p)]
+    });
+    let determinant =
+        &m[(0, 0)] * &adjugate[(0, 0)] + &m[(0, 1)] * &adjugate[(1, 0)] + &m[(0, 2)] * &adjugate[(2, 0)];
+    (adjugate, determinant)
+}

@@ -1,0 +1,281 @@
+//! The laws that the numbers of this crate must obey, on random ones.
+
+use num_traits::{One, Zero};
+use proptest::prelude::*;
+use tumbling::scalar::Field;
+use tumbling_proofs::{
+    BigInt, BigRational, Derivation, Fraction, Monomial, Polynomial, Rational, Relations, Series, Symbol,
+};
+
+fn rational() -> impl Strategy<Value = Rational> {
+    (-30_i64..30, 1_i64..12).prop_map(|(n, d)| Rational::new(n, d))
+}
+
+fn polynomial() -> impl Strategy<Value = Polynomial> {
+    let power = || prop_oneof![3 => Just(0_u32), 2 => Just(1), 1 => Just(2), 1 => Just(3)];
+    let term = (-9_i64..10, 1_i64..6, power(), power(), power()).prop_map(|(n, d, i, j, k)| {
+        let powers = [("I1", i), ("omega2", j), ("x", k)];
+        let monomial = powers.iter().fold(Monomial::default(), |m, (name, power)| {
+            m.times(&Monomial::power(Symbol::new(name), *power))
+        });
+        Polynomial::term(monomial, BigRational::new(BigInt::from(n), BigInt::from(d)))
+    });
+    proptest::collection::vec(term, 0..5)
+        .prop_map(|terms| terms.into_iter().fold(Polynomial::zero(), |sum, term| sum + term))
+}
+
+fn fraction() -> impl Strategy<Value = Fraction> {
+    let nonzero = polynomial().prop_filter("a denominator of zero", |p| !p.is_zero());
+    (polynomial(), nonzero).prop_map(|(n, d)| Fraction::new(n, d))
+}
+
+fn series() -> impl Strategy<Value = Series<Rational>> {
+    proptest::collection::vec(rational(), 5).prop_map(|a| Series::new(a, 4))
+}
+
+fn ring_laws<T: Field>(a: &T, b: &T, c: &T) -> Result<(), TestCaseError> {
+    let [a, b, c] = [a, b, c].map(|x| || x.clone());
+    prop_assert_eq!((a() + b()) + c(), a() + (b() + c()));
+    prop_assert_eq!(a() + b(), b() + a());
+    prop_assert_eq!((a() * b()) * c(), a() * (b() * c()));
+    prop_assert_eq!(a() * b(), b() * a());
+    prop_assert_eq!(a() * (b() + c()), a() * b() + a() * c());
+    prop_assert_eq!(a() + T::zero(), a());
+    prop_assert_eq!(a() * T::one(), a());
+    prop_assert!((a() + -a()).is_zero());
+    prop_assert_eq!(a() - b(), a() + -b());
+    let mut d = a();
+    d += b();
+    d *= c();
+    d -= a();
+    prop_assert_eq!(d, (a() + b()) * c() - a());
+    Ok(())
+}
+
+fn field_laws<T: Field>(a: &T, b: &T) -> Result<(), TestCaseError> {
+    let [a, b] = [a, b].map(|x| || x.clone());
+    prop_assert_eq!((a() / b()) * b(), a());
+    prop_assert_eq!(b() / b(), T::one());
+    let mut c = a();
+    c /= b();
+    prop_assert_eq!(c, a() / b());
+    Ok(())
+}
+
+/// A point that is no root of anything small.
+fn point() -> [(&'static str, Rational); 3] {
+    [("I1", Rational::new(101, 37)), ("omega2", Rational::new(-211, 53)), ("x", Rational::new(307, 71))]
+}
+
+proptest! {
+    #[test]
+    fn rationals_are_a_field(a in rational(), b in rational(), c in rational()) {
+        ring_laws(&a, &b, &c)?;
+        if !b.is_zero() {
+            field_laws(&a, &b)?;
+        }
+    }
+
+    #[test]
+    fn fractions_are_a_field(a in fraction(), b in fraction(), c in fraction()) {
+        ring_laws(&a, &b, &c)?;
+        if !b.is_zero() {
+            field_laws(&a, &b)?;
+        }
+    }
+
+    #[test]
+    fn series_are_a_field_but_for_divisors_that_start_at_zero(a in series(), b in series(), c in series()) {
+        ring_laws(&a, &b, &c)?;
+        if b.coefficient(0).is_some_and(|first| !first.is_zero()) {
+            field_laws(&a, &b)?;
+        } else {
+            prop_assert!((a / b).is_undefined());
+        }
+    }
+
+    #[test]
+    fn the_value_of_a_sum_or_product_is_the_sum_or_product_of_values(p in polynomial(), q in polynomial()) {
+        let at = |p: &Polynomial| p.at(&point());
+        prop_assert_eq!(at(&(&p + &q)), at(&p) + at(&q));
+        prop_assert_eq!(at(&(&p - &q)), at(&p) - at(&q));
+        prop_assert_eq!(at(&(&p * &q)), at(&p) * at(&q));
+        prop_assert_eq!(at(&p.pow(3)), at(&p) * at(&p) * at(&p));
+    }
+
+    #[test]
+    fn the_value_of_a_fraction_is_the_fraction_of_values(p in fraction(), q in fraction()) {
+        let at = |p: &Fraction| p.at(&point());
+        prop_assume!(!at(&p).is_undefined() && !at(&q).is_undefined());
+        prop_assert_eq!(at(&(&p + &q)), at(&p) + at(&q));
+        prop_assert_eq!(at(&(&p * &q)), at(&p) * at(&q));
+        if !at(&q).is_zero() {
+            prop_assert_eq!(at(&(&p / &q)), at(&p) / at(&q));
+        }
+    }
+
+    #[test]
+    fn a_product_over_a_factor_is_the_other_factor(p in polynomial(), q in polynomial()) {
+        prop_assume!(!q.is_zero());
+        prop_assert_eq!((&p * &q).exact_quotient(&q), Some(p.clone()));
+        // A remainder below every term of the divisor is noticed.
+        if !q.is_one() && q.as_constant().is_none() {
+            prop_assert_eq!((&p * &q + Polynomial::one()).exact_quotient(&q), None);
+        }
+    }
+
+    #[test]
+    fn derivatives_obey_the_product_and_quotient_rules(p in fraction(), q in fraction()) {
+        let x = Symbol::new("x");
+        let rate = |p: &Fraction| p.derivative(&x);
+        prop_assert_eq!(rate(&(&p * &q)), rate(&p) * &q + &p * &rate(&q));
+        if !q.is_zero() {
+            prop_assert_eq!(rate(&(&p / &q)), (rate(&p) * &q - &p * &rate(&q)) / (&q * &q));
+        }
+    }
+
+    #[test]
+    fn an_integral_undoes_a_derivative(p in polynomial(), a in polynomial(), b in polynomial()) {
+        let x = Symbol::new("x");
+        prop_assert_eq!(p.antiderivative(&x).derivative(&x), p.clone());
+        let rise = p.substitute(&x, &b) - p.substitute(&x, &a);
+        prop_assert_eq!(p.derivative(&x).integral(&x, &a, &b), rise);
+    }
+
+    #[test]
+    fn reducing_keeps_the_value_wherever_the_relation_holds(p in polynomial(), t in rational()) {
+        // Every rational t gives a point of the circle: ((1 - t²)/(1 + t²), 2t/(1 + t²)).
+        let circle = Relations::circle("I1", "x");
+        let one = Rational::from(1);
+        let square = &t * &t;
+        let bottom = &one + &square;
+        let values = [
+            ("I1", (&one - &square) / bottom.clone()),
+            ("x", (&t + &t) / bottom),
+            ("omega2", Rational::new(5, 3)),
+        ];
+        let reduced = circle.reduce(&p);
+        prop_assert!(reduced.degree_in(&"I1".into()) < 2);
+        prop_assert_eq!(reduced.at(&values), p.at(&values));
+        let multiple = &p * &(Polynomial::variable("I1").pow(2) + Polynomial::variable("x").pow(2) - Polynomial::one());
+        prop_assert!(circle.reduce(&multiple).is_zero());
+    }
+
+    #[test]
+    fn what_is_printed_reads_back_as_the_same(p in polynomial(), q in fraction()) {
+        prop_assert_eq!(p.to_string().parse::<Fraction>(), Ok(p.into()));
+        prop_assert_eq!(q.to_string().parse::<Fraction>(), Ok(q));
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_panic(text in "[-+*/^() x1.\u{e9}]{0,40}") {
+        let _ = text.parse::<Fraction>();
+    }
+
+    #[test]
+    fn a_common_sign_is_the_sign_at_positive_values(p in polynomial(), i in 1_i64..50, j in 1_i64..50, k in 1_i64..50) {
+        let values = [("I1", Rational::new(i, 7)), ("omega2", Rational::new(j, 5)), ("x", Rational::new(k, 3))];
+        if let Some(sign) = p.common_sign() {
+            prop_assert!(p.at(&values) * Rational::from(i64::from(sign)) > Rational::from(0));
+        }
+    }
+}
+
+proptest! {
+    // Fractions within fractions grow: fewer of them.
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn substituting_in_a_product_is_the_product_of_substituted(p in fraction(), q in fraction(), y in fraction()) {
+        let put = |p: &Fraction| p.substitute(&"x".into(), &y);
+        let (a, b) = (put(&p), put(&q));
+        prop_assume!(!a.is_undefined() && !b.is_undefined());
+        prop_assert_eq!(put(&(&p * &q)), a.clone() * b.clone());
+        prop_assert_eq!(put(&(&p + &q)), a + b);
+    }
+}
+
+#[test]
+fn a_division_by_zero_spreads_and_equals_nothing() {
+    let x = Fraction::variable("x");
+    let lost = x.clone() / (x.clone() - x.clone());
+    for spread in [
+        lost.clone() + x.clone(),
+        x.clone() - lost.clone(),
+        lost.clone() * Fraction::zero(),
+        Fraction::zero() / lost.clone(),
+        x.clone() / lost.clone(),
+        lost.derivative(&"x".into()),
+        lost.substitute(&"x".into(), &Fraction::one()),
+        lost.pow(0),
+        -lost.clone(),
+    ] {
+        assert!(spread.is_undefined() && !spread.is_zero(), "{spread}");
+        assert_ne!(spread, spread.clone());
+    }
+    let lost = Rational::new(1, 0);
+    assert!((lost.clone() * Rational::zero()).is_undefined());
+    assert!(lost.partial_cmp(&Rational::zero()).is_none());
+    let h = Series::<Rational>::step(3);
+    let lost = Series::one() / h.clone();
+    assert!(lost.is_undefined() && (lost.clone() * Series::zero()).is_undefined() && lost != lost.clone());
+    assert!((h / lost).is_undefined());
+}
+
+#[test]
+fn a_bad_relation_is_refused() {
+    let x = Polynomial::variable("x");
+    let own = Relations::new(vec![("x".into(), x.clone())]);
+    assert_eq!(own.unwrap_err().to_string(), "the rule for x^2 brings x back");
+    let round = Relations::new(vec![("x".into(), Polynomial::variable("y")), ("y".into(), x)]);
+    assert_eq!(round.unwrap_err().to_string(), "the rule for y^2 brings x back");
+    let twice = Relations::new(vec![("x".into(), Polynomial::one()), ("x".into(), Polynomial::zero())]);
+    assert!(twice.is_err());
+}
+
+#[test]
+fn the_relations_are_constant_under_their_own_derivations() {
+    let elliptic = Relations::elliptic();
+    let rate = Derivation::elliptic(&Fraction::one());
+    for constant in ["cn^2 + sn^2", "dn^2 + m sn^2"] {
+        let constant: Fraction = constant.parse().unwrap();
+        assert!(elliptic.reduce_fraction(&rate.of(&constant)).is_zero());
+    }
+    let hyperbolic = Relations::circle("sech", "tanh");
+    let constant: Fraction = "sech^2 + tanh^2".parse().unwrap();
+    assert!(hyperbolic.reduce_fraction(&Derivation::hyperbolic(&Fraction::one()).of(&constant)).is_zero());
+}
+
+#[test]
+fn exact_arithmetic_passes_what_no_machine_word_holds() {
+    let big = Rational::from(i64::MAX).value().cloned().unwrap().pow(40);
+    let p = Polynomial::from(big.clone()) * Polynomial::variable("x");
+    let back = Fraction::from(p) / Fraction::from(Polynomial::from(big));
+    assert_eq!(back, Fraction::variable("x"));
+}
+
+#[test]
+fn fractions_print_as_readable_tex() {
+    use tumbling_proofs::Tex;
+    let tex = |text: &str| text.parse::<Fraction>().unwrap().tex();
+    assert_eq!(tex("1/12 m (b^2 + c^2)"), r"\frac{1}{12} b^{2} m + \frac{1}{12} c^{2} m");
+    assert_eq!(
+        tex("(I2 - I3) omega2 omega3 / I1"),
+        r"\frac{I_{2} \omega_{2} \omega_{3} - I_{3} \omega_{2} \omega_{3}}{I_{1}}"
+    );
+    assert_eq!(tex("0 - x / (2 y)"), r"-\frac{x}{2 y}");
+    assert_eq!(tex("3 x / (2 y + 2 x)"), r"\frac{3 x}{2 x + 2 y}");
+    let h = Series::<Rational>::step(2);
+    assert_eq!((h.clone() / Series::constant(Rational::from(2))).tex(), r"\frac{1}{2} h + \dotsb");
+}
+
+#[test]
+fn bad_text_is_refused_where_it_is_bad() {
+    for (text, at) in
+        [("", 0), ("x +", 3), ("(x", 2), ("x)", 1), ("2..1", 4), ("x^y", 2), ("x^65", 2), ("é", 0)]
+    {
+        let error = text.parse::<Fraction>().unwrap_err();
+        assert_eq!(error.at, at, "{text}: {error}");
+    }
+    assert!("(".repeat(100_000).parse::<Fraction>().is_err());
+}

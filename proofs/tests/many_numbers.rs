@@ -1,0 +1,163 @@
+//! One law, many numbers: the library's own functions, unchanged, on every kind of number.
+
+use nalgebra::{Matrix3, Quaternion, Vector3};
+use num_dual::Dual64;
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use tumbling::scalar::Field;
+use tumbling::step::{Motion, rk4};
+use tumbling::{attitude, euler, inertia, observe, stability};
+use tumbling_proofs::{Fraction, Rational, Series};
+use wide::f64x4;
+
+/// Four bodies at once: four floats in one register.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Lanes(f64x4);
+
+macro_rules! lanes {
+    ($($Op:ident $op:ident $OpAssign:ident $op_assign:ident),*) => {$(
+        impl $Op for Lanes {
+            type Output = Self;
+            fn $op(self, other: Self) -> Self {
+                Self($Op::$op(self.0, other.0))
+            }
+        }
+        impl $OpAssign for Lanes {
+            fn $op_assign(&mut self, other: Self) {
+                *self = $Op::$op(*self, other);
+            }
+        }
+    )*};
+}
+lanes!(Add add AddAssign add_assign, Sub sub SubAssign sub_assign, Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
+
+impl Neg for Lanes {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Zero for Lanes {
+    fn zero() -> Self {
+        Self(f64x4::splat(0.0))
+    }
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl One for Lanes {
+    fn one() -> Self {
+        Self(f64x4::splat(1.0))
+    }
+}
+
+/// A slow book of moments 2, 3, 4 at a given spin, one step of free motion from a tilted attitude, and what
+/// the library says about it: every law that is a polynomial or a fraction, in one list.
+fn laws<T: Field>(spin: Vector3<T>, h: T) -> Vec<T> {
+    let n = |n: u32| T::integer(n);
+    let moments = Vector3::new(n(2), n(3), n(4));
+    let tensor = Matrix3::from_fn(|i, j| if i == j { moments[i].clone() } else { T::zero() })
+        + inertia::point_mass(&(T::one() / n(8)), &Vector3::new(n(1), n(2), n(3)));
+    let inverse = Matrix3::from_fn(|i, j| if i == j { T::one() / moments[i].clone() } else { T::zero() });
+    let torque = Vector3::new(n(1), n(0), n(5));
+    // Of length 1: 4² + 2² + 2² + 1² = 5².
+    let tilted = Quaternion::new(n(4) / n(5), n(2) / n(5), n(2) / n(5), n(1) / n(5));
+    let rotation = attitude::rotation_matrix(&tilted);
+    let momentum = spin.component_mul(&moments);
+    let start = Motion { attitude: tilted.clone(), vector: momentum.clone() };
+    let law = |m: &Motion<T>| Motion {
+        attitude: attitude::rate(&m.attitude, &(&inverse * &m.vector)),
+        vector: euler::momentum_rate(&inverse, &m.vector, &torque),
+    };
+    let end = rk4(&start, &h, law);
+    let mut all = Vec::new();
+    all.extend(euler::angular_acceleration(&moments, &spin, &torque).iter().cloned());
+    all.extend(euler::tensor_times_acceleration(&tensor, &spin, &torque).iter().cloned());
+    all.extend(inertia::turned(&rotation, &tensor).iter().cloned());
+    all.extend(inertia::omega_world(&rotation, &inverse, &momentum).iter().cloned());
+    all.extend(end.attitude.coords.iter().cloned());
+    all.extend(end.vector.iter().cloned());
+    all.push(observe::energy(&spin, &momentum));
+    all.push(stability::rate_squared(&spin.y, &moments.y, &moments.x, &moments.z));
+    all
+}
+
+/// Spins whose floats are exact, so that the exact computation starts from the same numbers.
+const SPINS: [[f64; 3]; 4] = [[0.5, 10.0, 0.125], [-1.0, 0.25, 3.0], [2.0, -2.0, 0.0625], [0.0, 1.0, -0.5]];
+const STEP: f64 = 0.03125;
+
+fn in_f64(spin: [f64; 3]) -> Vec<f64> {
+    laws(spin.into(), STEP)
+}
+
+fn exactly(spin: [f64; 3]) -> Vec<Rational> {
+    laws(Vector3::from(spin).map(Rational::of_f64), Rational::of_f64(STEP))
+}
+
+/// That floats are within `ulps` roundings of the exact values, relative to the largest of them.
+fn close(floats: &[f64], exact: &[Rational], epsilon: f64, ulps: f64) {
+    assert_eq!(floats.len(), exact.len());
+    let largest = exact.iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+    for (i, (float, exact)) in floats.iter().zip(exact).enumerate() {
+        let error = (Rational::of_f64(*float) - exact).to_f64().abs();
+        assert!(error <= ulps * epsilon * largest, "law {i}: {float} against {exact}, off by {error:e}");
+    }
+}
+
+#[test]
+fn floats_follow_the_exact_laws_to_rounding() {
+    for spin in SPINS {
+        close(&in_f64(spin), &exactly(spin), f64::EPSILON, 4.0);
+    }
+}
+
+#[test]
+fn single_precision_follows_the_exact_laws_to_its_rounding() {
+    for spin in SPINS {
+        let single = laws(Vector3::from(spin).map(|x| x as f32), STEP as f32);
+        let widened: Vec<f64> = single.into_iter().map(f64::from).collect();
+        close(&widened, &exactly(spin), f32::EPSILON.into(), 4.0);
+    }
+}
+
+#[test]
+fn four_bodies_in_one_register_move_exactly_as_each_alone() {
+    let lanes = |i: usize| Lanes(f64x4::new(SPINS.map(|spin| spin[i])));
+    let together = laws(Vector3::new(lanes(0), lanes(1), lanes(2)), Lanes(f64x4::splat(STEP)));
+    for (lane, spin) in SPINS.into_iter().enumerate() {
+        let own: Vec<f64> = together.iter().map(|x| x.0.to_array()[lane]).collect();
+        assert_eq!(own, in_f64(spin));
+    }
+}
+
+#[test]
+fn duals_carry_the_derivative_that_fractions_find() {
+    // By the spin about the middle axis.
+    for spin in SPINS {
+        let dual = |i: usize| if i == 1 { Dual64::new(spin[i], 1.0) } else { Dual64::from_re(spin[i]) };
+        let duals = laws(Vector3::new(dual(0), dual(1), dual(2)), Dual64::from_re(STEP));
+        let exact = |x: f64| Fraction::from(Rational::of_f64(x));
+        let y = Fraction::variable("y");
+        let symbolic = laws(Vector3::new(exact(spin[0]), y, exact(spin[2])), exact(STEP));
+        let at = [("y", Rational::of_f64(spin[1]))];
+        let values: Vec<_> = symbolic.iter().map(|f| f.at(&at)).collect();
+        let slopes: Vec<_> = symbolic.iter().map(|f| f.derivative(&"y".into()).at(&at)).collect();
+        close(&duals.iter().map(|d| d.re).collect::<Vec<_>>(), &values, f64::EPSILON, 4.0);
+        close(&duals.iter().map(|d| d.eps).collect::<Vec<_>>(), &slopes, f64::EPSILON, 4.0);
+    }
+}
+
+#[test]
+fn a_series_in_the_step_summed_up_is_the_step() {
+    for spin in SPINS {
+        let number = |x: f64| Series::constant(Rational::of_f64(x));
+        let series = laws(Vector3::from(spin).map(number), Series::step(40));
+        let h = Rational::of_f64(STEP);
+        let sum = |s: &Series<Rational>| {
+            (0..=40).rev().fold(Rational::zero(), |sum, n| sum * h.clone() + s.coefficient(n).unwrap())
+        };
+        assert_eq!(series.iter().map(sum).collect::<Vec<_>>(), exactly(spin));
+    }
+}

@@ -1,0 +1,36 @@
+//! Every proof holds, and none holds of an altered law.
+
+use std::collections::BTreeSet;
+use tumbling_proofs::{Residue, proofs};
+
+#[test]
+fn every_proof_leaves_nothing_over() {
+    let failed: Vec<_> = proofs()
+        .iter()
+        .filter_map(|proof| (proof.check)().err().map(|residue| format!("{}: {residue}", proof.name)))
+        .collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn every_altered_law_leaves_something_over() {
+    for proof in proofs() {
+        assert!(!proof.mutants.is_empty(), "{} has no mutant", proof.name);
+        for mutant in proof.mutants {
+            match (mutant.check)() {
+                Ok(()) => panic!("{} still holds with {}", proof.name, mutant.change),
+                Err(Residue::Undefined { claim }) => {
+                    panic!("{} with {} only divides by zero: {claim}", proof.name, mutant.change)
+                }
+                Err(residue) => assert!(!residue.to_string().is_empty()),
+            }
+        }
+    }
+}
+
+#[test]
+fn proofs_have_different_names_and_say_what_they_prove() {
+    let names: BTreeSet<_> = proofs().iter().map(|proof| proof.name).collect();
+    assert_eq!(names.len(), proofs().len());
+    assert!(proofs().iter().all(|proof| proof.statement.ends_with('.')));
+}
