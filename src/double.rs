@@ -60,6 +60,17 @@ impl Double {
         if self.hi < 0.0 { -self } else { self }
     }
 
+    /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the work.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let sum = two_sum(self.hi, other.hi);
+        Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
+    }
+
+    /// With both parts multiplied by 1 or -1.
+    pub(crate) fn signed(self, sign: f64) -> Self {
+        Self { hi: self.hi * sign, lo: self.lo * sign }
+    }
+
     /// The nearest integer, and what is left: at most a half, in one `f64` that has all its digits.
     ///
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.

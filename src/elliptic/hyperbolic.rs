@@ -12,27 +12,50 @@ pub(crate) struct Decay {
     square: f64,
     /// `1 - exp(-2x)`, small where `x` is.
     gap: f64,
+    /// The root of the complementary nome over `exp(-x)`: this exponential seen from the other end of the way.
+    pub(crate) rising: f64,
 }
 
 impl Decay {
-    /// Of `x = main + rest >= 0`.
-    pub(crate) fn new(main: f64, rest: f64) -> Self {
-        if main < 0.3 {
-            let gap = -(-2.0 * (main + rest)).exp_m1();
-            let square = 1.0 - gap;
-            return Self { root: square.sqrt(), square, gap };
-        }
+    /// Of `x = main + rest >= 0`, with the root of the complementary nome.
+    pub(crate) fn new(main: f64, rest: f64, nome_root: f64) -> Self {
         // Beyond 700 there is only what an f64 cannot hold beside the rest.
-        let root = (-main.min(700.0)).exp() * (1.0 - rest);
-        let square = root * root;
-        Self { root, square, gap: 1.0 - square }
+        let (power, change) = exp_parts(-main.min(700.0), -rest);
+        let root = power + power * change;
+        // exp(-x) - 1, exact in its small digits where the power of two is 1.
+        let less = (power - 1.0) + power * change;
+        Self { root, square: root * root, gap: -less * (2.0 + less), rising: nome_root / root }
     }
+}
+
+/// `exp(x + rest) = power (1 + change)` with a power of two and `|change| <= 0.42`, for `|x| <= 700`.
+fn exp_parts(x: f64, rest: f64) -> (f64, f64) {
+    // The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.
+    const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
+    const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
+    let twos = (x * std::f64::consts::LOG2_E).round_ties_even();
+    let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW);
+    // The series of exp(r) - 1 - r, over r²: what is left out is below 1e-17 of it for |r| <= 0.35.
+    let a = const {
+        let mut a = [0.5; 12];
+        let mut n = 1;
+        while n < 12 {
+            a[n] = a[n - 1] / (n + 2) as f64;
+            n += 1;
+        }
+        a
+    };
+    let (r2, r4) = (r * r, (r * r) * (r * r));
+    let four = |k: usize| (a[k] + a[k + 1] * r) + r2 * (a[k + 2] + a[k + 3] * r);
+    let series = four(0) + r4 * (four(4) + r4 * four(8));
+    let power = f64::from_bits(((twos as i64 + 1023) as u64) << 52);
+    (power, r + r2 * series)
 }
 
 /// The sums for a complementary nome `p` of at most 0.02, that is the direct nome above 0.08.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Hyperbolic {
-    /// Powers of `p`: the second, fourth, first.
+    /// Powers of `p`: the second, the fourth, the first.
     powers: [f64; 3],
     /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
     near: [f64; 3],
@@ -62,8 +85,7 @@ impl Hyperbolic {
     /// sine) and not (a cosine), then those of the even multiples, alternating and not.
     fn sums(&self, x: &Decay) -> [f64; 4] {
         let [p2, p4, p] = self.powers;
-        let (e, gap) = (x.square, x.gap);
-        let growing = if p == 0.0 { 0.0 } else { p / e };
+        let (e, gap, growing) = (x.square, x.gap, x.rising * x.rising);
         let square = e * e;
         // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵).
         let (b, c) = (p * growing, p4 * growing * growing);
@@ -78,21 +100,19 @@ impl Hyperbolic {
         [sine, cosine, even - odd, even + odd]
     }
 
-    /// The three functions up to half the quarter period: `x` is the argument times `pi/(2K')`.
-    pub(crate) fn near(&self, x: &Decay) -> Values {
+    /// The three functions where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if
+    /// `far`, what is left of it to the quarter period, so that the small ones keep their digits there.
+    pub(crate) fn at(&self, x: &Decay, far: bool) -> Values {
         let [sine, cosine, alternating, plain] = self.sums(x);
-        let over = 1.0 / cosine;
-        let [s, c, d] = self.near;
-        let rise = 2.0 * x.root * over;
-        Values { sn: s * sine * over, cn: c * alternating * rise, dn: d * plain * rise }
-    }
-
-    /// The three functions at `K - u`, where `x` belongs to `u`, so that the small ones keep their digits.
-    pub(crate) fn far(&self, x: &Decay) -> Values {
-        let [sine, cosine, alternating, plain] = self.sums(x);
-        let over = 1.0 / plain;
-        let [s, c, d] = self.far;
-        let fall = 0.5 / x.root * over;
-        Values { sn: s * alternating * over, cn: c * sine * fall, dn: d * cosine * fall }
+        let [s, c, d] = if far { self.far } else { self.near };
+        let (rise, fall) = if far { (x.root, 0.5) } else { (1.0, 2.0 * x.root) };
+        let (first, second, third, under) = if far {
+            (alternating, sine, cosine, plain * x.root)
+        } else {
+            (sine, alternating, plain, cosine)
+        };
+        let over = 1.0 / under;
+        let fall = fall * over;
+        Values { sn: s * first * (rise * over), cn: c * second * fall, dn: d * third * fall }
     }
 }

@@ -35,8 +35,8 @@ pub struct Jacobi {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form {
     Trigonometric(Trigonometric),
-    /// With `pi/(2K')`.
-    Hyperbolic(Hyperbolic, f64),
+    /// With `pi/(2K')` and the root of the complementary nome.
+    Hyperbolic(Hyperbolic, f64, f64),
 }
 
 impl Jacobi {
@@ -66,8 +66,8 @@ impl Jacobi {
         let form = if other / quarter.value() >= TURNING_RATIO {
             Form::Trigonometric(Trigonometric::new((-PI * (other / quarter.value())).exp()))
         } else {
-            let p = (-PI * (quarter.value() / other)).exp();
-            Form::Hyperbolic(Hyperbolic::new(p, complement, 0), PI / (2.0 * other))
+            let p = (-0.5 * PI * (quarter.value() / other)).exp();
+            Form::Hyperbolic(Hyperbolic::new(p * p, complement, 0), PI / (2.0 * other), p)
         };
         Ok(Self { quarter, form })
     }
@@ -89,15 +89,15 @@ impl Jacobi {
                 let (sin, cos) = sin_cos_of_turns(Double::from(u) / (self.quarter * 4.0));
                 Ok(sums.at(sin, cos))
             }
-            Form::Hyperbolic(sums, stretch) => {
+            Form::Hyperbolic(sums, stretch, nome_root) => {
                 let (halves, left) = (Double::from(u) / (self.quarter * 2.0)).split();
                 let infinite = self.quarter.value().is_infinite();
                 let v = if infinite { Double::from(u) } else { self.quarter * 2.0 * left };
                 let size = v.abs();
                 let far = size.value() > 0.5 * self.quarter.value();
                 let size = if far { self.quarter - size } else { size };
-                let x = Decay::new(size.value() * stretch, size.rest() * stretch);
-                let values = if far { sums.far(&x) } else { sums.near(&x) };
+                let x = Decay::new(size.value().max(0.0) * stretch, size.rest() * stretch, *nome_root);
+                let values = sums.at(&x, far);
                 let turn = if halves % 2.0 == 0.0 { 1.0 } else { -1.0 };
                 let side = if v.value() < 0.0 { -turn } else { turn };
                 Ok(Values { sn: side * values.sn, cn: turn * values.cn, dn: values.dn })

@@ -70,9 +70,13 @@ struct Way {
     start: Double,
     /// Half turns per unit of time, or on the separatrix, where there are none, the argument itself.
     rate: Double,
+    /// From flip to saddle, and from flip to flip: infinite on the separatrix.
     quarter: Double,
+    half: Double,
     /// `pi/(2K')`.
     stretch: f64,
+    /// The root of the complementary nome: `exp(-x)` at the saddle.
+    nome_root: f64,
     /// Sign of the start after folding.
     turn: f64,
 }
@@ -91,33 +95,44 @@ impl Way {
         let run = self.rate * time;
         let infinite = self.quarter.value().is_infinite();
         let (mut halves, mut u) = if infinite {
-            (0.0, if run.value().is_finite() { run } else { Double::ZERO } + self.start)
+            (0.0, if run.value().is_finite() { run } else { Double::ZERO }.plus(self.start))
         } else {
             let (halves, left) = run.split();
-            (halves, self.quarter * (2.0 * left) + self.start)
+            (halves, (self.half * left).plus(self.start))
         };
-        if !infinite && u.value().abs() > self.quarter.value() {
+        if u.value().abs() > self.quarter.value() {
             let side = 1.0_f64.copysign(u.value());
-            u = u - self.quarter * (2.0 * side);
+            u = u.plus(self.half.signed(-side));
             halves += side;
         }
-        let size = u.abs();
+        let side = 1.0_f64.copysign(u.value());
+        let size = u.signed(side);
         let far = size.value() > 0.5 * self.quarter.value();
-        let from_end = if far { self.quarter - size } else { size };
+        let from_end = if far { self.quarter.plus(size.signed(-1.0)) } else { size };
         let odd = halves - 2.0 * (0.5 * halves).round_ties_even() != 0.0;
+        // Rounding may leave it a hair beyond the saddle.
+        let x = from_end.value().max(0.0) * self.stretch;
         Place {
-            // Rounding may leave it a hair beyond the saddle.
-            decay: Decay::new(from_end.value().max(0.0) * self.stretch, from_end.rest() * self.stretch),
+            decay: Decay::new(x, from_end.rest() * self.stretch, self.nome_root),
             far,
-            side: 1.0_f64.copysign(u.value()),
+            side,
             turn: if odd { -self.turn } else { self.turn },
             halves,
         }
     }
+}
 
-    /// `exp(-x)` counted from the flip, given the nome `p` that it has at the saddle.
-    fn from_flip(place: &Place, p: f64) -> f64 {
-        if place.far { p / place.decay.root } else { place.decay.root }
+impl Place {
+    /// The attitude's two numbers here.
+    fn pair(&self, pair: &HyperbolicPair) -> Pair {
+        let ends = [self.decay.root, self.decay.rising];
+        let [falling, rising] = if self.far { [ends[1], ends[0]] } else { ends };
+        pair.raw(falling, rising, self.side, self.turn)
+    }
+
+    fn spin(&self, spin: &Hyperbolic) -> elliptic::Values {
+        let values = spin.at(&self.decay, self.far);
+        elliptic::Values { sn: self.turn * self.side * values.sn, cn: self.turn * values.cn, dn: values.dn }
     }
 }
 
@@ -205,7 +220,9 @@ impl Elliptic {
                 start: argument_at_start(sn, cn, dn, scaled_complement, quarter, shift),
                 rate: if motion.separatrix { rate } else { rate / (quarter * 2.0) },
                 quarter,
+                half: quarter * 2.0,
                 stretch,
+                nome_root: p,
                 turn: if cn < 0.0 { -1.0 } else { 1.0 },
             };
             let spin = Hyperbolic::new(p * p, scaled_complement, shift);
@@ -310,7 +327,7 @@ impl Elliptic {
                 let (sin, cos) = advanced(start, *turns * time);
                 self.spin(&spin.at(sin, cos))
             }
-            Form::Hyperbolic { spin, way, .. } => self.spin(&hyperbolic_values(spin, &way.at(time))),
+            Form::Hyperbolic { spin, way, .. } => self.spin(&way.at(time).spin(spin)),
         }
     }
 
@@ -323,9 +340,8 @@ impl Elliptic {
             }
             Form::Hyperbolic { spin, pair, way, step } => {
                 let place = way.at(time);
-                let e = Way::from_flip(&place, pair.nome());
                 let extra = Double::product(place.halves, *step);
-                (hyperbolic_values(spin, &place), pair.raw(e, place.side, place.turn), extra)
+                (place.spin(spin), place.pair(pair), extra)
             }
         };
         let turned = pair.turned(phase(self.drift * time + extra));
@@ -341,8 +357,7 @@ impl Elliptic {
             }
             Form::Hyperbolic { pair, way, step, .. } => {
                 let place = way.at(time);
-                let e = Way::from_flip(&place, pair.nome());
-                (pair.raw(e, place.side, place.turn), Double::product(place.halves, *step))
+                (place.pair(pair), Double::product(place.halves, *step))
             }
         };
         pair.turned(phase(self.drift * time + extra)).since(&self.start, self.axes[2])
@@ -380,7 +395,7 @@ impl Form {
     fn values_at_start(&self) -> elliptic::Values {
         match self {
             Self::Trigonometric { spin, start: [sin, cos], .. } => spin.at(*sin, *cos),
-            Self::Hyperbolic { spin, way, .. } => hyperbolic_values(spin, &way.at(0.0)),
+            Self::Hyperbolic { spin, way, .. } => way.at(0.0).spin(spin),
         }
     }
 
@@ -398,10 +413,7 @@ impl Form {
     fn start(&self) -> Pair {
         let raw = match self {
             Self::Trigonometric { pair, start: [sin, cos], .. } => pair.raw(*sin, *cos),
-            Self::Hyperbolic { pair, way, .. } => {
-                let place = way.at(0.0);
-                pair.raw(Way::from_flip(&place, pair.nome()), place.side, place.turn)
-            }
+            Self::Hyperbolic { pair, way, .. } => way.at(0.0).pair(pair),
         };
         raw.scaled(1.0 / raw.length())
     }
@@ -412,11 +424,6 @@ fn advanced(start: &[f64; 2], turns: Double) -> (f64, f64) {
     let (sin, cos) = elliptic::sin_cos_of_turns(turns);
     let [sin0, cos0] = *start;
     (sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin)
-}
-
-fn hyperbolic_values(spin: &Hyperbolic, place: &Place) -> elliptic::Values {
-    let values = if place.far { spin.far(&place.decay) } else { spin.near(&place.decay) };
-    elliptic::Values { sn: place.turn * place.side * values.sn, cn: place.turn * values.cn, dn: values.dn }
 }
 
 /// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep

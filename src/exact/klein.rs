@@ -169,8 +169,14 @@ impl HyperbolicPair {
     /// `shape.depth = pi y/(4K')`.
     pub(crate) fn new(nome: f64, shape: &Shape) -> Self {
         let p = nome;
-        let waves = |n: i32| (f64::from(2 * n + 1) * shape.depth).sin_cos();
-        let (s, c): (Vec<f64>, Vec<f64>) = (0..5).map(waves).unzip();
+        // Sines and cosines of the odd multiples, each from the two before.
+        let (sin, cos) = shape.depth.sin_cos();
+        let twice = 2.0 * (cos - sin) * (cos + sin);
+        let (mut s, mut c) = ([-sin, sin, 0.0, 0.0, 0.0, 0.0], [cos, cos, 0.0, 0.0, 0.0, 0.0]);
+        for n in 2..6 {
+            (s[n], c[n]) = (twice * s[n - 1] - s[n - 2], twice * c[n - 1] - c[n - 2]);
+        }
+        let (s, c) = (&s[1..], &c[1..]);
         let up = [1.0, 1.0, p.powi(2), p.powi(6), p.powi(12)];
         let down = [1.0, p.powi(2), p.powi(6), p.powi(12)];
         let mut pair = Self {
@@ -181,21 +187,16 @@ impl HyperbolicPair {
             cyclic: shape.cyclic,
             sense: shape.sense(),
         };
-        let middle = pair.raw(nome, 1.0, 1.0);
+        let middle = pair.raw(nome, 1.0, 1.0, 1.0);
         let length = |x: [f64; 2]| x[0].hypot(x[1]);
         let amplitude = shape.tilt * length(middle.a) / length(middle.b);
         pair.amplitude = if shape.forward { amplitude } else { -amplitude };
         pair
     }
 
-    /// The nome, the value of `e` at the middle of the way.
-    pub(crate) fn nome(&self) -> f64 {
-        self.nome
-    }
-
-    /// From `e = exp(-|x|)`, the sign of `x`, and that of `b` after an odd number of half turns.
-    pub(crate) fn raw(&self, e: f64, side: f64, turn: f64) -> Pair {
-        let r = if self.nome == 0.0 { 0.0 } else { self.nome * (self.nome / e) };
+    /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half turns.
+    pub(crate) fn raw(&self, e: f64, rise: f64, side: f64, turn: f64) -> Pair {
+        let r = self.nome * rise;
         let r2 = r * r;
         // Sums with all signs alike, and alternating.
         let up = |p: &[f64; 5]| {
