@@ -59,6 +59,9 @@ pub struct FreeMotion {
     mount: Option<Mount>,
 }
 
+/// The thinnest needle: products of three moments must keep their digits. A line of atoms is far from it.
+const THINNEST: f64 = 1e-100;
+
 /// How the principal axes sit in the body, and the body in the world at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Mount {
@@ -101,8 +104,10 @@ impl FreeMotion {
     /// is taken along the body's axes at that time: the attitude starts as the identity.
     ///
     /// # Errors
-    /// A moment that is not finite and positive, three that no body has, a spin that is not finite, or one so
-    /// great that the motion passes through a spin beyond `f64`.
+    /// A moment that is not finite and positive, three that no body has or of which one is less
+    /// than 1e-100 of another, a spin that is not finite, one so
+    /// great that the motion passes through a spin beyond `f64`, or one so close to the separatrix (a push
+    /// of less than 1e-570 of the spin) that the two cannot be told apart.
     pub fn new(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Self, Error> {
         possible_moments(moments)?;
         Self::of_principal(moments, omega)
@@ -112,16 +117,27 @@ impl FreeMotion {
         finite_vector("the spin", omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = ((*moments).into(), (*omega).into());
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
+        let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
+        if thinnest < THINNEST {
+            return Err(Error::OutOfRange {
+                what: "the smallest moment beside the largest",
+                value: thinnest,
+            });
+        }
         let law = match classify(i, w) {
             Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
             Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
             Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
-            Kind::Asymmetric(motion) => Law::Elliptic(Elliptic::new(&motion, &w)),
+            Kind::Asymmetric(motion) => Law::Elliptic(Elliptic::new(&motion, &w)?),
         };
-        if let Law::Elliptic(motion) = &law
-            && !motion.greatest_spin().is_finite()
-        {
-            return Err(Error::OutOfRange { what: "the greatest spin", value: motion.greatest_spin() });
+        let greatest = match &law {
+            Law::AtRest | Law::Steady(_) => 0.0,
+            Law::Symmetric(top) => top.greatest_spin(),
+            Law::Elliptic(motion) => motion.greatest_spin(),
+        };
+        // With room for the roundings on the way.
+        if !(greatest * (1.0 + 1e-12)).is_finite() {
+            return Err(Error::OutOfRange { what: "the greatest spin", value: greatest });
         }
         let clock = times_power_of_two(1.0, exponent);
         Ok(Self { moments: *moments, start: *omega, exponent, clock, law, mount: None })

@@ -32,7 +32,8 @@ pub(crate) fn exponent(x: f64) -> i32 {
 /// The distance from `|x|` to the next larger number: one unit in the last place.
 pub(crate) fn ulp(x: f64) -> f64 {
     let x = x.abs();
-    x.next_up() - x
+    // The largest number has no finite one above it; the step below it is as long.
+    if x == f64::MAX { x - x.next_down() } else { x.next_up() - x }
 }
 
 #[cfg(test)]
@@ -48,5 +49,6 @@ mod tests {
             assert_eq!(times_power_of_two(unit, e), x);
         }
         assert_eq!(exponent(0.0), 0);
+        assert_eq!(ulp(f64::MAX), 2_f64.powi(971));
     }
 }

@@ -408,31 +408,31 @@ fn the_separatrix_flips_once() {
     );
 }
 
-/// So near that the two terms agree to 34 digits: still told from the separatrix, on the right side.
+/// With moments 2, 3, 4 the distance from the separatrix is L² - 2 E I_M = 4 w3² - 2 w1², and for Pell's numbers
+/// w1² - 2 w3² is 1 and -1 in turn: two terms of 32 digits that differ by 2. With moments that have more digits (the
+/// same ratios) the terms have 56, and differ further down than twice the precision sees.
 #[test]
 fn the_side_of_the_separatrix_is_decided_without_rounding() {
-    // 3 (4-3) a² against 6 (6-4) c², that is a² against 4 c², with a = 2 c exactly and then c one unit off far down.
-    let unit = 2_f64.powi(-52);
-    for (moments, omega, about) in [
-        // I_hi (I_hi - I_M) w_hi² - I_lo (I_M - I_lo) w_lo² = ±(products of units): exact rational arithmetic decides.
-        ([3.0, 4.0, 6.0], [2.0 * (1.0 + unit), 1.0, 1.0], Axis::Smallest),
-        ([3.0, 4.0, 6.0], [2.0 * (1.0 - unit), 1.0, 1.0], Axis::Largest),
-    ] {
-        let Regime::Circulating { about: ours, complement, .. } = motion(moments, omega).regime() else {
+    let (mut w3, mut w1) = (1_u64, 1_u64);
+    let mut sides = Vec::new();
+    let heavy = 1.0 + 2_f64.powi(-37) + 2_f64.powi(-20) + 2_f64.powi(-9);
+    while w3 + w1 < 1 << 53 && 2 * w3 + w1 < 1 << 53 {
+        (w3, w1) = (w3 + w1, 2 * w3 + w1);
+        let above = i128::from(w1).pow(2) - 2 * i128::from(w3).pow(2);
+        #[allow(clippy::cast_precision_loss)]
+        let (x, z) = (w1 as f64, w3 as f64);
+        let Regime::Circulating { about, complement, .. } =
+            motion([2.0, 3.0, 4.0].map(|i| heavy * i), [x, x, z]).regime()
+        else {
             panic!("on the separatrix")
         };
-        assert_eq!(ours, about);
-        // k'² = d_CX |D|/(d_CM Q²), computed exactly.
-        let [i1, i2, i3] = moments.map(exact);
-        let [w1, w2, w3] = omega.map(exact);
-        let d = &i3 * (&i3 - &i2) * &w3 * &w3 - &i1 * (&i2 - &i1) * &w1 * &w1;
-        let (c, x, wc) = if ours == Axis::Largest { (&i3, &i1, &w3) } else { (&i1, &i3, &w1) };
-        let size = |a: Exact| if a < exact(0.0) { -a } else { a };
-        let d_cx = size(c - x);
-        let round = &i2 * size(&i2 - x) * &w2 * &w2 + c * &d_cx * wc * wc;
-        let square = rounded(&(d_cx * size(d) / (size(c - &i2) * round)));
-        assert!((complement / square.sqrt() - 1.0).abs() < 1e-15, "{complement:e}");
+        assert_eq!(about, if above > 0 { Axis::Smallest } else { Axis::Largest }, "{w1} {w3}");
+        // k'² = d_CX |D|/(d_CM Q²) with |D| = 2, d_CX = 2, d_CM = 1 and Q² = I_M d_MX w_M² + I_C d_CX w_C².
+        let round = if above > 0 { 3.0 * x * x + 4.0 * x * x } else { 3.0 * x * x + 8.0 * z * z };
+        assert!((complement / (4.0 / round).sqrt() - 1.0).abs() < 1e-15, "{w1} {w3} {complement:e}");
+        sides.push(about);
     }
+    assert!(sides.len() > 38 && w1 > 1 << 51);
 }
 
 #[test]
@@ -455,6 +455,8 @@ fn what_no_body_can_do_is_named() {
     assert!(error([1.0, 1.0, 3.0], [1.0, 0.0, 0.0]).contains("triangle inequality"));
     assert!(error([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("principal moment"));
     assert!(error([1.0, 1.0, 1.0], [f64::NAN, 0.0, 0.0]).contains("the spin"));
+    assert!(error([1e-120, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("1e-100 of the largest moment"));
+    assert!(error([1.0, 2.0, 2.5], [5e-324, 1e300, 0.0]).contains("how close to the separatrix"));
     // It swings round to w3² + (2/3.75) w2² about the third axis (mathematics), more than can be written.
     assert!(error([1.0, 2.0, 2.5], [0.0, 1.7e308, 1.7e308]).contains("the greatest spin"));
 }

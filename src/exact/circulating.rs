@@ -5,6 +5,7 @@ use super::flips::Clock;
 use super::klein::{HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
 use crate::double::Double;
 use crate::elliptic::{self, Decay, Hyperbolic, TURNING_RATIO, Trigonometric};
+use crate::error::Error;
 use crate::invariants::Asymmetric;
 use crate::principal::Axis;
 use crate::scale::times_power_of_two;
@@ -137,7 +138,8 @@ impl Place {
 }
 
 impl Elliptic {
-    pub(crate) fn new(motion: &Asymmetric, omega: &[f64; 3]) -> Self {
+    /// Refuses a push so small beside the spin that no `f64` holds their ratio even when it is scaled up: 1e-570.
+    pub(crate) fn new(motion: &Asymmetric, omega: &[f64; 3]) -> Result<Self, Error> {
         let (x, m, c) = (motion.across, motion.middle, motion.around);
         let i = motion.moments;
         let modulus = motion.modulus();
@@ -152,6 +154,10 @@ impl Elliptic {
         let lift = if wobbles && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let [amplitude_x, amplitude_m, amplitude_c] = motion.amplitudes(lift);
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).value() };
+        if !motion.separatrix && !wobbles && !scaled_complement.is_normal() {
+            let what = "how close to the separatrix the motion is, as a complementary modulus,";
+            return Err(Error::OutOfRange { what, value: complement });
+        }
         let at_start = |axis: usize, up: i32| times_power_of_two(omega[axis], up - motion.clock);
         let [w_x, w_m, w_c] = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];
         let forward = w_c > 0.0;
@@ -238,7 +244,7 @@ impl Elliptic {
         });
         let grand = |amplitude: Double, up: i32| times_power_of_two(amplitude.value(), motion.clock - up);
         let greatest = grand(amplitude_x, lift).max(grand(amplitude_m, lift)).max(grand(amplitude_c, 0));
-        Self {
+        Ok(Self {
             axes: [x, m, c],
             amplitudes,
             unscale,
@@ -255,7 +261,7 @@ impl Elliptic {
                 argument,
                 shares: [share_x, share_m, share_c],
             },
-        }
+        })
     }
 
     pub(crate) fn regime(&self, per_second: impl Fn(f64) -> f64) -> Regime {

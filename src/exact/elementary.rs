@@ -71,6 +71,12 @@ impl Precession {
         self.axis
     }
 
+    /// The largest component that the spin can have, rad/s.
+    pub(crate) fn greatest_spin(&self) -> f64 {
+        let [a, b] = [1, 2].map(|k| self.omega[(self.axis + k) % 3]);
+        a.hypot(b).max(self.omega[self.axis].abs())
+    }
+
     /// Turns per unit of scaled time.
     pub(crate) fn wobble_turns(&self) -> f64 {
         self.wobble.value()
