@@ -119,9 +119,11 @@ impl FreeMotion {
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
         let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
         if thinnest < THINNEST {
-            return Err(Error::OutOfRange {
-                what: "the smallest moment beside the largest",
-                value: thinnest,
+            return Err(Error::Order {
+                smaller: "1e-100 of the largest moment",
+                small: THINNEST * moments.max(),
+                larger: "the smallest moment",
+                large: moments.min(),
             });
         }
         let law = match classify(i, w) {
