@@ -62,7 +62,7 @@ impl FreeMotion {
     /// use nalgebra::Vector3;
     /// use tumbling::exact::FreeMotion;
     /// // A wobble about the largest moment. By hand: with the spin (0.03, 0, 1) a quarter period later, that
-    /// axis is 1/100 off the momentum, at the start 2/100.
+    /// // axis is 1/100 off the momentum, at the start 2/100.
     /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 0.03, 1.0))?;
     /// let degrees = |axis| motion.angles_to_momentum(axis).map(|a| a.map(|x| format!("{:.2}", x.to_degrees())));
     /// assert_eq!(degrees(2)?, ["0.57", "1.15"]);
