@@ -337,6 +337,14 @@ impl InverseInertia {
     }
 }
 
+/// That three principal moments, in any order, are positive and can belong to one body.
+pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
+    moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
+    let mut sorted: [f64; 3] = (*moments).into();
+    sorted.sort_by(f64::total_cmp);
+    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS)
+}
+
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
 /// do not overflow, and left alone where they agree, so that small ones keep their last bit.
 fn evened(m: &Matrix3<f64>) -> Matrix3<f64> {

@@ -56,7 +56,9 @@
 pub mod attitude;
 pub mod bodies;
 pub mod counted;
+pub mod elliptic;
 pub mod euler;
+pub mod exact;
 pub mod inertia;
 pub mod observe;
 pub mod references;
@@ -68,6 +70,7 @@ pub mod step;
 mod body;
 mod double;
 mod error;
+mod invariants;
 mod principal;
 mod scale;
 mod wide;

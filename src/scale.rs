@@ -2,12 +2,16 @@
 
 /// `x * 2^exponent`, exact unless the result is subnormal or overflows.
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
+    let factor = |e: i32| f64::from_bits(u64::from((e + 1023).unsigned_abs()) << 52);
+    if (-1022..=1023).contains(&exponent) {
+        return x * factor(exponent);
+    }
     // One factor cannot reach from the smallest subnormal to the largest number: take up to three.
     let mut rest = exponent.clamp(-3000, 3000);
     let mut y = x;
     while rest != 0 {
         let part = rest.clamp(-1022, 1023);
-        y *= f64::from_bits(u64::from((part + 1023).unsigned_abs()) << 52);
+        y *= factor(part);
         rest -= part;
     }
     y
@@ -27,7 +31,9 @@ pub(crate) fn exponent(x: f64) -> i32 {
 
 /// One unit in the last place of a finite `x`: the distance between its neighbours, also at the ends of the range.
 pub(crate) fn ulp(x: f64) -> f64 {
-    if x == 0.0 { 5e-324 } else { times_power_of_two(1.0, (exponent(x) - 52).max(-1074)) }
+    let x = x.abs();
+    // The largest number has no finite one above it; the step below it is as long.
+    if x == f64::MAX { x - x.next_down() } else { x.next_up() - x }
 }
 
 #[cfg(test)]
@@ -43,6 +49,7 @@ mod tests {
             assert_eq!(times_power_of_two(unit, e), x);
         }
         assert_eq!(exponent(0.0), 0);
+        assert_eq!(ulp(f64::MAX), 2_f64.powi(971));
     }
 
     #[test]
