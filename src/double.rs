@@ -1,10 +1,11 @@
 //! Double-double numbers: an `f64` and what its rounding lost, about 106 bits together.
 //!
 //! For the few places where the answer is a small difference of large terms: the gap between spin
-//! and momentum near a principal axis, the inverse of a needle's tensor.
+//! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references) in [`references`](crate::references).
 
-use std::ops::{Add, Mul, Neg, Sub};
+use crate::scale::times_power_of_two;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,9 +15,60 @@ pub(crate) struct Double {
 }
 
 impl Double {
+    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    /// The circle's constant to 107 bits.
+    pub(crate) const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+
     /// The nearest `f64`.
     pub(crate) fn value(self) -> f64 {
         self.hi
+    }
+
+    /// What the nearest `f64` leaves out.
+    pub(crate) fn rest(self) -> f64 {
+        self.lo
+    }
+
+    /// `a + b` without error.
+    pub(crate) fn sum(a: f64, b: f64) -> Self {
+        two_sum(a, b)
+    }
+
+    /// `a b` without error (but for underflow).
+    pub(crate) fn product(a: f64, b: f64) -> Self {
+        let hi = a * b;
+        Self { hi, lo: a.mul_add(b, -hi) }
+    }
+
+    /// The square root of a number that is not negative, to about 104 bits.
+    pub(crate) fn sqrt(self) -> Self {
+        let root = self.hi.sqrt();
+        if root == 0.0 || !root.is_finite() {
+            return Self::from(root);
+        }
+        let error = (self - Self::product(root, root)).hi;
+        quick_two_sum(root, error / (2.0 * root))
+    }
+
+    /// `self * 2^exponent`.
+    pub(crate) fn scaled(self, exponent: i32) -> Self {
+        Self { hi: times_power_of_two(self.hi, exponent), lo: times_power_of_two(self.lo, exponent) }
+    }
+
+    pub(crate) fn abs(self) -> Self {
+        if self.hi < 0.0 { -self } else { self }
+    }
+
+    /// The nearest integer, and what is left: at most a half, in one `f64` that has all its digits.
+    ///
+    /// Of a number too large to have a fraction, or that is not finite, nothing is left.
+    pub(crate) fn split(self) -> (f64, f64) {
+        let whole = self.hi.round_ties_even();
+        let left = (self.hi - whole) + self.lo;
+        // The low part can carry it just past the half.
+        let more = left.round_ties_even();
+        if left.is_finite() { (whole + more, left - more) } else { (0.0, 0.0) }
     }
 }
 
@@ -73,10 +125,54 @@ impl Mul for Double {
     }
 }
 
+impl Mul<f64> for Double {
+    type Output = Self;
+    fn mul(self, other: f64) -> Self {
+        let hi = self.hi * other;
+        quick_two_sum(hi, self.hi.mul_add(other, -hi) + self.lo * other)
+    }
+}
+
+impl Div for Double {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        if !first.is_finite() {
+            return Self::from(first);
+        }
+        let left = self - other * first;
+        quick_two_sum(first, left.hi / other.hi)
+    }
+}
+
+/// The sum of any terms, exact before it is rounded to twice the precision: an expansion grown term by term
+/// [She97](crate::references).
+pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Double {
+    let mut expansion: Vec<f64> = Vec::new();
+    for term in terms {
+        let mut carried = term;
+        for part in &mut expansion {
+            let sum = two_sum(*part, carried);
+            (*part, carried) = (sum.lo, sum.hi);
+        }
+        expansion.push(carried);
+    }
+    // Parts do not overlap, the largest last.
+    expansion.iter().fold(Double::ZERO, |sum, &part| sum + Double::from(part))
+}
+
+/// Every term multiplied by `factor`, without error: two for each.
+pub(crate) fn exact_products(terms: &[f64], factor: f64) -> Vec<f64> {
+    let pair = |&term: &f64| {
+        let product = Double::product(term, factor);
+        [product.lo, product.hi]
+    };
+    terms.iter().flat_map(pair).collect()
+}
+
 /// `a b - c d` as if computed exactly and rounded once (but for underflow).
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> Double {
-    let product = |x: f64, y: f64| Double::from(x) * Double::from(y);
-    product(a, b) - product(c, d)
+    Double::product(a, b) - Double::product(c, d)
 }
 
 #[cfg(test)]
@@ -100,6 +196,14 @@ mod tests {
             let expected = exact as f64;
             prop_assert!((ours - expected).abs() <= f64::EPSILON * expected.abs(), "{ours} {expected}");
         }
+    }
+
+    #[test]
+    fn an_exact_sum_finds_what_is_left_hundreds_of_bits_down() {
+        let tiny = 2_f64.powi(-300);
+        let sum = exact_sum([1.0, 1e10, tiny, -1e10, 2_f64.powi(-100), -1.0, -2_f64.powi(-100)]);
+        assert_eq!(sum.value(), tiny);
+        assert_eq!(exact_sum([0.1, -0.1]), Double::ZERO);
     }
 
     #[test]

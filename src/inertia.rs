@@ -319,6 +319,14 @@ fn evened(m: &Matrix3<f64>) -> Matrix3<f64> {
     m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b })
 }
 
+/// That three principal moments, in any order, are positive and can belong to one body.
+pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
+    moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
+    let mut sorted: [f64; 3] = (*moments).into();
+    sorted.sort_by(f64::total_cmp);
+    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS)
+}
+
 fn is_diagonal(m: &Matrix3<f64>) -> bool {
     m[(0, 1)] == 0.0 && m[(0, 2)] == 0.0 && m[(1, 2)] == 0.0
 }

@@ -54,7 +54,9 @@
 pub mod attitude;
 pub mod bodies;
 pub mod counted;
+pub mod elliptic;
 pub mod euler;
+pub mod exact;
 pub mod inertia;
 pub mod observe;
 pub mod references;
@@ -66,6 +68,7 @@ pub mod step;
 mod body;
 mod double;
 mod error;
+mod invariants;
 mod principal;
 mod scale;
 mod wide;

@@ -2,12 +2,16 @@
 
 /// `x * 2^exponent`, exact unless the result is subnormal or overflows.
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
+    let factor = |e: i32| f64::from_bits(u64::from((e + 1023).unsigned_abs()) << 52);
+    if (-1022..=1023).contains(&exponent) {
+        return x * factor(exponent);
+    }
     // One factor cannot reach from the smallest subnormal to the largest number: take up to three.
     let mut rest = exponent.clamp(-3000, 3000);
     let mut y = x;
     while rest != 0 {
         let part = rest.clamp(-1022, 1023);
-        y *= f64::from_bits(u64::from((part + 1023).unsigned_abs()) << 52);
+        y *= factor(part);
         rest -= part;
     }
     y

@@ -1,12 +1,11 @@
 //! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
 
-use crate::double::Double;
 use crate::error::{Error, finite, finite_vector, positive};
+use crate::invariants::{Kind, classify};
 use crate::principal::Axis;
 use crate::scalar::Field;
-use crate::scale::{exponent, times_power_of_two};
+use crate::scale::times_power_of_two;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The square of the rate at which a small wobble changes, (1/s)²: positive where it grows, negative
 /// where it swings, for a spin `omega` about the axis with moment `about`, the others being `first` and
@@ -122,57 +121,16 @@ pub fn time_between_flips(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Resul
         positive("a principal moment", moment)?;
     }
     finite_vector("the spin", omega)?;
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
-    // Only ratios of moments matter, and ratios of spins but for the clock: take powers of two out, so
-    // that no product leaves the range, and put the largest spin high, so that the smallest stays exact.
-    let heaviest = exponent(moments.max());
-    let clock = exponent(omega.amax()) - 500;
-    let [low, middle, high] = order.map(|i| times_power_of_two(moments[i], -heaviest));
-    let [w_low, w_middle, w_high] = order.map(|i| times_power_of_two(omega[i].abs(), -clock));
-    let (above, below, across) = (high - middle, middle - low, high - low);
-    if above == 0.0 || below == 0.0 || (w_low == 0.0 && w_high == 0.0) {
+    let Kind::Asymmetric(motion) = classify((*moments).into(), (*omega).into()) else {
         return Ok(None);
-    }
-    if w_middle == 0.0 && (w_low == 0.0 || w_high == 0.0) {
-        return Ok(None);
-    }
-    // L² - 2 E I2, which says how far the motion is from the separatrix and on which side: a difference of
-    // two terms that nearly cancel there, hence in double the precision; the small spins at a scale of their own.
-    let small = exponent(w_low.max(w_high)) & !1; // even, so that it can be halved below
-    let term = |moment: f64, difference: f64, w: f64| {
-        let w = Double::from(times_power_of_two(w, -small));
-        Double::from(moment) * Double::from(difference) * w * w
     };
-    let discriminant = (term(high, above, w_high) - term(low, below, w_low)).value();
-    // The axis that the spin circles (C), the other end (X), and how far each is from the middle.
-    let (i_c, d_c, w_c, i_x, d_x) = if discriminant >= 0.0 {
-        (high, above, w_high, low, below)
-    } else {
-        (low, below, w_low, high, above)
-    };
-    let q = ((middle * d_x).sqrt() * w_middle).hypot((i_c * across).sqrt() * w_c);
-    let rate = (d_c / (middle * i_c * i_x)).sqrt() * q;
-    // The modulus' complement, 0 on the separatrix: its root, since itself it can be below any f64.
-    let root = ((across / d_c).sqrt() * discriminant.abs().sqrt()).sqrt() / q.sqrt();
-    let root_of_complement = times_power_of_two(root, small / 2);
-    if root_of_complement == 0.0 {
+    if motion.separatrix {
         return Ok(None);
     }
-    let half_period = PI / (rate * mean_of_one_and_square(root_of_complement.min(1.0)));
-    let time = times_power_of_two(half_period, -clock);
+    let half_period = motion.quarter_period() * 2.0 / motion.rate();
+    let time = times_power_of_two(half_period.value(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
         return Err(Error::OutOfRange { what: "the time between flips", value: time });
     }
     Ok(Some(time))
-}
-
-/// The common limit of the arithmetic and geometric means of 1 and `root²`, for `0 < root <= 1`.
-fn mean_of_one_and_square(root: f64) -> f64 {
-    let (mut a, mut g) = (0.5 * (1.0 + root * root), root);
-    // Each step doubles the digits, once the first few have brought 1e-162 up to where that sets in.
-    while a - g > 4.0 * f64::EPSILON * a {
-        (a, g) = (0.5 * (a + g), (a * g).sqrt());
-    }
-    0.5 * (a + g)
 }

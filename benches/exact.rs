@@ -1,0 +1,104 @@
+//! What the exact motion costs, in steps of the plain Runge-Kutta method: ratios within one run.
+//!
+//! ```text
+//! cargo bench -p tumbling --bench exact
+//! valgrind --tool=callgrind --toggle-collect='*counted_here*' target/release/deps/exact-... count NAME
+//! ```
+//!
+//! The first prints ratios of times; the second runs one piece of work 1000 times inside a function whose
+//! instructions are counted. Under `cargo test` it does nothing but make sure that it runs.
+
+use nalgebra::{Quaternion, Vector3};
+use std::hint::black_box;
+use std::time::Instant;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Motion, rk4};
+use tumbling::{attitude, euler};
+
+type Work = (&'static str, Box<dyn FnMut(u32)>);
+
+fn works() -> Vec<Work> {
+    let moments = Vector3::new(0.8333, 1.0833, 0.4167);
+    let none = Vector3::zeros();
+    let law = move |m: &Motion<f64>| Motion {
+        attitude: attitude::rate(&m.attitude, &m.vector),
+        vector: euler::angular_acceleration(&moments, &m.vector, &none),
+    };
+    let mut state = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 1.0, 0.3) };
+    let mut works: Vec<Work> = vec![(
+        "rk4 step of (q, w)",
+        Box::new(move |_| state = rk4(black_box(&state), black_box(&1e-6), law)),
+    )];
+    // Well inside, and close to the separatrix, where hyperbolic functions take over.
+    for (where_, omega) in
+        [("generic", Vector3::new(0.3, 0.4, 1.0)), ("flipping", Vector3::new(1.0, 1e-3, 1e-3))]
+    {
+        let moments = black_box(moments);
+        let motion = FreeMotion::new(&moments, &omega).expect("a body");
+        let times: Vec<f64> = (0..1024).map(|k| f64::from(k * 37 % 1024) * 0.117).collect();
+        let name = |what: &str| -> &'static str { Box::leak(format!("{what}, {where_}").into_boxed_str()) };
+        let far: Vec<f64> = times.iter().map(|t| 1e10 + t).collect();
+        for (what, times) in [("w", &times), ("w at 1e9 periods", &far)] {
+            let times = times.clone();
+            works.push((
+                name(what),
+                Box::new(move |k| drop(black_box(motion.omega(black_box(times[k as usize % 1024]))))),
+            ));
+        }
+        for (what, times) in [("w and q", &times), ("w and q at 1e9 periods", &far)] {
+            let times = times.clone();
+            works.push((
+                name(what),
+                Box::new(move |k| drop(black_box(motion.at(black_box(times[k as usize % 1024]))))),
+            ));
+        }
+        works.push((
+            name("preparing"),
+            Box::new(move |_| drop(black_box(FreeMotion::new(black_box(&moments), black_box(&omega))))),
+        ));
+    }
+    works
+}
+
+/// The least of several measurements, ns for one.
+fn time_of(work: &mut dyn FnMut(u32)) -> f64 {
+    let count = 20_000;
+    (0..25)
+        .map(|_| {
+            let start = Instant::now();
+            (0..count).for_each(&mut *work);
+            start.elapsed().as_secs_f64() * 1e9 / f64::from(count)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+#[inline(never)]
+fn counted_here(work: &mut dyn FnMut(u32)) {
+    (0..1000).for_each(work);
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let mut works = works();
+    if let Some(at) = arguments.iter().position(|a| a == "count") {
+        let wanted = arguments.get(at + 1).map_or("", String::as_str);
+        for (name, work) in &mut works {
+            if *name == wanted {
+                counted_here(work);
+            }
+        }
+    } else if arguments.iter().any(|a| a == "--bench") {
+        let mut unit = 0.0;
+        for (name, work) in &mut works {
+            let time = time_of(work);
+            if unit == 0.0 {
+                unit = time;
+            }
+            println!("{name:36} {time:8.1} ns {:7.2} steps", time / unit);
+        }
+    } else {
+        for (_, work) in &mut works {
+            work(1);
+        }
+    }
+}

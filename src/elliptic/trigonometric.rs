@@ -1,0 +1,46 @@
+//! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
+
+use super::Values;
+
+/// The sums for a nome of at most 0.09: four terms each reach rounding. Written as polynomials in
+/// `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Trigonometric {
+    /// `theta_3, theta_4 = even ± odd`.
+    outer: [f64; 4],
+    /// `theta_2 / (2 q^(1/4) cos z)` and `theta_1 / (2 q^(1/4) sin z) = even ± odd`.
+    inner: [f64; 4],
+    /// What makes `sn`, `cn` and `dn` of the quotients by `theta_4`.
+    factors: [f64; 3],
+}
+
+impl Trigonometric {
+    pub(crate) fn new(q: f64) -> Self {
+        let (q2, q4, q6, q9) = (q * q, q.powi(4), q.powi(6), q.powi(9));
+        let q12 = q6 * q6;
+        let outer = [1.0 - 2.0 * q4, 4.0 * q4, 2.0 * q - 6.0 * q9, 8.0 * q9];
+        let inner = [1.0 - q2 - q6 + q12, 4.0 * q6 - 4.0 * q12, 2.0 * q2 - 2.0 * q6 - 4.0 * q12, 8.0 * q12];
+        let mut sums = Self { outer, inner, factors: [1.0; 3] };
+        let [third, fourth, second, _] = sums.thetas(1.0);
+        sums.factors = [third / second, fourth / second, fourth / third];
+        sums
+    }
+
+    /// `theta_3`, `theta_4`, and `theta_2`, `theta_1` without their first factors, from `cos 2z`.
+    fn thetas(&self, c: f64) -> [f64; 4] {
+        let square = c * c;
+        let [a, b, d, e] = self.outer;
+        let (even, odd) = (a + b * square, c * (d + e * square));
+        let [a, b, d, e] = self.inner;
+        let (inner_even, inner_odd) = (a + b * square, c * (d + e * square));
+        [even + odd, even - odd, inner_even + inner_odd, inner_even - inner_odd]
+    }
+
+    /// The three functions from sine and cosine of `z`, the argument with the half period stretched to pi.
+    pub(crate) fn at(&self, sin: f64, cos: f64) -> Values {
+        let [third, fourth, second, first] = self.thetas((cos - sin) * (cos + sin));
+        let [s, c, d] = self.factors;
+        let over = 1.0 / fourth;
+        Values { sn: s * (sin * first) * over, cn: c * (cos * second) * over, dn: d * third * over }
+    }
+}

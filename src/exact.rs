@@ -1,0 +1,306 @@
+//! Free motion in closed form: the spin and the attitude of a torque-free body at any instant, to rounding.
+//!
+//! Prepare a [`FreeMotion`] once from the moments and the spin at time 0; each later (or earlier) instant
+//! then costs the same, however far it is. The spin is Jacobi's [LL76](crate::references), section 37, by theta functions of the phase;
+//! the attitude two more theta functions, as Klein and Sommerfeld have them [KS97](crate::references), [vZS07](crate::references). Nothing is integrated
+//! in time, so nothing drifts: an error is what the rounding of the inputs already makes of the answer, a few
+//! units of it.
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use tumbling::exact::FreeMotion;
+//!
+//! // A book spun about its middle axis, with a push of a thousandth.
+//! let moments = Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0);
+//! let motion = FreeMotion::new(&moments, &Vector3::new(1.0, 0.0, 1e-3))?;
+//! let flip = motion.next_flip(0.0)?.unwrap();
+//! let after = motion.at(flip * 2.0)?;
+//! assert!((after.omega.x + 1.0).abs() < 1e-6); // turned over
+//! // The momentum has not moved in the world.
+//! let momentum = after.attitude * moments.component_mul(&after.omega);
+//! assert!((momentum - Vector3::new(10.0 / 12.0, 0.0, 5e-3 / 12.0)).norm() < 1e-14);
+//! # Ok::<(), tumbling::Error>(())
+//! ```
+
+mod circulating;
+mod elementary;
+mod flips;
+mod geometry;
+mod klein;
+mod regime;
+
+pub use flips::Flips;
+pub use regime::Regime;
+
+use crate::body::Body;
+use crate::error::{Error, finite, finite_vector};
+use crate::inertia::possible_moments;
+use crate::invariants::{Kind, classify};
+use crate::scale::times_power_of_two;
+use circulating::Elliptic;
+use elementary::{Precession, Turn, scaled};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+/// The free motion of one body from one start, ready to be asked for any instant.
+///
+/// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the bit.
+/// Where a time is so long that not even the first digit of the phase is determined by the inputs, the answer
+/// is still a spin and an attitude that the motion passes through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeMotion {
+    moments: Vector3<f64>,
+    start: Vector3<f64>,
+    exponent: i32,
+    clock: f64,
+    law: Law,
+    mount: Option<Mount>,
+}
+
+/// How the principal axes sit in the body, and the body in the world at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Mount {
+    /// Principal axes to body axes.
+    frame: UnitQuaternion<f64>,
+    /// Body to world at the start, after principal to body.
+    world: UnitQuaternion<f64>,
+    attitude: UnitQuaternion<f64>,
+    omega: Vector3<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Law {
+    AtRest,
+    Steady(Turn),
+    Symmetric(Precession),
+    Elliptic(Elliptic),
+}
+
+/// A body in free motion at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant {
+    /// Angular velocity in body axes, rad/s.
+    pub omega: Vector3<f64>,
+    /// Attitude, body to world.
+    pub attitude: UnitQuaternion<f64>,
+}
+
+impl Instant {
+    /// Angular velocity in world axes, rad/s.
+    #[must_use]
+    pub fn omega_world(&self) -> Vector3<f64> {
+        self.attitude * self.omega
+    }
+}
+
+impl FreeMotion {
+    /// For principal moments (kg m²) in any order and the spin (rad/s) along the same axes at time 0. The world
+    /// is taken along the body's axes at that time: the attitude starts as the identity.
+    ///
+    /// # Errors
+    /// A moment that is not finite and positive, three that no body has, a spin that is not finite, or one so
+    /// great that the motion passes through a spin beyond `f64`.
+    pub fn new(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Self, Error> {
+        possible_moments(moments)?;
+        Self::of_principal(moments, omega)
+    }
+
+    fn of_principal(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Self, Error> {
+        finite_vector("the spin", omega)?;
+        let (i, w): ([f64; 3], [f64; 3]) = ((*moments).into(), (*omega).into());
+        let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
+        let law = match classify(i, w) {
+            Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
+            Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
+            Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
+            Kind::Asymmetric(motion) => Law::Elliptic(Elliptic::new(&motion, &w)),
+        };
+        if let Law::Elliptic(motion) = &law
+            && !motion.greatest_spin().is_finite()
+        {
+            return Err(Error::OutOfRange { what: "the greatest spin", value: motion.greatest_spin() });
+        }
+        let clock = times_power_of_two(1.0, exponent);
+        Ok(Self { moments: *moments, start: *omega, exponent, clock, law, mount: None })
+    }
+
+    /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they are.
+    ///
+    /// The principal axes of a tensor that is not diagonal come rounded: the motion is then that of a tensor
+    /// some units in the last place away.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::{Body, Inertia, exact::FreeMotion};
+    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?.turned(&turned)?;
+    /// let body = Body::spinning(inertia, turned.inverse(), &Vector3::new(0.5, -1.0, 0.2))?;
+    /// let after = FreeMotion::of(&body)?.at(123.0)?;
+    /// let momentum = after.attitude * inertia.momentum(&after.omega);
+    /// assert!((momentum - body.momentum_world()).norm() < 1e-13);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
+    pub fn of(body: &Body) -> Result<Self, Error> {
+        let tensor = body.inertia().matrix();
+        let omega = body.omega_body();
+        let diagonal = tensor[(0, 1)] == 0.0 && tensor[(0, 2)] == 0.0 && tensor[(1, 2)] == 0.0;
+        let (moments, frame) = if diagonal {
+            (tensor.diagonal(), UnitQuaternion::identity())
+        } else {
+            let principal = body.inertia().principal();
+            (principal.moments(), principal.rotation())
+        };
+        for &moment in &moments {
+            crate::error::positive("a principal moment", moment)?;
+        }
+        let along = frame.inverse() * omega;
+        let motion = Self::of_principal(&moments, &along)?;
+        let attitude = body.attitude();
+        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..motion })
+    }
+
+    /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
+        let time = finite("the time", t)? * self.clock;
+        if t == 0.0 {
+            return Ok(self.mount.as_ref().map_or(self.start, |mount| mount.omega));
+        }
+        let omega = match &self.law {
+            Law::AtRest | Law::Steady(_) => self.start,
+            Law::Symmetric(precession) => precession.omega(time),
+            Law::Elliptic(motion) => motion.omega(time),
+        };
+        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+    }
+
+    /// Attitude at time `t`, body to world.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
+        let time = finite("the time", t)? * self.clock;
+        let turned = match &self.law {
+            _ if t == 0.0 => Quaternion::identity(),
+            Law::AtRest => Quaternion::identity(),
+            Law::Steady(turn) => turn.at(time),
+            Law::Symmetric(precession) => precession.attitude(time),
+            Law::Elliptic(motion) => motion.attitude(time),
+        };
+        Ok(self.in_world(t, turned))
+    }
+
+    /// Spin and attitude at time `t`, which share most of their work.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn at(&self, t: f64) -> Result<Instant, Error> {
+        let Law::Elliptic(motion) = &self.law else {
+            return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
+        };
+        let time = finite("the time", t)? * self.clock;
+        if t == 0.0 {
+            return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
+        }
+        let (omega, turned) = motion.at(time);
+        let omega = self.mount.as_ref().map_or(omega, |mount| mount.frame * omega);
+        Ok(Instant { omega, attitude: self.in_world(t, turned) })
+    }
+
+    /// Spin and attitude at each of `times`.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn at_each(&self, times: &[f64]) -> Result<Vec<Instant>, Error> {
+        times.iter().map(|&t| self.at(t)).collect()
+    }
+
+    fn in_world(&self, t: f64, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
+        let turned = UnitQuaternion::new_unchecked(turned);
+        match &self.mount {
+            None => turned,
+            Some(mount) if t == 0.0 => mount.attitude,
+            Some(mount) => {
+                let whole = mount.world * turned * mount.frame.inverse();
+                UnitQuaternion::new_unchecked(klein::unit(whole.into_inner()))
+            }
+        }
+    }
+
+    /// The principal moments, kg m², in the order in which they were given.
+    #[must_use]
+    pub fn moments(&self) -> Vector3<f64> {
+        self.moments
+    }
+
+    /// What kind of motion it is, with its constants in SI units.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        let per_second = |rate: f64| times_power_of_two(rate, self.exponent);
+        match &self.law {
+            Law::AtRest => Regime::AtRest,
+            Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
+            Law::Symmetric(top) => Regime::SymmetricTop {
+                axis: top.axis(),
+                wobble: per_second(top.wobble_turns() * std::f64::consts::TAU),
+                precession: per_second(top.precession()),
+            },
+            Law::Elliptic(motion) => motion.regime(per_second),
+        }
+    }
+
+    /// The first instant after `t` at which the spin along the middle axis changes sign, s. `None` if there is
+    /// none: a steady spin, two equal moments, or the separatrix once it has flipped.
+    ///
+    /// # Errors
+    /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond `f64`.
+    pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
+        let next = self.flips(t, f64::MAX.min(t + self.reach()?))?.next();
+        next.map(|time| finite("the time of the next flip", time)).transpose()
+    }
+
+    /// All instants after `from` and up to `to` at which the spin along the middle axis changes sign, in order,
+    /// one at a time: an interval with a billion flips takes no more room than one with two.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::exact::FreeMotion;
+    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// let times: Vec<String> = motion.flips(0.0, 10.0)?.map(|t| format!("{t:.4}")).collect();
+    /// assert_eq!(times, ["1.7402", "5.2207", "8.7012"]);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A time that is not finite, or one with more than 9e15 flips between it and the start.
+    pub fn flips(&self, from: f64, to: f64) -> Result<Flips, Error> {
+        finite("the start of the interval", from)?;
+        finite("the end of the interval", to)?;
+        let source = match &self.law {
+            Law::Elliptic(motion) => Some((motion.clock(), self.exponent)),
+            Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => None,
+        };
+        Flips::between(source, from, to)
+    }
+
+    /// A span that surely holds the next flip, if there is one.
+    fn reach(&self) -> Result<f64, Error> {
+        Ok(match &self.law {
+            Law::Elliptic(motion) => match motion.half_period() {
+                Some(half) => self.seconds("the time between flips", 3.0 * half)?,
+                None => f64::MAX,
+            },
+            Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => 0.0,
+        })
+    }
+
+    /// A scaled time in seconds.
+    fn seconds(&self, what: &'static str, time: f64) -> Result<f64, Error> {
+        let value = times_power_of_two(time, -self.exponent);
+        if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+    }
+}

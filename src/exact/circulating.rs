@@ -1,0 +1,447 @@
+//! The motion of a body with three different moments, about its largest or smallest axis or between.
+
+use super::Regime;
+use super::flips::Clock;
+use super::klein::{HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
+use crate::double::Double;
+use crate::elliptic::{self, Decay, Hyperbolic, TURNING_RATIO, Trigonometric};
+use crate::invariants::Asymmetric;
+use crate::principal::Axis;
+use crate::scale::times_power_of_two;
+use nalgebra::{Quaternion, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// All that an instant needs, in units where the largest spin is near 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Elliptic {
+    /// Body indices of the axis across, the middle, the axis circled.
+    axes: [usize; 3],
+    /// Amplitudes of the spin along them, with their signs.
+    amplitudes: [f64; 3],
+    /// Two powers of two that take the across and circled components to rad/s, and one for the middle.
+    unscale: [f64; 2],
+    unscale_middle: f64,
+    form: Form,
+    start: Pair,
+    /// Turns of the common phase, which is half the angle about the momentum, per unit of time.
+    drift: Double,
+    constants: Constants,
+}
+
+/// What belongs to the whole motion rather than to an instant, in the same units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Constants {
+    about: Axis,
+    modulus: f64,
+    complement: f64,
+    /// With its sign, per unit of time.
+    rate: Double,
+    /// Infinite on the separatrix.
+    quarter: Double,
+    /// Jacobi's argument at the start.
+    argument: Double,
+    /// The greatest share of the momentum along each of the three axes.
+    shares: [f64; 3],
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Form {
+    Trigonometric {
+        spin: Trigonometric,
+        pair: TrigonometricPair,
+        /// Sine and cosine of the phase at the start, and turns of it per unit of time.
+        start: [f64; 2],
+        turns: Double,
+        turns_per_argument: f64,
+    },
+    Hyperbolic {
+        spin: Hyperbolic,
+        pair: HyperbolicPair,
+        way: Way,
+        /// Turns of the common phase at each half turn of Jacobi's argument.
+        step: f64,
+    },
+}
+
+/// Where Jacobi's argument stands, folded between the two saddles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Way {
+    start: Double,
+    /// Half turns per unit of time, or on the separatrix, where there are none, the argument itself.
+    rate: Double,
+    quarter: Double,
+    /// `pi/(2K')`.
+    stretch: f64,
+    /// Sign of the start after folding.
+    turn: f64,
+}
+
+/// A place on the way: `exp(-x)` in full, from the nearer end.
+struct Place {
+    decay: Decay,
+    far: bool,
+    side: f64,
+    turn: f64,
+    halves: f64,
+}
+
+impl Way {
+    fn at(&self, time: f64) -> Place {
+        let run = self.rate * time;
+        let infinite = self.quarter.value().is_infinite();
+        let (mut halves, mut u) = if infinite {
+            (0.0, if run.value().is_finite() { run } else { Double::ZERO } + self.start)
+        } else {
+            let (halves, left) = run.split();
+            (halves, self.quarter * (2.0 * left) + self.start)
+        };
+        if !infinite && u.value().abs() > self.quarter.value() {
+            let side = 1.0_f64.copysign(u.value());
+            u = u - self.quarter * (2.0 * side);
+            halves += side;
+        }
+        let size = u.abs();
+        let far = size.value() > 0.5 * self.quarter.value();
+        let from_end = if far { self.quarter - size } else { size };
+        let odd = halves - 2.0 * (0.5 * halves).round_ties_even() != 0.0;
+        Place {
+            // Rounding may leave it a hair beyond the saddle.
+            decay: Decay::new(from_end.value().max(0.0) * self.stretch, from_end.rest() * self.stretch),
+            far,
+            side: 1.0_f64.copysign(u.value()),
+            turn: if odd { -self.turn } else { self.turn },
+            halves,
+        }
+    }
+
+    /// `exp(-x)` counted from the flip, given the nome `p` that it has at the saddle.
+    fn from_flip(place: &Place, p: f64) -> f64 {
+        if place.far { p / place.decay.root } else { place.decay.root }
+    }
+}
+
+/// The spin across, along the middle and around, times `2^shift` in scaled units.
+fn spins(motion: &Asymmetric, omega: &[f64; 3], shift: i32) -> [f64; 3] {
+    [motion.across, motion.middle, motion.around]
+        .map(|axis| times_power_of_two(omega[axis], shift - motion.clock))
+}
+
+impl Elliptic {
+    pub(crate) fn new(motion: &Asymmetric, omega: &[f64; 3]) -> Self {
+        let (x, m, c) = (motion.across, motion.middle, motion.around);
+        let i = motion.moments;
+        let [amplitude_x, amplitude_m, amplitude_c] = motion.amplitudes();
+        let modulus = motion.modulus();
+        let complement = motion.complement(0).value();
+        // Where the complement is nearly out of range, all that is proportional to it is kept larger.
+        let shift = if complement < 1e-150 { 500 } else { 0 }; // never with sines and cosines
+        let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).value() };
+        let [w_x, _, w_c] = spins(motion, omega, shift);
+        let w_m = spins(motion, omega, 0)[1];
+        let forward = w_c > 0.0;
+        let cyclic = (x + 1) % 3 == m;
+        let sign = if forward { 1.0 } else { -1.0 };
+        let s = if cyclic { 1.0 } else { -1.0 };
+        let direction = s * sign * if i[c] > i[m] { 1.0 } else { -1.0 };
+        let rate = motion.rate() * direction;
+
+        let quarter = motion.quarter_period();
+        let other = elliptic::quarter_period(modulus);
+        let ratio = if motion.separatrix { 0.0 } else { other / quarter.value() };
+
+        // The start: sn, and cn, dn times 2^shift.
+        let [sn, cn, dn] =
+            [w_m / amplitude_m.value(), w_x / amplitude_x.value(), w_c.abs() / amplitude_c.value()];
+
+        // L and 2E in the same units, and the momentum's greatest shares.
+        let w = [0, 1, 2].map(|axis| times_power_of_two(omega[axis], -motion.clock));
+        let sum = |f: &dyn Fn(usize) -> Double| f(0) + f(1) + f(2);
+        let twice_energy = sum(&|k| Double::product(w[k], w[k]) * i[k]);
+        let momentum = sum(&|k| Double::product(w[k], w[k]) * Double::product(i[k], i[k])).sqrt();
+        let share_c = amplitude_c.value() * i[c] / momentum.value();
+        let share_m = amplitude_m.value() * i[m] / momentum.value();
+
+        // The zero of the theta functions: y = rho^(-1/2) R_F((rho-1)/rho, (rho-1+m)/rho, 1).
+        let [d_cx, d_cm, d_mx] = [motion.d_cx, motion.d_cm, motion.d_mx].map(Double::value);
+        let over_rho = d_cm * i[x] / (d_cx * i[m]);
+        let excess = d_mx * i[c] / (d_cx * i[m]);
+        let depth = over_rho.sqrt()
+            * elliptic::rf_of_roots(excess.sqrt(), (excess + modulus * modulus * over_rho).sqrt(), 1.0);
+
+        let tilt = share_m / (1.0 + share_c * complement);
+        let tau = Double::PI * 2.0;
+        let (mut form, drift) = if ratio >= TURNING_RATIO {
+            let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.value() };
+            let q = (-PI * ratio).exp();
+            let pair = TrigonometricPair::new(q, &shape);
+            let turns = rate / (quarter * 4.0);
+            // Steady rate: that of the smooth phase about L where the across component is largest, less what
+            // the theta function turns there.
+            let about = (twice_energy + momentum * amplitude_c) / (momentum + amplitude_c * i[c]) * sign;
+            let drift = about * 0.5 / tau - turns * pair.turning_at_zero();
+            let start = phase_at_start(sn, cn, dn, complement, quarter.value());
+            let form = Form::Trigonometric {
+                spin: Trigonometric::new(q),
+                pair,
+                start,
+                turns,
+                turns_per_argument: 0.25 / quarter.value(),
+            };
+            (form, drift)
+        } else {
+            let shape = Shape { cyclic, forward, tilt, depth: PI * depth / (4.0 * other) };
+            let p = if motion.separatrix { 0.0 } else { (-FRAC_PI_2 / ratio).exp() };
+            let pair = HyperbolicPair::new(p, &shape);
+            let stretch = PI / (2.0 * other);
+            let (angle, turning) = pair.angle_and_turning_at_middle();
+            // At the saddle the rate is L/I_M but for terms that vanish with the complement.
+            let slow = amplitude_c.value() * complement;
+            let lead = momentum / Double::from(i[m]);
+            let side = if i[c] > i[m] { 1.0 } else { -1.0 };
+            let signed_distance = side * motion.distance_from_separatrix();
+            let l = momentum.value();
+            let rest = -(signed_distance + l * slow * (i[c] - i[m])) / (i[m] * (l + i[c] * slow));
+            let about = (lead + Double::from(rest)) * sign;
+            let drift = (about * 0.5 - rate * (stretch * turning)) / tau;
+            let way = Way {
+                start: argument_at_start(sn, cn, dn, scaled_complement, quarter, shift),
+                rate: if motion.separatrix { rate } else { rate / (quarter * 2.0) },
+                quarter,
+                stretch,
+                turn: if cn < 0.0 { -1.0 } else { 1.0 },
+            };
+            let spin = Hyperbolic::new(p * p, scaled_complement, shift);
+            (Form::Hyperbolic { spin, pair, way, step: 2.0 * angle / (2.0 * PI) }, drift)
+        };
+        let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
+        form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
+        let (start, argument) = (form.start(), form.argument());
+        let (total, part) = (motion.clock - shift, if motion.clock - shift < -900 { 600 } else { 0 });
+        Self {
+            axes: [x, m, c],
+            amplitudes,
+            unscale: [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)],
+            unscale_middle: times_power_of_two(1.0, motion.clock),
+            form,
+            start,
+            drift,
+            constants: Constants {
+                about: if i[c] > i[m] { Axis::Largest } else { Axis::Smallest },
+                modulus,
+                complement,
+                rate,
+                quarter,
+                argument,
+                shares: [amplitude_x.value() * i[x] / momentum.value(), share_m, share_c],
+            },
+        }
+    }
+
+    pub(crate) fn regime(&self, per_second: impl Fn(f64) -> f64) -> Regime {
+        let Constants { about, modulus, complement, rate, quarter, .. } = self.constants;
+        let rate = per_second(rate.value().abs());
+        if quarter.value().is_infinite() {
+            return Regime::Separatrix { rate };
+        }
+        Regime::Circulating { about, modulus, complement, rate }
+    }
+
+    /// The largest component that the spin ever has, rad/s.
+    pub(crate) fn greatest_spin(&self) -> f64 {
+        self.amplitudes.iter().fold(0.0_f64, |most, w| most.max(w.abs())) * self.unscale_middle
+    }
+
+    /// Half the spin's period, in scaled time.
+    pub(crate) fn half_period(&self) -> Option<f64> {
+        let Constants { rate, quarter, .. } = self.constants;
+        quarter.value().is_finite().then(|| (quarter * 2.0 / rate.abs()).value())
+    }
+
+    pub(crate) fn clock(&self) -> Clock {
+        let Constants { rate, quarter, argument, .. } = self.constants;
+        if quarter.value().is_infinite() {
+            return Clock::Once(-argument / rate);
+        }
+        Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) }
+    }
+
+    /// Least and greatest angle between a principal axis and the momentum.
+    pub(crate) fn angles(&self, axis: usize) -> [f64; 2] {
+        let [across, middle, around] = self.constants.shares;
+        let least = around * self.constants.complement;
+        let swing = |angle: f64| [angle, PI - angle];
+        if axis == self.axes[0] {
+            swing(around.atan2(across))
+        } else if axis == self.axes[1] {
+            swing(least.atan2(middle))
+        } else {
+            let [near, far] = [across.atan2(around), middle.atan2(least)];
+            if self.amplitudes[2] > 0.0 { [near, far] } else { [PI - far, PI - near] }
+        }
+    }
+
+    /// Radians about the momentum from one flip to the next.
+    pub(crate) fn twist_of_half_period(&self) -> Option<f64> {
+        let half = self.half_period()?;
+        let step = match &self.form {
+            Form::Trigonometric { .. } => 0.0,
+            Form::Hyperbolic { step, .. } => step * self.constants.rate.value().signum(),
+        };
+        Some((4.0 * PI * (self.drift.value() * half + step)).abs())
+    }
+
+    fn spin(&self, values: &elliptic::Values) -> Vector3<f64> {
+        let [x, m, c] = self.axes;
+        let mut omega = Vector3::zeros();
+        let small = |w: f64| w * self.unscale[0] * self.unscale[1];
+        omega[x] = small(self.amplitudes[0] * values.cn);
+        omega[m] = self.amplitudes[1] * values.sn * self.unscale_middle;
+        omega[c] = small(self.amplitudes[2] * values.dn);
+        omega
+    }
+
+    /// The spin at scaled time `time`.
+    pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
+        match &self.form {
+            Form::Trigonometric { spin, start, turns, .. } => {
+                let (sin, cos) = advanced(start, *turns * time);
+                self.spin(&spin.at(sin, cos))
+            }
+            Form::Hyperbolic { spin, way, .. } => self.spin(&hyperbolic_values(spin, &way.at(time))),
+        }
+    }
+
+    /// Spin and attitude at scaled time `time`.
+    pub(crate) fn at(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
+        let (values, pair, extra) = match &self.form {
+            Form::Trigonometric { spin, pair, start, turns, .. } => {
+                let (sin, cos) = advanced(start, *turns * time);
+                (spin.at(sin, cos), pair.raw(sin, cos), Double::ZERO)
+            }
+            Form::Hyperbolic { spin, pair, way, step } => {
+                let place = way.at(time);
+                let e = Way::from_flip(&place, pair.nome());
+                let extra = Double::product(place.halves, *step);
+                (hyperbolic_values(spin, &place), pair.raw(e, place.side, place.turn), extra)
+            }
+        };
+        let turned = pair.turned(phase(self.drift * time + extra));
+        (self.spin(&values), turned.since(&self.start, self.axes[2]))
+    }
+
+    /// The attitude alone.
+    pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
+        let (pair, extra) = match &self.form {
+            Form::Trigonometric { pair, start, turns, .. } => {
+                let (sin, cos) = advanced(start, *turns * time);
+                (pair.raw(sin, cos), Double::ZERO)
+            }
+            Form::Hyperbolic { pair, way, step, .. } => {
+                let place = way.at(time);
+                let e = Way::from_flip(&place, pair.nome());
+                (pair.raw(e, place.side, place.turn), Double::product(place.halves, *step))
+            }
+        };
+        pair.turned(phase(self.drift * time + extra)).since(&self.start, self.axes[2])
+    }
+}
+
+impl Form {
+    /// Shifts the phase and scales the amplitudes, by roundings, so that the start comes out as it was given.
+    ///
+    /// Of the relative errors of the across and middle components, what they differ by is the phase's; what they
+    /// share, weighed so that the one near zero does not count, is the amplitude's.
+    fn meet_the_start(&mut self, amplitudes: &mut [f64; 3], omega: [f64; 3], modulus: f64) {
+        let values = self.values_at_start();
+        let found = [values.cn, values.sn, values.dn];
+        let off = [0, 1, 2].map(|k| {
+            let off = amplitudes[k] * found[k] / omega[k] - 1.0;
+            if off.abs() < 1e-6 { off } else { 0.0 }
+        });
+        let square = values.sn * values.sn;
+        let shared = off[1] * square + off[0] * (1.0 - square);
+        let quotient = values.sn * (values.cn / values.dn);
+        let shift = (off[1] - off[0]) * quotient;
+        amplitudes[0] *= 1.0 - shared;
+        amplitudes[1] *= 1.0 - shared;
+        amplitudes[2] *= 1.0 - (off[2] + shift * modulus * modulus * quotient);
+        match self {
+            Self::Trigonometric { start: [sin, cos], turns_per_argument, .. } => {
+                let angle = 2.0 * PI * *turns_per_argument * shift;
+                (*sin, *cos) = (*sin - *cos * angle, *cos + *sin * angle);
+            }
+            Self::Hyperbolic { way, .. } => way.start = way.start - Double::from(shift),
+        }
+    }
+
+    fn values_at_start(&self) -> elliptic::Values {
+        match self {
+            Self::Trigonometric { spin, start: [sin, cos], .. } => spin.at(*sin, *cos),
+            Self::Hyperbolic { spin, way, .. } => hyperbolic_values(spin, &way.at(0.0)),
+        }
+    }
+
+    /// Jacobi's argument at the start.
+    fn argument(&self) -> Double {
+        match self {
+            Self::Trigonometric { start: [sin, cos], turns_per_argument, .. } => {
+                Double::from(sin.atan2(*cos) / (2.0 * PI * turns_per_argument))
+            }
+            Self::Hyperbolic { way, .. } => way.start,
+        }
+    }
+
+    /// The attitude's two complex numbers at the start, of length 1.
+    fn start(&self) -> Pair {
+        let raw = match self {
+            Self::Trigonometric { pair, start: [sin, cos], .. } => pair.raw(*sin, *cos),
+            Self::Hyperbolic { pair, way, .. } => {
+                let place = way.at(0.0);
+                pair.raw(Way::from_flip(&place, pair.nome()), place.side, place.turn)
+            }
+        };
+        raw.scaled(1.0 / raw.length())
+    }
+}
+
+/// Sine and cosine of the start's phase moved on by some turns.
+fn advanced(start: &[f64; 2], turns: Double) -> (f64, f64) {
+    let (sin, cos) = elliptic::sin_cos_of_turns(turns);
+    let [sin0, cos0] = *start;
+    (sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin)
+}
+
+fn hyperbolic_values(spin: &Hyperbolic, place: &Place) -> elliptic::Values {
+    let values = if place.far { spin.far(&place.decay) } else { spin.near(&place.decay) };
+    elliptic::Values { sn: place.turn * place.side * values.sn, cn: place.turn * values.cn, dn: values.dn }
+}
+
+/// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep
+/// their digits.
+fn phase_at_start(sn: f64, cn: f64, dn: f64, complement: f64, quarter: f64) -> [f64; 2] {
+    let (sin, cos) = if sn.abs() <= cn.abs() {
+        let u = sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, 1.0);
+        (FRAC_PI_2 * u / quarter).sin_cos()
+    } else {
+        let u = cn.abs() * elliptic::rf_of_roots(complement * sn.abs(), complement, dn);
+        let (cos, sin) = (FRAC_PI_2 * u / quarter).sin_cos();
+        (sin, cos)
+    };
+    [sin.copysign(sn), cos.copysign(cn)]
+}
+
+/// Jacobi's argument at the start, between the saddles (`cn` taken as positive); `cn`, `dn` and the
+/// complement are times `2^shift`.
+fn argument_at_start(sn: f64, cn: f64, dn: f64, complement: f64, quarter: Double, shift: i32) -> Double {
+    let folded = if cn < 0.0 { -sn } else { sn };
+    let cn = cn.abs();
+    let [true_cn, true_dn] = [cn, dn].map(|x| times_power_of_two(x, -shift));
+    let near = sn.abs() <= true_cn || quarter.value().is_infinite();
+    let size = if near {
+        Double::from(sn.abs() * elliptic::rf_of_roots(true_cn, true_dn, 1.0))
+    } else {
+        let root = complement / dn;
+        quarter - Double::from(cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, 1.0))
+    };
+    if folded < 0.0 { -size } else { size }
+}

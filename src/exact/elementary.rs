@@ -1,0 +1,111 @@
+//! The motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
+
+use crate::double::Double;
+use crate::elliptic::sin_cos_of_turns;
+use crate::scale::{exponent, times_power_of_two};
+use nalgebra::{Quaternion, Vector3};
+use std::f64::consts::PI;
+
+/// A turn at an even rate about a fixed direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Turn {
+    direction: Vector3<f64>,
+    /// Turns of half the angle, which is what a quaternion takes, per unit of scaled time.
+    half_rate: Double,
+}
+
+impl Turn {
+    /// About the vector whose scaled components in twice the precision are given, at the rate of its length.
+    pub(crate) fn along(vector: [Double; 3]) -> Self {
+        let scale = exponent(vector.iter().fold(0.0, |m: f64, x| m.max(x.value().abs())));
+        let scaled = vector.map(|x| x.scaled(-scale));
+        let length = (scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]).sqrt();
+        let [x, y, z] = scaled.map(|x| (x / length).value());
+        let half_rate = (length / (Double::PI * 4.0)).scaled(scale);
+        Self { direction: Vector3::new(x, y, z), half_rate }
+    }
+
+    /// Radians per unit of scaled time.
+    pub(crate) fn rate(&self) -> f64 {
+        4.0 * PI * self.half_rate.value()
+    }
+
+    pub(crate) fn at(&self, time: f64) -> Quaternion<f64> {
+        let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
+        let v = self.direction * sin;
+        super::klein::unit(Quaternion::new(cos, v.x, v.y, v.z))
+    }
+}
+
+/// The spin of a body with two equal moments circles its axis evenly, and the body turns evenly about its
+/// momentum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Precession {
+    axis: usize,
+    omega: Vector3<f64>,
+    /// Turns of the spin about the axis per unit of scaled time.
+    wobble: Double,
+    /// The turn about the momentum.
+    about_momentum: Turn,
+    /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
+    smooth: f64,
+}
+
+impl Precession {
+    /// `moments` with the largest near 1, `scaled` the spin in scaled units, `omega` the spin itself.
+    pub(crate) fn new(moments: &[f64; 3], axis: usize, scaled: &[f64; 3], omega: &Vector3<f64>) -> Self {
+        let equal = moments[(axis + 1) % 3];
+        let difference = Double::from(moments[axis]) - Double::from(equal);
+        let wobble = difference * scaled[axis] / Double::from(equal) / (Double::PI * 2.0);
+        let momentum = [0, 1, 2].map(|k| Double::product(moments[k], scaled[k]) / Double::from(equal));
+        let about_momentum = Turn::along(momentum);
+        // psi' = (2E + L |w_C|)/(L + I_C |w_C|), all over the equal moment.
+        let (m, w) = (momentum.map(Double::value), scaled);
+        let twice_energy = m[0] * w[0] + m[1] * w[1] + m[2] * w[2];
+        let (length, along) = (about_momentum.rate(), w[axis].abs());
+        let smooth = (twice_energy + length * along) / (length + moments[axis] / equal * along);
+        Self { axis, omega: *omega, wobble, about_momentum, smooth }
+    }
+
+    pub(crate) fn axis(&self) -> usize {
+        self.axis
+    }
+
+    /// Turns per unit of scaled time.
+    pub(crate) fn wobble_turns(&self) -> f64 {
+        self.wobble.value()
+    }
+
+    /// `L / I` with the equal moments, radians per unit of scaled time.
+    pub(crate) fn precession(&self) -> f64 {
+        self.about_momentum.rate()
+    }
+
+    /// Radians about the momentum in half a turn of the spin.
+    pub(crate) fn twist_of_half_period(&self) -> f64 {
+        0.5 * self.smooth / self.wobble.value().abs()
+    }
+
+    pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
+        let (a, b) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
+        let (sin, cos) = sin_cos_of_turns(self.wobble * time);
+        let mut omega = self.omega;
+        omega[a] = self.omega[a] * cos - self.omega[b] * sin;
+        omega[b] = self.omega[b] * cos + self.omega[a] * sin;
+        omega
+    }
+
+    pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
+        let (sin, cos) = sin_cos_of_turns(self.wobble * (0.5 * time));
+        let mut back = [0.0; 3];
+        back[self.axis] = -sin;
+        super::klein::unit(self.about_momentum.at(time) * Quaternion::new(cos, back[0], back[1], back[2]))
+    }
+}
+
+/// Moments and spin with powers of two taken out, and the power taken from the spin.
+pub(crate) fn scaled(moments: &[f64; 3], omega: &[f64; 3]) -> ([f64; 3], [f64; 3], i32) {
+    let largest = |v: &[f64; 3]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let (heaviest, clock) = (exponent(largest(moments)), exponent(largest(omega)).clamp(-1000, 1000));
+    (moments.map(|x| times_power_of_two(x, -heaviest)), omega.map(|x| times_power_of_two(x, -clock)), clock)
+}

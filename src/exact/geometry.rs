@@ -1,0 +1,153 @@
+//! What can be read off a whole motion: its period, its angles to the momentum, how far it twists.
+
+use super::{FreeMotion, Law, Regime};
+use crate::error::{Error, finite};
+use crate::inertia::unit;
+use crate::principal::Axis;
+use crate::stability::{Stability, of_spin};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+impl FreeMotion {
+    /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is
+    /// constant, and on the separatrix, where it never returns.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::exact::FreeMotion;
+    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// assert_eq!(format!("{:.4}", motion.period()?.unwrap()), "6.9610");
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A period beyond `f64`.
+    pub fn period(&self) -> Result<Option<f64>, Error> {
+        let scaled = match &self.law {
+            Law::AtRest | Law::Steady(_) => None,
+            Law::Symmetric(top) => Some(1.0 / top.wobble_turns().abs()),
+            Law::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
+        };
+        scaled.map(|time| self.seconds("the period", time)).transpose()
+    }
+
+    /// The rate at which a push grows near the middle axis, 1/s: for a steady spin about that axis, on the
+    /// separatrix, and, to terms of the order of the complementary modulus, on the way past the middle axis of
+    /// any flipping motion. `None` for all others: a push does not grow exponentially.
+    ///
+    /// # Errors
+    /// A rate beyond `f64`.
+    pub fn growth_rate(&self) -> Result<Option<f64>, Error> {
+        match self.regime() {
+            Regime::Circulating { rate, .. } | Regime::Separatrix { rate } => Ok(Some(rate)),
+            Regime::Steady { speed } => {
+                let mut order = [0, 1, 2];
+                order.sort_by(|&i, &j| self.moments[i].total_cmp(&self.moments[j]));
+                if self.start[order[0]] != 0.0 || self.start[order[2]] != 0.0 {
+                    return Ok(None);
+                }
+                Ok(match of_spin(self.moments.into(), Axis::Middle, speed)? {
+                    Stability::Growth { rate } => Some(rate),
+                    Stability::Wobble { .. } | Stability::Neutral => None,
+                })
+            }
+            Regime::AtRest | Regime::SymmetricTop { .. } => Ok(None),
+        }
+    }
+
+    /// The least and greatest angle, radians, between principal axis number `axis` (from 0, in the order of
+    /// the moments) and the angular momentum, over all of time. On the separatrix the ends are limits.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::exact::FreeMotion;
+    /// // A wobble about the largest moment. By hand: with the spin (0.03, 0, 1) a quarter period later, that
+    /// axis is 1/100 off the momentum, at the start 2/100.
+    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 0.03, 1.0))?;
+    /// let degrees = |axis| motion.angles_to_momentum(axis).map(|a| a.map(|x| format!("{:.2}", x.to_degrees())));
+    /// assert_eq!(degrees(2)?, ["0.57", "1.15"]);
+    /// assert_eq!(degrees(1)?, ["88.85", "91.15"]);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A body at rest, which has no momentum, or an axis above 2.
+    pub fn angles_to_momentum(&self, axis: usize) -> Result<[f64; 2], Error> {
+        if axis > 2 {
+            return Err(Error::Order {
+                smaller: "the number of the axis",
+                small: axis as f64,
+                larger: "2",
+                large: 2.0,
+            });
+        }
+        let scaled = |v: Vector3<f64>, by: f64| v.map(|x| x / by);
+        if self.start == Vector3::zeros() {
+            return Err(Error::ZeroVector { what: "the angular momentum" });
+        }
+        let momentum =
+            scaled(self.moments, self.moments.max()).component_mul(&scaled(self.start, self.start.amax()));
+        let share = unit("the angular momentum", &momentum)?;
+        let swing = |along: f64, off: f64| {
+            let least = off.atan2(along);
+            [least, PI - least]
+        };
+        let off = |axis: usize| share[(axis + 1) % 3].hypot(share[(axis + 2) % 3]);
+        Ok(match &self.law {
+            Law::AtRest | Law::Steady(_) => [off(axis).atan2(share[axis]); 2],
+            Law::Symmetric(top) if top.axis() == axis => [off(axis).atan2(share[axis]); 2],
+            Law::Symmetric(top) => swing(off(top.axis()), share[top.axis()].abs()),
+            Law::Elliptic(motion) => motion.angles(axis),
+        })
+    }
+
+    /// How far the body turns about its angular momentum while the spin goes half round its period, radians:
+    /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no period.
+    ///
+    /// What is turned is measured by the frame that takes the circled axis (for two equal moments, the third)
+    /// to the momentum the shortest way; after the half period that frame stands as before, but for half a turn
+    /// about the circled axis.
+    #[must_use]
+    pub fn twist_of_half_period(&self) -> Option<f64> {
+        match &self.law {
+            Law::AtRest | Law::Steady(_) => None,
+            Law::Symmetric(top) => Some(top.twist_of_half_period()),
+            Law::Elliptic(motion) => motion.twist_of_half_period(),
+        }
+    }
+
+    /// The rotation number: turns about the angular momentum in one whole period of the spin. Where it is a
+    /// ratio of whole numbers, the motion in the world closes.
+    #[must_use]
+    pub fn rotation_number(&self) -> Option<f64> {
+        self.twist_of_half_period().map(|twist| twist / PI)
+    }
+
+    /// `count` points of the polhode, the curve that the spin's tip draws in the body: evenly spaced in time
+    /// over one period from the start (rad/s, in the axes of [`omega`](Self::omega)). One point where the
+    /// spin is constant, none on the separatrix, which has no period: there take [`omega`](Self::omega).
+    ///
+    /// # Errors
+    /// A period beyond `f64`.
+    pub fn polhode(&self, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
+        match (self.period()?, self.regime()) {
+            (Some(period), _) => {
+                let step = period / (count.max(1) as f64);
+                (0..count).map(|k| self.omega(step * k as f64)).collect()
+            }
+            (None, Regime::Separatrix { .. }) => Ok(Vec::new()),
+            (None, _) => Ok(vec![self.omega(0.0)?]),
+        }
+    }
+
+    /// `count` points of the herpolhode, the curve that the spin's tip draws in the world, on the plane across
+    /// the angular momentum: evenly spaced in time from the start over `duration` seconds (rad/s, world axes).
+    ///
+    /// # Errors
+    /// A duration that is not finite.
+    pub fn herpolhode(&self, duration: f64, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
+        finite("the duration", duration)?;
+        let step = duration / (count.saturating_sub(1).max(1) as f64);
+        (0..count).map(|k| self.at(step * k as f64).map(|at| at.omega_world())).collect()
+    }
+}

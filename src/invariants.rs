@@ -1,0 +1,183 @@
+//! What stays the same in a free motion and how far it is from the separatrix, from moments and spin.
+//!
+//! All formulas are products of the differences of the given moments, sums of terms of one sign, or the one
+//! difference that matters, which is taken in twice the precision; nothing that is small is formed by
+//! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
+
+use crate::double::{Double, exact_products, exact_sum};
+use crate::elliptic::quarter_period_from_root;
+use crate::scale::{exponent, times_power_of_two};
+
+/// What kind of free motion this is, decided without rounding.
+pub(crate) enum Kind {
+    /// No torque on the body's own motion: at rest, a sphere, a principal spin, or one in the plane of two
+    /// equal moments.
+    Steady,
+    /// The moment about this axis differs from two equal ones, and the spin is oblique.
+    Symmetric(usize),
+    /// Three different moments.
+    Asymmetric(Box<Asymmetric>),
+}
+
+/// The constants of the motion of a body with three different moments, in scaled units: moments times
+/// `2^-heaviest`, spins and rates times `2^-clock`.
+pub(crate) struct Asymmetric {
+    pub(crate) clock: i32,
+    /// Index of the extreme axis that the spin never leaves, of the other extreme, of the middle.
+    pub(crate) around: usize,
+    pub(crate) across: usize,
+    pub(crate) middle: usize,
+    /// Scaled moments, and the distances `|I_C - I_X|`, `|I_C - I_M|`, `|I_M - I_X|`.
+    pub(crate) moments: [f64; 3],
+    pub(crate) d_cx: Double,
+    pub(crate) d_cm: Double,
+    pub(crate) d_mx: Double,
+    /// Exactly on the separatrix.
+    pub(crate) separatrix: bool,
+    /// `|L² - 2 E I_M|` times `2^(-2 small)`; its sign says which axis is circled.
+    discriminant: Double,
+    small: i32,
+    /// `|2 E I_C - L²|` times `2^(-2 off_axis)`, and `|L² - 2 E I_X|`.
+    off_squared: Double,
+    off_axis: i32,
+    round_squared: Double,
+    /// The complementary modulus times `2^-small`.
+    scaled_complement: Double,
+}
+
+fn distance(a: f64, b: f64) -> Double {
+    (Double::from(a) - Double::from(b)).abs()
+}
+
+/// Sorts out the motion; the moments must be positive and finite, the spin finite.
+pub(crate) fn classify(moments: [f64; 3], omega: [f64; 3]) -> Kind {
+    let idle = |i: usize, j: usize| moments[i] == moments[j] || omega[i] == 0.0 || omega[j] == 0.0;
+    if idle(0, 1) && idle(1, 2) && idle(2, 0) {
+        return Kind::Steady;
+    }
+    for axis in 0..3 {
+        if moments[(axis + 1) % 3] == moments[(axis + 2) % 3] {
+            return Kind::Symmetric(axis);
+        }
+    }
+    Kind::Asymmetric(Box::new(Asymmetric::new(moments, omega)))
+}
+
+impl Asymmetric {
+    fn new(moments: [f64; 3], omega: [f64; 3]) -> Self {
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+        let [low, middle, high] = order;
+        let largest = |v: [f64; 3]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let heaviest = exponent(moments[high]);
+        let clock = exponent(largest(omega)).clamp(-1000, 1000);
+        let i = moments.map(|x| times_power_of_two(x, -heaviest));
+        let small = even(exponent(omega[low].abs().max(omega[high].abs())) - clock);
+        let signed = discriminant(&i, &omega, &order, clock + small);
+        let (around, across) = if signed.value() >= 0.0 { (high, low) } else { (low, high) };
+        let d_cx = distance(i[around], i[across]);
+        let d_cm = distance(i[around], i[middle]);
+        let d_mx = distance(i[middle], i[across]);
+        let off_axis = even(exponent(omega[across].abs().max(omega[middle].abs())) - clock);
+        let term = |axis: usize, d: Double, scale: i32| {
+            let w = times_power_of_two(omega[axis], -scale);
+            d * i[axis] * Double::product(w, w)
+        };
+        let discriminant = signed.abs();
+        let round_squared = term(middle, d_mx, clock) + term(around, d_cx, clock);
+        Self {
+            clock,
+            around,
+            across,
+            middle,
+            moments: i,
+            d_cx,
+            d_cm,
+            d_mx,
+            separatrix: signed == Double::ZERO,
+            discriminant,
+            small,
+            off_squared: term(across, d_cx, clock + off_axis) + term(middle, d_cm, clock + off_axis),
+            off_axis,
+            round_squared,
+            scaled_complement: (d_cx * discriminant / (d_cm * round_squared)).sqrt(),
+        }
+    }
+
+    fn moment(&self, axis: usize) -> f64 {
+        self.moments[axis]
+    }
+
+    /// The rate at which Jacobi's argument runs, without its sign.
+    pub(crate) fn rate(&self) -> Double {
+        let [x, m, c] = [self.across, self.middle, self.around].map(|axis| self.moment(axis));
+        // Rooted in two parts, so that a needle's small moment meets its small difference first.
+        let first = self.d_cm / Double::from(x);
+        (first * self.round_squared / Double::product(m, c)).sqrt()
+    }
+
+    /// The complementary modulus `k'`, times `2^shift`.
+    pub(crate) fn complement(&self, shift: i32) -> Double {
+        self.scaled_complement.scaled(self.small + shift)
+    }
+
+    /// The modulus `k`.
+    pub(crate) fn modulus(&self) -> f64 {
+        let [d_mx, off, d_cm, round] =
+            [self.d_mx, self.off_squared, self.d_cm, self.round_squared].map(Double::value);
+        times_power_of_two((d_mx * off / (d_cm * round)).sqrt(), self.off_axis)
+    }
+
+    /// A quarter of the period in Jacobi's argument; infinite on the separatrix.
+    pub(crate) fn quarter_period(&self) -> Double {
+        if self.separatrix {
+            return Double::from(f64::INFINITY);
+        }
+        let scaled = self.scaled_complement;
+        let root = scaled.sqrt().scaled(self.small / 2);
+        quarter_period_from_root(scaled.scaled(self.small), root)
+    }
+
+    /// The largest values of the spin along the across, the middle and the around axis.
+    pub(crate) fn amplitudes(&self) -> [Double; 3] {
+        let off = |axis: usize, d: Double| {
+            (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis)
+        };
+        let round = (self.round_squared / (self.d_cx * self.moment(self.around))).sqrt();
+        [off(self.across, self.d_cx), off(self.middle, self.d_cm), round]
+    }
+
+    /// `L² - 2 E I_M` with the sign turned so that it is not negative where the larger axis is circled;
+    /// here its size alone, which may underflow near the separatrix.
+    pub(crate) fn distance_from_separatrix(&self) -> f64 {
+        self.discriminant.scaled(2 * self.small).value()
+    }
+}
+
+/// The even number at or just below.
+fn even(n: i32) -> i32 {
+    n & !1
+}
+
+/// `I_hi (I_hi - I_M) w_hi² - I_lo (I_M - I_lo) w_lo²`, with the spins times `2^-scale`: this is `L² - 2 E I_M`.
+fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) -> Double {
+    let [low, middle, high] = *order;
+    let term = |axis: usize| {
+        let w = times_power_of_two(omega[axis], -scale);
+        distance(i[axis], i[middle]) * i[axis] * Double::product(w, w)
+    };
+    let (above, below) = (term(high), term(low));
+    let difference = above - below;
+    if difference.value().abs() > 1e-15 * above.value() {
+        return difference;
+    }
+    // So close that twice the precision may not tell it from the separatrix: without rounding.
+    let terms = |axis: usize, sign: f64| {
+        let w = times_power_of_two(omega[axis], -scale);
+        let gap = Double::sum(i[axis], -i[middle]);
+        let gap = gap.abs();
+        let with_moment = exact_products(&[gap.rest(), gap.value()], sign * i[axis]);
+        exact_products(&exact_products(&with_moment, w), w)
+    };
+    exact_sum(terms(high, 1.0).into_iter().chain(terms(low, -1.0)))
+}
