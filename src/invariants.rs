@@ -36,10 +36,10 @@ pub(crate) struct Asymmetric {
     pub(crate) separatrix: bool,
     /// `|L² - 2 E I_M|` times `2^(-2 small)`; its sign says which axis is circled.
     discriminant: Double,
-    small: i32,
+    pub(crate) small: i32,
     /// `|2 E I_C - L²|` times `2^(-2 off_axis)`, and `|L² - 2 E I_X|`.
     off_squared: Double,
-    off_axis: i32,
+    pub(crate) off_axis: i32,
     round_squared: Double,
     /// The complementary modulus times `2^-small`.
     scaled_complement: Double,
@@ -138,10 +138,10 @@ impl Asymmetric {
         quarter_period_from_root(scaled.scaled(self.small), root)
     }
 
-    /// The largest values of the spin along the across, the middle and the around axis.
-    pub(crate) fn amplitudes(&self) -> [Double; 3] {
+    /// The largest values of the spin along the across and the middle axis, times `2^lift`, and the around axis.
+    pub(crate) fn amplitudes(&self, lift: i32) -> [Double; 3] {
         let off = |axis: usize, d: Double| {
-            (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis)
+            (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis + lift)
         };
         let round = (self.round_squared / (self.d_cx * self.moment(self.around))).sqrt();
         [off(self.across, self.d_cx), off(self.middle, self.d_cm), round]

@@ -22,7 +22,8 @@ impl Decay {
             let square = 1.0 - gap;
             return Self { root: square.sqrt(), square, gap };
         }
-        let root = (-main).exp() * (1.0 - rest);
+        // Beyond 700 there is only what an f64 cannot hold beside the rest.
+        let root = (-main.min(700.0)).exp() * (1.0 - rest);
         let square = root * root;
         Self { root, square, gap: 1.0 - square }
     }

@@ -18,9 +18,10 @@ pub(crate) struct Elliptic {
     axes: [usize; 3],
     /// Amplitudes of the spin along them, with their signs.
     amplitudes: [f64; 3],
-    /// Two powers of two that take the across and circled components to rad/s, and one for the middle.
-    unscale: [f64; 2],
-    unscale_middle: f64,
+    /// Two powers of two each that take the three components to rad/s; together one would not do.
+    unscale: [[f64; 2]; 3],
+    /// The largest component that the spin ever has, rad/s.
+    greatest: f64,
     form: Form,
     start: Pair,
     /// Turns of the common phase, which is half the angle about the momentum, per unit of time.
@@ -120,34 +121,30 @@ impl Way {
     }
 }
 
-/// The spin across, along the middle and around, times `2^shift` in scaled units.
-fn spins(motion: &Asymmetric, omega: &[f64; 3], shift: i32) -> [f64; 3] {
-    [motion.across, motion.middle, motion.around]
-        .map(|axis| times_power_of_two(omega[axis], shift - motion.clock))
-}
-
 impl Elliptic {
     pub(crate) fn new(motion: &Asymmetric, omega: &[f64; 3]) -> Self {
         let (x, m, c) = (motion.across, motion.middle, motion.around);
         let i = motion.moments;
-        let [amplitude_x, amplitude_m, amplitude_c] = motion.amplitudes();
         let modulus = motion.modulus();
         let complement = motion.complement(0).value();
-        // Where the complement is nearly out of range, all that is proportional to it is kept larger.
-        let shift = if complement < 1e-150 { 500 } else { 0 }; // never with sines and cosines
+        let quarter = motion.quarter_period();
+        let other = elliptic::quarter_period(modulus);
+        let ratio = if motion.separatrix { 0.0 } else { other / quarter.value() };
+        // What is small may be out of range beside what is not: near the saddle the across and the circled
+        // component (with cn, dn and the complement), in a small wobble the across and the middle one.
+        let wobbles = ratio >= TURNING_RATIO;
+        let shift = if wobbles || motion.small > -200 { 0 } else { (-motion.small).min(1000) };
+        let lift = if wobbles && motion.off_axis < -200 { -motion.off_axis } else { 0 };
+        let [amplitude_x, amplitude_m, amplitude_c] = motion.amplitudes(lift);
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).value() };
-        let [w_x, _, w_c] = spins(motion, omega, shift);
-        let w_m = spins(motion, omega, 0)[1];
+        let at_start = |axis: usize, up: i32| times_power_of_two(omega[axis], up - motion.clock);
+        let [w_x, w_m, w_c] = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];
         let forward = w_c > 0.0;
         let cyclic = (x + 1) % 3 == m;
         let sign = if forward { 1.0 } else { -1.0 };
         let s = if cyclic { 1.0 } else { -1.0 };
         let direction = s * sign * if i[c] > i[m] { 1.0 } else { -1.0 };
         let rate = motion.rate() * direction;
-
-        let quarter = motion.quarter_period();
-        let other = elliptic::quarter_period(modulus);
-        let ratio = if motion.separatrix { 0.0 } else { other / quarter.value() };
 
         // The start: sn, and cn, dn times 2^shift.
         let [sn, cn, dn] =
@@ -159,7 +156,8 @@ impl Elliptic {
         let twice_energy = sum(&|k| Double::product(w[k], w[k]) * i[k]);
         let momentum = sum(&|k| Double::product(w[k], w[k]) * Double::product(i[k], i[k])).sqrt();
         let share_c = amplitude_c.value() * i[c] / momentum.value();
-        let share_m = amplitude_m.value() * i[m] / momentum.value();
+        let [share_x, share_m] = [(amplitude_x, x), (amplitude_m, m)]
+            .map(|(amplitude, axis)| amplitude.scaled(-lift).value() * i[axis] / momentum.value());
 
         // The zero of the theta functions: y = rho^(-1/2) R_F((rho-1)/rho, (rho-1+m)/rho, 1).
         let [d_cx, d_cm, d_mx] = [motion.d_cx, motion.d_cm, motion.d_mx].map(Double::value);
@@ -170,7 +168,7 @@ impl Elliptic {
 
         let tilt = share_m / (1.0 + share_c * complement);
         let tau = Double::PI * 2.0;
-        let (mut form, drift) = if ratio >= TURNING_RATIO {
+        let (mut form, drift) = if wobbles {
             let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.value() };
             let q = (-PI * ratio).exp();
             let pair = TrigonometricPair::new(q, &shape);
@@ -216,12 +214,18 @@ impl Elliptic {
         let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
         form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
         let (start, argument) = (form.start(), form.argument());
-        let (total, part) = (motion.clock - shift, if motion.clock - shift < -900 { 600 } else { 0 });
+        let unscale = [shift + lift, lift, shift].map(|up| {
+            let total = motion.clock - up;
+            let part = if total < -900 { 600 } else { 0 };
+            [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)]
+        });
+        let grand = |amplitude: Double, up: i32| times_power_of_two(amplitude.value(), motion.clock - up);
+        let greatest = grand(amplitude_x, lift).max(grand(amplitude_m, lift)).max(grand(amplitude_c, 0));
         Self {
             axes: [x, m, c],
             amplitudes,
-            unscale: [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)],
-            unscale_middle: times_power_of_two(1.0, motion.clock),
+            unscale,
+            greatest,
             form,
             start,
             drift,
@@ -232,7 +236,7 @@ impl Elliptic {
                 rate,
                 quarter,
                 argument,
-                shares: [amplitude_x.value() * i[x] / momentum.value(), share_m, share_c],
+                shares: [share_x, share_m, share_c],
             },
         }
     }
@@ -246,9 +250,8 @@ impl Elliptic {
         Regime::Circulating { about, modulus, complement, rate }
     }
 
-    /// The largest component that the spin ever has, rad/s.
     pub(crate) fn greatest_spin(&self) -> f64 {
-        self.amplitudes.iter().fold(0.0_f64, |most, w| most.max(w.abs())) * self.unscale_middle
+        self.greatest
     }
 
     /// Half the spin's period, in scaled time.
@@ -293,10 +296,10 @@ impl Elliptic {
     fn spin(&self, values: &elliptic::Values) -> Vector3<f64> {
         let [x, m, c] = self.axes;
         let mut omega = Vector3::zeros();
-        let small = |w: f64| w * self.unscale[0] * self.unscale[1];
-        omega[x] = small(self.amplitudes[0] * values.cn);
-        omega[m] = self.amplitudes[1] * values.sn * self.unscale_middle;
-        omega[c] = small(self.amplitudes[2] * values.dn);
+        let unscaled = |k: usize, w: f64| self.amplitudes[k] * w * self.unscale[k][0] * self.unscale[k][1];
+        omega[x] = unscaled(0, values.cn);
+        omega[m] = unscaled(1, values.sn);
+        omega[c] = unscaled(2, values.dn);
         omega
     }
 

@@ -104,9 +104,10 @@ impl FreeMotion {
     /// How far the body turns about its angular momentum while the spin goes half round its period, radians:
     /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no period.
     ///
-    /// What is turned is measured by the frame that takes the circled axis (for two equal moments, the third)
-    /// to the momentum the shortest way; after the half period that frame stands as before, but for half a turn
-    /// about the circled axis.
+    /// The turn is measured against the shortest way from the circled axis (of two equal moments, the third) to
+    /// the momentum, which is never undefined. After half a period the two small components of the spin have
+    /// changed sign, so the body stands as at first but turned by half a turn about the circled axis, and then
+    /// by the twist and half a turn about the momentum; after a whole period, by two twists about the momentum.
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {

@@ -1,0 +1,132 @@
+//! Elliptic functions against their definitions, an independent library and a table computed with 1400 digits.
+
+mod common;
+
+use common::*;
+use proptest::prelude::*;
+use serde_json::Value;
+use std::f64::consts::FRAC_PI_2;
+use tumbling::elliptic::{Jacobi, carlson_rf};
+
+/// Half a unit in the last place, relative: the rounding of one number.
+const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+fn table(part: &str) -> Vec<Vec<f64>> {
+    let text = include_str!("data/elliptic.json");
+    let file: Value = serde_json::from_str(text).unwrap();
+    let number = |x: &Value| x.as_str().unwrap().parse::<f64>().unwrap();
+    let row = |row: &Value| row.as_array().unwrap().iter().map(number).collect();
+    file[part].as_array().unwrap().iter().map(row).collect()
+}
+
+/// Each is right to 8 roundings of itself and of the argument, whatever it does to it: so the small ones next to
+/// the saddle keep their digits, down to 1e-300.
+#[test]
+fn the_three_functions_agree_with_the_table_from_the_circle_to_the_separatrix() {
+    for row in table("jacobi") {
+        let [complement, u, sn, cn, dn] = row[..] else { panic!("five numbers") };
+        let ours = Jacobi::of_complement(complement).unwrap().at(u).unwrap();
+        let square = 1.0 - complement * complement;
+        for (ours, exact, slope) in
+            [(ours.sn, sn, cn * dn), (ours.cn, cn, sn * dn), (ours.dn, dn, square * sn * cn)]
+        {
+            let bound = 8.0 * ROUNDING * (exact.abs() + (u * slope).abs());
+            assert!((ours - exact).abs() <= bound, "k' = {complement:e}, u = {u}: {ours:e} {exact:e}");
+        }
+    }
+}
+
+#[test]
+fn the_complete_integral_is_right_to_a_rounding_down_to_a_complement_of_1e_minus_300() {
+    for row in table("complete") {
+        let ours = Jacobi::of_complement(row[0]).unwrap().quarter_period();
+        assert!((ours / row[1] - 1.0).abs() <= 2.0 * ROUNDING, "k' = {:e}: {ours} {}", row[0], row[1]);
+    }
+}
+
+#[test]
+fn carlsons_integral_agrees_with_the_table() {
+    for row in table("carlson_rf") {
+        let ours = carlson_rf(row[0], row[1], row[2]).unwrap();
+        assert!((ours / row[3] - 1.0).abs() <= 6.0 * ROUNDING, "{row:?}: {ours}");
+    }
+}
+
+proptest! {
+    // The definition: u is the integral of 1/sqrt(1 - m sin²) up to the angle whose sine and cosine sn and cn are.
+    // Independent: the `ellip` crate, which takes m and so reaches as far as 1 - m keeps its digits.
+    #[test]
+    fn sn_and_cn_invert_the_incomplete_integral(complement in 0.3..1.0_f64, angle in -1.55..1.55_f64) {
+        let m = (1.0 - complement) * (1.0 + complement);
+        let u = ellip::ellipf(angle, m).unwrap();
+        let at = Jacobi::of_complement(complement).unwrap().at(u).unwrap();
+        prop_assert!((at.sn - angle.sin()).abs() < 4e-15 && (at.cn - angle.cos()).abs() < 4e-15, "{at:?}");
+        let k = Jacobi::of_complement(complement).unwrap().quarter_period();
+        // The rounding of m, which their K is taken of, counts for up to 1/(2 (1-m)).
+        let bound = 2.0 * f64::EPSILON * (1.0 + m / (complement * complement));
+        prop_assert!((k / ellip::ellipk(m).unwrap() - 1.0).abs() < bound);
+    }
+
+    #[test]
+    fn the_squares_add_up(power in 0.0..300.0_f64, part in -6.0..6.0_f64) {
+        let complement = 10_f64.powf(-power);
+        let jacobi = Jacobi::of_complement(complement).unwrap();
+        let at = jacobi.at(part * jacobi.quarter_period()).unwrap();
+        prop_assert!((at.sn * at.sn + at.cn * at.cn - 1.0).abs() < 3e-15);
+        // dn² = k'² + k² cn², all terms positive: so it holds relatively, where all of them are tiny too.
+        let hypot = complement.hypot((1.0 - complement * complement).sqrt() * at.cn);
+        prop_assert!((at.dn / hypot - 1.0).abs() < 3e-15, "{at:?}");
+    }
+
+    #[test]
+    fn they_grow_as_their_derivatives_say(complement in 0.0..1.0_f64, u in -4.0..4.0_f64) {
+        let jacobi = Jacobi::of_complement(complement).unwrap();
+        let h = 1e-4;
+        let (before, at, after) = (jacobi.at(u - h).unwrap(), jacobi.at(u).unwrap(), jacobi.at(u + h).unwrap());
+        let slope = |a: f64, b: f64| (b - a) / (2.0 * h);
+        let square = (1.0 - complement) * (1.0 + complement);
+        prop_assert!((slope(before.sn, after.sn) - at.cn * at.dn).abs() < 1e-7);
+        prop_assert!((slope(before.cn, after.cn) + at.sn * at.dn).abs() < 1e-7);
+        prop_assert!((slope(before.dn, after.dn) + square * at.sn * at.cn).abs() < 1e-7);
+    }
+
+    // The two forms of the theta sums meet where K'/K is 0.775, near k' = 0.4917.
+    #[test]
+    fn the_two_forms_of_the_sums_meet(u in -20.0..20.0_f64) {
+        let (mut low, mut high) = (0.49, 0.493);
+        let trigonometric = |complement: f64| {
+            let other = Jacobi::of_complement((1.0 - complement * complement).sqrt()).unwrap().quarter_period();
+            other / Jacobi::of_complement(complement).unwrap().quarter_period() >= 0.775
+        };
+        prop_assert!(!trigonometric(low) && trigonometric(high));
+        for _ in 0..60 {
+            let half = 0.5 * (low + high);
+            if trigonometric(half) { high = half } else { low = half }
+        }
+        let [below, above] = [low - 1e-13, high + 1e-13].map(|c| Jacobi::of_complement(c).unwrap().at(u).unwrap());
+        prop_assert!((below.sn - above.sn).abs() < 1e-11 && (below.dn - above.dn).abs() < 1e-11);
+    }
+
+    #[test]
+    fn no_number_at_all_makes_them_panic(a in anything(), b in anything(), c in anything()) {
+        if let Ok(jacobi) = Jacobi::of_complement(a)
+            && let Ok(at) = jacobi.at(b)
+        {
+            prop_assert!(at.sn.abs() <= 1.0 + 1e-14 && at.cn.abs() <= 1.0 + 1e-14 && at.dn <= 1.0 + 1e-14, "{at:?}");
+        }
+        if let Ok(value) = carlson_rf(a, b, c) {
+            prop_assert!(value.is_finite());
+        }
+    }
+}
+
+#[test]
+fn without_a_modulus_they_are_the_circles_and_what_is_no_complement_is_named() {
+    assert_eq!(Jacobi::of_complement(1.0).unwrap().quarter_period(), FRAC_PI_2);
+    assert_eq!(Jacobi::of_complement(0.0).unwrap().quarter_period(), f64::INFINITY);
+    for wrong in [-0.1, 1.1, f64::NAN, f64::INFINITY] {
+        assert!(Jacobi::of_complement(wrong).is_err());
+    }
+    assert!(Jacobi::of_complement(0.5).unwrap().at(f64::NAN).is_err());
+    assert!(carlson_rf(0.0, 0.0, 1.0).is_err());
+}
