@@ -19,6 +19,7 @@ mod moments_gallery;
 mod moments_map;
 mod polhode;
 mod polhodes;
+mod regimes;
 mod rod_two_ways;
 mod three_spins;
 mod turning_tensor;
@@ -34,7 +35,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 17] = [
+pub(crate) static ALL: [Figure; 18] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -136,6 +137,12 @@ pub(crate) static ALL: [Figure; 17] = [
         shows: "How fast a wobble about the middle axis grows, for every rigid body",
         chapter: "dzhanibekov",
         draw: moments_map::draw_growth,
+    },
+    Figure {
+        name: "regimes",
+        shows: "Every free motion of the box is a level line, and one of them takes forever",
+        chapter: "exact-motion",
+        draw: regimes::draw,
     },
 ];
 
