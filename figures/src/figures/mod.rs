@@ -14,6 +14,7 @@ mod engines_energy;
 mod engines_paths;
 mod flip_strip;
 mod flip_time;
+mod flip_time_deep;
 mod gap_curve;
 mod moments_gallery;
 mod moments_map;
@@ -35,7 +36,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 18] = [
+pub(crate) static ALL: [Figure; 19] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -143,6 +144,12 @@ pub(crate) static ALL: [Figure; 18] = [
         shows: "Every free motion of the box is a level line, and one of them takes forever",
         chapter: "exact-motion",
         draw: regimes::draw,
+    },
+    Figure {
+        name: "flip-time-deep",
+        shows: "Time between flips down to the smallest push that a computer knows",
+        chapter: "exact-motion",
+        draw: flip_time_deep::draw,
     },
 ];
 
