@@ -12,6 +12,7 @@ mod box_moments;
 mod cover;
 mod engines_energy;
 mod engines_paths;
+mod exact_errors;
 mod flip_strip;
 mod flip_time;
 mod flip_time_deep;
@@ -36,7 +37,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 19] = [
+pub(crate) static ALL: [Figure; 20] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -150,6 +151,12 @@ pub(crate) static ALL: [Figure; 19] = [
         shows: "Time between flips down to the smallest push that a computer knows",
         chapter: "exact-motion",
         draw: flip_time_deep::draw,
+    },
+    Figure {
+        name: "exact-errors",
+        shows: "Errors of the exact motion against what the motion makes of rounded inputs",
+        chapter: "exact-motion",
+        draw: exact_errors::draw,
     },
 ];
 
