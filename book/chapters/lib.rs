@@ -45,6 +45,10 @@ mod three_pitfalls {}
 mod dzhanibekov {}
 
 #[cfg(doctest)]
+#[doc = include_str!("exact-motion.md")]
+mod exact_motion {}
+
+#[cfg(doctest)]
 #[doc = include_str!("proofs.md")]
 mod proofs {}
 

@@ -12,13 +12,16 @@ mod box_moments;
 mod cover;
 mod engines_energy;
 mod engines_paths;
+mod exact_errors;
 mod flip_strip;
 mod flip_time;
+mod flip_time_deep;
 mod gap_curve;
 mod moments_gallery;
 mod moments_map;
 mod polhode;
 mod polhodes;
+mod regimes;
 mod rod_two_ways;
 mod three_spins;
 mod turning_tensor;
@@ -34,7 +37,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 17] = [
+pub(crate) static ALL: [Figure; 20] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -136,6 +139,24 @@ pub(crate) static ALL: [Figure; 17] = [
         shows: "How fast a wobble about the middle axis grows, for every rigid body",
         chapter: "dzhanibekov",
         draw: moments_map::draw_growth,
+    },
+    Figure {
+        name: "regimes",
+        shows: "Every free motion of the box is a level line, and one of them takes forever",
+        chapter: "exact-motion",
+        draw: regimes::draw,
+    },
+    Figure {
+        name: "flip-time-deep",
+        shows: "Time between flips down to the smallest push that a computer knows",
+        chapter: "exact-motion",
+        draw: flip_time_deep::draw,
+    },
+    Figure {
+        name: "exact-errors",
+        shows: "Errors of the exact motion against what the motion makes of rounded inputs",
+        chapter: "exact-motion",
+        draw: exact_errors::draw,
     },
 ];
 
