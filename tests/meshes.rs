@@ -518,3 +518,48 @@ fn a_surface_through_itself_is_refused_where_no_body_has_such_a_tensor() {
         other => panic!("{other:?}"),
     }
 }
+
+// A wedge so thin that its volume is a known number of its own rounding bounds: the bound is half a unit for
+// each of eight roundings a face and one addition each, on the sum of all terms taken positive.
+#[test]
+fn a_mesh_is_flat_when_its_volume_is_within_its_own_rounding_and_only_then() {
+    let tilted = |x: f64, y: f64, up: f64| Vector3::new(x, y, 0.1 * x + 0.3 * y + up);
+    let faces = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+    let wedge = |up: f64| {
+        let corners =
+            [tilted(0.0, 0.1, 0.0), tilted(1.0, 0.2, 0.0), tilted(0.3, 1.0, 0.0), tilted(0.7, 0.9, up)];
+        Mesh::new(&corners, &faces).map(|mesh| mesh.measure().unwrap())
+    };
+    // Each coordinate is up to 1, off by up to half a unit, and the base is about half a square metre: at
+    // 1e-17 nothing is left of the height, at 1e-13 three digits of it are.
+    for up in [0.0, 1e-17, 5e-17, -1e-16] {
+        match wedge(up) {
+            Err(Error::NoVolume { volume, tolerance }) => {
+                assert!(
+                    volume.abs() <= tolerance && tolerance > 1e-17 && tolerance < 1e-15,
+                    "{volume:e} {tolerance:e}"
+                );
+            }
+            other => panic!("{up:e}: {other:?}"),
+        }
+    }
+    for up in [1e-14, 1e-13] {
+        let base = 0.5 * (1.0 * 0.9 - 0.3 * 0.1);
+        let volume = wedge(up).unwrap();
+        assert!((volume - base * up / 3.0).abs() < 1e-16, "{volume:e}");
+    }
+}
+
+// A flat body has I1 + I2 = I3; its moments, off by rounding, may exceed that by a little.
+#[test]
+fn a_body_as_flat_as_can_be_passes_however_it_lies() {
+    let mut exceeded = 0;
+    for i in 0..200 {
+        let angles = [0.1 + 0.37 * f64::from(i), 1.3 * f64::from(i), -0.7 * f64::from(i)];
+        let plate = brick(Vector3::new(-0.3, -0.6, 0.0), Vector3::new(0.7, 1.3, 3e-9));
+        let mesh = solid(&turned_and_carried(plate, angles, Vector3::zeros())).unwrap();
+        let moments = mesh.with_mass(1.0).unwrap().inertia().principal().moments();
+        exceeded += usize::from(moments[2] - moments[1] > moments[0]);
+    }
+    assert!(exceeded > 0, "none of the plates tries the rule");
+}
