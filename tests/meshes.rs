@@ -482,10 +482,22 @@ fn a_part_that_touches_along_an_edge_or_a_face_is_judged_as_one_apart_from_it() 
 
 #[test]
 fn a_speck_on_the_face_of_a_body_a_billion_times_its_size_is_a_solid() {
-    let turn = [0.3, -1.1, 2.0];
     let surface = both(cube([0.0; 3], 1e3), cube([1e3, 300.0, 300.0], 1e-6));
     assert!(solid(&surface).is_ok());
-    assert!(solid(&turned_and_carried(surface, turn, Vector3::new(-30.0, 0.0, 7.0))).is_ok());
+    for i in 0..40 {
+        let turn = [0.3 + f64::from(i), -1.1 * f64::from(i), 2.0];
+        let lying = turned_and_carried(surface.clone(), turn, Vector3::new(-30.0, 0.0, 7.0));
+        assert!(solid(&lying).is_ok(), "{i}");
+    }
+}
+
+// Two cubes that share a whole face, listed both ways, close only together.
+#[test]
+fn parts_that_share_a_face_are_one_shell() {
+    let pair = welded(both(cube([5.0, 0.0, 0.0], 1.0), cube([6.0, 0.0, 0.0], 1.0)));
+    assert_eq!(solid(&pair).unwrap().measure().unwrap(), 2.0);
+    let wrong = both(cube([0.0; 3], 2.0), inside_out(pair));
+    assert_eq!(misplaced(&wrong), (12, -2.0, -1.0));
 }
 
 #[test]
