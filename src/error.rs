@@ -144,6 +144,24 @@ pub enum Error {
         /// What is wrong with it.
         source: Box<Error>,
     },
+    /// A face of a mesh is listed twice, running the same way.
+    RepeatedFace {
+        /// Which face, from 0.
+        face: usize,
+        /// The one before that is the same.
+        before: usize,
+        /// Its vertices.
+        vertices: [usize; 3],
+    },
+    /// A closed shell of a mesh is inside out, or a solid one lies in a solid, or a cavity lies outside.
+    MisplacedShell {
+        /// The shell's first face, from 0.
+        face: usize,
+        /// The volume it encloses: negative for a cavity.
+        volume: f64,
+        /// How many times over all shells together enclose a place beside it: it must be 0 or 1.
+        winding: f64,
+    },
 }
 
 impl fmt::Display for Error {
@@ -214,6 +232,15 @@ impl fmt::Display for Error {
                  is flat, or its faces do not run counter-clockwise seen from outside"
             ),
             Self::Part { index, source } => write!(f, "part {index}: {source}"),
+            Self::RepeatedFace { face, before, vertices: [a, b, c] } => {
+                write!(f, "face {face}, ({a}, {b}, {c}), is face {before} again: each must be listed once")
+            }
+            Self::MisplacedShell { face, volume, winding } => write!(
+                f,
+                "the shell that face {face} belongs to, of volume {volume:?}, is turned or placed wrongly: beside it \
+                 the shells enclose a point {winding} times, and it must be 0 (outside the solid) or 1 (inside); a \
+                 shell of negative volume is a cavity and must lie in the solid"
+            ),
         }
     }
 }

@@ -28,6 +28,7 @@ mod plate;
 mod point_masses;
 mod properties;
 mod rod;
+mod shells;
 mod tetrahedron;
 mod topology;
 mod tube;

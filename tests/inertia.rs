@@ -311,3 +311,64 @@ fn a_spin_without_direction_has_no_gap() {
     assert!(matches!(rod.gap(&Vector3::z()), Err(Error::ZeroVector { .. })));
     assert!(exact(tensor.gap(&Vector3::new(1.0, 5e-324, 0.0)).unwrap()).is_positive());
 }
+
+// A tensor that is known to a unit in the last place of its largest moment has no smallest moment below that.
+#[test]
+fn a_turned_tensor_is_singular_within_two_units_in_the_last_place_and_not_beyond() {
+    // One moment of 1 along z; in the plane across it 0.5 and 1.5, turned by 3-4-5: about as turned as can be.
+    let block = |small: f64| {
+        // large (0.6, 0.8)(0.6, 0.8)^T + small (0.8, -0.6)(0.8, -0.6)^T
+        let (xx, xy, yy) = (0.36 + 0.64 * small, 0.48 - 0.48 * small, 0.64 + 0.36 * small);
+        Inertia::from_matrix(&Matrix3::new(xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 1.0)).unwrap()
+    };
+    for ulps in [20.0, 100.0, 400.0] {
+        let inverse = block(ulps * f64::EPSILON).inverse();
+        assert!(inverse.is_ok(), "{ulps}: {inverse:?}");
+    }
+    // Below half a unit of its entries the moment is what rounding left, above or below zero.
+    let mut above = 0;
+    for i in 0..400 {
+        let q = UnitQuaternion::from_euler_angles(
+            0.1 + 0.37 * f64::from(i),
+            1.3 * f64::from(i),
+            -0.7 * f64::from(i),
+        );
+        let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap().turned(&q).unwrap();
+        let smallest = rod.principal().moments()[0];
+        if smallest.abs() <= 2.0 * f64::EPSILON {
+            assert!(matches!(rod.inverse(), Err(Error::Singular { .. })), "{i}: {smallest:e}");
+            above += usize::from(smallest > 0.0);
+        }
+    }
+    assert!(above > 0, "no turned rod kept a moment above zero");
+}
+
+#[test]
+fn a_turned_rod_is_a_body_though_rounding_puts_its_smallest_moment_below_zero() {
+    let mut below = 0;
+    for i in 0..400 {
+        let q = UnitQuaternion::from_euler_angles(
+            0.1 + 0.37 * f64::from(i),
+            1.3 * f64::from(i),
+            -0.7 * f64::from(i),
+        );
+        let r = q.to_rotation_matrix().into_inner();
+        let tensor = r * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, 0.0)) * r.transpose();
+        let rod = Inertia::from_matrix(&tensor);
+        assert!(rod.is_ok(), "{i}: {rod:?}");
+        below += usize::from(rod.unwrap().principal().moments()[0] < 0.0);
+    }
+    assert!(below > 0, "no turned rod fell below zero");
+}
+
+#[test]
+fn mirrored_entries_one_unit_apart_are_stored_as_equal() {
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        let mut tensor = Matrix3::new(2.0, 0.1, -0.2, 0.1, 2.5, 0.3, -0.2, 0.3, 3.0);
+        let above: f64 = tensor[(i, j)];
+        tensor[(j, i)] = above.next_up();
+        let stored = Inertia::from_matrix(&tensor).unwrap().matrix();
+        assert_eq!(stored, stored.transpose(), "({i}, {j})");
+        assert!((above..=above.next_up()).contains(&stored[(i, j)]));
+    }
+}

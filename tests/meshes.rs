@@ -358,12 +358,220 @@ fn a_corner_that_no_face_uses_changes_nothing() {
     assert_eq!(Mesh::new(&corners, &faces).unwrap().with_mass(1.0).unwrap(), plain);
 }
 
+fn cube(low: [f64; 3], edge: f64) -> Surface {
+    brick(Vector3::from(low), Vector3::repeat(edge))
+}
+
+/// The same surface with one vertex at each place.
+fn welded((corners, mut faces): Surface) -> Surface {
+    for vertex in faces.iter_mut().flatten() {
+        *vertex = corners.iter().position(|v| *v == corners[*vertex]).unwrap();
+    }
+    (corners, faces)
+}
+
+/// The shells' first face, volume and the winding number found beside it.
+fn misplaced(surface: &Surface) -> (usize, f64, f64) {
+    match solid(surface) {
+        Err(Error::MisplacedShell { face, volume, winding }) => (face, volume, winding),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn turned_and_carried((mut corners, faces): Surface, angles: [f64; 3], by: Vector3<f64>) -> Surface {
+    let turn = UnitQuaternion::from_euler_angles(angles[0], angles[1], angles[2]);
+    corners.iter_mut().for_each(|v| *v = turn * *v + by);
+    (corners, faces)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    // Shells within shells, their turns drawn: a solid only if they alternate, beginning with a solid one.
+    #[test]
+    fn nested_shells_are_a_solid_only_if_solid_and_cavity_alternate(
+        inward in proptest::collection::vec(any::<bool>(), 2..5), apart in any::<bool>(),
+        angles in proptest::array::uniform3(-3.0..3.0_f64), by in vector(-50.0..50.0),
+    ) {
+        let mut surface = Surface::default();
+        let mut volume = 0.0;
+        for (depth, &inward) in inward.iter().enumerate() {
+            let edge = [4.0, 2.5, 1.5, 0.3][depth];
+            let shell = cube([-0.5 * edge - 0.1, -0.5 * edge, -0.5 * edge + 0.05], edge);
+            volume += if inward { -edge.powi(3) } else { edge.powi(3) };
+            surface = both(surface, if inward { inside_out(shell) } else { shell });
+        }
+        if apart {
+            surface = both(surface, cube([9.0, 0.5, 0.3], 1.0));
+            volume += 1.0;
+        }
+        let alternate = inward.iter().enumerate().all(|(depth, &inward)| inward == (depth % 2 == 1));
+        match solid(&turned_and_carried(surface, angles, by)) {
+            Ok(mesh) => {
+                prop_assert!(alternate);
+                prop_assert!((mesh.measure().unwrap() - volume).abs() < 1e-10);
+            }
+            Err(Error::NoVolume { .. }) => prop_assert!(volume < 1e-9),
+            Err(Error::MisplacedShell { winding, .. }) => {
+                prop_assert!(!alternate && !(0.0..=1.0).contains(&winding));
+            }
+            Err(other) => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn an_inside_out_cube_outside_a_solid_is_refused_wherever_it_is(
+        away in vector(-3.0..3.0), edge in 0.1..0.9_f64, angles in proptest::array::uniform3(-3.0..3.0_f64),
+    ) {
+        prop_assume!(away.amax() > 1.01);
+        // Its middle is outside by more than half its edge, in one direction at least.
+        let low = away.map(|x| x - 0.5 * edge) + Vector3::repeat(0.5) + away.map(f64::signum) * 0.5;
+        let wrong = both(cube([0.0; 3], 1.0), inside_out(cube(low.into(), edge)));
+        let (face, volume, winding) = misplaced(&turned_and_carried(wrong, angles, away));
+        prop_assert_eq!((face, winding), (12, -1.0));
+        prop_assert!((volume + edge.powi(3)).abs() < 1e-12, "{}", volume);
+    }
+}
+
 #[test]
-fn a_cavity_outside_its_solid_is_refused_where_no_body_has_such_a_tensor() {
-    let small = brick(Vector3::new(0.0, 0.0, 4.0), Vector3::new(0.9, 0.9, 0.9));
-    let wrong = both(brick(Vector3::zeros(), Vector3::new(1.0, 1.0, 1.0)), inside_out(small));
-    match solid(&wrong) {
+fn shells_that_are_turned_or_nested_wrongly_are_refused_and_named() {
+    let (whole, inner) = (cube([0.0; 3], 2.0), cube([0.5; 3], 1.0));
+    // The inside twice over: which shell is looked at first does not matter.
+    assert_eq!(misplaced(&both(whole.clone(), inner.clone())), (12, 1.0, 2.0));
+    assert_eq!(misplaced(&both(inner.clone(), whole.clone())), (0, 1.0, 2.0));
+    // A cavity in a cavity.
+    let hollow = both(whole.clone(), inside_out(inner));
+    let deeper = inside_out(cube([0.75; 3], 0.5));
+    assert_eq!(misplaced(&both(hollow, deeper)), (24, -0.125, -1.0));
+    let outside = both(whole, inside_out(cube([5.0, 0.0, 0.0], 1.0)));
+    let error = solid(&outside).unwrap_err();
+    assert_eq!(misplaced(&outside), (12, -1.0, -1.0));
+    assert_eq!(
+        error.to_string(),
+        "the shell that face 12 belongs to, of volume -1.0, is turned or placed wrongly: beside it the shells \
+         enclose a point -1 times, and it must be 0 (outside the solid) or 1 (inside); a shell of negative volume \
+         is a cavity and must lie in the solid"
+    );
+}
+
+// Touching from without is a solid; turned inside out, the part that touches is not.
+#[test]
+fn a_part_that_touches_along_an_edge_or_a_face_is_judged_as_one_apart_from_it() {
+    let whole = cube([0.0; 3], 2.0);
+    for part in [cube([2.0, 2.0, 0.0], 2.0), cube([2.0, 0.0, 0.0], 2.0), cube([2.0, 0.5, 0.5], 1.0)] {
+        let volume = 8.0 + solid(&part).unwrap().measure().unwrap();
+        let (right, wrong) = (both(whole.clone(), part.clone()), both(whole.clone(), inside_out(part)));
+        for right in [right.clone(), welded(right)] {
+            assert_eq!(solid(&right).unwrap().measure().unwrap(), volume);
+        }
+        if volume < 16.0 {
+            assert_eq!(misplaced(&wrong), (12, -1.0, -1.0));
+            assert_eq!(misplaced(&welded(wrong)), (12, -1.0, -1.0));
+        }
+    }
+    let edge_on =
+        both(whole.clone(), inside_out(brick(Vector3::new(2.0, 2.0, 0.0), Vector3::new(1.0, 1.0, 2.0))));
+    assert_eq!(misplaced(&edge_on), (12, -2.0, -1.0));
+    assert_eq!(misplaced(&welded(edge_on)), (12, -2.0, -1.0));
+    // From within: a cavity that opens to the outside makes a cup, one that is filled again the whole.
+    let cavity = brick(Vector3::new(0.5, 0.5, 1.0), Vector3::new(1.0, 1.0, 1.0));
+    let cup = both(whole, inside_out(cavity.clone()));
+    assert_eq!(solid(&cup).unwrap().measure().unwrap(), 7.0);
+    assert_eq!(solid(&both(cup, cavity)).unwrap().measure().unwrap(), 8.0);
+}
+
+#[test]
+fn a_speck_on_the_face_of_a_body_ten_trillion_times_its_size_is_a_solid() {
+    let surface = both(cube([0.0; 3], 1e3), cube([1e3, 300.0, 300.0], 1e-10));
+    assert!(solid(&surface).is_ok());
+    for i in 0..40 {
+        let turn = [0.3 + f64::from(i), -1.1 * f64::from(i), 2.0];
+        let lying = turned_and_carried(surface.clone(), turn, Vector3::new(-30.0, 0.0, 7.0));
+        assert!(solid(&lying).is_ok(), "{i}");
+    }
+}
+
+// Two cubes that share a whole face, listed both ways, close only together.
+#[test]
+fn parts_that_share_a_face_are_one_shell() {
+    let pair = welded(both(cube([5.0, 0.0, 0.0], 1.0), cube([6.0, 0.0, 0.0], 1.0)));
+    assert_eq!(solid(&pair).unwrap().measure().unwrap(), 2.0);
+    let wrong = both(cube([0.0; 3], 2.0), inside_out(pair));
+    assert_eq!(misplaced(&wrong), (12, -2.0, -1.0));
+}
+
+#[test]
+fn a_face_listed_twice_is_refused_in_whatever_order_its_corners_are_named() {
+    let (corners, faces) = cube([0.0; 3], 1.0);
+    let mut twice = faces.clone();
+    let [a, b, c] = faces[7];
+    twice.push([b, c, a]);
+    let refused = Mesh::new(&corners, &twice).unwrap_err();
+    assert_eq!(refused, Error::RepeatedFace { face: 12, before: 7, vertices: [b, c, a] });
+    assert!(refused.to_string().contains("is face 7 again"), "{refused}");
+    // Every face twice closes along every edge; it is still no solid of twice the density.
+    let all = [faces.clone(), faces].concat();
+    assert!(matches!(Mesh::new(&corners, &all), Err(Error::RepeatedFace { face: 12, before: 0, .. })));
+}
+
+// A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside out.
+#[test]
+fn a_surface_through_itself_is_refused_where_no_body_has_such_a_tensor() {
+    let outline = [[-1.0, 0.0], [1.0, 0.0], [-0.95, 1.95], [0.95, 1.95]];
+    let corner = |x: f64| outline.map(|[y, z]| Vector3::new(x, y, z));
+    let corners = [corner(0.0), corner(1.0)].concat();
+    let mut faces = vec![[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]];
+    for i in 0..4 {
+        let j = (i + 1) % 4;
+        faces.extend([[i, j, j + 4], [i, j + 4, i + 4]]);
+    }
+    match Mesh::new(&corners, &faces) {
         Err(Error::TriangleInequality { excess, tolerance, .. }) => assert!(excess > tolerance),
         other => panic!("{other:?}"),
     }
+}
+
+// A wedge so thin that its volume is a known number of its own rounding bounds: the bound is half a unit for
+// each of eight roundings a face and one addition each, on the sum of all terms taken positive.
+#[test]
+fn a_mesh_is_flat_when_its_volume_is_within_its_own_rounding_and_only_then() {
+    let tilted = |x: f64, y: f64, up: f64| Vector3::new(x, y, 0.1 * x + 0.3 * y + up);
+    let faces = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+    let wedge = |up: f64| {
+        let corners =
+            [tilted(0.0, 0.1, 0.0), tilted(1.0, 0.2, 0.0), tilted(0.3, 1.0, 0.0), tilted(0.7, 0.9, up)];
+        Mesh::new(&corners, &faces).map(|mesh| mesh.measure().unwrap())
+    };
+    // Each coordinate is up to 1, off by up to half a unit, and the base is about half a square metre: at
+    // 1e-17 nothing is left of the height, at 1e-13 three digits of it are.
+    for up in [0.0, 1e-17, 5e-17, -1e-16] {
+        match wedge(up) {
+            Err(Error::NoVolume { volume, tolerance }) => {
+                assert!(
+                    volume.abs() <= tolerance && tolerance > 1e-17 && tolerance < 1e-15,
+                    "{volume:e} {tolerance:e}"
+                );
+            }
+            other => panic!("{up:e}: {other:?}"),
+        }
+    }
+    for up in [1e-14, 1e-13] {
+        let base = 0.5 * (1.0 * 0.9 - 0.3 * 0.1);
+        let volume = wedge(up).unwrap();
+        assert!((volume - base * up / 3.0).abs() < 1e-16, "{volume:e}");
+    }
+}
+
+// A flat body has I1 + I2 = I3; its moments, off by rounding, may exceed that by a little.
+#[test]
+fn a_body_as_flat_as_can_be_passes_however_it_lies() {
+    let mut exceeded = 0;
+    for i in 0..200 {
+        let angles = [0.1 + 0.37 * f64::from(i), 1.3 * f64::from(i), -0.7 * f64::from(i)];
+        let plate = brick(Vector3::new(-0.3, -0.6, 0.0), Vector3::new(0.7, 1.3, 3e-9));
+        let mesh = solid(&turned_and_carried(plate, angles, Vector3::zeros())).unwrap();
+        let moments = mesh.with_mass(1.0).unwrap().inertia().principal().moments();
+        exceeded += usize::from(moments[2] - moments[1] > moments[0]);
+    }
+    assert!(exceeded > 0, "none of the plates tries the rule");
 }

@@ -173,3 +173,56 @@ fn an_ideal_rod_has_one_zero_moment_to_rounding_however_it_is_turned() {
     assert!(rod.principal().moment(Axis::Smallest).abs() < 2e-15);
     assert!(rod.principal().axis(Axis::Smallest).cross(&(q * Vector3::z())).norm() < 1e-15);
 }
+
+// [[1, p], [p, s]]: the smaller moment is s - p²/(1 - s) to first order. Beside the larger moment p is
+// nothing; beside their geometric mean it is a tenth, and drops the smaller moment by a hundredth.
+#[test]
+fn a_product_that_is_nothing_beside_the_large_moment_still_counts_for_the_small_one() {
+    let (small, product) = (1e-34, 1e-18);
+    let tensor = Matrix3::new(1.0, 0.0, product, 0.0, 1.0, 0.0, product, 0.0, small);
+    let moment = Inertia::from_matrix(&tensor).unwrap().principal().moment(Axis::Smallest);
+    assert!((moment / 0.99e-34 - 1.0).abs() < 1e-14, "{moment:e}");
+}
+
+/// A tensor with the given moments about the columns of a rotation matrix.
+fn along(moments: [f64; 3], axes: Matrix3<f64>) -> Inertia {
+    let m = axes * Matrix3::from_diagonal(&Vector3::from(moments)) * axes.transpose();
+    Inertia::from_matrix(&((m + m.transpose()) * 0.5)).unwrap()
+}
+
+// (2, 3, 6)/7, (3, -6, 2)/7, (6, 2, -3)/7 are perpendicular and right-handed in this order.
+const SEVENTHS: [[f64; 3]; 3] = [[2.0, 3.0, 6.0], [3.0, -6.0, 2.0], [6.0, 2.0, -3.0]];
+
+fn seventh(i: usize) -> Vector3<f64> {
+    Vector3::from(SEVENTHS[i]) / 7.0
+}
+
+#[test]
+fn each_axis_points_so_that_its_first_large_component_is_positive() {
+    let axes = Matrix3::from_columns(&[seventh(0), seventh(1), seventh(2)]);
+    assert!((axes.determinant() - 1.0).abs() < 1e-15);
+    let frame = along([0.8, 1.0, 1.3], axes).principal().frame();
+    // Of (3, -6, 2)/7 the 6/7 is the first above 0.57, not the 3/7: the axis is (-3, 6, -2)/7.
+    let expected = [seventh(0), -seventh(1), -seventh(2)];
+    for (i, axis) in expected.iter().enumerate() {
+        assert!((frame.column(i) - axis).amax() < 1e-14, "{frame}");
+    }
+}
+
+// The body axis that leans least on the lone one, with what leans taken off, and the third to make a right hand.
+#[test]
+fn two_equal_moments_take_the_direction_nearest_the_axis_that_leans_least() {
+    // The lone axis (6, 2, -3)/7 leans least on y; it comes first beside two larger, last beside two smaller.
+    let lone = seventh(2);
+    let axes = Matrix3::from_columns(&[seventh(0), seventh(1), lone]);
+    let first = (Vector3::y() - lone * (2.0 / 7.0)).normalize();
+    let second = lone.cross(&first);
+    let two_large = along([1.0, 1.0, 0.4], axes).principal();
+    let two_small = along([1.0, 1.0, 1.6], axes).principal();
+    for (axes, expected) in [(two_large, [lone, first, second]), (two_small, [first, second, lone])] {
+        for (i, axis) in expected.iter().enumerate() {
+            assert!((axes.frame().column(i) - axis).amax() < 1e-14, "{}", axes.frame());
+        }
+        assert!(right_handed(&axes.frame()));
+    }
+}

@@ -135,3 +135,31 @@ fn a_tetrahedron_is_refused_when_it_is_flat_to_rounding_and_only_then() {
     let twice = Vector3::new(1.0, 2.0, 3.0);
     assert!(Tetrahedron::new([twice, twice, Vector3::zeros(), Vector3::x()]).is_err());
 }
+
+// Edges of about 1 m, each coordinate off by half a unit: the bound must be of that size, not a hundred times.
+#[test]
+fn a_tetrahedron_ten_times_as_high_as_its_rounding_is_a_solid() {
+    let tilted = |x: f64, y: f64, up: f64| Vector3::new(x, y, 0.1 * x + 0.3 * y + up);
+    let thin = |up: f64| {
+        Tetrahedron::new([
+            tilted(0.0, 0.1, 0.0),
+            tilted(1.0, 0.2, 0.0),
+            tilted(0.3, 1.0, 0.0),
+            tilted(0.7, 0.9, up),
+        ])
+    };
+    for up in [1e-14, -1e-14, 1e-13] {
+        let volume = thin(up).unwrap().measure().unwrap();
+        let base = 0.5 * (1.0 * 0.9 - 0.3 * 0.1);
+        assert!((volume - base * up.abs() / 3.0).abs() < 1e-16, "{volume:e}");
+    }
+    match thin(1e-17) {
+        Err(Error::NoVolume { volume, tolerance }) => {
+            assert!(
+                volume <= tolerance && tolerance > 1e-17 && tolerance < 1e-15,
+                "{volume:e} {tolerance:e}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+}

@@ -5,7 +5,7 @@
 //! [`mesh_sums`] needs no division. Source: [Ebe02](crate::references).
 
 use super::tetrahedron::determinant;
-use super::{MassMoments, MassProperties, Solid, topology};
+use super::{MassMoments, MassProperties, Solid, shells, topology};
 use crate::error::{Error, finite_vector, positive};
 use crate::principal::PrincipalAxes;
 use crate::scalar::{Field, Ring};
@@ -101,9 +101,10 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 /// The faces must close, and run counter-clockwise seen from outside. Several separate surfaces are fine,
 /// and so are cavities (surfaces inside another, their faces seen counter-clockwise from the cavity), and
 /// parts that touch along an edge. Vertices that no face uses are ignored. Two vertices at the same place
-/// are two vertices: a soup of loose triangles is open until they are welded. A surface that passes through
-/// itself, or a cavity that is not inside, is not looked for; what it leads to is refused only if no body
-/// can have such a tensor.
+/// are two vertices: a soup of loose triangles is open until they are welded. A shell that is turned or nested
+/// wrongly is refused, such as a cavity outside; that takes one look along all faces for each shell. A surface
+/// that passes through itself or another is not looked for; it is refused only if that look happens on it, or
+/// if no body can have the tensor it leads to.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -116,7 +117,7 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 /// assert_eq!(solid.measure()?, 16.0);
 /// assert_eq!(solid.with_mass(2.0)?.centre(), Vector3::new(1.0, 1.0, 1.5));
 ///
-/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], faces[2]]);
+/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]);
 /// assert!(matches!(open, Err(Error::OpenMesh { .. })));
 /// # Ok::<(), Error>(())
 /// ```
@@ -133,8 +134,9 @@ impl Mesh {
     ///
     /// # Errors
     /// Fewer than four vertices or faces, a vertex that is not finite (as [`Error::Part`]), a face that names
-    /// a vertex which is not there or one twice, an edge that is open, a face that is flipped, a volume that is
-    /// not positive by more than rounding, or a tensor that no body has.
+    /// a vertex which is not there or one twice, a face listed twice, an edge that is open, a face that is
+    /// flipped, a volume that is not positive by more than rounding, a shell that is inside out or wrongly
+    /// nested, or a tensor that no body has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
         for (what, count) in [("vertices", vertices.len()), ("faces", faces.len())] {
             if count < 4 {
@@ -144,11 +146,12 @@ impl Mesh {
         for (index, vertex) in vertices.iter().enumerate() {
             finite_vector("the vertex", vertex).map_err(|e| Error::Part { index, source: Box::new(e) })?;
         }
-        topology::check(faces, vertices.len())?;
+        let shell = topology::shells(faces, vertices.len())?;
         let wide: Vec<_> = vertices.iter().map(|v| v.map(Wide::from)).collect();
         let triangles = || faces.iter().map(|face| face.map(|v| &wide[v]));
         let near = mean(triangles());
         enclosed(triangles(), &near)?;
+        shells::check(&wide, faces, &shell)?;
         // Once to find the centre; again about the centre, where the least cancels.
         let rough = mesh_moments(&mesh_sums(triangles(), &near), &near);
         let moments = mesh_moments(&mesh_sums(triangles(), &rough.centre), &rough.centre);
@@ -216,8 +219,8 @@ fn enclosed<'a>(
     Err(Error::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) })
 }
 
-/// That some body could have this tensor, to the rounding of a sum of `count` terms: an inside-out surface
-/// outside another may give one that none has.
+/// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
+/// through itself may give one that none has.
 fn possible(tensor: &Matrix3<Wide>, count: usize) -> Result<(), Error> {
     let largest =
         tensor.diagonal().fold(Wide::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });

@@ -1,0 +1,158 @@
+//! Whether the shells of a surface are turned and nested so that they bound a solid.
+//!
+//! The winding number of a point is how many times the shells together enclose it, cavities counted
+//! negative: the solid angles of all faces seen from it, over a full sphere. In a solid it is 1, elsewhere 0.
+//! It is the same all along a shell that no other crosses, so one place at each shell tells. The solid angle
+//! of a triangle: [OS83](crate::references).
+
+use super::mesh::triple;
+use crate::error::Error;
+use crate::wide::Wide;
+use nalgebra::Vector3;
+use num_traits::Zero;
+use std::f64::consts::TAU;
+
+/// How far beside a face to look, in its heights: far enough that a slim face's own solid angle is clear of
+/// rounding, near enough to stay beside it. In a solid a point anywhere has winding number 0 or 1, so none
+/// is refused for this choice.
+const BESIDE: f64 = 1.0 / 1024.0;
+
+/// What unit vectors' products may be off by.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// That just inside and just outside each shell the winding number is 0 or 1. `shell` is the shell of each
+/// face, and each is closed.
+pub(super) fn check(vertices: &[Vector3<Wide>], faces: &[[usize; 3]], shell: &[usize]) -> Result<(), Error> {
+    let shells = Shell::all(vertices, faces, shell);
+    if shells.len() < 2 {
+        // One alone is right if its volume is positive, which is checked anyway.
+        return Ok(());
+    }
+    for own in &shells {
+        for side in [-BESIDE, BESIDE] {
+            let point = own.beside(vertices, side);
+            let (mut winding, mut doubt) = (0.0, 0.0);
+            for other in shells.iter().filter(|other| other.may_enclose(&point)) {
+                for face in &other.faces {
+                    match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
+                        Some(angle) => winding += angle / (2.0 * TAU),
+                        None => doubt += 0.5,
+                    }
+                }
+            }
+            // Refused only if neither 0 nor 1 whichever side rounding put the point on.
+            if winding + doubt < -0.5 || winding - doubt > 1.5 {
+                return Err(Error::MisplacedShell {
+                    face: own.first,
+                    volume: own.volume(vertices).nearest(),
+                    winding: winding.round(),
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+struct Shell {
+    /// The number of its first face in the whole mesh.
+    first: usize,
+    faces: Vec<[usize; 3]>,
+    /// The face beside which to look: the highest, since the slimmer the less clear.
+    best: [usize; 3],
+    low: Vector3<Wide>,
+    high: Vector3<Wide>,
+}
+
+/// A place near a vertex, kept as the step from it: far from the origin the sum would lose the step.
+struct Point {
+    start: Vector3<Wide>,
+    step: Vector3<Wide>,
+}
+
+impl Shell {
+    fn all(vertices: &[Vector3<Wide>], faces: &[[usize; 3]], shell: &[usize]) -> Vec<Self> {
+        let mut shells: Vec<Self> = Vec::new();
+        let mut heights = Vec::new();
+        for (first, (face, &number)) in faces.iter().zip(shell).enumerate() {
+            let height = steepness(vertices, face).1;
+            if number == shells.len() {
+                let start = vertices[face[0]];
+                shells.push(Self { first, faces: Vec::new(), best: *face, low: start, high: start });
+                heights.push(height);
+            }
+            let own = &mut shells[number];
+            own.faces.push(*face);
+            if (height - heights[number]).is_positive() {
+                (heights[number], own.best) = (height, *face);
+            }
+            for &v in face {
+                own.low = own.low.zip_map(&vertices[v], |a, b| if (a - b).is_positive() { b } else { a });
+                own.high = own.high.zip_map(&vertices[v], |a, b| if (b - a).is_positive() { b } else { a });
+            }
+        }
+        shells
+    }
+
+    /// The middle of its best face, moved off it by `side` of its height: outwards if that is positive.
+    fn beside(&self, vertices: &[Vector3<Wide>], side: f64) -> Point {
+        let [a, b, c] = self.best.map(|v| vertices[v]);
+        let (up, _) = steepness(vertices, &self.best);
+        let middle = ((b - a) + (c - a)).map(|x| x / Wide::from(3.0));
+        Point { start: a, step: middle + up * Wide::from(side) }
+    }
+
+    /// Not if the point lies outside its bounding box: there its winding number is 0.
+    fn may_enclose(&self, point: &Point) -> bool {
+        let above = (self.low - point.start) - point.step;
+        let below = point.step - (self.high - point.start);
+        !above.iter().chain(&below).any(|x| x.is_positive())
+    }
+
+    fn volume(&self, vertices: &[Vector3<Wide>]) -> Wide {
+        let start = vertices[self.best[0]];
+        let mut six_volumes = Wide::zero();
+        for face in &self.faces {
+            let [a, b, c] = face.map(|v| vertices[v]);
+            six_volumes += triple(&(a - start), &(b - a), &(c - a));
+        }
+        six_volumes / Wide::from(6.0)
+    }
+}
+
+impl Point {
+    /// The direction in which a vertex is seen, if it is not here.
+    fn sight(&self, vertex: &Vector3<Wide>) -> Option<Vector3<f64>> {
+        let away = (vertex - self.start) - self.step;
+        let size = largest(&away);
+        (!size.is_zero()).then(|| away.map(|x| (x / size).nearest()).normalize())
+    }
+}
+
+/// A vector off the face, outwards, about as long as the face is high above its longest edge, and that length,
+/// both to a factor of two. Zero for a face without area.
+fn steepness(vertices: &[Vector3<Wide>], face: &[usize; 3]) -> (Vector3<Wide>, Wide) {
+    let [a, b, c] = face.map(|v| vertices[v]);
+    let edges = [b - a, c - b, a - c];
+    let longest =
+        edges.iter().map(largest).fold(Wide::zero(), |x, y| if (y - x).is_positive() { y } else { x });
+    if longest.is_zero() {
+        return (Vector3::zeros(), Wide::zero());
+    }
+    let up = (b - a).cross(&(c - a)).map(|x| x / longest);
+    (up, largest(&up))
+}
+
+fn largest(v: &Vector3<Wide>) -> Wide {
+    v.fold(Wide::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a })
+}
+
+/// The solid angle of a triangle, positive seen from behind, given the unit vectors to its corners; none if
+/// the point is on it to rounding, where it is half a sphere either way.
+fn solid_angle(corners: [Option<Vector3<f64>>; 3]) -> Option<f64> {
+    let [Some(a), Some(b), Some(c)] = corners else {
+        return None;
+    };
+    let (sine, cosine) = (triple(&a, &b, &c), 1.0 + a.dot(&b) + b.dot(&c) + c.dot(&a));
+    let on_it = sine.abs() <= ROUNDING && cosine <= ROUNDING;
+    (!on_it).then(|| 2.0 * sine.atan2(cosine))
+}
