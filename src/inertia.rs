@@ -342,7 +342,7 @@ pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
     moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
     let mut sorted: [f64; 3] = (*moments).into();
     sorted.sort_by(f64::total_cmp);
-    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS)
+    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
 }
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
