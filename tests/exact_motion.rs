@@ -460,3 +460,24 @@ fn what_no_body_can_do_is_named() {
     // It swings round to w3² + (2/3.75) w2² about the third axis (mathematics), more than can be written.
     assert!(error([1.0, 2.0, 2.5], [0.0, 1.7e308, 1.7e308]).contains("the greatest spin"));
 }
+
+/// Exactly on the separatrix of (3, 4, 6) the spin comes to rest on the middle axis, at L/I2 = sqrt(88)/4.
+#[test]
+fn on_the_separatrix_the_spin_is_on_the_middle_axis_however_late_one_asks() {
+    let end = 88_f64.sqrt() / 4.0;
+    for spin in [1.0, -1.0, 1e100] {
+        let motion =
+            FreeMotion::new(&Vector3::new(3.0, 4.0, 6.0), &(Vector3::new(2.0, 1.0, 1.0) * spin)).unwrap();
+        assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
+        for power in [3, 16, 17, 38, 39, 40, 42, 43, 59, 100, 200, 300, 307, 308] {
+            for t in [10_f64.powi(power), -(10_f64.powi(power))] {
+                let at = motion.at(t).unwrap();
+                let spun = at.omega / spin.abs();
+                assert_eq!(at.omega, motion.omega(t).unwrap());
+                assert!(spun.x.abs() < 1e-100 && spun.z.abs() < 1e-100, "{t:e}: {spun:?}");
+                assert!((spun.y.abs() - end).abs() < 1e-14, "{t:e}: {spun:?}");
+                assert!((at.attitude.norm() - 1.0).abs() < 1e-15, "{t:e}");
+            }
+        }
+    }
+}

@@ -19,8 +19,9 @@ pub(crate) struct Decay {
 impl Decay {
     /// Of `x = main + rest >= 0`, with the root of the complementary nome.
     pub(crate) fn new(main: f64, rest: f64, nome_root: f64) -> Self {
-        // Beyond 700 there is only what an f64 cannot hold beside the rest.
-        let (power, change) = exp_parts(-main.min(700.0), -rest);
+        // Beyond 700 the exponential is nothing beside any f64; so far out the rest can be large, and says nothing.
+        let (main, rest) = if main < 700.0 { (main, rest) } else { (700.0, 0.0) };
+        let (power, change) = exp_parts(-main, -rest);
         let root = power + power * change;
         // exp(-x) - 1, exact in its small digits where the power of two is 1.
         let less = (power - 1.0) + power * change;

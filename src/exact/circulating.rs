@@ -96,7 +96,9 @@ impl Way {
         let run = self.rate * time;
         let infinite = self.quarter.value().is_infinite();
         let (mut halves, mut u) = if infinite {
-            (0.0, if run.value().is_finite() { run } else { Double::ZERO }.plus(self.start))
+            // Past the end of the range the spin has long come to rest on the middle axis: any place far out will do.
+            let end = Double::from(1e300_f64.copysign(self.rate.value()) * 1_f64.copysign(time));
+            (0.0, if run.value().abs() < 1e300 { run.plus(self.start) } else { end })
         } else {
             let (halves, left) = run.split();
             (halves, (self.half * left).plus(self.start))
