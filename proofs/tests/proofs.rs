@@ -12,6 +12,9 @@ fn every_proof_leaves_nothing_over() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
+/// Mutants in which what is claimed to break, or to be found, does not or is not; all others must leave something over.
+const FOUND_MISSING: &[(&str, &str)] = &[];
+
 #[test]
 fn every_altered_law_leaves_something_over() {
     for proof in proofs() {
@@ -21,6 +24,9 @@ fn every_altered_law_leaves_something_over() {
                 Ok(()) => panic!("{} still holds with {}", proof.name, mutant.change),
                 Err(Residue::Undefined { claim }) => {
                     panic!("{} with {} only divides by zero: {claim}", proof.name, mutant.change)
+                }
+                Err(Residue::Missing { claim }) if !FOUND_MISSING.contains(&(proof.name, mutant.change)) => {
+                    panic!("{} with {} leaves nothing: {claim}", proof.name, mutant.change)
                 }
                 Err(residue) => assert!(!residue.to_string().is_empty()),
             }
