@@ -37,7 +37,7 @@ impl Law {
         [Self::Momentum, Self::LengthOfMomentum, Self::Energy, Self::Euler, Self::SpinFromMomentum];
 }
 
-use Law::{Energy, Euler, LengthOfMomentum, Momentum, SpinFromMomentum};
+use Law::{Energy, Euler, LengthOfMomentum, Momentum};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
