@@ -85,7 +85,11 @@ impl fmt::Display for Report {
             c.quantities, c.counting, c.structural
         )?;
         let e = &self.equations;
-        writeln!(f, "equations: {} proven, {} exempt, {} of values alone", e.proven, e.exempt, e.values)?;
+        writeln!(
+            f,
+            "equations: {} proven, {} exempt, {} notation, {} of values alone",
+            e.proven, e.exempt, e.notation, e.values
+        )?;
         write!(f, "offences: {}", self.offences.len())
     }
 }

@@ -22,6 +22,9 @@ fn main() {
         for settled in &found.exempt {
             println!("{name}:{}: exempt: {}\n    {}", settled.line, settled.tex, settled.why);
         }
+        for settled in &found.notation {
+            println!("{name}:{}: notation: {}\n    {}", settled.line, settled.tex, settled.why);
+        }
         for settled in &found.values {
             println!("{name}:{}: values: {}", settled.line, settled.tex);
         }

@@ -1,10 +1,9 @@
 //! The equations of the book, each proven to be what the library's own functions do.
 //!
-//! [`read_chapter`] takes the pieces of maths of a chapter. Whatever [states something](crate::tex::states_something)
-//! must be a law of [`laws`], and is then proven as it stands there, in TeX, against the library; or one of the
+//! [`read_chapter`] takes the pieces of maths of a chapter. Whatever states something must be a law of [`laws`], and is then proven as it stands there, in TeX, against the library; or one of the
 //! [`exemptions`], each with its reason; or give nothing but values, which are numbers and not laws. A law or
-//! exemption that no longer stands in its chapter is a fault too. Of bare expressions those are proven whose worth
-//! the sentence around them states; the others are notation.
+//! exemption that no longer stands in its chapter is a fault too. A bare expression is a name alone, or a law whose
+//! worth the sentence around it states, or on the list of [`notation`]. What cannot be read is a fault.
 //!
 //! ```
 //! use tumbling_proofs::equations::{Equation, read_chapter};
@@ -22,9 +21,9 @@ mod laws;
 mod motion;
 
 pub use alter::{Alterations, StillTrue, alterations};
-pub use laws::{Exemption, Law, exemptions, laws};
+pub use laws::{Exemption, Law, exemptions, laws, notation};
 
-use crate::tex::{Statement, parse, states_something};
+use crate::tex::{Node, Statement, parse};
 use std::fmt;
 
 /// A piece of maths of a chapter.
@@ -78,6 +77,8 @@ pub struct Chapter {
     pub proven: Vec<Settled>,
     /// Equations exempt.
     pub exempt: Vec<Settled>,
+    /// Bare expressions that name something, other than by a name alone.
+    pub notation: Vec<Settled>,
     /// Equations that give nothing but values.
     pub values: Vec<Settled>,
     /// What is wrong.
@@ -88,6 +89,8 @@ pub struct Chapter {
 enum Standing {
     Law(&'static Law),
     Exempt(&'static Exemption),
+    /// A name alone, or a number.
+    Name,
     Values,
 }
 
@@ -95,13 +98,21 @@ enum Standing {
 struct Ledger {
     laws: Vec<&'static Law>,
     exemptions: Vec<&'static Exemption>,
+    notation: Vec<&'static Exemption>,
 }
 
 impl Ledger {
     fn new(chapter: &str) -> Self {
         let laws = laws().iter().filter(|law| law.chapter == chapter).collect();
         let exemptions = exemptions().iter().filter(|exemption| exemption.chapter == chapter).collect();
-        Self { laws, exemptions }
+        let notation = notation().iter().filter(|notation| notation.chapter == chapter).collect();
+        Self { laws, exemptions, notation }
+    }
+
+    /// A piece of maths in a line that is notation as a whole, whether it can be read or not.
+    fn find_notation(&mut self, equation: &Equation) -> Option<&'static Exemption> {
+        let place = self.notation.iter().position(|n| !equation.display && same_tex(n.tex, &equation.tex))?;
+        Some(self.notation.remove(place))
     }
 
     /// Of what is not yet found, the first that this can be.
@@ -114,8 +125,11 @@ impl Ledger {
             return Some(Standing::Values);
         }
         let same = |law: &&Law| law.bare == bare && same_tex(law.left, &statement.left.text);
-        let place = self.laws.iter().position(same)?;
-        Some(Standing::Law(self.laws.remove(place)))
+        if let Some(place) = self.laws.iter().position(same) {
+            return Some(Standing::Law(self.laws.remove(place)));
+        }
+        let tree = &statement.left.tree;
+        (bare && (matches!(tree, Node::Name(_)) || tree.is_numeric())).then_some(Standing::Name)
     }
 }
 
@@ -124,13 +138,23 @@ fn same_tex(a: &str, b: &str) -> bool {
     bare(a) == bare(b)
 }
 
+/// Whether it is a number written with a power of ten, which may be too large or small to be worked out here.
+fn is_power_of_ten(tex: &str) -> bool {
+    let tex = tex.replace(' ', "");
+    let (factor, power) = tex.rsplit_once(r"\times").unwrap_or(("1", &tex));
+    let exponent = power.strip_prefix("10^{").and_then(|rest| rest.strip_suffix('}'));
+    let exponent = exponent.map(|n| n.strip_prefix('-').unwrap_or(n));
+    let digits = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
+    let (whole, decimals) = factor.split_once('.').unwrap_or((factor, "0"));
+    exponent.is_some_and(digits) && digits(whole) && digits(decimals)
+}
+
 /// The statements of one piece of maths with what each is to be taken for.
 fn standings(equation: &Equation, ledger: &mut Ledger) -> Result<Vec<(Statement, Option<Standing>)>, Fault> {
     let statements = match parse(&equation.tex) {
         Ok(statements) => statements,
-        Err(error) if states_something(&equation.tex) => return Err(equation.fault(error.to_string())),
-        // Notation, which may be anything.
-        Err(_) => return Ok(Vec::new()),
+        Err(_) if is_power_of_ten(&equation.tex) => return Ok(Vec::new()),
+        Err(error) => return Err(equation.fault(error.to_string())),
     };
     let found = |statement: Statement| {
         let standing = ledger.find(&statement);
@@ -152,6 +176,11 @@ pub fn read_chapter(name: &str, equations: &[Equation]) -> Chapter {
     let mut chapter = Chapter::default();
     let mut ledger = Ledger::new(name);
     for equation in equations {
+        if let Some(notation) = ledger.find_notation(equation) {
+            let tex = equation.tex.replace(' ', "");
+            chapter.notation.push(Settled { line: equation.line, tex, why: notation.reason });
+            continue;
+        }
         let standings = match standings(equation, &mut ledger) {
             Ok(standings) => standings,
             Err(fault) => {
@@ -168,8 +197,11 @@ pub fn read_chapter(name: &str, equations: &[Equation]) -> Chapter {
                     Ok(()) => chapter.proven.push(settled(law.says)),
                     Err(problem) => chapter.faults.push(equation.fault(problem)),
                 },
-                // A bare expression is notation, unless a law says what it is.
-                None if statement.others.is_empty() => {}
+                Some(Standing::Name) => {}
+                None if statement.others.is_empty() => {
+                    let problem = "more than a name, and neither a law nor notation expected here".to_owned();
+                    chapter.faults.push(equation.fault(problem));
+                }
                 None => {
                     let problem =
                         format!("no law for a left side `{}` is expected here", statement.left.text);
@@ -186,7 +218,7 @@ pub fn read_chapter(name: &str, equations: &[Equation]) -> Chapter {
 fn missing(ledger: &Ledger) -> Vec<Fault> {
     let fault = |tex: &str, problem: String| Fault { line: None, tex: tex.to_owned(), problem };
     let laws = ledger.laws.iter().map(|law| fault(law.left, format!("this law is not found: {}", law.says)));
-    let exemptions = ledger.exemptions.iter();
+    let exemptions = ledger.exemptions.iter().chain(&ledger.notation);
     let exemptions = exemptions.map(|e| fault(e.tex, "exempt, but no longer in the chapter".to_owned()));
     laws.chain(exemptions).collect()
 }
@@ -201,7 +233,8 @@ pub fn check_chapter(name: &str, equations: &[Equation]) -> Vec<Fault> {
 #[must_use]
 pub fn missing_chapters(names: &[&str]) -> Vec<&'static str> {
     let laws = laws().iter().map(|law| law.chapter);
-    let mut missing: Vec<_> = laws.chain(exemptions().iter().map(|exemption| exemption.chapter)).collect();
+    let mut missing: Vec<_> =
+        laws.chain(exemptions().iter().chain(notation()).map(|exemption| exemption.chapter)).collect();
     missing.retain(|chapter| !names.contains(chapter));
     missing.sort_unstable();
     missing.dedup();

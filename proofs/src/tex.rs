@@ -29,4 +29,3 @@ pub use tree::{Node, Relation, Side, Statement};
 pub use value::Value;
 
 pub(crate) use parse::{Site, SiteKind, parse_with_sites};
-pub(crate) use tree::is_value;

@@ -4,7 +4,7 @@ mod chapters;
 
 use chapters::{chapters, equations};
 use tumbling_proofs::equations::{
-    alterations, check_chapter, exemptions, laws, missing_chapters, read_chapter,
+    alterations, check_chapter, exemptions, laws, missing_chapters, notation, read_chapter,
 };
 
 #[test]
@@ -12,14 +12,15 @@ fn every_equation_of_the_book_is_proven_or_exempt_with_a_reason() {
     let chapters = chapters();
     let names: Vec<_> = chapters.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(missing_chapters(&names), [""; 0]);
-    let (mut proven, mut exempt) = (0, 0);
+    let (mut proven, mut exempt, mut notations) = (0, 0, 0);
     for (name, equations) in &chapters {
         let found = read_chapter(name, equations);
         assert!(found.faults.is_empty(), "{name}: {:#?}", found.faults);
         proven += found.proven.len();
         exempt += found.exempt.len();
+        notations += found.notation.len();
     }
-    assert_eq!((proven, exempt), (laws().len(), exemptions().len()));
+    assert_eq!((proven, exempt, notations), (laws().len(), exemptions().len(), notation().len()));
     assert!(exemptions().iter().all(|exemption| exemption.reason.len() > 10));
 }
 
@@ -38,11 +39,56 @@ fn altered_equations_are_noticed_or_proven_true() {
         }
     }
     let expected = [
+        // `x > 0 = 0`, and `x < 0 = 0`.
+        "eulers-equations: = 0 appended",
         r"eulers-equations: \lambda doubled",
+        "eulers-equations: = 0 appended",
         r"eulers-equations: \lambda doubled",
+        "proofs: = 0 appended",
         r"proofs: \lambda doubled",
     ];
     assert_eq!(also_true, expected);
+}
+
+/// Each is refused where it is put after everything that stands in a chapter.
+#[test]
+fn what_states_something_or_cannot_be_read_never_passes_for_notation_or_a_value() {
+    let holes = [
+        r"$$I_{xx} = 7,\qquad I_{yy}=1000$$",
+        r"$I_1 = 4$",
+        r"$\lambda^2 = 6$",
+        r"$I_1+I_2 = 9$",
+        "$a = 1/2$",
+        r"$a \neq b$",
+        r"$a \approx b$",
+        r"$a \propto b$",
+        r"$a \to b$",
+        r"$a \equiv b$",
+        r"$a \parallel b$",
+        r"$a \perp b$",
+        r"$a \gg b$",
+        r"$a \ll b$",
+        r"$a \sim b$",
+        r"$a \simeq b$",
+        r"$$a \approx b$$",
+        r"$-\boldsymbol{\omega}\times$",
+        r"$e^{-\lambda t}$",
+        r"$R^{\mathsf T} I$",
+        r"$\sum m\,xx$",
+        r"$\lambda^3$",
+        r"$\dot{I} b$",
+        r"$$R^{\mathsf{T}}$$",
+        r"$\mathbf{L} = (1, 2, 1/2)$",
+        r"$E = 5$",
+        r"$a = 2 = 7$",
+    ];
+    for (name, equations_of_it) in chapters() {
+        for hole in holes {
+            let mut all = equations_of_it.clone();
+            all.extend(equations(hole));
+            assert!(!check_chapter(&name, &all).is_empty(), "{name}: {hole}");
+        }
+    }
 }
 
 #[test]
@@ -88,7 +134,7 @@ fn faults_say_where_and_what() {
     );
     assert_eq!(fault("$x = é$"), "line 1: `x = é`: expected a character of plain TeX at byte 4");
     assert!(
-        check_chapter("a-new-chapter", &equations("$x$, $a = 2$, $\\mathbf{v} = (1, 2, 3)$ and $e^{x t}$"))
+        check_chapter("a-new-chapter", &equations("$x$, $a = 2$, $\\mathbf{v} = (1, 2, 3)$ and $10^{-9}$"))
             .is_empty()
     );
 }

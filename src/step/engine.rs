@@ -88,6 +88,29 @@ impl Engine {
         }
     }
 
+    /// The rate of attitude and carried world vector that this engine integrates, while no torque acts: its law, for
+    /// the body's tensor and its inverse. [`run`](Self::run) follows it.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Quaternion, Vector3};
+    /// use tumbling::step::{Engine, Motion};
+    /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
+    /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
+    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 2.0, 0.0) };
+    /// let rate = Engine::Turned.rate(&start, &tensor, &inverse);
+    /// assert_eq!(rate.attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
+    /// assert_eq!(rate.vector, Vector3::zeros());
+    /// ```
+    #[must_use]
+    pub fn rate<T: Field>(self, motion: &Motion<T>, tensor: &Matrix3<T>, inverse: &Matrix3<T>) -> Motion<T> {
+        let rotation = attitude::rotation_matrix(&motion.attitude);
+        let omega = self.omega_world(&rotation, tensor, inverse, &motion.vector);
+        Motion {
+            attitude: attitude::rate(&motion.attitude, &(rotation.transpose() * omega)),
+            vector: self.carried_rate(tensor, inverse, &motion.vector),
+        }
+    }
+
     /// The world vector that this engine carries for `body`: its momentum, or its spin.
     #[must_use]
     pub fn carried(self, body: &Body) -> Vector3<f64> {
@@ -126,14 +149,7 @@ impl Engine {
         let carried = self.carried(body);
         let tensor = body.inertia().matrix();
         let inverse = body.inverse().matrix();
-        let law = |m: &Motion<f64>| {
-            let rotation = attitude::rotation_matrix(&m.attitude);
-            let omega = self.omega_world(&rotation, &tensor, &inverse, &m.vector);
-            Motion {
-                attitude: attitude::rate(&m.attitude, &(rotation.transpose() * omega)),
-                vector: self.carried_rate(&tensor, &inverse, &m.vector),
-            }
-        };
+        let law = |m: &Motion<f64>| self.rate(m, &tensor, &inverse);
         let mut motion = Motion { attitude: body.attitude().into_inner(), vector: carried };
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();

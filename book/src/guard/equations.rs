@@ -10,6 +10,7 @@ use tumbling_proofs::equations::{Alterations, Equation, Fault, alterations, miss
 pub(crate) struct Counts {
     pub(crate) proven: usize,
     pub(crate) exempt: usize,
+    pub(crate) notation: usize,
     pub(crate) values: usize,
 }
 
@@ -39,7 +40,12 @@ fn offence(file: &str, fault: Fault) -> Offence {
 /// Proves the equations of a chapter; what cannot be proven is an offence.
 pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<String>) -> Vec<Offence> {
     let read = read_chapter(&chapter.name, &maths(chapter));
-    for (settled, how) in [(&read.proven, "proven"), (&read.exempt, "exempt"), (&read.values, "values")] {
+    for (settled, how) in [
+        (&read.proven, "proven"),
+        (&read.exempt, "exempt"),
+        (&read.notation, "notation"),
+        (&read.values, "values"),
+    ] {
         held.extend(settled.iter().map(|s| {
             let (file, line) = (&chapter.path, s.line);
             format!("{file}:{line}: `{}`: {how}: {}", s.tex, s.why)
@@ -47,6 +53,7 @@ pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<St
     }
     counts.proven += read.proven.len();
     counts.exempt += read.exempt.len();
+    counts.notation += read.notation.len();
     counts.values += read.values.len();
     read.faults.into_iter().map(|fault| offence(&chapter.path, fault)).collect()
 }

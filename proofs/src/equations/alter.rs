@@ -35,6 +35,9 @@ pub fn alterations(name: &str, equations: &[Equation]) -> Alterations {
     let mut table = Alterations::default();
     let mut ledger = Ledger::new(name);
     for equation in equations {
+        if ledger.find_notation(equation).is_some() {
+            continue;
+        }
         let Ok(standings) = standings(equation, &mut ledger) else { continue };
         let laws: Vec<_> = standings.iter().map(|(_, standing)| standing.as_ref()).collect();
         if !laws.iter().any(|standing| matches!(standing, Some(Standing::Law(_)))) {
@@ -73,15 +76,15 @@ fn holds(tex: &str, laws: &[Option<&Standing>], before: &[(Statement, Option<Sta
 /// Every altered copy, with what was done.
 fn altered(tex: &str) -> Vec<(String, String)> {
     let Ok((statements, sites)) = parse_with_sites(tex) else { return Vec::new() };
-    let pairs = statements.iter().flat_map(|statement| statement.pairs());
-    let values: Vec<_> = pairs
-        .filter(|(_, relation, right)| crate::tex::is_value(*relation, right))
-        .map(|(_, _, right)| right.range.clone())
-        .collect();
-    let mut sites = sites;
-    sites.retain(|site| !values.iter().any(|range| range.contains(&site.range.start)));
     let names: Vec<_> = sites.iter().filter(|site| site.kind == SiteKind::Name).collect();
     let mut copies = Vec::new();
+    for statement in &statements {
+        let end = statement.others.last().map_or(&statement.left, |(_, side)| side).range.end;
+        for number in ["0", "7", r"\frac{1}{2}"] {
+            let copy = format!("{} = {number} {}", &tex[..end], &tex[end..]);
+            copies.push((format!("= {number} appended"), copy));
+        }
+    }
     for site in &sites {
         for (change, text) in changes(site, &tex[site.range.clone()], &names, tex) {
             copies.push((change, with(tex, &[(site, &text)])));

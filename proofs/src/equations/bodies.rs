@@ -150,6 +150,14 @@ pub(super) fn twice_the_energy() -> Scope {
     twice.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
 }
 
+/// The sum that some books call the product of inertia: the entry of the library's matrix, with the other sign.
+pub(super) fn product_without_minus() -> Scope {
+    let body = body();
+    let minus = Value::Scalar(Fraction::from(-1));
+    let product = body.meaning("I_{xy}").cloned().and_then(|entry| minus.times(entry).ok());
+    product.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
+}
+
 /// The tangent of the gap of any box spun equally about x and y.
 pub(super) fn box_gap() -> Scope {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);

@@ -18,6 +18,8 @@ pub struct Law {
     pub attained: &'static [fn() -> Scope],
     /// For an example: what it says in general, or why it is none of that.
     pub in_general: fn(&Statement) -> Result<Statement, String>,
+    /// For an example with numbers: the values of its variables there. Without any, no number is passed.
+    pub example: &'static [(&'static str, i64)],
     /// Whether it is a bare expression, the sentence around it saying what it is; then `left` is all of it.
     pub bare: bool,
 }
@@ -34,7 +36,13 @@ impl Law {
         if statement.gives_values() {
             return Err("gives nothing but values where a law is expected".to_owned());
         }
-        let statement = &(self.in_general)(statement)?;
+        let mut statement = statement.clone();
+        if !self.example.is_empty() {
+            for case in self.cases {
+                statement = statement.prove_example(&case(), self.example)?;
+            }
+        }
+        let statement = &(self.in_general)(&statement)?;
         for case in self.cases {
             statement.prove(&case())?;
         }
@@ -82,6 +90,7 @@ const fn law(
         says,
         cases,
         attained: &[],
+        example: &[],
         in_general: |statement| Ok(statement.clone()),
         bare: false,
     }
@@ -116,6 +125,18 @@ pub fn laws() -> &'static [Law] {
             r"\mathbf{r}\times m(\boldsymbol{\omega}\times\mathbf{r})",
             &[bodies::moving_piece],
             "inertia::point_mass times the spin",
+        ),
+        bare(
+            "matrix-mass",
+            r"\sum mxy",
+            &[bodies::product_without_minus],
+            "the product in inertia::point_mass of any points, without the minus",
+        ),
+        bare(
+            "eulers-equations",
+            r"-\boldsymbol{\omega}\times\mathbf{v}",
+            &[motion::seen_from_the_body],
+            "the rate by euler::momentum_rate of an arrow that nothing turns in the room",
         ),
         bare("two-arrows", "b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's"),
         bare(
@@ -162,6 +183,7 @@ pub fn laws() -> &'static [Law] {
         law("worked-example", r"I_{zz}", &[the_box], "solid::cuboid_moments, about z"),
         Law {
             in_general: bodies::for_any_spin,
+            example: &[("m", 1), ("a", 2), ("b", 1), ("c", 3)],
             ..law(
                 "worked-example",
                 r"\mathbf{L}",
@@ -290,4 +312,24 @@ pub fn exemptions() -> &'static [Exemption] {
         exempt("two-arrows", "a<b", "the order in which we name them"),
     ];
     EXEMPTIONS
+}
+
+/// Bare expressions that name a thing and say nothing about it; each stands once for each time it is written, inline.
+#[must_use]
+pub fn notation() -> &'static [Exemption] {
+    const JACOBI: &str = "the name of a function; what it does is proven in closed_forms";
+    const NOTATION: &[Exemption] = &[
+        exempt("body-and-world", r"R^{\mathsf{T}}", "names the transpose; the law beside it uses it"),
+        exempt(
+            "eulers-equations",
+            r"e^{\lambda t}",
+            "the solution of x'' = rate² x; the rate is what is proven",
+        ),
+        exempt("exact-motion", r"\operatorname{sn}", JACOBI),
+        exempt("exact-motion", r"\operatorname{cn}", JACOBI),
+        exempt("exact-motion", r"\operatorname{dn}", JACOBI),
+        exempt("proofs", r"\lambda^2", "the left side of the law that follows in the sentence"),
+        exempt("proofs", r"I\dot{\boldsymbol{\omega}}", "the left side of the law that the sentence names"),
+    ];
+    NOTATION
 }

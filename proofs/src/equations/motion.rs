@@ -310,3 +310,11 @@ pub(super) fn in_order() -> Scope {
     let scope = Scope::default().with("a", a).with("b", b);
     (0..3).fold(scope, |scope, i| scope.with(&format!("I_{}", i + 1), moments[i].clone()))
 }
+
+/// An arrow fixed in the room, seen from a frame that spins anyhow.
+pub(super) fn seen_from_the_body() -> Scope {
+    let (inverse, arrow) = (crate::symbols::symmetric("J"), vector("L"));
+    let rate = tumbling::euler::momentum_rate(&inverse, &arrow, &Vector::zeros());
+    let omega = inverse * &arrow;
+    Scope::default().with(r"\mathbf{v}", arrow).with(r"\boldsymbol{\omega}", omega).with(Scope::IT, rate)
+}

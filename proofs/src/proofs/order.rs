@@ -128,14 +128,7 @@ fn order_is(order: usize, step: impl Fn(&Motion<Number>, &Number, Law) -> Motion
 fn same_motion(engine: Engine) -> Outcome {
     const ORDER: usize = 4;
     let tensor = Matrix3::from_diagonal(&vector("J").map(|x| constant(&(Fraction::one() / x))));
-    let in_world = |m: &Motion<Number>| {
-        let rotation = attitude::rotation_matrix(&m.attitude);
-        let omega = engine.omega_world(&rotation, &tensor, &inverse(), &m.vector);
-        Motion {
-            attitude: attitude::rate(&m.attitude, &(rotation.transpose() * omega)),
-            vector: engine.carried_rate(&tensor, &inverse(), &m.vector),
-        }
-    };
+    let in_world = |m: &Motion<Number>| engine.rate(m, &tensor, &inverse());
     let mut start = start();
     let body = exact(&start, ORDER, law);
     if engine.carried_rate(&tensor, &inverse(), &start.vector) != Vector3::zeros() {

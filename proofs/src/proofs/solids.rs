@@ -429,7 +429,10 @@ fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
     let triangles = [base, [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(|face| face.map(|n| &corners[n]));
     let reference = Vector::from(variables(["u", "v", "w"]));
     let found = mesh_moments(&mesh_sums(triangles, &reference), &reference);
-    let expected = tetrahedron_moments(&found.mass, &corners);
+    // At density one its mass is its volume, a sixth of the box on its edges.
+    let volume = corners[1].cross(&corners[2]).dot(&corners[3]) / Fraction::from(6);
+    same("mass", &found.mass, &volume)?;
+    let expected = tetrahedron_moments(&volume, &corners);
     same_vectors("centre", &found.centre, &expected.centre)?;
     same_matrices("inertia", &found.inertia, &expected.inertia)
 }

@@ -3,11 +3,12 @@
 use super::scope::Scope;
 use super::tree::{Node, Relation, Statement, is_value};
 use super::value::{Meaningless, Value};
-use crate::number::Fraction;
+use crate::number::{Fraction, Rational};
 use crate::proof::vanishes;
 use crate::symbols::{Matrix, Vector};
 use nalgebra::Quaternion;
-use num_traits::Zero;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 
 impl Scope {
     /// What an expression is worth.
@@ -62,6 +63,25 @@ impl Scope {
     }
 }
 
+/// Whether a decimal number is the correct rounding; a whole number must be exact.
+fn rounds_to(exact: &BigRational, decimal: &BigRational) -> bool {
+    let ten = BigRational::from_integer(10.into());
+    let mut unit = BigRational::from_integer(1.into());
+    // More decimals than these are not read.
+    for _ in 0..40 {
+        if (decimal / &unit).is_integer() {
+            let off = (exact - decimal).abs();
+            return if unit.is_integer() {
+                off.is_zero()
+            } else {
+                off * BigRational::from_integer(2.into()) <= unit
+            };
+        }
+        unit /= &ten;
+    }
+    false
+}
+
 /// Two or three numbers are a vector, in the plane or in space; a number and a vector are a quaternion.
 fn tuple(parts: Vec<Value>) -> Result<Value, Meaningless> {
     match &parts[..] {
@@ -82,20 +102,48 @@ fn tuple(parts: Vec<Value>) -> Result<Value, Meaningless> {
 }
 
 impl Statement {
-    /// Proves that it holds for all values of the variables behind its names. A side with nothing but numbers after
-    /// an equals sign is passed over: it is one case, rounded.
+    /// Proves that it holds for all values of the variables behind its names.
     ///
     /// # Errors
     /// What is left over, or why there is no meaning in it.
     pub fn prove(&self, scope: &Scope) -> Result<(), String> {
-        for (left, relation, right) in self.pairs().filter(|(_, relation, right)| !is_value(*relation, right))
-        {
+        for (left, relation, right) in self.pairs() {
             let (a, b) = (scope.value(&left.tree)?, scope.value(&right.tree)?);
             scope
                 .related(relation, a, b)
                 .map_err(|problem| format!("`{}` and `{}`: {problem}", left.text, right.text))?;
         }
         Ok(())
+    }
+
+    /// Proves each number that something is set equal to, for these values of the variables: its decimals are the
+    /// correct rounding, and a whole number is exact. Returns the statement without these numbers.
+    ///
+    /// # Errors
+    /// What the value is, or why it has none.
+    pub fn prove_example(&self, scope: &Scope, values: &[(&str, i64)]) -> Result<Self, String> {
+        let values: Vec<_> = values.iter().map(|(name, x)| (*name, Rational::from(*x))).collect();
+        for (left, relation, right) in self.pairs().filter(|(_, relation, right)| is_value(*relation, right))
+        {
+            let (exact, printed) = match (scope.value(&left.tree)?, scope.value(&right.tree)?) {
+                (Value::Scalar(a), Value::Scalar(b)) => (vec![a], vec![b]),
+                (Value::Vector(a), Value::Vector(b)) => {
+                    (a.iter().cloned().collect(), b.iter().cloned().collect())
+                }
+                _ => return Err(format!("`{}` {relation:?} `{}` has no meaning", left.text, right.text)),
+            };
+            for (exact, printed) in exact.iter().zip(&printed) {
+                let exact = exact.at(&values);
+                if !exact.value().zip(printed.as_constant()).is_some_and(|(x, y)| rounds_to(x, &y)) {
+                    return Err(format!("`{}`: {exact} is not {printed}", right.text));
+                }
+            }
+        }
+        let numbers =
+            self.others.iter().rev().take_while(|(relation, side)| is_value(*relation, side)).count();
+        let mut others = self.others.clone();
+        others.truncate(others.len() - numbers);
+        Ok(Self { others, ..self.clone() })
     }
 
     /// Proves that all its sides are equal, whatever stands between them: that a bound is attained.

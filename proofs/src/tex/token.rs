@@ -101,9 +101,40 @@ fn group_end(rest: &str, command: usize, at: usize) -> Result<usize, TexError> {
     end.ok_or_else(|| TexError::new(at + rest.len(), "a closing brace"))
 }
 
-const RELATIONS: [&str; 7] = ["=", "<", ">", r"\le", r"\leq", r"\ge", r"\geq"];
+const RELATIONS: [&str; 30] = [
+    "=",
+    "<",
+    ">",
+    r"\le",
+    r"\leq",
+    r"\ge",
+    r"\geq",
+    r"\ne",
+    r"\neq",
+    r"\not",
+    r"\approx",
+    r"\propto",
+    r"\to",
+    r"\mapsto",
+    r"\equiv",
+    r"\cong",
+    r"\parallel",
+    r"\perp",
+    r"\gg",
+    r"\ll",
+    r"\sim",
+    r"\simeq",
+    r"\doteq",
+    r"\in",
+    r"\implies",
+    r"\iff",
+    r"\Rightarrow",
+    r"\rightarrow",
+    r"\lt",
+    r"\gt",
+];
 
-/// Whether a piece of maths states something, having an equals sign or an inequality in it; a lone symbol
+/// Whether a piece of maths states something, having an equals sign, an inequality or another relation in it; a lone symbol
 /// or number does not.
 ///
 /// ```
@@ -116,6 +147,6 @@ pub fn states_something(tex: &str) -> bool {
     match tokens(tex) {
         Ok(tokens) => tokens.iter().any(|token| RELATIONS.contains(&token.text)),
         // What cannot be cut up is to be looked at, not passed over.
-        Err(_) => tex.contains(['=', '<', '>']) || [r"\le", r"\ge"].iter().any(|sign| tex.contains(sign)),
+        Err(_) => RELATIONS.iter().any(|sign| tex.contains(sign)),
     }
 }

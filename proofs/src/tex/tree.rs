@@ -39,6 +39,15 @@ pub enum Node {
 }
 
 impl Node {
+    /// Whether it is a number as written, perhaps with a minus.
+    fn is_written_number(&self) -> bool {
+        match self {
+            Self::Number(_) => true,
+            Self::Negative(a) => matches!(**a, Self::Number(_)),
+            _ => false,
+        }
+    }
+
     /// Whether there is no name in it.
     #[must_use]
     pub fn is_numeric(&self) -> bool {
@@ -102,14 +111,25 @@ impl Statement {
         lefts.zip(&self.others).map(|(left, (relation, right))| (left, *relation, right))
     }
 
-    /// Whether it only gives values: each sign is `=` with nothing but numbers to its right.
+    /// Whether it only gives a value to a name that is free to have one: a small letter set equal to a number, or a
+    /// bold one to a tuple of numbers.
     #[must_use]
     pub fn gives_values(&self) -> bool {
-        self.pairs().all(|(_, relation, right)| is_value(relation, right))
+        let Node::Name(name) = &self.left.tree else { return false };
+        let letter = name.len() == 1 && name.chars().all(|c| c.is_ascii_lowercase());
+        let bold =
+            [r"\mathbf{", r"\boldsymbol{"].iter().any(|bold| name.starts_with(bold)) && name.ends_with('}');
+        match &self.others[..] {
+            [(Relation::Equal, Side { tree: Node::Tuple(parts), .. })] => {
+                bold && parts.iter().all(Node::is_written_number)
+            }
+            [(Relation::Equal, side)] => letter && side.tree.is_written_number(),
+            _ => false,
+        }
     }
 }
 
-/// Whether a pair only gives a value.
+/// Whether a pair sets something equal to nothing but numbers.
 pub(crate) fn is_value(relation: Relation, right: &Side) -> bool {
     relation == Relation::Equal && right.tree.is_numeric()
 }
