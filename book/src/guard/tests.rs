@@ -65,7 +65,7 @@ fn an_input_is_held_exactly_and_with_the_unit_its_function_takes() {
 
 #[test]
 fn minus_signs_of_both_kinds_are_one_and_none_is_another() {
-    let code = "assert_eq!(format!(\"{:.3}\", x), \"-0.125\");";
+    let code = "assert_eq!(format!(\"{:.3} kg m²\", x), \"-0.125 kg m²\");";
     holds("A product of −0.125 kg m².", code);
     holds("A product of -0.125 kg m².", code);
     objects("A product of 0.125 kg m².", code, "found `0.125 kg m²`");
@@ -87,8 +87,8 @@ fn minus_signs_of_both_kinds_are_one_and_none_is_another() {
 fn powers_of_ten_are_held_by_their_value() {
     let code = "let slant = 1e-12;\nassert_eq!(format!(\"{:.4e}\", x), \"3.0000e-13\");";
     for text in [
-        "off by $10^{-12}$, gap $3 \\times 10^{-13}$ rad",
-        "off by 1e-12, gap 3 × 10⁻¹³ rad",
+        "off by $10^{-12}$, gap $3 \\times 10^{-13}$",
+        "off by 1e-12, gap 3 × 10⁻¹³",
         "off by 1e−12, gap 3.0000e-13",
     ] {
         holds(text, code);
@@ -123,7 +123,7 @@ fn tuples_and_lists_are_held_whole_and_in_their_order() {
         "expected `(1, 1, 0)`, as in line 4",
     );
     objects("$(1.083, 0.833, 0)$", code, "found `(1.083, 0.833, 0)`");
-    let two = "assert_eq!(a, \"0.833\");\nassert_eq!(b, \"1.083\");";
+    let two = "assert_eq!(a, \"0.833 kg m²\");\nassert_eq!(b, \"1.083 kg m²\");";
     holds("They are 0.833 and 1.083 kg m².", two);
     objects(
         "They are 1.083 and 0.833 kg m².",
@@ -261,4 +261,31 @@ fn every_digit_of_the_book_altered_is_noticed() {
         assert_eq!(tally.text.killed, tally.text.made, "{}", tally.survivors.join("\n"));
     }
     assert!(tallies.iter().map(|t| t.text.made).sum::<usize>() > 1000);
+}
+
+#[test]
+fn numbers_of_one_kind_cannot_trade_places() {
+    let code = "assert_eq!(format!(\"{x:.0}°\"), \"45°\");\nassert_eq!(format!(\"{y:.1}°\"), \"52.4°\");";
+    holds("The spin at 45°. The momentum at 52.4°.", code);
+    objects("The spin at 52.4°. The momentum at 45°.", code, "found `52.4`, expected it after `45`");
+    let counts = "assert_eq!((a, b), (63, 42));";
+    holds("It takes 63 multiplications, then 42 additions.", counts);
+    objects("It takes 42 multiplications, then 63 additions.", counts, "expected it after `63`");
+    let table = "| a | b |\n|---|---|\n| 30° | 66.6° |\n| 15° | 47.0° |\n";
+    let rows = "assert_eq!(t, [\"| 15° | 47.0° |\", \"| 30° | 66.6° |\"]);";
+    objects(table, rows, "expected it after `| 15° | 47.0° |`");
+    objects("Text.", "// 45° and 52.4°\nassert_eq!(format!(\"{x:.0}°\"), \"45°\");", "asserted as printed");
+}
+
+#[test]
+fn a_unit_that_the_code_does_not_print_is_an_offence() {
+    let bare = "assert_eq!(format!(\"{:.3}\", x), \"0.833\");";
+    for unit in ["kg m²", "kg m³", "m³", "kg", "N", "cm", "°", "per second"] {
+        objects(&format!("It is 0.833 {unit}."), bare, "found `0.833");
+    }
+    let code = "assert_eq!(format!(\"{:.3} kg m²\", x), \"0.833 kg m²\");";
+    holds("It is 0.833 kg m².", code);
+    for wrong in ["", " kg", " kg m", " kg m³", " kg m²/s", " kg m²/m", " kg m⁴"] {
+        assert!(!offences(&format!("It is 0.833{wrong}."), code).is_empty(), "{wrong}");
+    }
 }
