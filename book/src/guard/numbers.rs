@@ -344,6 +344,12 @@ impl Checker<'_> {
             }
         }
         self.order(&pool);
+        for block in &section.blocks {
+            for &(line, why) in &block.code.hollow {
+                let expected = "a computed value compared with what it must be".to_owned();
+                self.offend(block.source(line, 0), why.to_owned(), expected);
+            }
+        }
         self.claims(section);
     }
 

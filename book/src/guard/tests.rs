@@ -289,3 +289,41 @@ fn a_unit_that_the_code_does_not_print_is_an_offence() {
         assert!(!offences(&format!("It is 0.833{wrong}."), code).is_empty(), "{wrong}");
     }
 }
+
+#[test]
+fn an_assertion_that_cannot_fail_is_an_offence() {
+    for hollow in [
+        "assert_eq!(\"7.4°\", \"7.4°\");",
+        "assert_eq!(format!(\"{:.1}°\", 7.4), \"7.4°\");",
+        "assert_eq!(\"7.4°\".to_string(), \"7.4°\");",
+    ] {
+        objects("It is 7.4°.", hollow, "a literal about a literal");
+    }
+    objects("It is 7.4°.", &format!("if wide {{ {ANGLE} }}"), "inside a branch");
+    objects(
+        "It is 3/23.",
+        "assert!((x - 3.0 / 23.0).abs() < 0.01);",
+        "a tolerance of more than a thousandth",
+    );
+    holds("It is 3/23.", "assert!((x - 3.0 / 23.0).abs() < 1e-3);");
+}
+
+#[test]
+fn deep_nesting_html_and_titles_with_numbers_are_refused() {
+    let fault = |text: &str| Reader::default().chapter("x", "x.md", text).unwrap_err();
+    let deep = format!("```rust\nlet a = {}1{};\n```\n", "(".repeat(20_000), ")".repeat(20_000));
+    assert!(fault(&deep).starts_with("x.md:2: Rust nested"));
+    assert!(fault(&format!("```rust\nlet a = {}1;\n```\n", "- ".repeat(20_000))).contains("Rust nested"));
+    assert!(fault("Hm.\n\n<p>7.5 m</p>\n").starts_with("x.md:3: HTML"));
+    assert!(fault("See <b title='7'>it</b>.\n").contains("HTML"));
+    assert!(fault("See [it](a.md \"7.5 m\").\n").contains("a title"));
+}
+
+#[test]
+fn a_chapter_with_laws_that_the_summary_drops_is_an_offence() {
+    let folder = folder(&[("SUMMARY.md", "- [A](a.md)\n"), ("a.md", "Hm.\n"), ("two-arrows.md", "Hm.\n")]);
+    let offences = check(folder.path()).unwrap().offences;
+    assert!(offences[0].to_string().contains("no `two-arrows`"), "{offences:?}");
+    let named = Reader::default().chapter("references", "references.md", "Of 5 m.").unwrap();
+    assert_eq!(numbers::findings(&named, &Beside::default()).offences.len(), 1);
+}
