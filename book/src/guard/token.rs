@@ -132,7 +132,7 @@ pub(crate) fn unit_at(text: &str, at: usize) -> Option<(&'static str, usize)> {
         if letters && tail.starts_with(|c: char| c.is_alphabetic() && !matches!(c, '²' | '³')) {
             return None;
         }
-        let goes_on = letters && tail.starts_with(|c: char| matches!(c, '²' | '³' | '/' | '^' | '·'));
+        let goes_on = letters && tail.starts_with(['²', '³', '/', '^', '·']);
         Some((if goes_on { UNKNOWN } else { name }, start + written.len()))
     });
     let Some((name, end)) = found else {
