@@ -105,9 +105,17 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     {
         return Err(format!("the chapter `{first}` has laws to prove, and is not in SUMMARY.md"));
     }
+    let dropped = equations::missing(&book.chapters);
+    let dropped = dropped.iter().filter(|name| folder.join(format!("{name}.md")).is_file());
+    let dropped = dropped.map(|name| Offence {
+        file: folder.join("SUMMARY.md").display().to_string(),
+        line: 1,
+        found: format!("no `{name}`, which has laws to prove and stands in the folder"),
+        expected: "it in the list of chapters".into(),
+    });
     let mut report = Report {
         chapters: book.chapters.len(),
-        offences: Vec::new(),
+        offences: dropped.collect(),
         counts: Counts::default(),
         equations: equations::Counts::default(),
         held: Vec::new(),

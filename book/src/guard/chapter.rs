@@ -17,12 +17,14 @@ pub(crate) struct Chapter {
     /// The whole text.
     pub(crate) text: String,
     pub(crate) sections: Vec<Section>,
+    /// The byte where each line begins.
+    lines: Vec<usize>,
 }
 
 impl Chapter {
     /// The line, from one, of this byte.
     pub(crate) fn line(&self, at: usize) -> usize {
-        line(&self.text, at)
+        self.lines.partition_point(|&start| start <= at)
     }
 }
 
@@ -82,7 +84,8 @@ impl Passage {
 
     /// The byte of the chapter that this byte of the text came from.
     pub(crate) fn source(&self, at: usize) -> usize {
-        let place = self.places.iter().rev().find(|(here, _)| *here <= at);
+        let after = self.places.partition_point(|(here, _)| *here <= at);
+        let place = self.places[..after].last();
         place.map_or(0, |(here, source)| source + (at - here))
     }
 }
@@ -130,6 +133,16 @@ impl Reader {
                     sections.push(section);
                     reading.open(Kind::Heading(*level as u8));
                 }
+                Event::Html(html) | Event::InlineHtml(html)
+                    if html.contains(|c: char| c.is_ascii_digit()) =>
+                {
+                    return Err(fault(range.start, "HTML with a number, which nothing could hold".into()));
+                }
+                Event::Start(Tag::Link { title, .. } | Tag::Image { title, .. })
+                    if title.contains(|c: char| c.is_ascii_digit()) =>
+                {
+                    return Err(fault(range.start, "a title with a number, which nothing could hold".into()));
+                }
                 Event::Start(Tag::CodeBlock(kind)) => {
                     let end = events[at..].iter().position(|(e, _)| *e == Event::End(TagEnd::CodeBlock));
                     let inside = &events[at..at + end.unwrap_or(0)];
@@ -152,7 +165,8 @@ impl Reader {
         reading.close();
         sections.push(reading.section);
         sections.retain(|s| !s.passages.is_empty() || !s.blocks.is_empty());
-        Ok(Chapter { name: name.to_owned(), path: path.to_owned(), text: text.to_owned(), sections })
+        let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        Ok(Chapter { name: name.to_owned(), path: path.to_owned(), text: text.to_owned(), sections, lines })
     }
 
     fn code(&mut self, text: &str) -> Result<Rc<Code>, code::Fault> {

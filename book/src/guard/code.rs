@@ -12,6 +12,8 @@ use syn::{BinOp, Expr, ExprLit, Lit, Pat, Token, UnOp};
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     pub(crate) values: Vec<Value>,
+    /// Assertions that would hold whatever the library does: the line, from zero, and why.
+    pub(crate) hollow: Vec<(usize, &'static str)>,
     /// Its comments: for each line of each, the line, from zero, and its bytes there.
     pub(crate) comments: Vec<Vec<Literal>>,
 }
@@ -73,12 +75,14 @@ pub(crate) struct Fault {
 /// # Errors
 /// Where and why it is no Rust.
 pub(crate) fn read(text: &str) -> Result<Code, Fault> {
+    shallow(text)?;
     let statements = syn::Block::parse_within.parse_str(text).map_err(|e| fault(&e))?;
     let mut reader = Reader {
         lines: text.lines().collect(),
         code: Code::default(),
         parameters: HashMap::new(),
         fault: None,
+        perhaps: 0,
     };
     for statement in &statements {
         reader.visit_stmt(statement);
@@ -94,6 +98,33 @@ pub(crate) fn read(text: &str) -> Result<Code, Fault> {
         }
     }
 }
+
+/// Refuses what is nested so deeply that reading it could exhaust the stack.
+fn shallow(text: &str) -> Result<(), Fault> {
+    let (mut depth, mut signs) = (0_usize, 0_usize);
+    for (line, written) in text.lines().enumerate() {
+        for c in written.chars() {
+            match c {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            // Signs before an operand nest as well.
+            match c {
+                '-' | '!' | '&' | '*' => signs += 1,
+                c if c.is_alphanumeric() => signs = 0,
+                _ => {}
+            }
+            if depth > DEEPEST || signs > DEEPEST {
+                return Err(Fault { line, what: format!("Rust nested more than {DEEPEST} deep") });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// How deep brackets may stand within one another.
+const DEEPEST: usize = 64;
 
 fn fault(error: &syn::Error) -> Fault {
     Fault {
@@ -126,6 +157,8 @@ struct Reader<'a> {
     /// The parameters' names of the closures and functions of the block.
     parameters: HashMap<String, Vec<String>>,
     fault: Option<syn::Error>,
+    /// How many branches surround this, which may never be taken.
+    perhaps: usize,
 }
 
 /// The unit of a quantity by the name the code gives it.
@@ -304,6 +337,11 @@ impl Reader<'_> {
                     // Only how far two numbers are apart, `(x - 3.0 / 23.0).abs()`, pins one of them.
                     let apart = matches!(&*binary.left, Expr::MethodCall(c) if c.method == "abs" || c.method == "norm");
                     let role = if apart { Role::Compared } else { Role::Tolerance };
+                    if let (true, Some((bound, at))) = (apart, self.number(&binary.right))
+                        && !bound.is_within_a_thousandth()
+                    {
+                        self.code.hollow.push((at.line, "a tolerance of more than a thousandth"));
+                    }
                     self.compared(&binary.left, role);
                     self.compared(&binary.right, Role::Tolerance);
                 }
@@ -344,6 +382,39 @@ impl Reader<'_> {
                 self.visit_expr(argument);
             }
         }
+    }
+}
+
+/// Whether this is made of literals alone: itself, a collection of such, or a format of such.
+fn is_literal(expr: &Expr) -> bool {
+    match expr {
+        Expr::Lit(_) => true,
+        Expr::Paren(inner) => is_literal(&inner.expr),
+        Expr::Group(inner) => is_literal(&inner.expr),
+        Expr::Unary(inner) => is_literal(&inner.expr),
+        Expr::Reference(inner) => is_literal(&inner.expr),
+        Expr::Cast(inner) => is_literal(&inner.expr),
+        Expr::Binary(both) => is_literal(&both.left) && is_literal(&both.right),
+        Expr::Array(array) => array.elems.iter().all(is_literal),
+        Expr::Tuple(tuple) => tuple.elems.iter().all(is_literal),
+        Expr::MethodCall(call) => is_literal(&call.receiver) && call.args.iter().all(is_literal),
+        Expr::Call(call) => {
+            let wraps = ["String::from", "Vector3::new", "f64::from", "Some"];
+            path(&call.func).is_some_and(|f| wraps.contains(&f.as_str())) && call.args.iter().all(is_literal)
+        }
+        Expr::Macro(inner) if inner.mac.path.is_ident("format") => {
+            let parse = Punctuated::<Expr, Token![,]>::parse_terminated;
+            let Ok(arguments) = parse.parse2(inner.mac.tokens.clone()) else { return false };
+            // `{name}` in the pattern is no literal; `{}` and `{:.1}` stand for arguments.
+            let names = |text: &str| {
+                text.replace("{{", "").split('{').skip(1).any(|p| p.starts_with(|c: char| c.is_alphabetic()))
+            };
+            arguments.iter().all(|a| match a {
+                Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => !names(&text.value()),
+                other => is_literal(other),
+            })
+        }
+        _ => false,
     }
 }
 
@@ -437,6 +508,16 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         }
     }
 
+    fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
+        self.visit_expr(&branch.cond);
+        self.perhaps += 1;
+        self.visit_block(&branch.then_branch);
+        if let Some((_, other)) = &branch.else_branch {
+            self.visit_expr(other);
+        }
+        self.perhaps -= 1;
+    }
+
     fn visit_expr_index(&mut self, index: &'ast syn::ExprIndex) {
         self.visit_expr(&index.expr); // which member is meant is no quantity
     }
@@ -460,6 +541,15 @@ impl<'ast> Visit<'ast> for Reader<'_> {
                 return;
             }
         };
+        if name.starts_with("assert") {
+            let line = mac.path.segments.first().map_or(0, |s| s.ident.span().start().line.saturating_sub(1));
+            if self.perhaps > 0 {
+                self.code.hollow.push((line, "an assertion inside a branch, which may never be taken"));
+            }
+            if name == "assert_eq" && arguments.iter().take(2).all(is_literal) {
+                self.code.hollow.push((line, "an assertion of a literal about a literal"));
+            }
+        }
         let mut arguments = arguments.iter();
         match name.as_str() {
             "assert_eq" => {

@@ -53,6 +53,13 @@ impl Decimal {
         self.mantissa == 0
     }
 
+    /// Whether this is no more than a thousandth.
+    pub(crate) fn is_within_a_thousandth(self) -> bool {
+        let digits = self.mantissa.checked_ilog10().map_or(0, |n| i64::from(n) + 1);
+        // 0.001 itself, and all with three zeros behind the point.
+        self == Self::new(1, -3) || self.mantissa <= 0 || i64::from(self.exponent) + digits <= -3
+    }
+
     /// With the other sign.
     pub(crate) fn negated(self) -> Self {
         Self { mantissa: -self.mantissa, exponent: self.exponent }

@@ -126,8 +126,10 @@ struct Source {
     role: Role,
     /// Its line in the chapter's file.
     line: usize,
-    /// Whether the text says it.
-    said: Cell<bool>,
+    /// Where the text says it first.
+    said: Cell<Option<usize>>,
+    /// Whether the text need not say it again: a cell of a row.
+    in_row: bool,
 }
 
 impl Source {
@@ -137,8 +139,7 @@ impl Source {
             return false;
         }
         let unit = match self.role {
-            // What the code prints without a unit may get one in the text.
-            Role::Expected => self.unit.is_none() || self.unit == token.unit,
+            Role::Expected => self.unit == token.unit,
             // A name says which value is meant as well as its unit does.
             _ => self.unit == token.unit || (token.name.is_some() && token.unit.is_none()),
         };
@@ -151,16 +152,12 @@ impl Source {
             _ => false,
         };
         let name = token.name.is_none() || token.name == self.name;
-        let holds = unit && same && name;
-        if holds {
-            self.said.set(true);
-        }
-        holds
+        unit && same && name
     }
 
     fn same(&self, mine: &Number, other: &Number) -> bool {
-        if other.power && other.value.is_zero() {
-            return false; // nothing times a power of ten: no way to write nothing
+        if other.power && (other.value.is_zero() || other.printed.ends_with("e0")) {
+            return false; // nothing times a power of ten, or the power nought: no way to write a number
         }
         if self.printed && !other.power { mine.printed == other.printed } else { mine.value == other.value }
     }
@@ -170,7 +167,7 @@ impl Source {
 struct Pool {
     sources: Vec<Source>,
     /// Rows of tables that are asserted whole: text, line, and whether the text has it.
-    rows: Vec<(String, usize, Cell<bool>)>,
+    rows: Vec<(String, usize, Cell<Option<usize>>)>,
 }
 
 impl Pool {
@@ -197,7 +194,8 @@ impl Pool {
                     name: value.name.clone(),
                     role: value.role,
                     line,
-                    said: Cell::new(false),
+                    said: Cell::new(None),
+                    in_row: false,
                 });
             }
         }
@@ -206,7 +204,7 @@ impl Pool {
 
     fn printed(&mut self, text: &str, line: usize) {
         if text.starts_with('|') {
-            self.rows.push((text.to_owned(), line, Cell::new(false)));
+            self.rows.push((text.to_owned(), line, Cell::new(None)));
         }
         for token in token::tokens(text, &[]) {
             self.sources.push(Source {
@@ -216,14 +214,16 @@ impl Pool {
                 name: None,
                 role: Role::Expected,
                 line,
+                said: Cell::new(None),
                 // A row is said by the table; its cells may be said besides.
-                said: Cell::new(text.starts_with('|')),
+                in_row: text.starts_with('|'),
             });
         }
     }
 
-    /// Who holds this number, or all members of this list, one after the other in the code.
-    fn holder(&self, tokens: &[&Token]) -> Option<&Source> {
+    /// Who holds this number, or all members of this list, one after the other in the code. Said at this
+    /// byte of the chapter, if it is said to the reader of the text.
+    fn holder(&self, tokens: &[&Token], said: Option<usize>) -> Option<&Source> {
         let ordered = |expected: bool| {
             self.sources
                 .iter()
@@ -235,6 +235,9 @@ impl Pool {
             for run in sources.windows(tokens.len().max(1)) {
                 if run.iter().zip(tokens).all(|(source, token)| source.holds(token)) {
                     held = run.first().copied();
+                    for source in run.iter().filter(|s| s.said.get().is_none()) {
+                        source.said.set(said);
+                    }
                 }
             }
             if held.is_some() {
@@ -304,9 +307,6 @@ fn shown(what: &What) -> String {
 /// Checks a chapter.
 pub(crate) fn findings(chapter: &Chapter, beside: &Beside) -> Findings {
     let mut checker = Checker { chapter, beside, found: Findings::default(), ordinals: HashMap::new() };
-    if chapter.name == "references" {
-        return checker.found; // a list of works: years, volumes and pages are the entries themselves
-    }
     for section in &chapter.sections {
         checker.section(section);
     }
@@ -334,16 +334,44 @@ impl Checker<'_> {
             self.passage(passage, &pool);
         }
         for (row, line, said) in &pool.rows {
-            if !said.get() {
+            if said.get().is_none() {
                 self.unsaid(*line, row);
             }
         }
-        for source in &pool.sources {
-            if source.printed && !source.said.get() {
+        for source in pool.sources.iter().filter(|s| s.printed && !s.in_row) {
+            if source.said.get().is_none() {
                 self.unsaid(source.line, &shown(&source.what));
             }
         }
+        self.order(&pool);
+        for block in &section.blocks {
+            for &(line, why) in &block.code.hollow {
+                let expected = "a computed value compared with what it must be".to_owned();
+                self.offend(block.source(line, 0), why.to_owned(), expected);
+            }
+        }
         self.claims(section);
+    }
+
+    /// The text says first what the code asserts first. So numbers cannot trade places, nor rows of a table.
+    fn order(&mut self, pool: &Pool) {
+        let rows = pool.rows.iter().map(|(row, line, said)| (row.clone(), *line, said.get()));
+        let values = pool.sources.iter().filter(|s| s.role == Role::Expected && !s.in_row);
+        let values = values.map(|s| (shown(&s.what), s.line, s.said.get()));
+        for said in [rows.collect::<Vec<_>>(), values.collect()] {
+            let mut latest: Option<(String, usize, usize)> = None;
+            for (what, line, at) in said {
+                let Some(at) = at else { continue };
+                match &latest {
+                    Some((before, of, last)) if at < *last => {
+                        let expected =
+                            format!("it after `{before}`, as in the assertions of lines {of} and {line}");
+                        self.offend(at, format!("`{what}`"), expected);
+                    }
+                    _ => latest = Some((what, line, at)),
+                }
+            }
+        }
     }
 
     fn unsaid(&mut self, line: usize, what: &str) {
@@ -449,7 +477,8 @@ impl Checker<'_> {
                 }
                 continue;
             }
-            match pool.holder(&list) {
+            let said = matches!(passage.kind, Kind::Prose | Kind::Row | Kind::Heading(_)).then_some(place);
+            match pool.holder(&list, said) {
                 Some(source) if matches!(source.role, Role::Input | Role::Component) => {
                     self.found.counts.by_input += list.len();
                     self.hold(place, shown, &format!("the input in line {}", source.line));
@@ -480,7 +509,7 @@ impl Checker<'_> {
         let text = passage.text.trim();
         let mut held = None;
         for (_, line, said) in pool.rows.iter().filter(|(row, ..)| row == text) {
-            said.set(true);
+            said.set(said.get().or(Some(passage.source(0))));
             held = Some(line);
         }
         if let Some(line) = held {

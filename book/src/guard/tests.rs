@@ -65,7 +65,7 @@ fn an_input_is_held_exactly_and_with_the_unit_its_function_takes() {
 
 #[test]
 fn minus_signs_of_both_kinds_are_one_and_none_is_another() {
-    let code = "assert_eq!(format!(\"{:.3}\", x), \"-0.125\");";
+    let code = "assert_eq!(format!(\"{:.3} kg m²\", x), \"-0.125 kg m²\");";
     holds("A product of −0.125 kg m².", code);
     holds("A product of -0.125 kg m².", code);
     objects("A product of 0.125 kg m².", code, "found `0.125 kg m²`");
@@ -87,8 +87,8 @@ fn minus_signs_of_both_kinds_are_one_and_none_is_another() {
 fn powers_of_ten_are_held_by_their_value() {
     let code = "let slant = 1e-12;\nassert_eq!(format!(\"{:.4e}\", x), \"3.0000e-13\");";
     for text in [
-        "off by $10^{-12}$, gap $3 \\times 10^{-13}$ rad",
-        "off by 1e-12, gap 3 × 10⁻¹³ rad",
+        "off by $10^{-12}$, gap $3 \\times 10^{-13}$",
+        "off by 1e-12, gap 3 × 10⁻¹³",
         "off by 1e−12, gap 3.0000e-13",
     ] {
         holds(text, code);
@@ -123,7 +123,7 @@ fn tuples_and_lists_are_held_whole_and_in_their_order() {
         "expected `(1, 1, 0)`, as in line 4",
     );
     objects("$(1.083, 0.833, 0)$", code, "found `(1.083, 0.833, 0)`");
-    let two = "assert_eq!(a, \"0.833\");\nassert_eq!(b, \"1.083\");";
+    let two = "assert_eq!(a, \"0.833 kg m²\");\nassert_eq!(b, \"1.083 kg m²\");";
     holds("They are 0.833 and 1.083 kg m².", two);
     objects(
         "They are 1.083 and 0.833 kg m².",
@@ -189,6 +189,10 @@ fn quantities_in_words_are_held_and_counting_is_free() {
     holds("The moments are as one to four.", "assert_eq!(b, 4.0 * a);");
     objects("The moments are as one to five.", "assert_eq!(b, 4.0 * a);", "found `one to five`");
     objects("It is twice the energy.", "let a = 3.0;", "found `twice`");
+    holds("At forty-five degrees.", "let a = 45.0;");
+    for wrong in ["fifty degrees", "thirty-two seconds", "two metres", "three kilograms", "ninety per cent"] {
+        objects(&format!("It is {wrong}."), "let a = 45.0;", "found `");
+    }
 }
 
 #[test]
@@ -261,4 +265,69 @@ fn every_digit_of_the_book_altered_is_noticed() {
         assert_eq!(tally.text.killed, tally.text.made, "{}", tally.survivors.join("\n"));
     }
     assert!(tallies.iter().map(|t| t.text.made).sum::<usize>() > 1000);
+}
+
+#[test]
+fn numbers_of_one_kind_cannot_trade_places() {
+    let code = "assert_eq!(format!(\"{x:.0}°\"), \"45°\");\nassert_eq!(format!(\"{y:.1}°\"), \"52.4°\");";
+    holds("The spin at 45°. The momentum at 52.4°.", code);
+    objects("The spin at 52.4°. The momentum at 45°.", code, "found `52.4`, expected it after `45`");
+    let counts = "assert_eq!((a, b), (63, 42));";
+    holds("It takes 63 multiplications, then 42 additions.", counts);
+    objects("It takes 42 multiplications, then 63 additions.", counts, "expected it after `63`");
+    let table = "| a | b |\n|---|---|\n| 30° | 66.6° |\n| 15° | 47.0° |\n";
+    let rows = "assert_eq!(t, [\"| 15° | 47.0° |\", \"| 30° | 66.6° |\"]);";
+    objects(table, rows, "expected it after `| 15° | 47.0° |`");
+    objects("Text.", "// 45° and 52.4°\nassert_eq!(format!(\"{x:.0}°\"), \"45°\");", "asserted as printed");
+}
+
+#[test]
+fn a_unit_that_the_code_does_not_print_is_an_offence() {
+    let bare = "assert_eq!(format!(\"{:.3}\", x), \"0.833\");";
+    for unit in ["kg m²", "kg m³", "m³", "kg", "N", "cm", "°", "per second"] {
+        objects(&format!("It is 0.833 {unit}."), bare, "found `0.833");
+    }
+    let code = "assert_eq!(format!(\"{:.3} kg m²\", x), \"0.833 kg m²\");";
+    holds("It is 0.833 kg m².", code);
+    for wrong in ["", " kg", " kg m", " kg m³", " kg m²/s", " kg m²/m", " kg m⁴"] {
+        assert!(!offences(&format!("It is 0.833{wrong}."), code).is_empty(), "{wrong}");
+    }
+}
+
+#[test]
+fn an_assertion_that_cannot_fail_is_an_offence() {
+    for hollow in [
+        "assert_eq!(\"7.4°\", \"7.4°\");",
+        "assert_eq!(format!(\"{:.1}°\", 7.4), \"7.4°\");",
+        "assert_eq!(\"7.4°\".to_string(), \"7.4°\");",
+    ] {
+        objects("It is 7.4°.", hollow, "a literal about a literal");
+    }
+    objects("It is 7.4°.", &format!("if wide {{ {ANGLE} }}"), "inside a branch");
+    objects(
+        "It is 3/23.",
+        "assert!((x - 3.0 / 23.0).abs() < 0.01);",
+        "a tolerance of more than a thousandth",
+    );
+    holds("It is 3/23.", "assert!((x - 3.0 / 23.0).abs() < 1e-3);");
+}
+
+#[test]
+fn deep_nesting_html_and_titles_with_numbers_are_refused() {
+    let fault = |text: &str| Reader::default().chapter("x", "x.md", text).unwrap_err();
+    let deep = format!("```rust\nlet a = {}1{};\n```\n", "(".repeat(20_000), ")".repeat(20_000));
+    assert!(fault(&deep).starts_with("x.md:2: Rust nested"));
+    assert!(fault(&format!("```rust\nlet a = {}1;\n```\n", "- ".repeat(20_000))).contains("Rust nested"));
+    assert!(fault("Hm.\n\n<p>7.5 m</p>\n").starts_with("x.md:3: HTML"));
+    assert!(fault("See <b title='7'>it</b>.\n").contains("HTML"));
+    assert!(fault("See [it](a.md \"7.5 m\").\n").contains("a title"));
+}
+
+#[test]
+fn a_chapter_with_laws_that_the_summary_drops_is_an_offence() {
+    let folder = folder(&[("SUMMARY.md", "- [A](a.md)\n"), ("a.md", "Hm.\n"), ("two-arrows.md", "Hm.\n")]);
+    let offences = check(folder.path()).unwrap().offences;
+    assert!(offences[0].to_string().contains("no `two-arrows`"), "{offences:?}");
+    let named = Reader::default().chapter("references", "references.md", "Of 5 m.").unwrap();
+    assert_eq!(numbers::findings(&named, &Beside::default()).offences.len(), 1);
 }

@@ -44,7 +44,7 @@ pub(crate) struct Token {
 }
 
 /// Units as the book prints them, and the one name each has here. Longer ones first.
-const UNITS: [(&str, &str); 26] = [
+const UNITS: [(&str, &str); 28] = [
     ("kg m²/s", "kg m²/s"),
     ("kg m²", "kg m²"),
     ("radians a second", "rad/s"),
@@ -56,6 +56,8 @@ const UNITS: [(&str, &str); 26] = [
     ("percent", "%"),
     ("degrees", "°"),
     ("seconds", "s"),
+    ("second", "s"),
+    ("joules", "J"),
     ("radians", "rad"),
     ("metres", "m"),
     ("kilograms", "kg"),
@@ -73,6 +75,43 @@ const UNITS: [(&str, &str); 26] = [
     ("J", "J"),
 ];
 
+/// The unit of a number behind which stands one that the book does not know; no value of the code has it.
+const UNKNOWN: &str = "(a unit unknown here)";
+
+/// Units that the book does not use.
+const OTHER_UNITS: [&str; 30] = [
+    "cm",
+    "km",
+    "g",
+    "N",
+    "W",
+    "Hz",
+    "Pa",
+    "lb",
+    "ft",
+    "K",
+    "V",
+    "A",
+    "h",
+    "ms",
+    "rpm",
+    "min",
+    "inches",
+    "feet",
+    "pounds",
+    "grams",
+    "newtons",
+    "watts",
+    "hertz",
+    "hours",
+    "minutes",
+    "days",
+    "years",
+    "milliseconds",
+    "centimetres",
+    "kilometres",
+];
+
 /// Spaces that may stand between the groups of digits of one number.
 fn is_thin(c: char) -> bool {
     matches!(c, '\u{2009}' | '\u{202f}' | '\u{a0}')
@@ -87,12 +126,24 @@ pub(crate) fn unit_at(text: &str, at: usize) -> Option<(&'static str, usize)> {
     let rest = &text[at..];
     let after_space = rest.trim_start_matches(|c: char| c == ' ' || is_thin(c));
     let start = at + rest.len() - after_space.len();
-    UNITS.iter().find_map(|&(written, name)| {
+    let found = UNITS.iter().find_map(|&(written, name)| {
         let tail = after_space.strip_prefix(written)?;
-        let ends = !tail.starts_with(|c: char| c.is_alphanumeric() || matches!(c, '²' | '³' | '/'))
-            || !written.ends_with(|c: char| c.is_alphanumeric() || c == '²');
-        ends.then_some((name, start + written.len()))
-    })
+        let letters = written.ends_with(|c: char| c.is_alphanumeric() || c == '²');
+        if letters && tail.starts_with(|c: char| c.is_alphabetic() && !matches!(c, '²' | '³')) {
+            return None;
+        }
+        let goes_on = letters && tail.starts_with(['²', '³', '/', '^', '·']);
+        Some((if goes_on { UNKNOWN } else { name }, start + written.len()))
+    });
+    let Some((name, end)) = found else {
+        let word = after_space.split(|c: char| !c.is_alphabetic() && c != '/').next().unwrap_or_default();
+        return OTHER_UNITS.contains(&word).then_some((UNKNOWN, start + word.len()));
+    };
+    // `kg m³` is no kilogram.
+    let more = text[end..].strip_prefix(' ').and_then(|tail| tail.strip_prefix(['m', 's', 'N']));
+    let more =
+        more.is_some_and(|tail| !tail.starts_with(|c: char| c.is_alphabetic() && !matches!(c, '²' | '³')));
+    Some((if more { UNKNOWN } else { name }, end))
 }
 
 /// All numbers of a text, of which these ranges are TeX.

@@ -42,6 +42,7 @@ const CARDINALS: [&str; 21] = [
     "nineteen",
     "twenty",
 ];
+const TENS: [&str; 7] = ["thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"];
 const POWERS: [(&str, i32); 4] = [("hundred", 2), ("thousand", 3), ("million", 6), ("billion", 9)];
 /// Fractions by the number they are one part of, as mantissa and power of ten.
 const PARTS: [(&str, i128, i32); 9] = [
@@ -61,7 +62,17 @@ const MULTIPLES: [(&str, i128); 5] =
 fn cardinal(word: &str) -> Option<Decimal> {
     let small = CARDINALS.iter().position(|&c| c == word).and_then(|n| i128::try_from(n).ok());
     let power = || POWERS.iter().find(|(name, _)| *name == word).map(|&(_, p)| Decimal::new(1, p));
-    small.map(|n| Decimal::new(n, 0)).or_else(power)
+    let ten = |word: &str| TENS.iter().position(|&t| t == word).and_then(|n| i128::try_from(n + 3).ok());
+    let tens = || match word.split_once('-') {
+        Some((tens, ones)) => {
+            let tens = if tens == "twenty" { Some(2) } else { ten(tens) };
+            let ones =
+                CARDINALS[1..10].iter().position(|&c| c == ones).and_then(|n| i128::try_from(n + 1).ok());
+            Some(Decimal::new(tens? * 10 + ones?, 0))
+        }
+        None => Some(Decimal::new(ten(word)?, 1)),
+    };
+    small.map(|n| Decimal::new(n, 0)).or_else(tens).or_else(power)
 }
 
 fn part(word: &str) -> Option<Decimal> {
@@ -120,7 +131,9 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
         } else if let Some(ratio) = ratio {
             take(last + 2, ratio, false)
         } else if next != "times"
-            && unit_at(text, words[last].1.end).is_some_and(|(unit, _)| unit != "m" && unit != "s")
+            // A single letter behind a number word is a symbol.
+            && unit_at(text, words[last].1.end).is_some()
+            && next.len() != 1
         {
             take(last, value, false)
         } else {
