@@ -14,7 +14,7 @@ pub(super) fn draw() -> Drawing {
     Ok(Picture {
         canvas,
         description: "An ellipsoid covered with the paths that the spin of a tumbling body can take: loops round the ends of \
-                      two axes, and between them, crossing at the ends of the third, the two curves on which it flips."
+                      two axes, and between them, crossing at the ends of the third, the two curves that part them; near those a body flips."
             .into(),
     })
 }
