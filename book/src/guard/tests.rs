@@ -189,7 +189,7 @@ fn quantities_in_words_are_held_and_counting_is_free() {
     holds("The moments are as one to four.", "assert_eq!(b, 4.0 * a);");
     objects("The moments are as one to five.", "assert_eq!(b, 4.0 * a);", "found `one to five`");
     objects("It is twice the energy.", "let a = 3.0;", "found `twice`");
-    holds("At forty-five degrees.", "let a = 45.0;");
+    holds("At forty-five degrees.", "let degrees = 45.0;");
     for wrong in ["fifty degrees", "thirty-two seconds", "two metres", "three kilograms", "ninety per cent"] {
         objects(&format!("It is {wrong}."), "let a = 45.0;", "found `");
     }
