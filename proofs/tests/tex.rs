@@ -153,7 +153,9 @@ fn lists_rows_and_marks_of_the_sentence_are_told_apart() {
         one(r"x_{\text{body}} = \dot{\boldsymbol{\omega}}_1").text,
         r"x_{\text{body}}= \dot{\boldsymbol{\omega}}_1"
     );
-    assert!(one("a = (0.833,\\; 1, -2)").gives_values());
+    // A tuple of numbers is the value of a vector, which is set bold.
+    assert!(one(r"\boldsymbol{a} = (0.833,\; 1, -2)").gives_values());
+    assert!(!one(r"a = (0.833,\; 1, -2)").gives_values());
     assert!(!one("0 = a").gives_values());
 }
 
