@@ -1,5 +1,5 @@
-//! Four engines that differ in one line: what they carry and how they read the spin from it. One is right;
-//! three are the pitfalls.
+//! Four engines that differ in what they carry and how they read the spin from it. One is right; three are the
+//! pitfalls.
 
 use super::rk4::{Motion, rk4};
 use crate::attitude;
@@ -10,7 +10,8 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
 ///
-/// All turn the body by the same integrator; the three wrong ones differ from the right one in a line.
+/// All turn the body by the same integrator; they differ in [`carried`](Self::carried), in
+/// [`carried_rate`](Self::carried_rate) and in [`omega_world`](Self::omega_world), and in nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {

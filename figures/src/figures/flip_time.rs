@@ -3,9 +3,8 @@ use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
-use tumbling::Axis;
 use tumbling::observe::sign_changes;
-use tumbling::stability::{Stability, of_spin, time_between_flips};
+use tumbling::stability::time_between_flips;
 
 const SPIN: f64 = 10.0;
 const STEP: f64 = 0.0005;
@@ -13,9 +12,7 @@ const STEP: f64 = 0.0005;
 pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
     let m = inertia.principal().moments();
-    let Stability::Growth { rate } = of_spin(m.into(), Axis::Middle, SPIN)? else {
-        return Err("a middle axis that does not flip".into());
-    };
+    let rate = motion::growth(&m, SPIN)?;
     let canvas = Canvas::new(480);
     let plot = Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::log(1e-12..1.0), Scale::linear(0.0..14.0));
     plot.x_axis(

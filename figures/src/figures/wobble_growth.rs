@@ -3,8 +3,7 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
-use tumbling::Axis;
-use tumbling::stability::{Stability, of_spin, time_between_flips};
+use tumbling::stability::time_between_flips;
 
 const SPIN: f64 = 10.0;
 const STEP: f64 = 0.0002;
@@ -12,9 +11,7 @@ const STEP: f64 = 0.0002;
 pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
     let m = inertia.principal().moments();
-    let Stability::Growth { rate } = of_spin(m.into(), Axis::Middle, SPIN)? else {
-        return Err("a middle axis that does not flip".into());
-    };
+    let rate = motion::growth(&m, SPIN)?;
     let canvas = Canvas::new(480);
     let plot = Plot::new(&canvas, 72.0, 56.0, 655.0, 410.0, Scale::linear(0.0..7.0), Scale::log(1e-7..30.0));
     plot.x_axis((0..=7).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
