@@ -42,3 +42,52 @@ impl<T> Ring for T where
 pub trait Field: Ring + ClosedDivAssign {}
 
 impl<T: Ring + ClosedDivAssign> Field for T {}
+
+/// A field with the functions that steppers need beside arithmetic. Implemented for `f64` and `f32`; other crates may
+/// implement it for theirs, as power series do, which so prove a method's order.
+pub trait Analytic: Field {
+    /// The square root; whatever the type has for "undefined" where there is none.
+    #[must_use]
+    fn sqrt(&self) -> Self;
+
+    /// Sine and cosine of an angle in radians.
+    #[must_use]
+    fn sin_cos(&self) -> (Self, Self);
+
+    /// The exponential.
+    #[must_use]
+    fn exp(&self) -> Self;
+
+    /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a power series
+    /// anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
+    #[must_use]
+    fn size(&self) -> f64;
+
+    /// A size beside which a change is rounding: the type's machine epsilon, 0 for exact numbers.
+    #[must_use]
+    fn rounding() -> f64;
+}
+
+macro_rules! analytic {
+    ($Float:ident) => {
+        impl Analytic for $Float {
+            fn sqrt(&self) -> Self {
+                $Float::sqrt(*self)
+            }
+            fn sin_cos(&self) -> (Self, Self) {
+                $Float::sin_cos(*self)
+            }
+            fn exp(&self) -> Self {
+                $Float::exp(*self)
+            }
+            fn size(&self) -> f64 {
+                f64::from(self.abs())
+            }
+            fn rounding() -> f64 {
+                f64::from($Float::EPSILON)
+            }
+        }
+    };
+}
+analytic!(f64);
+analytic!(f32);

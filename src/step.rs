@@ -1,7 +1,19 @@
-//! Stepping through time: the classical Runge-Kutta method, and engines right and wrong to run on it.
+//! Stepping through time: methods good and bad under one contract, and whole engines right and wrong.
+//!
+//! A [`Method`] takes a [`Motion`] of a [`System`] (a body and the [torques](Torque) on it) one step further. Each is a file
+//! of its own, generic over the number type; on power series the same code proves its own order.
+//!
+//! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
 mod engine;
+mod explicit;
+mod method;
 mod rk4;
+mod system;
+mod torque;
 
 pub use engine::Engine;
+pub use method::{About, Keeps, Method};
 pub use rk4::{Motion, rk4};
+pub use system::System;
+pub use torque::Torque;

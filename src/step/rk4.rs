@@ -1,10 +1,15 @@
 //! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
 
+use super::method::{About, Keeps};
 use crate::scalar::Field;
 use nalgebra::{Quaternion, Vector3};
 
-/// What a stepper moves: an attitude, and a vector that the attitude's rate depends on (most often the
-/// angular momentum in the world). Also the rates of both.
+pub(super) const ABOUT: About =
+    About { name: "Runge-Kutta 4", order: 4, implicit: false, keeps: Keeps::NOTHING, source: "Kut01" };
+
+/// What a stepper moves: an attitude, and a vector that the attitude's rate depends on. For a
+/// [`Method`](super::Method) that is the angular momentum in body axes; for an [`Engine`](super::Engine) momentum or spin in
+/// the world. Also the rates of both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion<T: nalgebra::Scalar> {
     /// Body to world; of length 1 where a body stands, of any length inside a step.
@@ -15,7 +20,7 @@ pub struct Motion<T: nalgebra::Scalar> {
 
 impl<T: Field> Motion<T> {
     /// `self + other * factor`.
-    fn plus(&self, other: &Self, factor: &T) -> Self {
+    pub(super) fn plus(&self, other: &Self, factor: &T) -> Self {
         let along = |x: &T, y: T| x.clone() + y * factor.clone();
         Self {
             attitude: Quaternion::from_vector(

@@ -1,0 +1,102 @@
+//! The contract of a stepper: motion in, motion out, and what it says of itself.
+
+use super::rk4::Motion;
+use super::system::System;
+use super::{explicit, rk4};
+use crate::error::Error;
+use crate::scalar::Analytic;
+
+/// A way to step a body through time.
+///
+/// One step takes a [`Motion`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
+/// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may change at will.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Method {
+    /// Straight ahead along the rates at the start.
+    ExplicitEuler,
+    /// The classical Runge-Kutta method, the attitude's length left as it comes.
+    RungeKutta4,
+}
+
+/// What a method says of itself. Its order and what it keeps are proven or measured by the tests, for free motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct About {
+    /// What it is called.
+    pub name: &'static str,
+    /// Errors at a given time fall as this power of the step.
+    pub order: u32,
+    /// Whether it solves equations in each step.
+    pub implicit: bool,
+    /// What it keeps of a free motion but for rounding, however long the step.
+    pub keeps: Keeps,
+    /// Where it comes from: a key into the [references](crate::references), or whose engine uses it.
+    pub source: &'static str,
+}
+
+/// Laws of free motion that a method keeps but for rounding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Keeps {
+    /// The energy.
+    pub energy: bool,
+    /// The length of the angular momentum.
+    pub momentum: bool,
+    /// The angular momentum in the world, direction and all.
+    pub direction: bool,
+    /// The length of the attitude quaternion.
+    pub unit: bool,
+    /// A step back undoes a step.
+    pub reversible: bool,
+}
+
+impl Keeps {
+    /// None of them.
+    pub const NOTHING: Self =
+        Self { energy: false, momentum: false, direction: false, unit: false, reversible: false };
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: &[Self] = &[Self::ExplicitEuler, Self::RungeKutta4];
+
+    /// What it says of itself.
+    #[must_use]
+    pub const fn about(self) -> &'static About {
+        match self {
+            Self::ExplicitEuler => &explicit::EULER,
+            Self::RungeKutta4 => &rk4::ABOUT,
+        }
+    }
+
+    /// One step of `h` seconds. It may be negative: back in time.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::step::{Method, Motion, System};
+    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, 4.0, 0.0) };
+    /// for &method in Method::ALL {
+    ///     // A steady spin of 2 rad/s about the middle axis stays one, right or wrong the method.
+    ///     let end = method.step(&system, &start, &0.01)?;
+    ///     assert!((end.vector - start.vector).norm() < 1e-15, "{method:?}");
+    ///     assert!((end.attitude.j - 0.01_f64.sin()).abs() < 1e-6, "{method:?}");
+    /// }
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A step so long that an implicit method does not find its end, or that the motion leaves what the number type
+    /// holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
+    pub fn step<T: Analytic>(self, system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
+        let end = match self {
+            Self::ExplicitEuler => explicit::euler(system, start, h),
+            Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
+        };
+        let size = end.attitude.coords.iter().chain(&end.vector).map(Analytic::size).sum::<f64>();
+        if size.is_finite() {
+            Ok(end)
+        } else {
+            Err(Error::OutOfRange { what: "the motion after a step", value: size })
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! What a stepper steps: a rigid body in its principal axes, and the torques on it.
+
+use super::rk4::Motion;
+use super::torque::Torque;
+use crate::attitude;
+use crate::error::Error;
+use crate::euler;
+use crate::inertia::possible_moments;
+use crate::scalar::{Analytic, Field};
+use nalgebra::{Matrix3, Vector3};
+
+/// A body by its principal moments, and the torques that act on it.
+///
+/// All vectors are along its principal axes; a [`Motion`] of it carries the angular momentum in body axes,
+/// kg m²/s.
+#[derive(Debug, Clone, PartialEq)]
+pub struct System<T: nalgebra::Scalar> {
+    moments: Vector3<T>,
+    inverse: Vector3<T>,
+    torques: Vec<Torque<T>>,
+}
+
+impl System<f64> {
+    /// A body with these principal moments (kg m²), free of torque.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::step::System;
+    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// assert_eq!(system.omega(&Vector3::new(1.0, 2.0, 5.0)), Vector3::new(1.0, 1.0, 2.0));
+    /// assert!(System::free(&Vector3::new(1.0, 2.0, 3.5)).is_err());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A moment that is not finite and positive, three that no body has, or an inverse moment beyond `f64`.
+    pub fn free(moments: &Vector3<f64>) -> Result<Self, Error> {
+        Self::with(moments, Vec::new())
+    }
+
+    /// A body with these principal moments (kg m²) under all of `torques` together.
+    ///
+    /// # Errors
+    /// As [`free`](Self::free), or a torque that is not valid.
+    pub fn with(moments: &Vector3<f64>, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
+        possible_moments(moments)?;
+        for &moment in moments {
+            let inverse = 1.0 / moment;
+            if !inverse.is_normal() {
+                return Err(Error::OutOfRange { what: "an inverse moment", value: inverse });
+            }
+        }
+        torques.iter().try_for_each(Torque::validate)?;
+        Ok(Self::of_numbers(moments.clone_owned(), torques))
+    }
+}
+
+impl<T: Field> System<T> {
+    /// The same for any number type, unchecked: what the numbers do, it does.
+    #[must_use]
+    pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
+        let inverse = moments.map(|moment| T::one() / moment);
+        Self { moments, inverse, torques }
+    }
+
+    /// Principal moments, kg m².
+    #[must_use]
+    pub fn moments(&self) -> &Vector3<T> {
+        &self.moments
+    }
+
+    /// The inverses of the principal moments, 1/(kg m²).
+    #[must_use]
+    pub fn inverse(&self) -> &Vector3<T> {
+        &self.inverse
+    }
+
+    /// The torques on the body, all at once.
+    #[must_use]
+    pub fn torques(&self) -> &[Torque<T>] {
+        &self.torques
+    }
+
+    /// Whether nothing acts on it.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.torques.is_empty()
+    }
+
+    /// The spin (rad/s) that belongs to a momentum, both in body axes.
+    #[must_use]
+    pub fn omega(&self, momentum: &Vector3<T>) -> Vector3<T> {
+        momentum.component_mul(&self.inverse)
+    }
+
+    /// The momentum that belongs to a spin, both in body axes.
+    #[must_use]
+    pub fn momentum(&self, omega: &Vector3<T>) -> Vector3<T> {
+        omega.component_mul(&self.moments)
+    }
+}
+
+impl<T: Analytic> System<T> {
+    /// The sum of all torques in body axes, N m.
+    #[must_use]
+    pub fn torque(&self, motion: &Motion<T>) -> Vector3<T> {
+        let none = Vector3::from_fn(|_, _| T::zero());
+        if self.torques.is_empty() {
+            return none;
+        }
+        let rotation = attitude::rotation_matrix(&motion.attitude);
+        let omega = self.omega(&motion.vector);
+        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&rotation, &motion.vector, &omega))
+    }
+
+    /// The law: rates of attitude and of body-frame momentum, `q' = q w / 2` and `L' = L x w + torque`.
+    #[must_use]
+    pub fn rate(&self, motion: &Motion<T>) -> Motion<T> {
+        let inverse = Matrix3::from_diagonal(&self.inverse);
+        Motion {
+            attitude: attitude::rate(&motion.attitude, &self.omega(&motion.vector)),
+            vector: euler::momentum_rate(&inverse, &motion.vector, &self.torque(motion)),
+        }
+    }
+
+    /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of a
+    /// kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
+    #[must_use]
+    pub fn kicked(&self, motion: &Motion<T>, h: &T) -> Motion<T> {
+        let rotation = attitude::rotation_matrix(&motion.attitude);
+        let vector = self.torques.iter().fold(motion.vector.clone(), |momentum, torque| {
+            torque.kick(&rotation, &momentum, &self.inverse, h)
+        });
+        Motion { attitude: motion.attitude.clone(), vector }
+    }
+}
