@@ -5,10 +5,13 @@
 //!
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
+mod buss;
 mod engine;
 mod explicit;
+mod lie;
 mod method;
 mod rk4;
+mod spiral;
 mod system;
 mod torque;
 

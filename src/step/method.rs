@@ -2,7 +2,7 @@
 
 use super::rk4::Motion;
 use super::system::System;
-use super::{explicit, rk4};
+use super::{buss, explicit, lie, rk4, spiral};
 use crate::error::Error;
 use crate::scalar::Analytic;
 
@@ -17,6 +17,13 @@ pub enum Method {
     ExplicitEuler,
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
+    /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
+    /// where it is in the world.
+    MuntheKaas4,
+    /// Buss's augmented method: one turn by an averaged spin, the momentum kept in the world.
+    Buss,
+    /// SPIRAL, in its synchronous form.
+    Spiral,
 }
 
 /// What a method says of itself. Its order and what it keeps are proven or measured by the tests, for free motion.
@@ -57,7 +64,8 @@ impl Keeps {
 
 impl Method {
     /// All of them.
-    pub const ALL: &[Self] = &[Self::ExplicitEuler, Self::RungeKutta4];
+    pub const ALL: &[Self] =
+        &[Self::ExplicitEuler, Self::RungeKutta4, Self::MuntheKaas4, Self::Buss, Self::Spiral];
 
     /// What it says of itself.
     #[must_use]
@@ -65,6 +73,9 @@ impl Method {
         match self {
             Self::ExplicitEuler => &explicit::EULER,
             Self::RungeKutta4 => &rk4::ABOUT,
+            Self::MuntheKaas4 => &lie::ABOUT,
+            Self::Buss => &buss::ABOUT,
+            Self::Spiral => &spiral::ABOUT,
         }
     }
 
@@ -91,6 +102,9 @@ impl Method {
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
             Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
+            Self::MuntheKaas4 => lie::step(system, start, h),
+            Self::Buss => buss::step(system, start, h),
+            Self::Spiral => spiral::step(system, start, h),
         };
         let size = end.attitude.coords.iter().chain(&end.vector).map(Analytic::size).sum::<f64>();
         if size.is_finite() {

@@ -84,6 +84,27 @@ impl Analytic for Powers {
         Self::new(e, a.len() - 1)
     }
 
+    /// The sums of `(-x)^n / (2n)!` and of `(-x)^n / (2n + 1)!`.
+    fn cos_sinc_of_root(&self) -> (Self, Self) {
+        if plain(self).is_some_and(|value| value.is_zero()) {
+            return (Self::one(), Self::one());
+        }
+        let Some(order) = self.order().filter(|_| self.coefficient(0).is_some_and(|x| x.is_zero())) else {
+            return (undefined(), undefined());
+        };
+        let mut term = Self::one();
+        let (mut cosine, mut sinc) = (Self::zero(), Self::zero());
+        for n in 0..=i64::try_from(order).unwrap_or(i64::MAX) {
+            let over = |k: i64| Self::constant(Rational::new(1, k));
+            cosine += term.clone();
+            let odd = term * over(2 * n + 1);
+            sinc += odd.clone();
+            term = -(odd * over(2 * n + 2)) * self.clone();
+        }
+        // Exact ones are known to every power, the sums no further than x.
+        (cosine.cut(order), sinc.cut(order))
+    }
+
     /// `2^-n` for a lowest power `n`, 0 for zero, NaN if undefined.
     fn size(&self) -> f64 {
         if self.is_undefined() {
@@ -116,6 +137,9 @@ mod tests {
         assert_eq!(s.clone() * s.clone() + c.clone() * c.clone(), Powers::one());
         assert_eq!(Powers::step(5).sin_cos().0.to_string(), "h - 1/6 h^3 + 1/120 h^5 + ...");
         assert_eq!(Powers::step(4).sin_cos().1.to_string(), "1 - 1/2 h^2 + 1/24 h^4 + ...");
+        // cos(r) and sin(r)/r by the square of r.
+        let (cosine, sinc) = (sample() * sample()).cos_sinc_of_root();
+        assert_eq!((cosine, sinc * sample()), (c.clone(), s.clone()));
         // The addition theorem ties the two series to one another.
         let (s2, _) = (sample() + sample()).sin_cos();
         assert_eq!(s2, s.clone() * c.clone() + c * s);

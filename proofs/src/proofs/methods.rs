@@ -43,6 +43,9 @@ macro_rules! methods {
 methods! {
     "explicit-euler" ExplicitEuler,
     "runge-kutta-4" RungeKutta4,
+    "munthe-kaas-4" MuntheKaas4,
+    "buss" Buss,
+    "spiral" Spiral,
 }
 
 fn number(n: i64, d: i64) -> Number {
