@@ -6,6 +6,7 @@
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
 mod buss;
+mod dormand_prince;
 mod engine;
 mod explicit;
 mod lie;
@@ -15,6 +16,7 @@ mod spiral;
 mod system;
 mod torque;
 
+pub use dormand_prince::{Controlled, MOST_STEPS, controlled};
 pub use engine::Engine;
 pub use method::{About, Keeps, Method};
 pub use rk4::{Motion, rk4};
