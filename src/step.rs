@@ -11,6 +11,7 @@ mod engine;
 mod explicit;
 mod lie;
 mod method;
+mod moser_veselov;
 mod rk4;
 mod spiral;
 mod system;

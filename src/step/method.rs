@@ -2,7 +2,7 @@
 
 use super::rk4::Motion;
 use super::system::System;
-use super::{buss, dormand_prince, explicit, lie, rk4, spiral};
+use super::{buss, dormand_prince, explicit, lie, moser_veselov, rk4, spiral};
 use crate::error::Error;
 use crate::scalar::Analytic;
 
@@ -27,6 +27,16 @@ pub enum Method {
     Buss,
     /// SPIRAL, in its synchronous form.
     Spiral,
+    /// The discrete Moser-Veselov algorithm.
+    MoserVeselov2,
+    /// The same with the moments preprocessed to order 4.
+    MoserVeselov4,
+    /// The same with the moments preprocessed to order 6.
+    MoserVeselov6,
+    /// The same with the moments preprocessed to order 8.
+    MoserVeselov8,
+    /// The same with the moments preprocessed to order 10.
+    MoserVeselov10,
 }
 
 /// What a method says of itself. Its order and what it keeps are proven or measured by the tests, for free motion.
@@ -74,6 +84,11 @@ impl Method {
         Self::MuntheKaas4,
         Self::Buss,
         Self::Spiral,
+        Self::MoserVeselov2,
+        Self::MoserVeselov4,
+        Self::MoserVeselov6,
+        Self::MoserVeselov8,
+        Self::MoserVeselov10,
     ];
 
     /// What it says of itself.
@@ -86,6 +101,11 @@ impl Method {
             Self::MuntheKaas4 => &lie::ABOUT,
             Self::Buss => &buss::ABOUT,
             Self::Spiral => &spiral::ABOUT,
+            Self::MoserVeselov2 => &moser_veselov::ORDER_2,
+            Self::MoserVeselov4 => &moser_veselov::ORDER_4,
+            Self::MoserVeselov6 => &moser_veselov::ORDER_6,
+            Self::MoserVeselov8 => &moser_veselov::ORDER_8,
+            Self::MoserVeselov10 => &moser_veselov::ORDER_10,
         }
     }
 
@@ -116,6 +136,11 @@ impl Method {
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),
             Self::Spiral => spiral::step(system, start, h),
+            Self::MoserVeselov2 => moser_veselov::step(system, start, h, 2)?,
+            Self::MoserVeselov4 => moser_veselov::step(system, start, h, 4)?,
+            Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
+            Self::MoserVeselov8 => moser_veselov::step(system, start, h, 8)?,
+            Self::MoserVeselov10 => moser_veselov::step(system, start, h, 10)?,
         };
         let size = end.attitude.coords.iter().chain(&end.vector).map(Analytic::size).sum::<f64>();
         if size.is_finite() {

@@ -47,6 +47,11 @@ methods! {
     "munthe-kaas-4" MuntheKaas4,
     "buss" Buss,
     "spiral" Spiral,
+    "moser-veselov-2" MoserVeselov2,
+    "moser-veselov-4" MoserVeselov4,
+    "moser-veselov-6" MoserVeselov6,
+    "moser-veselov-8" MoserVeselov8,
+    "moser-veselov-10" MoserVeselov10,
 }
 
 fn number(n: i64, d: i64) -> Number {
