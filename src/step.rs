@@ -6,14 +6,18 @@
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
 mod buss;
+mod decimal;
 mod dormand_prince;
 mod engine;
 mod explicit;
+mod gauss;
 mod lie;
 mod method;
 mod moser_veselov;
 mod rk4;
 mod spiral;
+mod splitting;
+mod symmetric_top;
 mod system;
 mod torque;
 

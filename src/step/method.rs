@@ -2,7 +2,9 @@
 
 use super::rk4::Motion;
 use super::system::System;
-use super::{buss, dormand_prince, explicit, lie, moser_veselov, rk4, spiral};
+use super::{
+    buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
+};
 use crate::error::Error;
 use crate::scalar::Analytic;
 
@@ -27,6 +29,20 @@ pub enum Method {
     Buss,
     /// SPIRAL, in its synchronous form.
     Spiral,
+    /// The implicit midpoint rule, attitude and momentum turned as one.
+    ImplicitMidpoint,
+    /// Gauss's collocation with two stages.
+    Gauss4,
+    /// Gauss's collocation with three stages.
+    Gauss6,
+    /// An exact turn about each principal axis, there and back.
+    ThreeRotations2,
+    /// Seven of those in one step.
+    ThreeRotations4,
+    /// Nine of those in one step.
+    ThreeRotations6,
+    /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first two moments are the nearest.
+    SymmetricTop,
     /// The discrete Moser-Veselov algorithm.
     MoserVeselov2,
     /// The same with the moments preprocessed to order 4.
@@ -84,6 +100,13 @@ impl Method {
         Self::MuntheKaas4,
         Self::Buss,
         Self::Spiral,
+        Self::ImplicitMidpoint,
+        Self::Gauss4,
+        Self::Gauss6,
+        Self::ThreeRotations2,
+        Self::ThreeRotations4,
+        Self::ThreeRotations6,
+        Self::SymmetricTop,
         Self::MoserVeselov2,
         Self::MoserVeselov4,
         Self::MoserVeselov6,
@@ -101,6 +124,13 @@ impl Method {
             Self::MuntheKaas4 => &lie::ABOUT,
             Self::Buss => &buss::ABOUT,
             Self::Spiral => &spiral::ABOUT,
+            Self::ImplicitMidpoint => &gauss::MIDPOINT,
+            Self::Gauss4 => &gauss::GAUSS_4,
+            Self::Gauss6 => &gauss::GAUSS_6,
+            Self::ThreeRotations2 => &splitting::ORDER_2,
+            Self::ThreeRotations4 => &splitting::ORDER_4,
+            Self::ThreeRotations6 => &splitting::ORDER_6,
+            Self::SymmetricTop => &symmetric_top::ABOUT,
             Self::MoserVeselov2 => &moser_veselov::ORDER_2,
             Self::MoserVeselov4 => &moser_veselov::ORDER_4,
             Self::MoserVeselov6 => &moser_veselov::ORDER_6,
@@ -136,6 +166,13 @@ impl Method {
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),
             Self::Spiral => spiral::step(system, start, h),
+            Self::ImplicitMidpoint => gauss::midpoint(system, start, h)?,
+            Self::Gauss4 => gauss::gauss_4(system, start, h)?,
+            Self::Gauss6 => gauss::gauss_6(system, start, h)?,
+            Self::ThreeRotations2 => splitting::order_2(system, start, h),
+            Self::ThreeRotations4 => splitting::order_4(system, start, h),
+            Self::ThreeRotations6 => splitting::order_6(system, start, h),
+            Self::SymmetricTop => symmetric_top::step(system, start, h),
             Self::MoserVeselov2 => moser_veselov::step(system, start, h, 2)?,
             Self::MoserVeselov4 => moser_veselov::step(system, start, h, 4)?,
             Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
