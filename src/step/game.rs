@@ -47,13 +47,15 @@ pub fn game(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<
 }
 
 /// The free motion in the time of a step.
+#[inline]
 fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
     let inverse = system.inverse();
     // The spin's square is at most twice the energy over the smallest moment, and both stay: the parts do not change on the way.
     let omega = system.omega(&start.vector);
     let turn = (start.vector.dot(&omega) * inverse.max()).sqrt() * h.abs();
-    let parts = (turn / LONGEST).ceil().max(1.0);
-    if !(parts <= MOST_PARTS && turn.is_finite()) {
+    let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
+    // Not a number is not at most anything.
+    if !(parts <= MOST_PARTS) {
         return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
     }
     let prepared = Prepared::new(inverse, &start.vector, &(h / parts), ORDER);
@@ -61,8 +63,7 @@ fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;
     }
-    let norm = motion.attitude.norm();
-    motion.attitude /= norm;
+    motion.attitude *= 1.0 / motion.attitude.norm();
     let size = motion.attitude.coords.sum() + motion.vector.sum();
     if size.is_finite() {
         Ok(motion)
