@@ -43,7 +43,7 @@ pub fn game(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<
         return drifted(system, start, h);
     }
     let end = drifted(system, &system.kicked(start, &(0.5 * h)), h)?;
-    Ok(system.kicked(&end, &(0.5 * h)))
+    Ok(system.kicked_back(&end, &(0.5 * h)))
 }
 
 /// The free motion in the time of a step.

@@ -47,7 +47,7 @@ pub(super) fn step<T: Analytic>(
     let half = h.clone() / T::integer(2);
     let start = system.kicked(start, &half);
     let end = Prepared::new(system.inverse(), &start.vector, h, order).step(&start)?;
-    Ok(system.kicked(&end, &half))
+    Ok(system.kicked_back(&end, &half))
 }
 
 /// What a step needs of the body and of what the motion conserves.
