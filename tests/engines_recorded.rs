@@ -158,7 +158,7 @@ fn followed(engine: &PhysicsEngine, record: &Record) -> Vec<(usize, f64, f64)> {
         if seed >> 63 == 1 { 1.0 + 8.0 * f64::EPSILON } else { 1.0 - 8.0 * f64::EPSILON }
     };
     let apart = |a: &Motion<f64>, b: &Motion<f64>| {
-        let spin = (&a.vector - &b.vector).norm() / a.vector.norm().max(f64::MIN_POSITIVE);
+        let spin = (a.vector - b.vector).norm() / a.vector.norm().max(f64::MIN_POSITIVE);
         spin.max(attitudes_apart(&a.attitude, &b.attitude))
     };
     let mut result = Vec::new();
