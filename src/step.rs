@@ -16,7 +16,7 @@ mod spiral;
 mod system;
 mod torque;
 
-pub use dormand_prince::{Controlled, MOST_STEPS, controlled};
+pub use dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use engine::Engine;
 pub use method::{About, Keeps, Method};
 pub use rk4::{Motion, rk4};
