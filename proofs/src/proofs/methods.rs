@@ -30,7 +30,10 @@ macro_rules! methods {
             check: || holds(Method::$method, 0),
             mutants: &[
                 Mutant { change: "said to be one order better", check: || holds(Method::$method, 1) },
-                Mutant { change: "said to keep the energy of another body too", check: || keeps_another(Method::$method) },
+                Mutant {
+                    change: "said to keep the energy of another body too, and the momentum in the world",
+                    check: || keeps_another(Method::$method),
+                },
             ],
         },)*];
 
@@ -47,6 +50,14 @@ methods! {
     "munthe-kaas-4" MuntheKaas4,
     "buss" Buss,
     "spiral" Spiral,
+    "constant-spin" ConstantSpin,
+    "semi-implicit-euler" SemiImplicitEuler,
+    "rescaled" Rescaled,
+    "rescaled-straight" RescaledStraight,
+    "one-newton" OneNewton,
+    "linearised-implicit" LinearisedImplicit,
+    "mean-spin-runge-kutta-4" MeanSpinRungeKutta4,
+    "turned-runge-kutta-4" TurnedRungeKutta4,
 }
 
 fn number(n: i64, d: i64) -> Number {
@@ -155,7 +166,16 @@ fn keeps_another(method: Method) -> Outcome {
     let order = method.about().order as usize + BEYOND;
     let [(system, start), (other, _)] = &cases();
     let end = step(method, system, start, &Number::step(order))?;
-    same_series("the energy of another body", &energy(other, &end), &energy(other, start), 0..=order)
+    same_series("the energy of another body", &energy(other, &end), &energy(other, start), 0..=order)?;
+    // A spin that stays in the body keeps any body's energy.
+    let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
+    let square = end.attitude.coords.dot(&end.attitude.coords);
+    let stretched = world(start).map(|x| x * square.clone());
+    let ended = world(&end);
+    ended
+        .iter()
+        .zip(&stretched)
+        .try_for_each(|(a, b)| same_series("the momentum in the world", a, b, 0..=order))
 }
 
 #[cfg(test)]
