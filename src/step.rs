@@ -6,6 +6,7 @@
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
 mod buss;
+mod dormand_prince;
 mod engine;
 mod explicit;
 mod lie;
@@ -17,6 +18,7 @@ mod spiral;
 mod system;
 mod torque;
 
+pub use dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use engine::Engine;
 pub use method::{About, Keeps, Method};
 pub use physics_engine::{Limits, PHYSICS_ENGINES, PhysicsEngine};

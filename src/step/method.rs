@@ -3,7 +3,7 @@
 use super::rk4::Motion;
 use super::rules::{explicit as simple, newton, runge_kutta};
 use super::system::System;
-use super::{buss, explicit, lie, rk4, spiral};
+use super::{buss, dormand_prince, explicit, lie, rk4, spiral};
 use crate::error::Error;
 use crate::scalar::Analytic;
 
@@ -18,6 +18,9 @@ pub enum Method {
     ExplicitEuler,
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
+    /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its error controlled it is
+    /// [`controlled`](super::controlled).
+    DormandPrince5,
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
     /// where it is in the world.
     MuntheKaas4,
@@ -93,6 +96,7 @@ impl Method {
     pub const ALL: &[Self] = &[
         Self::ExplicitEuler,
         Self::RungeKutta4,
+        Self::DormandPrince5,
         Self::MuntheKaas4,
         Self::Buss,
         Self::Spiral,
@@ -112,6 +116,7 @@ impl Method {
         match self {
             Self::ExplicitEuler => &explicit::EULER,
             Self::RungeKutta4 => &rk4::ABOUT,
+            Self::DormandPrince5 => &dormand_prince::ABOUT,
             Self::MuntheKaas4 => &lie::ABOUT,
             Self::Buss => &buss::ABOUT,
             Self::Spiral => &spiral::ABOUT,
@@ -149,6 +154,7 @@ impl Method {
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
             Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
+            Self::DormandPrince5 => dormand_prince::step(system, start, h),
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),
             Self::Spiral => spiral::step(system, start, h),

@@ -46,6 +46,7 @@ macro_rules! methods {
 methods! {
     "explicit-euler" ExplicitEuler,
     "runge-kutta-4" RungeKutta4,
+    "dormand-prince-5" DormandPrince5,
     "munthe-kaas-4" MuntheKaas4,
     "buss" Buss,
     "spiral" Spiral,
