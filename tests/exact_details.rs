@@ -94,11 +94,11 @@ proptest! {
 fn the_least_push_beside_a_slow_spin_grows_to_a_whole_flip() {
     // 0.7 · 0.3 = c (c - 1) for c = (1 + sqrt(1.84))/2.
     let c = 0.5 * (1.0 + 1.84_f64.sqrt());
-    for push in [5e-324, -5e-324] {
-        let slow = 2_f64.powi(-100);
+    for (push, power) in [(5e-324, -99), (-5e-324, -100), (5e-324, -101), (5e-324, -102)] {
+        let slow = 2_f64.powi(power);
         let motion = motion([0.7, 1.0, c], [5e-324, slow, push]);
         let Regime::Circulating { complement, .. } = motion.regime() else { panic!("{:?}", motion.regime()) };
-        assert!(complement < 1e-299, "{complement:e}");
+        assert!(complement < 1e-298, "{complement:e}");
         let flip = motion.next_flip(0.0).unwrap().unwrap();
         let w = motion.omega(flip).unwrap() / slow;
         // All of energy and momentum is across and around: I1 w1² + I3 w3² = 1 and I1² w1² + I3² w3² = 1.
@@ -156,4 +156,49 @@ fn a_top_that_swings_beyond_the_range_is_refused() {
     let new = |w: f64| FreeMotion::new(&Vector3::new(1.0, 1.0, 1.5), &Vector3::new(w, w, 1.0));
     assert!(new(1.27e308).is_ok());
     assert!(new(1.28e308).unwrap_err().to_string().contains("the greatest spin"));
+}
+
+/// A wobble beside a spin near the end of the range: with moments (1, 1.9, 2) the push along the first axis comes along the
+/// second sqrt(1/0.19) = 2.3 times as great, which is still nothing beside the spin.
+#[test]
+fn a_small_wobble_of_the_fastest_spin_is_within_the_range() {
+    for push in [1e200, 1e-100, 5e-324] {
+        let motion = motion([1.0, 1.9, 2.0], [push, 0.0, 1.7e308]);
+        let quarter = motion.omega(0.25 * motion.period().unwrap().unwrap()).unwrap();
+        assert!(
+            quarter.z == 1.7e308 && (quarter.y.abs() / push - 0.19_f64.sqrt().recip()).abs() < 0.5,
+            "{quarter:?}"
+        );
+    }
+}
+
+#[test]
+fn a_steady_spin_keeps_its_angles_and_grows_about_the_middle_axis_alone() {
+    let angles = |m: [f64; 3], w: [f64; 3], axis| motion(m, w).angles_to_momentum(axis).unwrap();
+    assert_eq!(angles([1.0, 2.0, 3.0], [0.0, -2.0, 0.0], 1), [PI; 2]);
+    assert_eq!(angles([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], 1), [0.0; 2]);
+    let [least, most] = angles([2.0, 2.0, 2.0], [3.0, 0.0, -4.0], 2);
+    assert!(least == most && (least.cos() + 0.8).abs() < 1e-15);
+    let growth = |w: [f64; 3]| motion([1.0, 3.0, 2.0], w).growth_rate().unwrap();
+    assert_eq!((growth([2.0, 0.0, 0.0]), growth([0.0, 2.0, 0.0])), (None, None));
+    // sqrt((3-2)(2-1)/(3·1)) of the spin.
+    assert!((growth([0.0, 0.0, -2.0]).unwrap() - 2.0 / 3_f64.sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
+    let new = |thin: f64| FreeMotion::new(&Vector3::new(thin, 1.0, 1.0), &Vector3::new(1.0, 0.5, 0.25));
+    assert!(new(1.001e-100).is_ok());
+    assert!(new(0.999e-100).unwrap_err().to_string().contains("1e-100 of the largest moment"));
+}
+
+proptest! {
+    // Continuity: the motion is prepared so that it starts where it was told to, to the few roundings that any answer may have.
+    #[test]
+    fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {
+        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let soon = motion.omega(1e-300).unwrap();
+        let off = (soon - omega).norm() / (omega.norm() * 0.5 * f64::EPSILON);
+        prop_assert!(off <= 8.0, "{off}");
+    }
 }

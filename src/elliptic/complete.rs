@@ -60,4 +60,13 @@ mod tests {
             assert!(off.abs() < 1e-29 * high, "{complement:e}: {off:e}");
         }
     }
+
+    /// Next to the separatrix `K` is `ln(4/k')`, to terms of the order of `k'²`.
+    #[test]
+    fn the_quarter_period_comes_through_from_the_smallest_complements() {
+        for complement in [1e-10, 1e-100, 1e-300, 5e-324] {
+            let law = 4_f64.ln() - f64::ln(complement);
+            assert!((quarter_period(complement) / law - 1.0).abs() < 1e-15, "{complement:e}");
+        }
+    }
 }
