@@ -1,7 +1,7 @@
 //! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
 
 use crate::error::{Error, finite};
-use crate::scalar::{Field, Ring};
+use crate::scalar::{Analytic, Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far below
@@ -73,6 +73,37 @@ pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quat
     let twice = product(attitude, &spin).coords;
     let half = |x: &T| x.clone() / two.clone();
     Quaternion::from_vector(Vector4::new(half(&twice.x), half(&twice.y), half(&twice.z), half(&twice.w)))
+}
+
+/// The turn by a rotation vector: about its direction by its length, in radians. The exponential map.
+///
+/// ```
+/// use nalgebra::{Quaternion, Vector3};
+/// let turn = tumbling::attitude::turn(&Vector3::new(0.0, 0.0, 3.0));
+/// assert_eq!(turn, Quaternion::new(1.5_f64.cos(), 0.0, 0.0, 1.5_f64.sin()));
+/// ```
+pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
+    let half = vector.map(|x| x / T::integer(2));
+    let (cosine, sinc) = half.dot(&half).cos_sinc_of_root();
+    let [x, y, z] = [0, 1, 2].map(|i| half[i].clone() * sinc.clone());
+    Quaternion::new(cosine, x, y, z)
+}
+
+/// `vector` seen from axes that are turned by the unit quaternion `q`: the inverse turn of it.
+///
+/// ```
+/// use nalgebra::{Quaternion, Vector3};
+/// use tumbling::attitude::{seen_from, turn};
+/// let quarter = turn(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
+/// let seen = seen_from(&quarter, &Vector3::new(1.0, 0.0, 0.0));
+/// assert!((seen - Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-15);
+/// ```
+pub fn seen_from<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
+    // v - 2 w (u x v) + 2 u x (u x v), with u the vector part: no matrix.
+    let part = Vector3::new(q.coords.x.clone(), q.coords.y.clone(), q.coords.z.clone());
+    let across = part.cross(vector);
+    let across = &across + &across;
+    vector - across.map(|x| x * q.coords.w.clone()) + part.cross(&across)
 }
 
 /// The rotation matrix of an attitude.

@@ -109,6 +109,15 @@ pub enum Error {
         /// How many.
         count: usize,
     },
+    /// An iteration did not come to rest.
+    NotConverged {
+        /// What was sought.
+        what: &'static str,
+        /// How many rounds it was given.
+        iterations: usize,
+        /// How far it still moved in the last.
+        residual: f64,
+    },
     /// A face of a mesh names a vertex that is not there, or one vertex twice.
     BadFace {
         /// Which face, from 0.
@@ -214,6 +223,10 @@ impl fmt::Display for Error {
             Self::TooMany { what, count } => {
                 write!(f, "{count} {what} asked for: more than there is memory to hold")
             }
+            Self::NotConverged { what, iterations, residual } => write!(
+                f,
+                "{what} was not found in {iterations} rounds: the last still moved by {residual:.3e}, more than rounding"
+            ),
             Self::BadFace { face, vertices: [a, b, c], count } => write!(
                 f,
                 "face {face} is ({a}, {b}, {c}): it must name three different vertices below {count}"

@@ -58,6 +58,18 @@ pub trait Analytic: Field {
     #[must_use]
     fn exp(&self) -> Self;
 
+    /// `cos(r)` and `sin(r)/r` of the root `r` of this number, both smooth where it is zero: what the exponential map from
+    /// turns to quaternions needs.
+    ///
+    /// ```
+    /// use tumbling::scalar::Analytic;
+    /// let (cosine, sinc) = 4.0_f64.cos_sinc_of_root();
+    /// assert_eq!((cosine, sinc), (2.0_f64.cos(), 2.0_f64.sin() / 2.0));
+    /// assert_eq!(0.0_f64.cos_sinc_of_root(), (1.0, 1.0));
+    /// ```
+    #[must_use]
+    fn cos_sinc_of_root(&self) -> (Self, Self);
+
     /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a power series
     /// anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
     #[must_use]
@@ -79,6 +91,12 @@ macro_rules! analytic {
             }
             fn exp(&self) -> Self {
                 $Float::exp(*self)
+            }
+            fn cos_sinc_of_root(&self) -> (Self, Self) {
+                let root = $Float::sqrt(*self);
+                let (sine, cosine) = root.sin_cos();
+                // Where the root underflows, both are 1 to rounding.
+                (cosine, if root > 0.0 { sine / root } else { cosine })
             }
             fn size(&self) -> f64 {
                 f64::from(self.abs())

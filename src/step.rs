@@ -5,15 +5,23 @@
 //!
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
+mod buss;
+mod dormand_prince;
 mod engine;
 mod explicit;
+mod lie;
 mod method;
+mod physics_engine;
 mod rk4;
+mod rules;
+mod spiral;
 mod system;
 mod torque;
 
+pub use dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use engine::Engine;
 pub use method::{About, Keeps, Method};
+pub use physics_engine::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 pub use rk4::{Motion, rk4};
 pub use system::System;
 pub use torque::Torque;

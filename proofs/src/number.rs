@@ -2,6 +2,7 @@
 
 mod calculus;
 mod fraction;
+mod functions;
 mod monomial;
 mod ops;
 mod parse;

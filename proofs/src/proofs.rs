@@ -6,6 +6,7 @@ pub mod engines;
 mod euler;
 mod gap;
 mod inertia;
+mod methods;
 mod order;
 mod solids;
 mod stability;
@@ -16,7 +17,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 10] = [
+    let parts: [&[Proof]; 11] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -27,6 +28,7 @@ pub fn proofs() -> Vec<&'static Proof> {
         engines::PROOFS,
         closed_forms::PROOFS,
         order::PROOFS,
+        methods::PROOFS,
     ];
     parts.into_iter().flatten().collect()
 }

@@ -96,6 +96,20 @@ impl Rational {
         self.value().and_then(ToPrimitive::to_f64).unwrap_or(f64::NAN)
     }
 
+    /// The square root that is not below zero, if it is a fraction.
+    ///
+    /// ```
+    /// use tumbling_proofs::Rational;
+    /// assert_eq!(Rational::new(9, 16).root(), Some(Rational::new(3, 4)));
+    /// assert_eq!(Rational::from(2).root(), None);
+    /// ```
+    #[must_use]
+    pub fn root(&self) -> Option<Self> {
+        let value = self.value().filter(|value| !value.is_negative())?;
+        let root = BigRational::new(value.numer().sqrt(), value.denom().sqrt());
+        (&root * &root == *value).then_some(Self(Some(root)))
+    }
+
     fn with(&self, other: &Self, f: impl Fn(&BigRational, &BigRational) -> Option<BigRational>) -> Self {
         Self(self.value().zip(other.value()).and_then(|(a, b)| f(a, b)))
     }

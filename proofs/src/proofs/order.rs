@@ -78,7 +78,7 @@ fn law(m: &Motion<Number>) -> Motion<Number> {
 }
 
 /// The exact motion under a law, to the power `order`: each round of `y = y0 + ∫ law(y)` settles one more.
-fn exact<T: Field>(
+pub(super) fn exact<T: Field>(
     start: &Motion<Series<T>>,
     order: usize,
     law: impl Fn(&Motion<Series<T>>) -> Motion<Series<T>>,

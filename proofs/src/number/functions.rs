@@ -1,0 +1,175 @@
+//! Square root, sine, cosine and exponential of power series with rational coefficients: what steppers ask for.
+//!
+//! Each follows from a differential equation that settles one power after another, and is exact. Where the first
+//! coefficient has no rational value (the root of 2, the sine of 1) the result is undefined, never rounded.
+
+use super::{Rational, Series};
+use num_traits::{One, Zero};
+use tumbling::scalar::Analytic;
+
+type Powers = Series<Rational>;
+
+fn undefined() -> Powers {
+    Powers::one() / Powers::zero()
+}
+
+/// `0, 1, ...` times the coefficients: `h` times the derivative.
+fn weighed(a: &[Rational]) -> Vec<Rational> {
+    a.iter()
+        .enumerate()
+        .map(|(n, x)| x.clone() * Rational::from(i64::try_from(n).unwrap_or(i64::MAX)))
+        .collect()
+}
+
+/// All coefficients that are known, if they end somewhere.
+fn known(series: &Powers) -> Option<Vec<Rational>> {
+    let order = series.order()?;
+    (0..=order).map(|n| series.coefficient(n)).collect()
+}
+
+/// Whether it is a plain number, with no `h` in it.
+fn plain(series: &Powers) -> Option<Rational> {
+    let settled = !series.is_undefined() && series.order().is_none();
+    let first = series.coefficient(0)?;
+    (settled && (series.clone() - Powers::constant(first.clone())).is_zero()).then_some(first)
+}
+
+fn sum_of_products(a: &[Rational], b: &[Rational], n: usize) -> Rational {
+    (1..=n).fold(Rational::zero(), |sum, k| sum + a[k].clone() * b[n - k].clone())
+}
+
+impl Analytic for Powers {
+    /// From `2 r_0 r_n = a_n - sum r_k r_(n-k)`.
+    fn sqrt(&self) -> Self {
+        if let Some(value) = plain(self) {
+            return value.root().map_or_else(undefined, Self::constant);
+        }
+        let Some(a) = known(self) else { return undefined() };
+        let Some(first) = a[0].root().filter(|root| !root.is_zero()) else { return undefined() };
+        let mut r = vec![first.clone()];
+        for n in 1..a.len() {
+            let crossed = (1..n).fold(Rational::zero(), |sum, k| sum + r[k].clone() * r[n - k].clone());
+            r.push((a[n].clone() - crossed) / (first.clone() + first.clone()));
+        }
+        Self::new(r, a.len() - 1)
+    }
+
+    /// From `s' = a' c` and `c' = -a' s`.
+    fn sin_cos(&self) -> (Self, Self) {
+        if plain(self).is_some_and(|value| value.is_zero()) {
+            return (Self::zero(), Self::one());
+        }
+        let Some(a) = known(self).filter(|a| a[0].is_zero()) else { return (undefined(), undefined()) };
+        let (slope, mut s, mut c) = (weighed(&a), vec![Rational::zero()], vec![Rational::one()]);
+        for n in 1..a.len() {
+            let count = Rational::from(i64::try_from(n).unwrap_or(i64::MAX));
+            let (sine, cosine) = (sum_of_products(&slope, &c, n), -sum_of_products(&slope, &s, n));
+            s.push(sine / count.clone());
+            c.push(cosine / count);
+        }
+        (Self::new(s, a.len() - 1), Self::new(c, a.len() - 1))
+    }
+
+    /// From `e' = a' e`.
+    fn exp(&self) -> Self {
+        if plain(self).is_some_and(|value| value.is_zero()) {
+            return Self::one();
+        }
+        let Some(a) = known(self).filter(|a| a[0].is_zero()) else { return undefined() };
+        let (slope, mut e) = (weighed(&a), vec![Rational::one()]);
+        for n in 1..a.len() {
+            let count = Rational::from(i64::try_from(n).unwrap_or(i64::MAX));
+            e.push(sum_of_products(&slope, &e, n) / count);
+        }
+        Self::new(e, a.len() - 1)
+    }
+
+    /// The sums of `(-x)^n / (2n)!` and of `(-x)^n / (2n + 1)!`.
+    fn cos_sinc_of_root(&self) -> (Self, Self) {
+        if plain(self).is_some_and(|value| value.is_zero()) {
+            return (Self::one(), Self::one());
+        }
+        let Some(order) = self.order().filter(|_| self.coefficient(0).is_some_and(|x| x.is_zero())) else {
+            return (undefined(), undefined());
+        };
+        let mut term = Self::one();
+        let (mut cosine, mut sinc) = (Self::zero(), Self::zero());
+        for n in 0..=i64::try_from(order).unwrap_or(i64::MAX) {
+            let over = |k: i64| Self::constant(Rational::new(1, k));
+            cosine += term.clone();
+            let odd = term * over(2 * n + 1);
+            sinc += odd.clone();
+            term = -(odd * over(2 * n + 2)) * self.clone();
+        }
+        // Exact ones are known to every power, the sums no further than x.
+        (cosine.cut(order), sinc.cut(order))
+    }
+
+    /// `2^-n` for a lowest power `n`, 0 for zero, NaN if undefined.
+    fn size(&self) -> f64 {
+        if self.is_undefined() {
+            return f64::NAN;
+        }
+        let end = self.order().map_or(usize::MAX, |order| order + 1).min(1000);
+        let lowest = (0..end).find(|&n| self.coefficient(n).is_some_and(|x| !x.is_zero()));
+        lowest.map_or(0.0, |n| 0.5_f64.powi(i32::try_from(n).unwrap_or(i32::MAX)))
+    }
+
+    fn rounding() -> f64 {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample() -> Powers {
+        let h = Powers::step(6);
+        let two = Powers::constant(Rational::from(2));
+        two * h.clone() - h.clone() * h.clone() * Powers::constant(Rational::new(1, 3))
+            + h.clone() * h.clone() * h
+    }
+
+    #[test]
+    fn the_sine_and_cosine_of_a_series_have_squares_that_sum_to_one() {
+        let (s, c) = sample().sin_cos();
+        assert_eq!(s.clone() * s.clone() + c.clone() * c.clone(), Powers::one());
+        assert_eq!(Powers::step(5).sin_cos().0.to_string(), "h - 1/6 h^3 + 1/120 h^5 + ...");
+        assert_eq!(Powers::step(4).sin_cos().1.to_string(), "1 - 1/2 h^2 + 1/24 h^4 + ...");
+        // cos(r) and sin(r)/r by the square of r.
+        let (cosine, sinc) = (sample() * sample()).cos_sinc_of_root();
+        assert_eq!((cosine, sinc * sample()), (c.clone(), s.clone()));
+        // The addition theorem ties the two series to one another.
+        let (s2, _) = (sample() + sample()).sin_cos();
+        assert_eq!(s2, s.clone() * c.clone() + c * s);
+    }
+
+    #[test]
+    fn the_exponential_of_a_sum_is_the_product() {
+        let (a, b) = (sample(), Powers::step(6));
+        assert_eq!((a.clone() + b.clone()).exp(), a.exp() * b.exp());
+        assert_eq!(Powers::step(3).exp().to_string(), "1 + h + 1/2 h^2 + 1/6 h^3 + ...");
+    }
+
+    #[test]
+    fn the_square_of_the_root_is_the_series_and_irrational_values_are_undefined() {
+        let square = Powers::constant(Rational::new(49, 4)) + sample();
+        assert_eq!(square.sqrt() * square.sqrt(), square);
+        assert_eq!(Powers::constant(Rational::new(9, 16)).sqrt(), Powers::constant(Rational::new(3, 4)));
+        let one = Powers::one;
+        assert!((Powers::constant(Rational::from(2)) + sample()).sqrt().is_undefined());
+        assert!((one() + sample()).exp().is_undefined());
+        assert!((one() + sample()).sin_cos().0.is_undefined());
+        assert!((-one() + sample()).sqrt().is_undefined());
+        assert!(sample().sqrt().is_undefined(), "its root has half powers");
+    }
+
+    #[test]
+    fn sizes_fall_with_the_lowest_power_and_vanish_for_zero_alone() {
+        let h = Powers::step(3);
+        assert_eq!([Powers::one().size(), h.size(), (h.clone() * h).size()], [1.0, 0.5, 0.25]);
+        assert_eq!(Powers::zero().size(), 0.0);
+        assert!(undefined().size().is_nan());
+    }
+}

@@ -1,0 +1,204 @@
+//! Every stepping method's order and the laws it keeps: its own step, run on power series with exact fractions.
+//!
+//! Two bodies with three different moments, spun and turned every way, stand for all: a method that agrees with the truth to a power of
+//! the step for all bodies does so for these, and one that falls short or goes further for these says so. Their numbers are
+//! chosen so that spin, momentum and attitude have lengths without a root.
+
+use crate::number::{Fraction, Rational, Series};
+use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
+use crate::proofs::order::exact;
+use nalgebra::{Quaternion, Vector3};
+use tumbling::attitude;
+use tumbling::step::{Method, Motion, System};
+
+type Number = Series<Rational>;
+
+/// How many powers beyond its order a law is followed.
+const BEYOND: usize = 4;
+
+macro_rules! methods {
+    ($($name:literal $method:ident,)*) => {
+        pub(super) const PROOFS: &[Proof] = &[$(Proof {
+            name: $name,
+            part: "step",
+            statement: concat!(
+                "One step of ", stringify!($method), " agrees with the motion of a free body through the power of the step that is said \
+                 to be its order, in every component of attitude and momentum, and not through the next; and of energy, momentum, \
+                 its direction in the world, the attitude's length and reversibility it keeps those that it is said to keep, and no \
+                 other."
+            ),
+            check: || holds(Method::$method, 0),
+            mutants: &[
+                Mutant { change: "said to be one order better", check: || holds(Method::$method, 1) },
+                Mutant {
+                    change: "said to keep the energy of another body too, and the momentum in the world",
+                    check: || keeps_another(Method::$method),
+                },
+            ],
+        },)*];
+
+        /// The methods that are proven.
+        #[cfg(test)]
+        const PROVEN: &[Method] = &[$(Method::$method,)*];
+    };
+}
+
+methods! {
+    "explicit-euler" ExplicitEuler,
+    "runge-kutta-4" RungeKutta4,
+    "dormand-prince-5" DormandPrince5,
+    "munthe-kaas-4" MuntheKaas4,
+    "buss" Buss,
+    "spiral" Spiral,
+    "constant-spin" ConstantSpin,
+    "semi-implicit-euler" SemiImplicitEuler,
+    "rescaled" Rescaled,
+    "rescaled-straight" RescaledStraight,
+    "one-newton" OneNewton,
+    "linearised-implicit" LinearisedImplicit,
+    "mean-spin-runge-kutta-4" MeanSpinRungeKutta4,
+    "turned-runge-kutta-4" TurnedRungeKutta4,
+}
+
+fn number(n: i64, d: i64) -> Number {
+    Series::constant(Rational::new(n, d))
+}
+
+/// Moments, spin with a length that is a fraction and momentum with one, and a unit attitude.
+fn cases() -> [(System<Number>, Motion<Number>); 2] {
+    let vector = |x: [i64; 3], d: i64| Vector3::from(x.map(|n| number(n, d)));
+    let case = |moments: Vector3<Number>, omega: Vector3<Number>, q: [i64; 4], length: i64| {
+        let momentum = moments.component_mul(&omega);
+        let [w, x, y, z] = q.map(|n| number(n, length));
+        let motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: momentum };
+        (System::of_numbers(moments, Vec::new()), motion)
+    };
+    [
+        // |w| = 7 and |L| = 11; |w| = 3/2 and |L| = 9/2.
+        case(vector([2, 4, 3], 2), vector([2, 3, 6], 1), [1, 3, 1, 5], 6),
+        case(vector([8, 4, 7], 2), vector([1, -2, 2], 2), [4, -2, 2, 1], 5),
+    ]
+}
+
+fn same_series(claim: &str, a: &Number, b: &Number, powers: std::ops::RangeInclusive<usize>) -> Outcome {
+    for power in powers {
+        let claim = format!("{claim}, power {power} of the step");
+        match a.coefficient(power).zip(b.coefficient(power)) {
+            Some((x, y)) => same(&claim, &Fraction::from(x), &Fraction::from(y))?,
+            None => return Err(Residue::Missing { claim }),
+        }
+    }
+    Ok(())
+}
+
+fn step(
+    method: Method,
+    system: &System<Number>,
+    start: &Motion<Number>,
+    h: &Number,
+) -> Result<Motion<Number>, Residue> {
+    method.step(system, start, h).map_err(|error| Residue::Missing { claim: error.to_string() })
+}
+
+fn holds(method: Method, more: usize) -> Outcome {
+    let order = method.about().order as usize + more;
+    for (system, start) in &cases() {
+        let h = Number::step(order + 1);
+        let end = step(method, system, start, &h)?;
+        let truth = exact(start, order + 1, |motion| system.rate(motion));
+        let all = |m: &Motion<Number>| m.attitude.coords.iter().chain(&m.vector).cloned().collect::<Vec<_>>();
+        let agree = |powers: std::ops::RangeInclusive<usize>| {
+            all(&end)
+                .iter()
+                .zip(all(&truth))
+                .try_for_each(|(a, b)| same_series("the motion", a, &b, powers.clone()))
+        };
+        agree(0..=order)?;
+        breaks("the next power does not agree", agree(order + 1..=order + 1))?;
+    }
+    laws(method)
+}
+
+/// Twice the energy of a motion.
+fn energy(system: &System<Number>, motion: &Motion<Number>) -> Number {
+    motion.vector.dot(&system.omega(&motion.vector))
+}
+
+fn laws(method: Method) -> Outcome {
+    let keeps = method.about().keeps;
+    let order = method.about().order as usize + BEYOND;
+    let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
+    // What one body keeps by chance the other must break.
+    let mut kept = [true; 5];
+    for (system, start) in &cases() {
+        let h = Number::step(order);
+        let end = step(method, system, start, &h)?;
+        let back = step(method, system, &end, &-h)?;
+        let square = |m: &Motion<Number>| m.attitude.coords.dot(&m.attitude.coords);
+        let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
+        let stretched = world(start).map(|x| x * square(&end));
+        let alike = |claim: &str, a: &[Number], b: &[Number]| {
+            a.iter().zip(b).try_for_each(|(a, b)| same_series(claim, a, b, 0..=order))
+        };
+        let all = |m: &Motion<Number>| m.attitude.coords.iter().chain(&m.vector).cloned().collect::<Vec<_>>();
+        let found = [
+            alike("the energy", &[energy(system, &end)], &[energy(system, start)]),
+            alike("the momentum", &[end.vector.dot(&end.vector)], &[start.vector.dot(&start.vector)]),
+            alike("the momentum in the world", world(&end).as_slice(), stretched.as_slice()),
+            alike("the attitude's length", &[square(&end)], &[square(start)]),
+            alike("the way back", &all(&back), &all(start)),
+        ];
+        for (k, found) in found.into_iter().enumerate() {
+            kept[k] &= found.is_ok();
+            if said[k] {
+                found?;
+            }
+        }
+    }
+    let names = ["energy", "momentum", "direction", "length", "way back"];
+    match (0..5).find(|&k| kept[k] && !said[k]) {
+        Some(k) => Err(Residue::Missing { claim: format!("{} said to be broken is kept", names[k]) }),
+        None => Ok(()),
+    }
+}
+
+fn keeps_another(method: Method) -> Outcome {
+    let order = method.about().order as usize + BEYOND;
+    let [(system, start), (other, _)] = &cases();
+    let end = step(method, system, start, &Number::step(order))?;
+    same_series("the energy of another body", &energy(other, &end), &energy(other, start), 0..=order)?;
+    // A spin that stays in the body keeps any body's energy.
+    let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
+    let square = end.attitude.coords.dot(&end.attitude.coords);
+    let stretched = world(start).map(|x| x * square.clone());
+    let ended = world(&end);
+    ended
+        .iter()
+        .zip(&stretched)
+        .try_for_each(|(a, b)| same_series("the momentum in the world", a, b, 0..=order))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_traits::{One, Zero};
+    use tumbling::scalar::Analytic;
+
+    #[test]
+    fn every_method_is_proven() {
+        let missing: Vec<_> = Method::ALL.iter().filter(|method| !PROVEN.contains(method)).collect();
+        assert!(missing.is_empty(), "{missing:?}");
+    }
+
+    #[test]
+    fn the_starts_have_lengths_without_a_root() {
+        for (system, start) in &cases() {
+            let omega = system.omega(&start.vector);
+            for square in [omega.dot(&omega), start.vector.dot(&start.vector)] {
+                assert_eq!(square.sqrt() * square.sqrt(), square);
+            }
+            assert_eq!(start.attitude.coords.dot(&start.attitude.coords), Number::one());
+            assert!(!start.vector.iter().any(Zero::is_zero));
+        }
+    }
+}

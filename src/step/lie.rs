@@ -1,0 +1,69 @@
+//! Runge-Kutta in the turn itself, after Munthe-Kaas [MK98](crate::references): the attitude stays a rotation, and the momentum stays where it
+//! was in the world.
+
+use super::method::{About, Keeps};
+use super::rk4::Motion;
+use super::system::System;
+use crate::attitude;
+use crate::scalar::Analytic;
+use nalgebra::Vector3;
+
+pub(super) const ABOUT: About = About {
+    name: "Runge-Kutta-Munthe-Kaas 4",
+    order: 4,
+    implicit: false,
+    keeps: Keeps { momentum: true, direction: true, unit: true, ..Keeps::NOTHING },
+    source: "MK98",
+};
+
+/// Seen from the body's axes at the start: the turn since then, and the momentum.
+struct Part<T: nalgebra::Scalar> {
+    turn: Vector3<T>,
+    momentum: Vector3<T>,
+}
+
+pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    let none = Vector3::from_fn(|_, _| T::zero());
+    let at = |turn: &Vector3<T>, momentum: &Vector3<T>| {
+        let turned = attitude::turn(turn);
+        let vector = attitude::seen_from(&turned, momentum);
+        Motion { attitude: attitude::product(&start.attitude, &turned), vector }
+    };
+    // The rate of a rotation vector v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12 and terms that the fourth
+    // order does not see.
+    let rate = |turn: &Vector3<T>, momentum: &Vector3<T>| {
+        let here = at(turn, momentum);
+        let omega = system.omega(&here.vector);
+        let across = turn.cross(&omega);
+        let again = turn.cross(&across);
+        let part = |x: &T, n: u32| x.clone() / T::integer(n);
+        let slope = omega + across.map(|x| part(&x, 2)) + again.map(|x| part(&x, 12));
+        // Without torque the momentum does not move, seen from axes that do not.
+        let push = if system.is_free() {
+            none.clone()
+        } else {
+            let back = attitude::turn(&-turn.clone_owned());
+            attitude::seen_from(&back, &system.torque(&here))
+        };
+        Part { turn: slope, momentum: push }
+    };
+    let along = |k: &Part<T>, time: &T| {
+        let turn = k.turn.map(|x| x * time.clone());
+        (turn, &start.vector + k.momentum.map(|x| x * time.clone()))
+    };
+    let half = h.clone() / T::integer(2);
+    let k1 = rate(&none, &start.vector);
+    let (turn, momentum) = along(&k1, &half);
+    let k2 = rate(&turn, &momentum);
+    let (turn, momentum) = along(&k2, &half);
+    let k3 = rate(&turn, &momentum);
+    let (turn, momentum) = along(&k3, h);
+    let k4 = rate(&turn, &momentum);
+    let mean = |a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>, d: &Vector3<T>| {
+        let middle = b + c;
+        (a + d + &middle + &middle).map(|x| x * h.clone() / T::integer(6))
+    };
+    let turn = mean(&k1.turn, &k2.turn, &k3.turn, &k4.turn);
+    let push = mean(&k1.momentum, &k2.momentum, &k3.momentum, &k4.momentum);
+    at(&turn, &(&start.vector + push))
+}

@@ -1,0 +1,40 @@
+//! SPIRAL in its synchronous form [Val24](crate::references): a turn by the spin, then one by how it changes; the spin by a Runge-Kutta method of
+//! third order.
+
+use super::method::{About, Keeps};
+use super::rk4::Motion;
+use super::system::System;
+use crate::scalar::Analytic;
+use crate::{attitude, euler};
+use nalgebra::Vector3;
+
+/// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of the step, as the proofs
+/// show. The order of a method is that of the worst.
+pub(super) const ABOUT: About = About {
+    name: "SPIRAL",
+    order: 2,
+    implicit: false,
+    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    source: "Val24",
+};
+
+/// With a torque, between two half kicks of it: a torque held for the whole step would cost an order.
+pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    let half = h.clone() / T::integer(2);
+    let start = system.kicked(start, &half);
+    let omega = system.omega(&start.vector);
+    let none = Vector3::from_fn(|_, _| T::zero());
+    let slope = |omega: &Vector3<T>| {
+        euler::angular_acceleration(system.moments(), omega, &none).map(|x| x * h.clone())
+    };
+    let over = |x: &Vector3<T>, n: u32| x.map(|x| x / T::integer(n));
+    let k1 = slope(&omega);
+    let k2 = slope(&(&omega + &k1));
+    let k3 = slope(&(&omega + over(&(&k1 + &k2), 4)));
+    let end = &omega + over(&(&k1 + &k2), 6) + over(&k3, 6).map(|x| x * T::integer(4));
+    let first = attitude::turn(&omega.map(|x| x * h.clone()));
+    let second = attitude::turn(&k1.map(|x| x * h.clone() / T::integer(2)));
+    let turned = attitude::product(&first, &second);
+    let end = Motion { attitude: attitude::product(&start.attitude, &turned), vector: system.momentum(&end) };
+    system.kicked(&end, &half)
+}
