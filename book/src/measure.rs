@@ -17,7 +17,12 @@ pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     if peers {
         let manifest = paths::repository().join("measure/peers/Cargo.toml");
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.args(["run", "--release", "--manifest-path"]).arg(manifest).arg("--").arg("--into").arg(&folder);
+        cargo
+            .args(["run", "--release", "--manifest-path"])
+            .arg(manifest)
+            .arg("--")
+            .arg("--into")
+            .arg(&folder);
         if quick {
             cargo.arg("--quick");
         }
@@ -35,7 +40,9 @@ pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     say!("Measured in {:.0} s. The record is in", start.elapsed().as_secs_f64());
     say!("{}", folder.display());
     if !quick {
-        say!("Draw its figures with `cargo run --release`. The book's own record: `git checkout measure/record`.");
+        say!(
+            "Draw its figures with `cargo run --release`. The book's own record: `git checkout measure/record`."
+        );
     }
     Ok(())
 }

@@ -31,19 +31,40 @@ impl std::fmt::Debug for dyn Contestant {
 
 const WORK: &[(&str, &str)] = &[
     ("what", "error against work: one contestant on one story at one setting a line"),
-    ("phase", "how early or late the last change of sign of the spin along the middle axis; share of the time between two"),
+    (
+        "phase",
+        "how early or late the last change of sign of the spin along the middle axis; share of the time between two",
+    ),
     ("attitude", "angle to the true attitude at the end; rad"),
-    ("energy; momentum; direction", "relative error of energy and |L|; angle between L in the world and the true one in rad: the largest \
-      at any step where it is a constant of the motion; else at the end"),
-    ("seconds", "median time of a run; taken in turns over all contestants; spread is the longest over the shortest"),
-    ("evaluations", "of the law: what the arithmetic of our methods is worth in evaluations; calls of the law for peers"),
+    (
+        "energy; momentum; direction",
+        "relative error of energy and |L|; angle between L in the world and the true one in rad: the largest \
+      at any step where it is a constant of the motion; else at the end",
+    ),
+    (
+        "seconds",
+        "median time of a run; taken in turns over all contestants; spread is the longest over the shortest",
+    ),
+    (
+        "evaluations",
+        "of the law: what the arithmetic of our methods is worth in evaluations; calls of the law for peers",
+    ),
     ("instructions", "counted by valgrind for a step at 0.1 rad or a tolerance of 1e-8; times the steps"),
 ];
 
 const LONG: &[(&str, &str)] = &[
-    ("what", "long runs: the box from three spins or fewer; 20 steps a turn; errors over the window since the turn before"),
-    ("mean", "mean of the relative error of the energy over the window; its size; root mean square over the starts"),
-    ("largest; momentum", "largest relative error of energy and |L| in the window; root mean square over the starts"),
+    (
+        "what",
+        "long runs: the box from three spins or fewer; 20 steps a turn; errors over the window since the turn before",
+    ),
+    (
+        "mean",
+        "mean of the relative error of the energy over the window; its size; root mean square over the starts",
+    ),
+    (
+        "largest; momentum",
+        "largest relative error of energy and |L| in the window; root mean square over the starts",
+    ),
 ];
 
 fn head(what: &[(&str, &str)], more: &[(String, String)], effort: Effort) -> Vec<(String, String)> {
@@ -51,7 +72,10 @@ fn head(what: &[(&str, &str)], more: &[(String, String)], effort: Effort) -> Vec
         what.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
     head.extend(setup::describe());
     head.extend_from_slice(more);
-    head.push(("effort".to_owned(), if effort == Effort::FULL { "full" } else { "less than full" }.to_owned()));
+    head.push((
+        "effort".to_owned(),
+        if effort == Effort::FULL { "full" } else { "less than full" }.to_owned(),
+    ));
     head
 }
 

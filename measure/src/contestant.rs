@@ -4,6 +4,7 @@ use crate::errors::Watch;
 use crate::operations;
 use crate::story::Story;
 use std::hint::black_box;
+use tumbling::Error;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Keeps, Method, Motion};
 
@@ -80,6 +81,24 @@ pub struct Ended {
     pub evaluations: Option<u64>,
 }
 
+/// Why a run did not come to its end.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Failure {
+    /// The motion left what an `f64` holds.
+    NotFinite,
+    /// It says so itself, in these words.
+    Refused(String),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::OutOfRange { .. } | Error::NotFinite { .. } => Self::NotFinite,
+            other => Self::Refused(other.to_string()),
+        }
+    }
+}
+
 /// Whoever can take a body from the start of a story to its end.
 pub trait Contestant {
     /// What it is called; the key in the record.
@@ -100,8 +119,8 @@ pub trait Contestant {
     /// From start to end, showing the watch each step where there is one.
     ///
     /// # Errors
-    /// Why it could not, in words.
-    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, String>;
+    /// Why it could not.
+    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure>;
 
     /// How many evaluations of the law one step of this length is worth, where that is known beforehand.
     fn evaluations_of_step(&self, _story: &Story, _step: f64) -> Option<f64> {
@@ -149,12 +168,14 @@ impl Contestant for Ours {
         story: &Story,
         setting: Setting,
         mut watch: Option<&mut Watch<'_>>,
-    ) -> Result<Ended, String> {
-        let Setting::Steps(steps) = setting else { return Err("it is set by its steps".into()) };
+    ) -> Result<Ended, Failure> {
+        let Setting::Steps(steps) = setting else {
+            return Err(Failure::Refused("it is set by its steps".into()));
+        };
         let h = black_box(step_of(story, steps));
         let mut motion = story.start.clone();
         for k in 1..=steps {
-            motion = self.0.step(&story.system, &motion, &h).map_err(|e| e.to_string())?;
+            motion = self.0.step(&story.system, &motion, &h)?;
             if let Some(watch) = watch.as_deref_mut() {
                 watch.see(time_of(k, steps, story.end), &motion);
             }
@@ -208,16 +229,20 @@ impl Contestant for Exact {
         story.system.is_free()
     }
 
-    fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, String> {
+    fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.vector);
-        let exact = FreeMotion::new(moments, &omega).map_err(|e| e.to_string())?;
-        let there = exact.at(black_box(story.end)).map_err(|e| e.to_string())?;
+        let exact = FreeMotion::new(moments, &omega)?;
+        let there = exact.at(black_box(story.end))?;
         if let Some(watch) = watch {
-            watch.told(exact.flips(0.0, story.end).map_err(|e| e.to_string())?);
+            watch.told(exact.flips(0.0, story.end)?.count());
         }
         let vector = moments.component_mul(&there.omega);
-        Ok(Ended { motion: Motion { attitude: there.attitude.into_inner(), vector }, steps: 1, evaluations: None })
+        Ok(Ended {
+            motion: Motion { attitude: there.attitude.into_inner(), vector },
+            steps: 1,
+            evaluations: None,
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! How wrong a run was: each kind of error by itself, for energy hides phase.
 
-use crate::contestant::Ended;
+use crate::contestant::{Ended, Failure};
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
@@ -17,6 +17,15 @@ pub enum Outcome {
     NotFinite,
     /// It refused, in these words.
     Refused(String),
+}
+
+impl From<Failure> for Outcome {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::NotFinite => Self::NotFinite,
+            Failure::Refused(why) => Self::Refused(why),
+        }
+    }
 }
 
 /// The errors of a run, each by itself. What there is not (flips under torque) is `None`.
@@ -44,7 +53,6 @@ pub struct Watch<'a> {
     flips: u64,
     /// The last state before the last change of sign, and when.
     last: Option<(f64, Motion<f64>)>,
-    told: Option<f64>,
     worst: [f64; 3],
     finite: bool,
 }
@@ -61,7 +69,6 @@ impl<'a> Watch<'a> {
             before: Some((0.0, start.clone())),
             flips: 0,
             last: None,
-            told: None,
             worst: [0.0; 3],
             finite: true,
         }
@@ -96,19 +103,16 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// All flips at once, from one who knows them without steps.
-    pub fn told(&mut self, flips: impl Iterator<Item = f64>) {
-        for flip in flips {
-            self.flips += 1;
-            self.told = Some(flip);
-        }
+    /// How many flips there are, from one who knows without steps. When they are is then not watched.
+    pub fn told(&mut self, flips: usize) {
+        self.flips = flips as u64;
     }
 
     /// What to say of the run when it is over.
     #[must_use]
-    pub fn judge(self, ended: Result<&Ended, &str>) -> (Outcome, Errors) {
+    pub fn judge(self, ended: Result<&Ended, &Failure>) -> (Outcome, Errors) {
         let end = match ended {
-            Err(why) => return (Outcome::Refused(why.to_owned()), Errors::default()),
+            Err(failure) => return (failure.clone().into(), Errors::default()),
             Ok(end) => &end.motion,
         };
         if !self.finite || !end.attitude.coords.iter().chain(&end.vector).all(|x| x.is_finite()) {
@@ -141,9 +145,6 @@ impl<'a> Watch<'a> {
     /// When the last flip was: the exact motion from the last state before it says to the last digit when that state
     /// flips, so that no interpolation stands between the method and its error.
     fn last_flip(&self) -> Option<f64> {
-        if self.told.is_some() {
-            return self.told;
-        }
         let (t, state) = self.last.as_ref()?;
         let omega = self.story.system.omega(&state.vector);
         let on = FreeMotion::new(self.story.system.moments(), &omega).ok()?.next_flip(0.0).ok()??;
@@ -167,4 +168,3 @@ pub fn turn(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
     let between = a.conjugate() * b;
     2.0 * between.imag().norm().atan2(between.w.abs())
 }
-

@@ -55,7 +55,8 @@ pub fn child(
     let (story, setting) = short(story, contestant.as_ref());
     let mut steps = 0;
     for _ in 0..count {
-        steps += black_box(contestant.run(black_box(&story), setting, None))?.steps;
+        let ended = black_box(contestant.run(black_box(&story), setting, None));
+        steps += ended.map_err(|failure| format!("{failure:?}"))?.steps;
     }
     Ok(steps)
 }

@@ -1,6 +1,6 @@
 //! Long runs: the energy of a free body after a million turns.
 
-use crate::contestant::Contestant;
+use crate::contestant::{Contestant, Failure};
 use crate::errors::Outcome;
 use crate::measure::Effort;
 use crate::record::Long;
@@ -36,11 +36,7 @@ fn ends(turns: u64) -> Vec<u64> {
 }
 
 /// Those that keep something, and the classical Runge-Kutta method for comparison.
-pub fn all(
-    contestants: &[Box<dyn Contestant>],
-    effort: Effort,
-    tell: &mut dyn FnMut(&str),
-) -> Vec<Long> {
+pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, tell: &mut dyn FnMut(&str)) -> Vec<Long> {
     let mut rows = Vec::new();
     for contestant in contestants {
         let Some(method) = contestant.method() else { continue };
@@ -114,7 +110,7 @@ fn one(
             for _ in 0..STEPS {
                 motion = match method.step(system, &motion, &h) {
                     Ok(motion) => motion,
-                    Err(e) => return (windows, Outcome::Refused(e.to_string())),
+                    Err(e) => return (windows, Failure::from(e).into()),
                 };
                 let off = energy(&motion) / energy0 - 1.0;
                 window.sum += off;
@@ -148,8 +144,7 @@ pub fn slope<'a>(rows: impl IntoIterator<Item = &'a Long>, from: u64, of: fn(&Lo
     #[allow(clippy::cast_precision_loss)]
     let n = points.len() as f64;
     let (mx, my) = points.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
-    let (xy, xx) = points.iter().fold((0.0, 0.0), |s, p| {
-        (s.0 + (p.0 - mx) * (p.1 - my), s.1 + (p.0 - mx).powi(2))
-    });
+    let (xy, xx) =
+        points.iter().fold((0.0, 0.0), |s, p| (s.0 + (p.0 - mx) * (p.1 - my), s.1 + (p.0 - mx).powi(2)));
     Some(xy / xx)
 }

@@ -24,11 +24,9 @@ pub struct Effort {
 
 impl Effort {
     /// For the record: some minutes.
-    pub const FULL: Self =
-        Self { evaluations: 3e6, repeats: 7, seconds: 0.2, turns: 1_000_000, starts: 3 };
+    pub const FULL: Self = Self { evaluations: 3e6, repeats: 7, seconds: 0.2, turns: 1_000_000, starts: 3 };
     /// For a look: below a minute.
-    pub const QUICK: Self =
-        Self { evaluations: 2e5, repeats: 3, seconds: 0.02, turns: 3_000, starts: 2 };
+    pub const QUICK: Self = Self { evaluations: 2e5, repeats: 3, seconds: 0.02, turns: 3_000, starts: 2 };
 }
 
 /// What a step is taken to be worth where that is not known.
@@ -67,7 +65,13 @@ pub fn measure(
     for (at, story) in stories.iter().enumerate() {
         let mut rungs = Vec::new();
         for contestant in contestants.iter().filter(|c| c.takes(story)) {
-            tell(&format!("story {} of {}, {}: errors of {}", at + 1, stories.len(), story.name, contestant.name()));
+            tell(&format!(
+                "story {} of {}, {}: errors of {}",
+                at + 1,
+                stories.len(),
+                story.name,
+                contestant.name()
+            ));
             rungs.extend(ladder(contestant.as_ref(), story, effort));
         }
         for round in 0..effort.repeats {
@@ -169,7 +173,7 @@ fn rung<'a>(
     let start = Instant::now();
     let ended = contestant.run(story, setting, Some(&mut watch));
     let seconds = start.elapsed().as_secs_f64();
-    let (outcome, errors) = watch.judge(ended.as_ref().map_err(String::as_str));
+    let (outcome, errors) = watch.judge(ended.as_ref());
     #[allow(clippy::cast_precision_loss)]
     let evaluations = match &ended {
         Ok(Ended { evaluations: Some(counted), .. }) => Some(*counted as f64),

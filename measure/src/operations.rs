@@ -100,6 +100,12 @@ impl Analytic for Tallied {
         tally(1);
         Self::new(self.value.exp())
     }
+    fn cos_sinc_of_root(&self) -> (Self, Self) {
+        // A root, a sine with its cosine, a quotient.
+        tally(4);
+        let (cosine, sinc) = self.value.cos_sinc_of_root();
+        (Self::new(cosine), Self::new(sinc))
+    }
     fn size(&self) -> f64 {
         self.value.abs()
     }
@@ -143,8 +149,7 @@ const STEPS: u32 = 16;
 pub fn evaluations_of_step(method: Method, story: &Story, step: f64) -> Option<f64> {
     let system = counting(&story.system)?;
     let [x, y, z, w] = story.start.attitude.coords.map(Tallied::new).into();
-    let mut motion =
-        Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&story.start.vector) };
+    let mut motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&story.start.vector) };
     let (_, law) = counted(|| system.rate(&motion));
     let h = Tallied::new(step);
     let (done, steps) = counted(|| {

@@ -152,8 +152,22 @@ impl Setting {
 
 impl Row for Work {
     const COLUMNS: &'static [&'static str] = &[
-        "story", "contestant", "group", "order", "setting", "steps", "evaluations", "instructions", "seconds",
-        "spread", "phase", "attitude", "energy", "momentum", "direction", "outcome",
+        "story",
+        "contestant",
+        "group",
+        "order",
+        "setting",
+        "steps",
+        "evaluations",
+        "instructions",
+        "seconds",
+        "spread",
+        "phase",
+        "attitude",
+        "energy",
+        "momentum",
+        "direction",
+        "outcome",
     ];
 
     fn fields(&self) -> Vec<String> {
@@ -175,8 +189,22 @@ impl Row for Work {
 
     fn read(fields: &[&str]) -> Result<Self, Wrong> {
         let &[
-            story, contestant, group, order, setting, steps, evaluations, instructions, seconds, spread, phase,
-            attitude, energy, momentum, direction, outcome,
+            story,
+            contestant,
+            group,
+            order,
+            setting,
+            steps,
+            evaluations,
+            instructions,
+            seconds,
+            spread,
+            phase,
+            attitude,
+            energy,
+            momentum,
+            direction,
+            outcome,
         ] = fields
         else {
             return Err(format!("{} fields", fields.len()));

@@ -100,13 +100,10 @@ impl Story {
             torques.push(Torque::Damping(vector(&entry["damping"])?));
         }
         let system = System::with(&moments, torques)?;
-        let start = Motion {
-            attitude: Quaternion::identity(),
-            vector: system.momentum(&vector(&entry["omega"])?),
-        };
+        let start =
+            Motion { attitude: Quaternion::identity(), vector: system.momentum(&vector(&entry["omega"])?) };
         let [w, x, y, z] = numbers(&entry["attitude"])?;
-        let motion =
-            Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&entry["momentum"])? };
+        let motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&entry["momentum"])? };
         let end = number(&entry["t"])?;
         let flips = if system.is_free() { Some(flips(&system, &start, end)?) } else { None };
         let truth = Truth { motion, energy: number(&entry["energy"])?, flips };

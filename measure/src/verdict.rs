@@ -35,13 +35,7 @@ pub fn kind(name: &str) -> Option<&'static Kind> {
 /// The least time in which a contestant comes below an error, s: between two neighbouring rungs of its ladder along the line of
 /// their logarithms. `None` if no rung comes below it.
 #[must_use]
-pub fn seconds_at(
-    rows: &[Work],
-    story: &str,
-    contestant: &str,
-    kind: &Kind,
-    error: f64,
-) -> Option<f64> {
+pub fn seconds_at(rows: &[Work], story: &str, contestant: &str, kind: &Kind, error: f64) -> Option<f64> {
     let ladder: Vec<(f64, f64)> = rows
         .iter()
         .filter(|row| row.story == story && row.contestant == contestant)
