@@ -29,7 +29,7 @@ pub enum Method {
     /// SPIRAL, in its synchronous form.
     Spiral,
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with it Unity by default, Jolt
-    /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but nothing ever flips or precesses, and the momentum
+    /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin never flips or precesses, and the momentum
     /// wanders in the world with the body; at any step, so that its order is 0.
     ConstantSpin,
     /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo 4.0.0's Euler, Bullet 3.2.7's
@@ -40,8 +40,9 @@ pub enum Method {
     Rescaled,
     /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier 0.36.1, in four parts a step.
     RescaledStraight,
-    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references):
-    /// Bullet 3.2.7's rigid body, Box3D. It takes energy and momentum from a body that tumbles.
+    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet 3.2.7's rigid
+    /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
+    /// multiply the energy.
     OneNewton,
     /// Implicit Euler linearised at the start, torques included: MuJoCo 4.0.0's implicit and implicitfast. For a free body the same as
     /// [`OneNewton`](Self::OneNewton).

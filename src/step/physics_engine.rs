@@ -162,9 +162,20 @@ impl PhysicsEngine {
                 });
             }
         }
-        let part = h / f64::from(self.parts.max(1));
-        (0..self.parts.max(1)).try_fold(start.clone(), |motion, _| {
-            let end = self.method.step(system, &motion, &part)?;
+        if self.parts <= 1 {
+            let end = self.method.step(system, start, &h)?;
+            return self.limited(system, start, end, h, h);
+        }
+        // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
+        let part = h / f64::from(self.parts);
+        let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
+        let free = System::of_numbers(*system.moments(), Vec::new());
+        (0..self.parts).try_fold(start.clone(), |mut motion, _| {
+            if !system.is_free() {
+                let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
+                motion.vector += system.momentum(&inside);
+            }
+            let end = self.method.step(&free, &motion, &part)?;
             self.limited(system, &motion, end, part, h)
         })
     }

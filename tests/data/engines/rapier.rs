@@ -1,5 +1,5 @@
-//! `rapier I1 I2 I3 w1 w2 w3 COUNT [t1 t2 t3]`: prints COUNT steps of a body in Rapier as CSV.
-//! Built with rapier3d-f64 0.36.1 as its only dependency. The torque, if there is one, is constant in the world.
+//! `rapier I1 I2 I3 w1 w2 w3 t1 t2 t3 COUNT`: prints COUNT steps of a free body in Rapier, or of one under a torque constant in
+//! the world; as `record.py` wants them. Built with rapier3d-f64 0.36.1 for its only dependency.
 
 use rapier3d_f64::prelude::*;
 
@@ -12,16 +12,11 @@ fn main() {
     let mass = MassProperties::new(Vector::ZERO, 1.0, vector(0));
     let body = RigidBodyBuilder::dynamic().additional_mass_properties(mass).angvel(vector(3)).can_sleep(false);
     let handle = world.insert_body(body);
-    for step in 0..=args[6] as usize {
+    world.bodies[handle].add_torque(vector(6), true);
+    for _ in 0..=args[9] as usize {
         let body = &world.bodies[handle];
         let (q, w) = (*body.rotation(), body.rotation().inverse() * body.angvel());
-        let t = step as f64 / 60.0;
-        println!("{t:?},{:?},{:?},{:?},{:?},{:?},{:?},{:?}", q.w, q.x, q.y, q.z, w.x, w.y, w.z);
-        if args.len() > 7 {
-            let body = &mut world.bodies[handle];
-            body.reset_torques(true);
-            body.add_torque(vector(7), true);
-        }
+        println!("{:?},{:?},{:?},{:?},{:?},{:?},{:?}", q.w, q.x, q.y, q.z, w.x, w.y, w.z);
         world.step();
     }
 }
