@@ -192,14 +192,14 @@ impl FreeMotion {
         if t == 0.0 {
             return Ok(self.mount.as_ref().map_or(self.start, |mount| mount.omega));
         }
-        let omega = self.omega_along(time, t);
+        let omega = self.omega_along(time);
         Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
     }
 
     /// The spin along the principal axes.
-    fn omega_along(&self, time: f64, t: f64) -> Vector3<f64> {
+    fn omega_along(&self, time: f64) -> Vector3<f64> {
         match &self.law {
-            _ if t == 0.0 => self.start,
+            _ if time == 0.0 => self.start,
             Law::AtRest | Law::Steady(_) => self.start,
             Law::Symmetric(precession) => precession.omega(time),
             Law::Elliptic(motion) => motion.omega(time),
@@ -212,13 +212,13 @@ impl FreeMotion {
     /// A time that is not finite.
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        Ok(self.in_world(t, self.turned(time, t).into_inner()))
+        Ok(self.in_world(t, self.turned(time).into_inner()))
     }
 
     /// The attitude of the principal axes, from where they are at the start.
-    fn turned(&self, time: f64, t: f64) -> UnitQuaternion<f64> {
+    fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
-            _ if t == 0.0 => Quaternion::identity(),
+            _ if time == 0.0 => Quaternion::identity(),
             Law::AtRest => Quaternion::identity(),
             Law::Steady(turn) => turn.at(time),
             Law::Symmetric(precession) => precession.attitude(time),

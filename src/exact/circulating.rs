@@ -2,6 +2,8 @@
 
 mod neighbours;
 
+pub(super) use neighbours::Halves;
+
 use super::Regime;
 use super::flips::Clock;
 use super::klein::{HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
@@ -282,6 +284,11 @@ impl Elliptic {
             return Regime::Separatrix { rate };
         }
         Regime::Circulating { about, modulus, complement, rate }
+    }
+
+    /// Index of the axis circled.
+    pub(crate) fn around(&self) -> usize {
+        self.axes[2]
     }
 
     pub(crate) fn greatest_spin(&self) -> f64 {

@@ -1,8 +1,10 @@
 //! How the motion answers to small changes of its start and of the body.
 
 mod elementary;
+mod needle;
 mod series;
 
+use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
 use super::{FreeMotion, Law};
 use crate::double::Double;
@@ -66,11 +68,14 @@ impl FreeMotion {
         let speed = Vector3::from(omega).norm();
         let (change, turn) = if (speed * time).abs() <= SHORT {
             let short = series::short(&moments, &omega, time, speed * time);
-            let attitude = self.turned(time, t);
+            let attitude = self.turned(time);
             (short.change, short.turn.map(|turn| attitude * turn))
         } else {
             let change = self.change(&moments, &omega, time)?;
-            let turn = self.turn(&moments, &omega, t, &change)?;
+            let turn = match self.slow_turn(&moments, &omega, time) {
+                Some(turn) => turn,
+                None => self.turn(&moments, &omega, time, &change),
+            };
             (change, turn)
         };
         let heaviest = exponent(self.moments.max());
@@ -108,9 +113,9 @@ impl FreeMotion {
             }
             Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
             Law::Elliptic(motion) => {
-                let elapsed = motion.elapsed(time);
-                if elapsed.abs() <= SHORT {
-                    series::short(moments, omega, time, elapsed).change
+                let halves = motion.half_periods(time);
+                if halves.argument.abs() <= SHORT {
+                    near_return(motion, &halves, moments, omega)
                 } else {
                     motion.neighbours(moments, time)?
                 }
@@ -122,23 +127,16 @@ impl FreeMotion {
     ///
     /// The momentum in the world is `L = R M`; so `turn x L + R dM = dL`, which gives the part across `L`. Along
     /// it, `d/dt (turn · L) = dw · M`, and `2E` is the start's.
-    fn turn(
-        &self,
-        moments: &[f64; 3],
-        omega: &[f64; 3],
-        t: f64,
-        change: &Change,
-    ) -> Result<[Vector3<f64>; 6], Error> {
-        let time = t * self.clock;
-        let rotation = self.turned(time, t);
-        let now = self.omega_along(time, t).map(|w| times_power_of_two(w, -self.exponent));
+    fn turn(&self, moments: &[f64; 3], omega: &[f64; 3], time: f64, change: &Change) -> [Vector3<f64>; 6] {
+        let rotation = self.turned(time);
+        let now = self.omega_along(time).map(|w| times_power_of_two(w, -self.exponent));
         let i = Vector3::from(*moments);
         let start = i.component_mul(&Vector3::from(*omega));
         let momentum = start.norm();
         let direction = start / momentum;
         let current = i.component_mul(&now);
         let main = start.iamax();
-        Ok(std::array::from_fn(|column| {
+        std::array::from_fn(|column| {
             let k = column % 3;
             let unit = Vector3::ith(k, 1.0);
             let (mut before, mut after) = (Vector3::zeros(), i.component_mul(&change.spin[column]));
@@ -158,6 +156,28 @@ impl FreeMotion {
             };
             let across = direction.cross(&(before - rotation * after));
             across / momentum + direction * (along / momentum)
-        }))
+        })
     }
+}
+
+/// The change near a whole number of half periods, after each of which the spin is that before it with two signs
+/// turned: a series over the time that is left, and how much later or earlier the half periods end.
+fn near_return(motion: &Elliptic, halves: &Halves, moments: &[f64; 3], omega: &[f64; 3]) -> Change {
+    let series::Short { mut change, omega: end, .. } =
+        series::short(moments, omega, halves.time, halves.argument);
+    if halves.count == 0.0 {
+        return change;
+    }
+    let (later, squares) = motion.whole(moments, halves.count);
+    let factor = series::Ratios::new(moments).factor;
+    let rate = Vector3::from([0, 1, 2].map(|a| factor[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
+    let odd = halves.count - 2.0 * (0.5 * halves.count).round_ties_even() != 0.0;
+    let turned = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
+    for (column, later) in change.spin.iter_mut().zip(later) {
+        *column = (*column + rate * later).component_mul(&turned);
+    }
+    for (sum, whole) in change.squares.iter_mut().zip(squares) {
+        *sum += whole;
+    }
+    change
 }

@@ -8,6 +8,7 @@
 //! motion itself; on the separatrix `m' = 0` the same formulas hold as they are.
 
 use super::{Elliptic, Form};
+use crate::double::Double;
 use crate::elliptic::{Values, rd};
 use crate::error::Error;
 use crate::exact::sensitivity::Change;
@@ -18,19 +19,139 @@ use std::f64::consts::TAU;
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
 const REST: f64 = 700.0;
 
+/// What one place on the way contributes: the half turns there, `dF/dm` without them, and the integral of `cn²` as
+/// quarter turns and a rest, counted from the flip or the saddle, whichever is nearer.
+struct Place {
+    values: Values,
+    halves: f64,
+    growth: f64,
+    quarters: f64,
+    share: f64,
+}
+
+/// How the motion's constants differ between neighbours, for the spin across, along the middle and circled (each times
+/// its power of two) and the three moments in the same order.
+struct Constants {
+    /// Of the three amplitudes, of the logarithm of the rate, and of `m'` times the square of the shift.
+    across: [f64; 6],
+    middle: [f64; 6],
+    around: [f64; 6],
+    log_rate: [f64; 6],
+    to_separatrix: [f64; 6],
+    /// Of the phase at the start.
+    phase: [f64; 6],
+    /// `A_X²/A_M²`, and `m A_C²/A_M²`.
+    ratio: f64,
+    steepness: f64,
+}
+
+/// The change of whole half periods.
+pub(crate) struct Halves {
+    /// How many.
+    pub(crate) count: f64,
+    /// The scaled time that is left, and Jacobi's argument over it.
+    pub(crate) time: f64,
+    pub(crate) argument: f64,
+}
+
 impl Elliptic {
-    /// Jacobi's argument run through in `time`.
-    pub(crate) fn elapsed(&self, time: f64) -> f64 {
-        self.constants.rate.value() * time
+    /// The half periods nearest to `time`; none on the separatrix.
+    pub(crate) fn half_periods(&self, time: f64) -> Halves {
+        let run = self.constants.rate * time;
+        let half = self.constants.quarter * 2.0;
+        let (count, left) = if half.value().is_finite() { (run / half).split() } else { (0.0, 0.0) };
+        if count == 0.0 {
+            return Halves { count, time, argument: run.value() };
+        }
+        let argument = half * left;
+        Halves { count, time: (argument / self.constants.rate).value(), argument: argument.value() }
     }
 
-    /// Jacobi's functions at `time` (`cn` and `dn` scaled) and the half turns there.
-    fn place(&self, time: f64) -> (Values, f64) {
-        match &self.form {
+    /// The change over `count` half periods: by how much each input shifts the time at which they end, and the integrals
+    /// of the squares.
+    pub(crate) fn whole(&self, moments: &[f64; 3], count: f64) -> ([f64; 6], [f64; 3]) {
+        let start = self.place(0.0);
+        let constants = self.inputs(moments, &start);
+        let half = 2.0 * self.constants.quarter.value();
+        let mut later = [0.0; 6];
+        for k in 0..6 {
+            let shift = half * constants.log_rate[k] + 2.0 * constants.to_separatrix[k] * self.complete();
+            let up = if k < 3 { self.constants.lifts[k] } else { 0 };
+            later[self.index(k)] = times_power_of_two(count * shift / self.constants.rate.value(), up);
+        }
+        (later, self.squares(&constants, &start, count * half, 2.0 * count * self.quarter_share()))
+    }
+
+    /// How the spin at scaled `time` changes with that at the start and with the moments, and by how much the squares
+    /// of the spin, integrated over time, exceed their values at the start. Not for the neighbourhood of whole half
+    /// periods: there it cancels.
+    ///
+    /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
+    pub(crate) fn neighbours(&self, moments: &[f64; 3], time: f64) -> Result<Change, Error> {
+        let run = self.constants.rate * time;
+        let resting = self.constants.quarter.value().is_infinite();
+        if resting && (self.constants.argument + run).value().abs() > REST {
+            let what = "the separatrix's argument, with its spin at rest,";
+            return Err(Error::OutOfRange { what, value: run.value() });
+        }
+        let run = run.value();
+        let (start, end) = (self.place(0.0), self.place(time));
+        let constants = self.inputs(moments, &start);
+        let down = self.down();
+        let turns = end.halves - start.halves;
+        let whole = if turns == 0.0 { 0.0 } else { 2.0 * turns * self.complete() };
+        let gained = whole + (end.growth - start.growth);
+        let Values { sn, cn, dn } = end.values;
+        let [a_x, a_m, a_c] = self.amplitudes;
+        let parameter = self.constants.modulus * self.constants.modulus;
+        let mut spin = [Vector3::zeros(); 6];
+        for k in 0..6 {
+            let to_separatrix = constants.to_separatrix[k];
+            let shift = constants.phase[k] + run * constants.log_rate[k] + to_separatrix * gained;
+            let change = [
+                constants.across[k] * cn - a_x * sn * (dn * shift),
+                constants.middle[k] * sn + a_m * (cn * down) * (dn * down * shift),
+                constants.around[k] * dn
+                    + a_c * (sn * sn * (to_separatrix / (2.0 * dn)) - parameter * sn * (cn * shift)),
+            ];
+            let up = if k < 3 { self.constants.lifts[k] } else { 0 };
+            for (row, &axis) in self.axes.iter().enumerate() {
+                spin[self.index(k)][axis] = times_power_of_two(change[row], up - self.constants.lifts[row]);
+            }
+        }
+        let quarters = end.quarters - start.quarters;
+        let whole = if quarters == 0.0 { 0.0 } else { quarters * self.quarter_share() };
+        let squares = self.squares(&constants, &start, run, whole + (end.share - start.share));
+        Ok(Change { spin, squares })
+    }
+
+    /// Which column the input number `k` is, in the body's order.
+    fn index(&self, k: usize) -> usize {
+        if k < 3 { self.axes[k] } else { 3 + self.axes[k - 3] }
+    }
+
+    /// `2^-shift`.
+    fn down(&self) -> f64 {
+        times_power_of_two(1.0, -self.constants.lifts[2])
+    }
+
+    /// `dK/dm` over `2^(2 shift)`.
+    fn complete(&self) -> f64 {
+        growth(1.0, 0.0, self.constants.scaled_complement, self.down())
+    }
+
+    /// The integral of `cn²` over a quarter period: `2 m' dK/dm`; on the separatrix that of `sech²`.
+    fn quarter_share(&self) -> f64 {
+        let complement = self.constants.scaled_complement;
+        if complement == 0.0 { 1.0 } else { 2.0 * complement * complement * self.complete() }
+    }
+
+    fn place(&self, time: f64) -> Place {
+        let (values, halves) = match &self.form {
             Form::Trigonometric { spin, start, turns, .. } => {
                 let (sin, cos) = super::advanced(start, *turns * time);
                 let values = spin.at(sin, cos);
-                let at_start = crate::double::Double::from(start[0].atan2(start[1]) / TAU);
+                let at_start = Double::from(start[0].atan2(start[1]) / TAU);
                 let (whole, left) = ((*turns * time + at_start) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
@@ -41,108 +162,94 @@ impl Elliptic {
                 let place = way.at(time);
                 (place.spin(spin), place.halves)
             }
-        }
+        };
+        let down = self.down();
+        let (cn, dn) = (values.cn.abs(), values.dn);
+        let sn = values.sn * values.cn.signum();
+        let growth = growth(sn, cn, dn, down);
+        let complement = self.constants.scaled_complement;
+        let side = sn.signum();
+        let true_cn2 = (cn * down) * (cn * down);
+        let (quarters, share) = if sn * sn > 0.5 && complement == 0.0 {
+            (side, -side * true_cn2 / (1.0 + sn.abs()))
+        } else if sn * sn > 0.5 && true_cn2 < self.constants.complement {
+            // What is left to the saddle: an integral of the same form in the complementary angle.
+            let quotient = dn / complement;
+            let left = true_cn2 * (cn / complement) * rd([sn * sn, quotient * quotient, 1.0]) / 3.0;
+            (side, -side * left)
+        } else {
+            (0.0, 2.0 * complement * complement * growth + sn * (cn / dn))
+        };
+        Place { values, halves, growth, quarters: 2.0 * halves + quarters, share }
     }
 
-    /// How the spin at scaled `time` changes with that at the start and with the moments, and by how much the squares
-    /// of the spin, integrated over time, exceed their values at the start. For spans that are not short: there it
-    /// cancels.
-    ///
-    /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
-    pub(crate) fn neighbours(&self, moments: &[f64; 3], time: f64) -> Result<Change, Error> {
-        let constants = &self.constants;
+    /// The integrals over time of the squares of the spin less those at the start, from Jacobi's argument `run` and
+    /// the integral of `cn²` over it; of the three the energy and the momentum leave one.
+    fn squares(&self, constants: &Constants, start: &Place, run: f64, share: f64) -> [f64; 3] {
+        let amplitude = times_power_of_two(self.amplitudes[1], -self.constants.lifts[1]);
+        let cn = start.values.cn * self.down();
+        let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.value();
         let [x, m, c] = self.axes;
-        let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
-        let run = self.elapsed(time);
-        let resting = constants.quarter.value().is_infinite();
-        if resting && (constants.argument + constants.rate * time).value().abs() > REST {
-            return Err(Error::OutOfRange {
-                what: "how long the spin has rested on the middle axis",
-                value: run,
-            });
-        }
-        let [_, lift, shift] = constants.lifts;
-        let down = times_power_of_two(1.0, -shift);
-        let flat = times_power_of_two(1.0, -lift);
-        let (start, halves_at_start) = self.place(0.0);
-        let (end, halves) = self.place(time);
+        let mut squares = [0.0; 3];
+        squares[x] = -constants.ratio * excess;
+        squares[m] = excess;
+        squares[c] = -constants.steepness * excess;
+        squares
+    }
 
-        // Ratios of the constants, and their logarithmic derivatives by the moments: A_X² = w_X² + R w_M²,
-        // A_C² = w_C² + S w_M², m' A_C² = w_C² - T w_X².
+    fn inputs(&self, moments: &[f64; 3], start: &Place) -> Constants {
+        let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
         let [d_cx, d_cm, d_mx] = [i_c - i_x, i_c - i_m, i_m - i_x];
+        // A_X² = w_X² + R w_M², A_C² = w_C² + S w_M², m' A_C² = w_C² - T w_X².
         let r = i_m * d_cm / (i_x * d_cx);
         let s = i_m * d_mx / (i_c * d_cx);
         let t = i_x * d_mx / (i_c * d_cm);
-        // By the moments of the across, the middle and the circled axis.
-        let (one, by_cx) = (1.0, [-1.0 / d_cx, 0.0, 1.0 / d_cx]);
-        let (by_cm, by_mx) = ([0.0, -1.0 / d_cm, 1.0 / d_cm], [-1.0 / d_mx, 1.0 / d_mx, 0.0]);
-        let own = [one / i_x, one / i_m, one / i_c];
-        let along = |signs: [f64; 3]| [0, 1, 2].map(|k| signs[k] * own[k]);
-        let sum =
-            |a: [f64; 3], b: [f64; 3], sign: f64, e: [f64; 3]| [0, 1, 2].map(|k| a[k] + sign * b[k] + e[k]);
-        let log_r = sum(by_cm, by_cx, -1.0, along([-1.0, 1.0, 0.0]));
-        let log_s = sum(by_mx, by_cx, -1.0, along([0.0, 1.0, -1.0]));
-        let log_t = sum(by_mx, by_cm, -1.0, along([1.0, 0.0, -1.0]));
-        let log_speed = sum(by_cm, by_cx, 1.0, along([-1.0, -1.0, 0.0])).map(|a| 0.5 * a);
+        // The logarithmic derivatives of differences, moments and their ratios.
+        let (by_cx, by_cm, by_mx) =
+            ([-1.0 / d_cx, 0.0, 1.0 / d_cx], [0.0, -1.0 / d_cm, 1.0 / d_cm], [-1.0 / d_mx, 1.0 / d_mx, 0.0]);
+        let over = [1.0 / i_x, 1.0 / i_m, 1.0 / i_c];
+        let ratio = |above: [f64; 3], below: [f64; 3], signs: [f64; 3]| {
+            [0, 1, 2].map(|k| above[k] - below[k] + signs[k] * over[k])
+        };
+        let log_r = ratio(by_cm, by_cx, [-1.0, 1.0, 0.0]);
+        let log_s = ratio(by_mx, by_cx, [0.0, 1.0, -1.0]);
+        let log_t = ratio(by_mx, by_cm, [1.0, 0.0, -1.0]);
 
+        let [_, lift, shift] = self.constants.lifts;
+        let (down, flat) = (times_power_of_two(1.0, -shift), times_power_of_two(1.0, -lift));
         let [a_x, a_m, a_c] = self.amplitudes;
-        let (sn, cn, dn) = (start.sn, start.cn, start.dn);
-        let (square, modulus, complement) = (sn * sn, constants.modulus, constants.scaled_complement);
-        let parameter = modulus * modulus;
-        let complement2 = complement * complement;
-        let quotient = cn / dn;
-        let root_r = r.sqrt();
-        // In the order: spin across, middle, circled, then the moments alike. Each spin is taken times its power of two.
-        let by_moments =
-            |f: &dyn Fn(usize) -> f64, spins: [f64; 3]| [spins[0], spins[1], spins[2], f(0), f(1), f(2)];
-        let across = by_moments(&|k| 0.5 * a_x * square * log_r[k], [cn * down, root_r * sn, 0.0]);
+        let Values { sn, cn, dn } = start.values;
+        let (square, quotient) = (sn * sn, cn / dn);
+        let parameter = self.constants.modulus * self.constants.modulus;
+        let complement2 = self.constants.scaled_complement * self.constants.scaled_complement;
         let true_cn2 = (cn * down) * (cn * down);
-        let middle = by_moments(&|k| -0.5 * a_m * true_cn2 * log_r[k], [cn * down / root_r, sn, 0.0]);
-        let around = by_moments(
-            &|k| 0.5 * a_c * parameter * square * log_s[k],
-            [0.0, s * (a_m * flat) / a_c * sn * flat, dn * down],
-        );
-        let shift_at_start =
-            by_moments(&|k| 0.5 * sn * quotient * log_r[k], [-sn / (a_x * dn), quotient / a_m, 0.0]);
-        // Of m', times the square of the shift.
-        let to_separatrix = by_moments(
-            &|k| -parameter * (cn * cn * log_t[k] + complement2 * square * log_s[k]),
-            [
-                -2.0 * t * (a_x * flat) * flat * cn / (a_c * a_c),
-                -2.0 * complement2 * s * (a_m * flat) * flat * sn / (a_c * a_c),
-                2.0 * parameter * dn / a_c,
-            ],
-        );
-        let folded = |v: &Values| growth(v.sn * v.cn.signum(), v.cn.abs(), v.dn, down);
-        let turns = halves - halves_at_start;
-        let whole = if turns == 0.0 { 0.0 } else { 2.0 * turns * growth(1.0, 0.0, complement, down) };
-        let gained = whole + (folded(&end) - folded(&start));
-
-        let mut spin = [Vector3::zeros(); 6];
-        for k in 0..6 {
-            let log_rate = around[k] / a_c + if k < 3 { 0.0 } else { log_speed[k - 3] };
-            let shift = shift_at_start[k] + run * log_rate + to_separatrix[k] * gained;
-            let change = [
-                across[k] * end.cn - a_x * end.sn * (end.dn * shift),
-                middle[k] * end.sn + a_m * (end.cn * down) * (end.dn * down * shift),
-                around[k] * end.dn
-                    + a_c
-                        * (end.sn * end.sn * (to_separatrix[k] / (2.0 * end.dn))
-                            - parameter * end.sn * (end.cn * shift)),
-            ];
-            let (j, input) = (k % 3, if k < 3 { constants.lifts[k] } else { 0 });
-            let column = if k < 3 { self.axes[j] } else { 3 + self.axes[j] };
-            for (row, &axis) in self.axes.iter().enumerate() {
-                spin[column][axis] = times_power_of_two(change[row], input - constants.lifts[row]);
-            }
+        let root_r = r.sqrt();
+        let all = |spins: [f64; 3], moment: &dyn Fn(usize) -> f64| {
+            [spins[0], spins[1], spins[2], moment(0), moment(1), moment(2)]
+        };
+        let around = all([0.0, s * (a_m * flat) / a_c * sn * flat, dn * down * down], &|k| {
+            0.5 * a_c * parameter * square * log_s[k]
+        });
+        Constants {
+            across: all([cn * down * down, root_r * sn, 0.0], &|k| 0.5 * a_x * square * log_r[k]),
+            middle: all([cn * down * down / root_r, sn, 0.0], &|k| -0.5 * a_m * true_cn2 * log_r[k]),
+            around,
+            log_rate: [0, 1, 2, 3, 4, 5].map(|k| {
+                let own = |k: usize| 0.5 * (by_cm[k] + by_cx[k] - if k < 2 { over[k] } else { 0.0 });
+                around[k] / a_c + if k < 3 { 0.0 } else { own(k - 3) }
+            }),
+            to_separatrix: all(
+                [
+                    -2.0 * t * (a_x * flat) * flat * cn / (a_c * a_c),
+                    -2.0 * complement2 * s * (a_m * flat) * flat * sn / (a_c * a_c),
+                    2.0 * parameter * dn / a_c,
+                ],
+                &|k| -parameter * (cn * cn * log_t[k] + complement2 * square * log_s[k]),
+            ),
+            phase: all([-sn / (a_x * dn), quotient / a_m, 0.0], &|k| 0.5 * sn * quotient * log_r[k]),
+            ratio: r,
+            steepness: s,
         }
-        // The integral of cn² is 2 m' dF/dm + sn cn/dn.
-        let share = 2.0 * complement2 * gained + (end.sn * (end.cn / end.dn) - sn * quotient);
-        let true_a_m = a_m * flat;
-        let excess = true_a_m * true_a_m * (true_cn2 * run - share) / constants.rate.value();
-        let mut squares = [0.0; 3];
-        (squares[x], squares[m], squares[c]) = (-r * excess, excess, -s * excess);
-        Ok(Change { spin, squares })
     }
 }
 

@@ -36,6 +36,8 @@ impl Ratios {
 pub(super) struct Short {
     pub(super) change: Change,
     pub(super) turn: [Vector3<f64>; 6],
+    /// The spin itself.
+    pub(super) omega: [f64; 3],
 }
 
 /// Coefficients of three components in powers of the share of the step that has passed.
@@ -74,7 +76,7 @@ pub(super) fn short(moments: &[f64; 3], omega: &[f64; 3], time: f64, angle: f64)
         w = total(&motion, order);
         done += 1.0;
     }
-    Short { change: Change { spin: spin.map(Into::into), squares }, turn: turn.map(Into::into) }
+    Short { change: Change { spin: spin.map(Into::into), squares }, turn: turn.map(Into::into), omega: w }
 }
 
 /// As many terms as reach rounding: all is analytic to a quarter period of complex time, at least a quarter turn.
