@@ -54,6 +54,9 @@ pub(crate) struct Halves {
     pub(crate) argument: f64,
 }
 
+/// From where on the integral is that of the separatrix to rounding.
+const FAR: f64 = 1e100;
+
 impl Elliptic {
     /// The half periods nearest to `time`; none on the separatrix.
     pub(crate) fn half_periods(&self, time: f64) -> Halves {
@@ -170,15 +173,17 @@ impl Elliptic {
         let complement = self.constants.scaled_complement;
         let side = sn.signum();
         let true_cn2 = (cn * down) * (cn * down);
-        let (quarters, share) = if sn * sn > 0.5 && complement == 0.0 {
-            (side, -side * true_cn2 / (1.0 + sn.abs()))
-        } else if sn * sn > 0.5 && true_cn2 < self.constants.complement {
+        let (quarters, share) = if sn * sn < 0.5 {
+            (0.0, 2.0 * complement * complement * growth + sn * (cn / dn))
+        } else {
             // What is left to the saddle: an integral of the same form in the complementary angle.
             let quotient = dn / complement;
-            let left = true_cn2 * (cn / complement) * rd([sn * sn, quotient * quotient, 1.0]) / 3.0;
+            let left = if quotient < FAR {
+                true_cn2 * (cn / complement) * rd([sn * sn, quotient * quotient, 1.0]) / 3.0
+            } else {
+                true_cn2 * (cn / dn) / (1.0 + sn.abs())
+            };
             (side, -side * left)
-        } else {
-            (0.0, 2.0 * complement * complement * growth + sn * (cn / dn))
         };
         Place { values, halves, growth, quarters: 2.0 * halves + quarters, share }
     }

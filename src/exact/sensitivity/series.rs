@@ -86,7 +86,9 @@ fn order(angle: f64) -> usize {
         left *= angle / 1.5;
         n += 1;
     }
-    n.max(2)
+    // Where the motion is slow the first terms are not of its own rate: a change of the moments sets one component off,
+    // and that the others.
+    (n + 3).min(TERMS)
 }
 
 fn unit(k: usize) -> [f64; 3] {
