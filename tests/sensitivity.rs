@@ -279,3 +279,23 @@ fn derivatives_beyond_f64_are_refused() {
     assert!(!refused([2.0, 1.0, 1.0], 300.0));
     assert!(refused([2.0, 1.0, 1.0], 3000.0));
 }
+
+#[test]
+fn zz_sweep() {
+    let Ok(path) = std::env::var("SWEEP") else { return };
+    let text = std::fs::read_to_string(path).unwrap();
+    for line in text.lines() {
+        if let Ok(_) = serde_json::from_str::<Value>(line) {
+            let w = judge(&format!("{{\"cases\":[{line}]}}"));
+            let m = w.iter().map(|x| x.0).fold(0.0, f64::max);
+            if m > 4.0 || w.iter().any(|x| x.0.is_nan()) {
+                println!(
+                    "{:?} {}",
+                    w.iter().map(|x| format!("{:.1e}", x.0)).collect::<Vec<_>>(),
+                    w[3].1.clone() + &w[2].1
+                );
+            }
+        }
+    }
+    println!("lines {}", text.lines().count());
+}

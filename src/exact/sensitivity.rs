@@ -38,7 +38,7 @@ pub(super) struct Change {
 }
 
 /// Up to this many radians the power series in time are taken.
-const SHORT: f64 = 0.5;
+const SHORT: f64 = 1.0;
 
 impl FreeMotion {
     /// How the motion at time `t` changes with the spin at the start and with the moments.
