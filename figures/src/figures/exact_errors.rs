@@ -138,7 +138,7 @@ pub(super) fn draw() -> Drawing {
     let mut seen = Vec::new();
     for entry in file["cases"].as_array().ok_or("a table without cases")? {
         let one = case(entry).ok_or_else(|| format!("case {} cannot be read", entry["inertia"]))?;
-        if let Some(bad) = one.units.iter().find(|&&units| !(units <= LIMIT)) {
+        if let Some(bad) = one.units.iter().find(|&&units| units.is_nan() || units > LIMIT) {
             return Err(format!("{} {:?} has an error of {bad:.1} units", one.spun, one.cell).into());
         }
         seen.push(one);
