@@ -154,7 +154,7 @@ pub(crate) static ALL: [Figure; 20] = [
     },
     Figure {
         name: "exact-errors",
-        shows: "Errors of the exact motion against what the motion makes of rounded inputs",
+        shows: "Errors of the exact motion over all bodies, beside what the motion makes of rounded inputs",
         chapter: "exact-motion",
         draw: exact_errors::draw,
     },
