@@ -146,6 +146,11 @@ pub enum Error {
         /// How much of it may be rounding: it must be above that.
         tolerance: f64,
     },
+    /// A principal axis was asked for by a number that none has.
+    NoSuchAxis {
+        /// The number.
+        axis: usize,
+    },
     /// Something is wrong with one part of a whole.
     Part {
         /// Which part, from 0.
@@ -217,6 +222,9 @@ impl fmt::Display for Error {
                 "the attitude quaternion has length {norm:?}, off 1 by {:.3e}: it must be 1 to within {tolerance:.1e}",
                 (norm - 1.0).abs()
             ),
+            Self::NoSuchAxis { axis } => {
+                write!(f, "there is no principal axis number {axis}: they are numbered 0, 1 and 2")
+            }
             Self::TooFew { what, count, needed } => {
                 write!(f, "{count} {what} given: at least {needed} needed")
             }

@@ -42,6 +42,7 @@ use crate::invariants::{Kind, classify};
 use crate::scale::times_power_of_two;
 use circulating::Elliptic;
 use elementary::{Precession, Turn, scaled};
+use flips::Clock;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The free motion of one body from one start, ready to be asked for any instant.
@@ -148,7 +149,9 @@ impl FreeMotion {
     /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they are.
     ///
     /// The principal axes of a tensor that is not diagonal come rounded: the motion is then that of a tensor
-    /// some units in the last place away.
+    /// some units in the last place of its largest entry away. To a needle whose smallest moment is `e` times its largest
+    /// that is much: the moment is good to `4/e` units of 2^-53, and spin and attitude in the first few radians to
+    /// `8/e`, 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12. Given along its principal axes it costs nothing.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -192,12 +195,18 @@ impl FreeMotion {
         if t == 0.0 {
             return Ok(self.mount.as_ref().map_or(self.start, |mount| mount.omega));
         }
-        let omega = match &self.law {
+        let omega = self.omega_along(time);
+        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+    }
+
+    /// The spin along the principal axes.
+    fn omega_along(&self, time: f64) -> Vector3<f64> {
+        match &self.law {
+            _ if time == 0.0 => self.start,
             Law::AtRest | Law::Steady(_) => self.start,
             Law::Symmetric(precession) => precession.omega(time),
             Law::Elliptic(motion) => motion.omega(time),
-        };
-        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+        }
     }
 
     /// Attitude at time `t`, body to world.
@@ -206,14 +215,18 @@ impl FreeMotion {
     /// A time that is not finite.
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        let turned = match &self.law {
-            _ if t == 0.0 => Quaternion::identity(),
+        Ok(self.in_world(t, self.turned(time).into_inner()))
+    }
+
+    /// The attitude of the principal axes, from where they are at the start.
+    fn turned(&self, time: f64) -> UnitQuaternion<f64> {
+        UnitQuaternion::new_unchecked(match &self.law {
+            _ if time == 0.0 => Quaternion::identity(),
             Law::AtRest => Quaternion::identity(),
             Law::Steady(turn) => turn.at(time),
             Law::Symmetric(precession) => precession.attitude(time),
             Law::Elliptic(motion) => motion.attitude(time),
-        };
-        Ok(self.in_world(t, turned))
+        })
     }
 
     /// Spin and attitude at time `t`, which share most of their work.
@@ -233,12 +246,20 @@ impl FreeMotion {
         Ok(Instant { omega, attitude: self.in_world(t, turned) })
     }
 
-    /// Spin and attitude at each of `times`.
+    /// Spin and attitude at each of `times`: to the bit those of [`at`](Self::at), at the same cost for each.
+    ///
+    /// What the instants of one motion have in common is in the preparation already. What is left to share is
+    /// to ask once what kind of motion it is, which saves less than a twentieth; a recurrence from one time to the
+    /// next would save more, and lose digits.
     ///
     /// # Errors
     /// A time that is not finite.
     pub fn at_each(&self, times: &[f64]) -> Result<Vec<Instant>, Error> {
-        times.iter().map(|&t| self.at(t)).collect()
+        let mut instants = Vec::with_capacity(times.len());
+        for &t in times {
+            instants.push(self.at(t)?);
+        }
+        Ok(instants)
     }
 
     fn in_world(&self, t: f64, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
@@ -281,12 +302,19 @@ impl FreeMotion {
     /// # Errors
     /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond `f64`.
     pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
-        let next = self.flips(t, f64::MAX.min(t + self.reach()?))?.next();
-        next.map(|time| finite("the time of the next flip", time)).transpose()
+        finite("the time", t)?;
+        let Some((clock, exponent)) = self.clock_of_flips() else { return Ok(None) };
+        match clock.next_after(t, exponent)? {
+            Some(value) if !value.is_finite() => {
+                Err(Error::OutOfRange { what: "the time of the next flip", value })
+            }
+            time => Ok(time),
+        }
     }
 
     /// All instants after `from` and up to `to` at which the spin along the middle axis changes sign, in order,
-    /// one at a time: an interval with a billion flips takes no more room than one with two.
+    /// one at a time: an interval with a billion flips takes no more room than one with two, and how many
+    /// they are is known without a visit to each ([`Flips::remaining`]).
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -298,26 +326,19 @@ impl FreeMotion {
     /// ```
     ///
     /// # Errors
-    /// A time that is not finite, or one with more than 9e15 flips between it and the start.
+    /// A time that is not finite, or one with more than 2.2e15 flips between it and the start: further out some come
+    /// at the same `f64`.
     pub fn flips(&self, from: f64, to: f64) -> Result<Flips, Error> {
         finite("the start of the interval", from)?;
         finite("the end of the interval", to)?;
-        let source = match &self.law {
-            Law::Elliptic(motion) => Some((motion.clock(), self.exponent)),
-            Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => None,
-        };
-        Flips::between(source, from, to)
+        Flips::between(self.clock_of_flips(), from, to)
     }
 
-    /// A span that surely holds the next flip, if there is one.
-    fn reach(&self) -> Result<f64, Error> {
-        Ok(match &self.law {
-            Law::Elliptic(motion) => match motion.half_period() {
-                Some(half) => self.seconds("the time between flips", 3.0 * half)?,
-                None => f64::MAX,
-            },
-            Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => 0.0,
-        })
+    fn clock_of_flips(&self) -> Option<(Clock, i32)> {
+        match &self.law {
+            Law::Elliptic(motion) => Some((motion.clock(), self.exponent)),
+            Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => None,
+        }
     }
 
     /// A scaled time in seconds.

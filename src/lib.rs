@@ -30,7 +30,8 @@
 //! - [`Inertia`]: apply, invert once, shift, turn to the world, measure the gap. [`PrincipalAxes`] follow from it.
 //! - [`Body`]: inertia, attitude and angular momentum; the spin is derived.
 //! - [`euler`]: the equations of motion. [`stability`]: what becomes of a small push.
-//! - [`step`]: stepping through time, right and wrong. [`observe`]: what to read off the motion.
+//! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong. [`flow`]: exact flow between
+//!   kicks of torque. [`observe`]: what to read off the motion.
 //!
 //! # Conventions
 //!
@@ -59,6 +60,7 @@ pub mod counted;
 pub mod elliptic;
 pub mod euler;
 pub mod exact;
+pub mod flow;
 pub mod inertia;
 pub mod observe;
 pub mod references;

@@ -129,4 +129,8 @@ fn without_a_modulus_they_are_the_circles_and_what_is_no_complement_is_named() {
     }
     assert!(Jacobi::of_complement(0.5).unwrap().at(f64::NAN).is_err());
     assert!(carlson_rf(0.0, 0.0, 1.0).is_err());
+    // R_F(x, x, x) = 1/sqrt(x), to the ends of the range.
+    for x in [f64::MAX, 1e300, 1e-300, 5e-324] {
+        assert!((carlson_rf(x, x, x).unwrap() * x.sqrt() - 1.0).abs() < 1e-15, "{x:e}");
+    }
 }

@@ -1,6 +1,6 @@
 //! What was asked for on the command line, and carrying it out.
 
-use crate::{build, complain, draw, guard, nearest, paths, preprocess, say};
+use crate::{build, complain, draw, guard, measure, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -24,6 +24,15 @@ Draws the figures of the book and builds its pages.
     cargo run --release -- check --list        the same, and for each number and equation what holds it
     cargo run --release -- check --mutants     alter the book's numbers and equations, one change at a
                                                time, and tell which alterations go unnoticed
+    cargo run --release -- measure             run every method against the exact motion, some minutes;
+                                               renews measure/record/, from which figures are drawn
+    cargo run --release -- measure --peers     the same, with published solvers and an engine in the same
+                                               run; compiles some two hundred crates first
+    cargo run --release -- measure --quick     the same in less than a minute, coarser, into measure/quick/;
+                                               also with --peers
+    cargo run --release -- atlas               run every method on every hard case, some seconds; prints what
+                                               became of each and renews measure/record/atlas.tsv
+    cargo run --release -- measure --long NAME a billion turns by one method, a quarter of an hour or more
     cargo run --release -- --help              this text
 
 The pages land in book/html/; open book/html/index.html in any browser, no server needed.
@@ -52,11 +61,16 @@ pub(crate) enum Asked {
     Build,
     Figures { names: Vec<&'static Figure>, check: bool },
     Check { folder: Option<PathBuf>, how: Checking },
+    Measure { quick: bool, peers: bool },
+    Atlas,
+    Longest { method: String },
+    Count { contestant: String, times: u64 },
     Preprocess,
     Supports { renderer: String },
 }
 
-const COMMANDS: [&str; 6] = ["figures", "check", "list", "build", "help", "preprocess"];
+const COMMANDS: [&str; 8] = ["figures", "check", "list", "build", "measure", "atlas", "help", "preprocess"];
+const OPTIONS: [&str; 7] = ["--help", "--check", "--list", "--mutants", "--quick", "--peers", "--long"];
 
 /// Reads the arguments that follow the program's name.
 ///
@@ -68,16 +82,22 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut words = Vec::new();
     let mut check = false;
     let mut how = Checking::Offences;
+    let (mut quick, mut peers, mut long) = (false, false, None);
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
             Short('h') | Long("help") => return Ok(Asked::Help),
             Long("check") => check = true,
             Long("mutants") => how = Checking::Mutants,
             Long("list") => how = Checking::Listing,
+            Long("quick") => quick = true,
+            Long("peers") => peers = true,
+            Long("long") => {
+                long = Some(parser.value().map_err(|e| e.to_string())?.to_string_lossy().into_owned());
+            }
             Value(word) => words.push(word.to_string_lossy().into_owned()),
             Long(unknown) => {
                 let unknown = format!("--{unknown}");
-                let near = nearest::perhaps(&unknown, ["--help", "--check", "--list", "--mutants"]);
+                let near = nearest::perhaps(&unknown, OPTIONS);
                 return Err(format!("There is no option `{unknown}`.{near}"));
             }
             other => return Err(other.unexpected().to_string()),
@@ -92,6 +112,9 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     if how != Checking::Offences && command.as_deref() != Some("check") {
         return Err("`--list` and `--mutants` go with `check`.".into());
     }
+    if (quick || peers || long.is_some()) && command.as_deref() != Some("measure") {
+        return Err("`--quick`, `--peers` and `--long` go with `measure`.".into());
+    }
     match command.as_deref() {
         None => Ok(Asked::Everything),
         Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
@@ -100,16 +123,28 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             [folder] => Ok(Asked::Check { folder: Some(folder.into()), how }),
             [_, extra, ..] => Err(format!("`check` takes one folder, but got `{extra}` besides.")),
         },
+        Some("measure") => match (rest.as_slice(), long) {
+            ([], None) => Ok(Asked::Measure { quick, peers }),
+            ([], Some(method)) if !quick && !peers => Ok(Asked::Longest { method }),
+            ([], Some(_)) => Err("`--long` goes alone.".into()),
+            // How it runs itself again under valgrind.
+            ([word, contestant, times], None) if word == "count" => {
+                let times = times.parse().map_err(|_| format!("`{times}` is no number."))?;
+                Ok(Asked::Count { contestant: contestant.clone(), times })
+            }
+            ([extra, ..], _) => Err(format!("`measure` takes options only, but got `{extra}`.")),
+        },
         Some("preprocess") => match rest.as_slice() {
             [] => Ok(Asked::Preprocess),
             [word, renderer] if word == "supports" => Ok(Asked::Supports { renderer: renderer.clone() }),
             _ => Err("`preprocess` takes nothing, or `supports RENDERER`.".into()),
         },
-        Some(word @ ("list" | "build" | "help")) => match rest.first() {
+        Some(word @ ("list" | "build" | "atlas" | "help")) => match rest.first() {
             Some(extra) => Err(format!("`{word}` takes no further word, but got `{extra}`.")),
             None => Ok(match word {
                 "list" => Asked::List,
                 "build" => Asked::Build,
+                "atlas" => Asked::Atlas,
                 _ => Asked::Help,
             }),
         },
@@ -162,6 +197,10 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
                 }
             });
         }
+        Asked::Measure { quick, peers } => measure::measure(quick, peers)?,
+        Asked::Atlas => measure::atlas()?,
+        Asked::Longest { method } => measure::longest(&method)?,
+        Asked::Count { contestant, times } => measure::count(&contestant, times)?,
         Asked::Build => build::build()?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
         // mdBook asks by the exit code alone, and a no is no error.
@@ -255,6 +294,15 @@ mod tests {
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
+        assert!(matches!(parsed(&["atlas"]), Ok(Asked::Atlas)));
+        assert!(matches!(parsed(&["measure"]), Ok(Asked::Measure { quick: false, peers: false })));
+        assert!(matches!(
+            parsed(&["measure", "--quick", "--peers"]),
+            Ok(Asked::Measure { quick: true, peers: true })
+        ));
+        assert!(
+            matches!(parsed(&["measure", "--long", "Buss"]), Ok(Asked::Longest { method }) if method == "Buss")
+        );
         assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
         assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, how: Checking::Offences })));
         assert!(matches!(
@@ -282,6 +330,9 @@ mod tests {
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
+        assert!(parsed(&["build", "--quick"]).unwrap_err().contains("`measure`"));
+        assert!(parsed(&["measure", "all"]).unwrap_err().contains("`all`"));
+        assert!(parsed(&["measure", "--quick", "--long", "x"]).unwrap_err().contains("alone"));
         assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));
         assert!(matches!(parsed(&["check", "--list"]), Ok(Asked::Check { how: Checking::Listing, .. })));
         assert!(parsed(&["figures", "--mutants"]).unwrap_err().contains("`check`"));

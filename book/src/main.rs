@@ -5,6 +5,7 @@ mod cli;
 mod draw;
 mod guard;
 mod log;
+mod measure;
 mod nearest;
 mod paths;
 mod preprocess;

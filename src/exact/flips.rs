@@ -3,9 +3,14 @@
 use crate::double::Double;
 use crate::error::Error;
 use crate::scale::times_power_of_two;
+use std::iter::FusedIterator;
 
 /// Beyond this many flips from the start an `f64` cannot number them one by one.
 const LAST: f64 = 9_007_199_254_740_992.0;
+
+/// Up to this many the instants, as they are rounded, are all different: half a period is then two units in the last
+/// place of the time, or more.
+const LAST_APART: f64 = LAST / 4.0;
 
 /// The instants when the spin along the middle axis vanishes: one, or one at each half turn of the phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,19 +21,28 @@ pub(crate) enum Clock {
     Evenly { offset: Double, rate: Double },
 }
 
-/// The flips in an interval, in order of time; see [`FreeMotion::flips`](super::FreeMotion::flips).
+/// The flips in an interval, in order of time from either end; see [`FreeMotion::flips`](super::FreeMotion::flips).
+///
+/// How many there are, and any one of them, costs the same however many that is: [`remaining`](Self::remaining) (which
+/// [`count`](Iterator::count) and [`size_hint`](Iterator::size_hint) give as a `usize`, where it is one),
+/// [`nth`](Iterator::nth), [`last`](Iterator::last).
 #[derive(Debug, Clone)]
 pub struct Flips {
     source: Option<(Clock, i32)>,
-    /// Number of the next flip, of the last, and the step from one to the next, forward in time.
+    /// Number of the next flip, and of the first that is none of these; the step from one to the next, forward in time.
     next: f64,
-    last: f64,
+    end: f64,
     step: f64,
-    from: f64,
-    to: f64,
 }
 
 impl Clock {
+    fn step(&self) -> f64 {
+        match self {
+            Self::Evenly { rate, .. } if rate.value() < 0.0 => -1.0,
+            Self::Evenly { .. } | Self::Once(_) => 1.0,
+        }
+    }
+
     fn instant(&self, number: f64, exponent: i32) -> f64 {
         let scaled = match *self {
             Self::Once(time) => time,
@@ -37,12 +51,35 @@ impl Clock {
         times_power_of_two(scaled.value(), -exponent)
     }
 
-    /// The number of half turns at a time, which is a whole number at each flip.
-    fn count_at(&self, t: f64, exponent: i32) -> f64 {
-        match *self {
-            Self::Once(_) => 0.0,
-            Self::Evenly { offset, rate } => (rate * times_power_of_two(t, exponent) + offset).value(),
+    /// The number of the first flip after `t`, which may be one that never comes.
+    fn first_after(&self, t: f64, exponent: i32, limit: f64) -> Result<f64, Error> {
+        let Self::Evenly { offset, rate } = *self else {
+            return Ok(if self.instant(0.0, exponent) > t { 0.0 } else { 1.0 });
+        };
+        let half_turns = (rate * times_power_of_two(t, exponent) + offset).value();
+        let room = limit - 8.0;
+        if half_turns.is_nan() || half_turns.abs() > room {
+            return Err(Error::Order {
+                smaller: "the number of flips from the start",
+                small: half_turns.abs(),
+                larger: "the greatest for which f64 tells one flip's time from the next",
+                large: room,
+            });
         }
+        // From one or two before: the instant decides, as it is rounded.
+        let step = self.step();
+        let mut number = if step > 0.0 { half_turns.floor() } else { half_turns.ceil() } - step;
+        while self.instant(number, exponent) <= t {
+            number += step;
+        }
+        Ok(number)
+    }
+
+    /// The first flip after `t`, infinite if it is beyond `f64`.
+    pub(crate) fn next_after(&self, t: f64, exponent: i32) -> Result<Option<f64>, Error> {
+        let number = self.first_after(t, exponent, LAST)?;
+        let none = matches!(self, Self::Once(_)) && number > 0.0;
+        Ok((!none).then(|| self.instant(number, exponent)))
     }
 }
 
@@ -50,24 +87,31 @@ impl Flips {
     /// Those after `from` and up to `to`.
     pub(crate) fn between(source: Option<(Clock, i32)>, from: f64, to: f64) -> Result<Self, Error> {
         let Some((clock, exponent)) = source else {
-            return Ok(Self { source, next: 0.0, last: -1.0, step: 1.0, from, to });
+            return Ok(Self { source, next: 0.0, end: 0.0, step: 1.0 });
         };
-        let (first, last) = (clock.count_at(from, exponent), clock.count_at(to, exponent));
-        let beyond = [first, last].into_iter().find(|x| !x.is_finite() || x.abs() > LAST - 4.0);
-        if let Some(value) = beyond {
-            return Err(Error::OutOfRange { what: "the number of flips from the start", value });
-        }
-        let step = match clock {
-            Clock::Evenly { rate, .. } if rate.value() < 0.0 => -1.0,
-            _ => 1.0,
-        };
-        // One more at each end; whether it belongs is decided by its instant.
-        let (next, last) = match clock {
-            Clock::Once(_) => (0.0, 0.0),
-            Clock::Evenly { .. } if step > 0.0 => (first.floor() - 1.0, last.ceil() + 1.0),
-            Clock::Evenly { .. } => (first.ceil() + 1.0, last.floor() - 1.0),
-        };
-        Ok(Self { source, next, last, step, from, to })
+        let number = |t: f64| clock.first_after(t, exponent, LAST_APART);
+        Ok(Self { source, next: number(from)?, end: number(to)?, step: clock.step() })
+    }
+
+    /// How many are still to come. Counts them without visiting them.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::exact::FreeMotion;
+    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// let flips = motion.flips(0.0, 1e9)?; // 31 years, one flip every 3.4805 s
+    /// assert_eq!(flips.remaining(), 287_315_314);
+    /// assert_eq!(flips.last().map(|t| format!("{t:.3}")).as_deref(), Some("999999999.263"));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn remaining(&self) -> u64 {
+        // Whole, and below 2^53.
+        ((self.end - self.next) * self.step).max(0.0) as u64
+    }
+
+    fn instant(&self, number: f64) -> Option<f64> {
+        self.source.map(|(clock, exponent)| clock.instant(number, exponent))
     }
 }
 
@@ -75,18 +119,41 @@ impl Iterator for Flips {
     type Item = f64;
 
     fn next(&mut self) -> Option<f64> {
-        let (clock, exponent) = self.source?;
-        while (self.last - self.next) * self.step >= 0.0 {
-            let t = clock.instant(self.next, exponent);
-            self.next += self.step;
-            if t > self.to {
-                break;
-            }
-            if t > self.from {
-                return Some(t);
-            }
+        self.nth(0)
+    }
+
+    fn nth(&mut self, n: usize) -> Option<f64> {
+        if n as u64 >= self.remaining() {
+            self.next = self.end;
+            return None;
         }
-        self.source = None;
-        None
+        let number = self.next + self.step * n as f64;
+        self.next = number + self.step;
+        self.instant(number)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let whole = usize::try_from(self.remaining()).ok();
+        (whole.unwrap_or(usize::MAX), whole)
+    }
+
+    fn count(self) -> usize {
+        self.size_hint().0
+    }
+
+    fn last(mut self) -> Option<f64> {
+        self.next_back()
     }
 }
+
+impl DoubleEndedIterator for Flips {
+    fn next_back(&mut self) -> Option<f64> {
+        if self.remaining() == 0 {
+            return None;
+        }
+        self.end -= self.step;
+        self.instant(self.end)
+    }
+}
+
+impl FusedIterator for Flips {}

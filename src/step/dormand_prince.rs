@@ -71,6 +71,9 @@ pub struct Controlled {
     pub rejected: usize,
 }
 
+/// Below this a step's error is rounding, and no step meets the tolerance.
+pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+
 /// The most steps, taken or not, of one [`controlled`] run.
 pub const MOST_STEPS: usize = 100_000_000;
 
@@ -94,8 +97,8 @@ pub const MOST_STEPS: usize = 100_000_000;
 /// ```
 ///
 /// # Errors
-/// A duration that is not finite, a tolerance not above zero, a motion that leaves `f64`, or an error that stays too large however
-/// short the step, or however many: a tolerance that rounding does not let it meet.
+/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error that stays too large
+/// however short the step, or more than [`MOST_STEPS`].
 pub fn controlled(
     system: &System<f64>,
     start: &Motion<f64>,
@@ -104,6 +107,14 @@ pub fn controlled(
 ) -> Result<Controlled, Error> {
     finite("the duration", duration)?;
     positive("the tolerance", tolerance)?;
+    if tolerance < LEAST_TOLERANCE {
+        return Err(Error::Order {
+            smaller: "rounding in a step",
+            small: LEAST_TOLERANCE,
+            larger: "the tolerance",
+            large: tolerance,
+        });
+    }
     let mut run = Controlled { end: start.clone(), steps: 0, rejected: 0 };
     if duration == 0.0 {
         return Ok(run);

@@ -1,6 +1,7 @@
 //! The contract of a stepper: motion in, motion out, and what it says of itself.
 
 use super::rk4::Motion;
+use super::rules::{explicit as simple, newton, runge_kutta};
 use super::system::System;
 use super::{
     buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
@@ -53,6 +54,31 @@ pub enum Method {
     MoserVeselov8,
     /// The same with the moments preprocessed to order 10.
     MoserVeselov10,
+    /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with it Unity by default, Jolt
+    /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin never flips or precesses, and the momentum
+    /// wanders in the world with the body; at any step, so that its order is 0.
+    ConstantSpin,
+    /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo 4.0.0's Euler, Bullet 3.2.7's
+    /// multibody. It gains energy, in time without bound: a stable spin is lost.
+    SemiImplicitEuler,
+    /// The same, with the momentum brought back to its length before the turn: Jolt with its flag on, Avian. It keeps `|L|` and
+    /// turns a body that spins stably about its largest moment toward the middle one.
+    Rescaled,
+    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier 0.36.1, in four parts a step.
+    RescaledStraight,
+    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet 3.2.7's rigid
+    /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
+    /// multiply the energy.
+    OneNewton,
+    /// Implicit Euler linearised at the start, torques included: MuJoCo 4.0.0's implicit and implicitfast. For a free body the same as
+    /// [`OneNewton`](Self::OneNewton).
+    LinearisedImplicit,
+    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's RK4 before version 4.0.0. The spin is right
+    /// to the fourth order, the attitude to the second.
+    MeanSpinRungeKutta4,
+    /// The same, each of the four spins corrected to the rate of the turn since the start of the step, as
+    /// [MK98](crate::references): MuJoCo 4.0.0's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body axes.
+    TurnedRungeKutta4,
 }
 
 /// What a method says of itself. Its order and what it keeps are proven or measured by the tests, for free motion.
@@ -112,6 +138,14 @@ impl Method {
         Self::MoserVeselov6,
         Self::MoserVeselov8,
         Self::MoserVeselov10,
+        Self::ConstantSpin,
+        Self::SemiImplicitEuler,
+        Self::Rescaled,
+        Self::RescaledStraight,
+        Self::OneNewton,
+        Self::LinearisedImplicit,
+        Self::MeanSpinRungeKutta4,
+        Self::TurnedRungeKutta4,
     ];
 
     /// What it says of itself.
@@ -136,6 +170,14 @@ impl Method {
             Self::MoserVeselov6 => &moser_veselov::ORDER_6,
             Self::MoserVeselov8 => &moser_veselov::ORDER_8,
             Self::MoserVeselov10 => &moser_veselov::ORDER_10,
+            Self::ConstantSpin => &simple::CONSTANT_SPIN,
+            Self::SemiImplicitEuler => &simple::SEMI_IMPLICIT,
+            Self::Rescaled => &simple::RESCALED,
+            Self::RescaledStraight => &simple::RESCALED_STRAIGHT,
+            Self::OneNewton => &newton::ONE_NEWTON,
+            Self::LinearisedImplicit => &newton::LINEARISED,
+            Self::MeanSpinRungeKutta4 => &runge_kutta::MEAN_SPIN,
+            Self::TurnedRungeKutta4 => &runge_kutta::CORRECTED,
         }
     }
 
@@ -178,6 +220,14 @@ impl Method {
             Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
             Self::MoserVeselov8 => moser_veselov::step(system, start, h, 8)?,
             Self::MoserVeselov10 => moser_veselov::step(system, start, h, 10)?,
+            Self::ConstantSpin => simple::constant_spin(system, start, h),
+            Self::SemiImplicitEuler => simple::semi_implicit(system, start, h),
+            Self::Rescaled => simple::rescaled(system, start, h),
+            Self::RescaledStraight => simple::rescaled_straight(system, start, h),
+            Self::OneNewton => newton::one_newton(system, start, h),
+            Self::LinearisedImplicit => newton::linearised(system, start, h),
+            Self::MeanSpinRungeKutta4 => runge_kutta::mean_spin(system, start, h),
+            Self::TurnedRungeKutta4 => runge_kutta::corrected(system, start, h),
         };
         let size = end.attitude.coords.iter().chain(&end.vector).map(Analytic::size).sum::<f64>();
         if size.is_finite() {

@@ -26,16 +26,16 @@ use nalgebra::{Quaternion, Vector3};
 const ALL: Keeps = Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true };
 
 pub(super) const ORDER_2: About =
-    About { name: "discrete Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
+    About { name: "Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
 
 const fn preprocessed(name: &'static str, order: u32) -> About {
     About { name, order, implicit: true, keeps: ALL, source: "HV06" }
 }
 
-pub(super) const ORDER_4: About = preprocessed("preprocessed Moser-Veselov 4", 4);
-pub(super) const ORDER_6: About = preprocessed("preprocessed Moser-Veselov 6", 6);
-pub(super) const ORDER_8: About = preprocessed("preprocessed Moser-Veselov 8", 8);
-pub(super) const ORDER_10: About = preprocessed("preprocessed Moser-Veselov 10", 10);
+pub(super) const ORDER_4: About = preprocessed("Moser-Veselov 4", 4);
+pub(super) const ORDER_6: About = preprocessed("Moser-Veselov 6", 6);
+pub(super) const ORDER_8: About = preprocessed("Moser-Veselov 8", 8);
+pub(super) const ORDER_10: About = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
 pub(super) fn step<T: Analytic>(

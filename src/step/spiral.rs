@@ -18,12 +18,14 @@ pub(super) const ABOUT: About = About {
     source: "Val24",
 };
 
+/// With a torque, between two half kicks of it: a torque held for the whole step would cost an order.
 pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    let half = h.clone() / T::integer(2);
+    let start = system.kicked(start, &half);
     let omega = system.omega(&start.vector);
-    // One evaluation of the torque a step, as published.
-    let torque = system.torque(start);
+    let none = Vector3::from_fn(|_, _| T::zero());
     let slope = |omega: &Vector3<T>| {
-        euler::angular_acceleration(system.moments(), omega, &torque).map(|x| x * h.clone())
+        euler::angular_acceleration(system.moments(), omega, &none).map(|x| x * h.clone())
     };
     let over = |x: &Vector3<T>, n: u32| x.map(|x| x / T::integer(n));
     let k1 = slope(&omega);
@@ -33,5 +35,6 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     let first = attitude::turn(&omega.map(|x| x * h.clone()));
     let second = attitude::turn(&k1.map(|x| x * h.clone() / T::integer(2)));
     let turned = attitude::product(&first, &second);
-    Motion { attitude: attitude::product(&start.attitude, &turned), vector: system.momentum(&end) }
+    let end = Motion { attitude: attitude::product(&start.attitude, &turned), vector: system.momentum(&end) };
+    system.kicked(&end, &half)
 }

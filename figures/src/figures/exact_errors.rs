@@ -1,16 +1,14 @@
-//! Errors of the exact motion against tables of more digits than an `f64` has.
+//! Errors of the exact motion over all bodies, against a table of more digits than an `f64` has.
 
-use super::{Drawing, Picture, bound, power_of_ten};
-use crate::draw::{Canvas, Label, P, Pen, Plot, Scale};
+use super::{Drawing, Picture};
+use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 use serde_json::Value;
-use std::error::Error;
-use std::f64::consts::TAU;
 use tumbling::exact::FreeMotion;
 
-const TABLES: [&str; 2] =
-    [include_str!("../../../tests/data/free-motion.json"), include_str!("../../../tests/data/sweep.json")];
+/// Made by the program beside it.
+const TABLE: &str = include_str!("../../data/errors.json");
 
 /// The rounding of one input, relative.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
@@ -69,13 +67,14 @@ fn length(v: &[f64]) -> f64 {
     if scale == 0.0 { 0.0 } else { scale * v.iter().map(|x| (x / scale).powi(2)).sum::<f64>().sqrt() }
 }
 
-/// One instant of one motion: how far off, and how far the rounding of the inputs may take it.
+/// One body spun one way: where it stands on the map, and the worst error of spin and attitude, in units.
 struct Seen {
-    name: String,
-    /// How far it is from the start, at the speed of that instant.
-    turns: f64,
-    condition: f64,
-    error: f64,
+    spun: String,
+    cell: [u32; 3],
+    place: (f64, f64),
+    units: [f64; 2],
+    /// A hair inside the triangle's edge, not at the middle of its cell.
+    on_edge: bool,
 }
 
 fn texts(value: &Value) -> Option<Vec<&str>> {
@@ -92,127 +91,154 @@ fn off(ours: &[f64], table: &[&str]) -> Option<f64> {
     Some(length(&differences?))
 }
 
-/// Spin and attitude at each instant of a case.
-fn case(case: &Value) -> Option<[Vec<Seen>; 2]> {
+fn case(case: &Value) -> Option<Seen> {
     let vector = |field: &str| numbers(&case[field]).map(Vector3::from_vec);
-    let motion = FreeMotion::new(&vector("inertia")?, &vector("w0")?).ok()?;
-    let mut seen = [Vec::new(), Vec::new()];
+    let moments = vector("inertia")?;
+    let motion = FreeMotion::new(&moments, &vector("w0")?).ok()?;
+    let mut units = [0.0_f64; 2];
     for (k, t) in numbers(&case["t"])?.into_iter().enumerate() {
         let at = motion.at(t).ok()?;
         let q = at.attitude.quaternion();
         let q = [q.w, q.i, q.j, q.k];
         let (w_table, q_table) = (texts(&case["w"][k])?, texts(&case["q"][k])?);
-        let size = length(&numbers(&case["w"][k])?);
-        let spin = off(at.omega.as_slice(), &w_table)? / if size > 0.0 { size } else { 1.0 };
+        let spin = off(at.omega.as_slice(), &w_table)? / length(&numbers(&case["w"][k])?);
         let attitude = off(&q, &q_table)?.min(off(&q.map(|x| -x), &q_table)?);
-        for (i, (error, column)) in [(spin, "kappas_w"), (attitude, "kappas_q")].into_iter().enumerate() {
+        for (i, (error, column)) in [(spin, "kappa_w"), (attitude, "kappa_q")].into_iter().enumerate() {
             let condition = numbers(&case[column])?[k].max(1.0);
-            let name = case["name"].as_str()?.to_owned();
-            seen[i].push(Seen { name, turns: size * t.abs() / TAU, condition, error });
+            units[i] = units[i].max(error / (condition * ROUNDING));
         }
     }
-    Some(seen)
-}
-
-/// Both tables: how many motions, and each instant's spin, then attitude.
-struct Measured {
-    motions: usize,
-    seen: [Vec<Seen>; 2],
-}
-
-fn measured() -> Result<Measured, Box<dyn Error>> {
-    let mut motions = 0;
-    let mut seen = [Vec::new(), Vec::new()];
-    for table in TABLES {
-        let file: Value = serde_json::from_str(table)?;
-        for entry in file["cases"].as_array().ok_or("a table without cases")? {
-            let [spin, attitude] =
-                case(entry).ok_or_else(|| format!("case {} cannot be read", entry["name"]))?;
-            seen[0].extend(spin);
-            seen[1].extend(attitude);
-            motions += 1;
-        }
-    }
-    Ok(Measured { motions, seen })
+    let cell: Vec<u32> =
+        case["cell"].as_array()?.iter().filter_map(|x| x.as_u64()?.try_into().ok()).collect();
+    let (x, y) = (moments.x / moments.z, moments.y / moments.z);
+    // From the edges of flat plates, of rods and of wheels; a body in the middle of a cell is 1/60 or more off.
+    let on_edge = (x + y - 1.0).min(1.0 - y).min(y - x) < 0.01;
+    let spun = case["spin"].as_str()?.to_owned();
+    Some(Seen { spun, cell: cell.try_into().ok()?, place: (x, y), units, on_edge })
 }
 
 /// As many units as no error may have.
 const LIMIT: f64 = 8.0;
-/// Where smaller errors are drawn too, and where none at all is.
-const SMALL: f64 = 3e-18;
-const NONE: f64 = 1e-19;
+
+/// Up to how many units each shade goes, and the shades.
+const STEPS: [(f64, &str, f64); 5] =
+    [(0.25, "¼", 0.08), (0.5, "½", 0.24), (1.0, "1", 0.45), (2.0, "2", 0.72), (LIMIT, "8", 1.0)];
+
+fn shade(units: f64) -> f64 {
+    STEPS.iter().find(|step| units <= step.0).map_or(1.0, |step| step.2)
+}
+
+/// The ways of spinning, as the table and the figure name them.
+const WAYS: [(&str, &str); 3] =
+    [("generic", "any spin"), ("flip", "near the middle axis"), ("near-separatrix", "near the separatrix")];
 
 pub(super) fn draw() -> Drawing {
-    let Measured { motions, seen: [spin, attitude] } = measured()?;
-    let units = |s: &Seen| s.error / (s.condition * ROUNDING);
-    if let Some(bad) = spin.iter().chain(&attitude).find(|s| units(s) > LIMIT) {
-        return Err(format!("{} has an error of {:.1} units", bad.name, units(bad)).into());
+    let file: Value = serde_json::from_str(TABLE)?;
+    let side = u32::try_from(file["side"].as_u64().ok_or("a table without a side")?)?;
+    let mut seen = Vec::new();
+    for entry in file["cases"].as_array().ok_or("a table without cases")? {
+        let one = case(entry).ok_or_else(|| format!("case {} cannot be read", entry["inertia"]))?;
+        if let Some(bad) = one.units.iter().find(|&&units| units.is_nan() || units > LIMIT) {
+            return Err(format!("{} {:?} has an error of {bad:.1} units", one.spun, one.cell).into());
+        }
+        seen.push(one);
     }
-    let canvas = Canvas::new(490);
-    let plot = panel(&canvas, 62.0, &spin, Ink::Omega, "spin: relative error")?;
-    let p = plot.at(2e11, 1e-3);
-    canvas.label((p.0 - 14.0, p.1), &Label::new(format!("{LIMIT:.0} units")).size(15.5).end());
-    let p = plot.at(1e13, 1e-3);
-    for (down, line) in [(4.0, "1 unit:"), (26.0, "$κ$·$2^{−53}$")] {
-        canvas.label((p.0 + 12.0, p.1 + down), &Label::new(line).size(15.5));
+    let canvas = Canvas::new(568);
+    for (row, (ink, title)) in
+        [(Ink::Omega, "the spin’s error"), (Ink::Text, "the attitude’s error")].into_iter().enumerate()
+    {
+        for (column, (spun, words)) in WAYS.into_iter().enumerate() {
+            let (left, top) = (16.0 + 222.0 * column as f64, 104.0 + 242.0 * row as f64);
+            let here: Vec<&Seen> = seen.iter().filter(|one| one.spun == spun).collect();
+            panel(&canvas, (left, top), side, &here, ink, &|one| one.units[row]);
+            let name = |x: f64, y: f64, words: &str| ((left + x, top + y), Label::new(words).size(15.5));
+            let (at, label) = name(102.0, -38.0, words);
+            canvas.label(at, &label.middle());
+            let (at, label) = name(-6.0, -13.0, "needle");
+            canvas.label(at, &label);
+            let (at, label) = name(203.0, -13.0, "ball");
+            canvas.label(at, &label.end());
+            let (at, label) = name(118.0, 155.0, "disk");
+            canvas.label(at, &label);
+        }
+        canvas.label((10.0, 38.0 + 242.0 * row as f64), &Label::new(title).ink(ink).bold());
     }
-    let near_sphere = worst(&spin, "sphere-near-separatrix-96")?;
-    pointed(&canvas, &plot, near_sphere, (58.0, 44.0), &["a near sphere near", "the separatrix,"]);
-    let plot = panel(&canvas, 384.0, &attitude, Ink::Text, "attitude: error of $q$")?;
-    pointed(&canvas, &plot, worst(&attitude, "needle-flip-100")?, (42.0, 20.0), &["a needle,"]);
-    pointed(&canvas, &plot, worst(&attitude, "sphere-tiny-80")?, (8.0, 60.0), &["a near sphere,"]);
-    let greatest = |seen: &[Seen]| bound(seen.iter().map(|s| s.error).fold(0.0, f64::max));
+    key(&canvas);
+    let small = |row: usize| {
+        let count = seen.iter().filter(|one| one.units[row] <= 1.0).count();
+        if 2 * count > seen.len() { Ok("most") } else { Err("most errors are beyond one unit") }
+    };
     Ok(Picture {
         canvas,
         description: format!(
-            "Errors of the exact motion against tables of 20 and 40 digits: {} instants of {motions} motions, among them \
-             needles, near spheres, pushes down to 5e-324, neighbours of the separatrix. Across, the condition number κ, 1 \
-             to 1e26: by how much the motion magnifies a relative change of its inputs. Up, the error of the spin, left, and \
-             of the attitude, right. No dot lies above the line of {LIMIT:.0} units; a unit, κ 2^-53, is what the rounding of one \
-             input may do by itself. Where κ is large most lie far below: every error of the spin is below {:.0e}, every error of the \
-             attitude below {:.0e}.",
-            spin.len(),
-            greatest(&spin),
-            greatest(&attitude)
+            "Six triangles of all rigid bodies, with the needle, the ball and the disk in their corners: {} bodies, of which {} are a \
+             hair from an edge or a corner, drawn as discs there. Above the error of the spin, below that of the attitude; each for any \
+             spin, one near the middle axis and one near the separatrix; the worse of two instants within thirty periods. The stronger \
+             the colour, the larger, in units of what the rounding of one input may do by itself. Of the spin, {} errors are within one unit, of the \
+             attitude, {} too; none is beyond {LIMIT:.0}, at no edge and in no corner. Near the separatrix, where the motion magnifies rounding \
+             most, hardly any is beyond a quarter.",
+            seen.len() / WAYS.len(),
+            seen.iter().filter(|one| one.on_edge).count() / WAYS.len(),
+            small(0)?,
+            small(1)?,
         ),
     })
 }
 
-/// The instant of this motion with the greatest error.
-fn worst<'a>(seen: &'a [Seen], name: &str) -> Result<&'a Seen, Box<dyn Error>> {
-    let of_it = seen.iter().filter(|s| s.name == name);
-    Ok(of_it.max_by(|a, b| a.error.total_cmp(&b.error)).ok_or("a motion that is in no table")?)
-}
-
-/// Says what a dot is and how many turns after the start, its words' end so far right of the
-/// dot and above it. The line ends above the next power
-/// of ten: within it the error is the machine's own.
-fn pointed(canvas: &Canvas, plot: &Plot, seen: &Seen, (right, above): P, words: &[&str]) {
-    let tip = plot.at(seen.condition, bound(seen.error));
-    #[allow(clippy::cast_possible_truncation)]
-    let turns = format!("{} turns", power_of_ten(seen.turns.log10().round() as i32));
-    canvas.line((tip.0, tip.1 - above), (tip.0, tip.1 - 3.0), Pen::new(Ink::Text, 1.0).opacity(0.6));
-    let mut baseline = tip.1 - above - 5.0;
-    for line in words.iter().copied().chain([turns.as_str()]).rev() {
-        canvas.label((tip.0 + right, baseline), &Label::new(line).size(15.5).end());
-        baseline -= 20.0;
+/// The triangle of all bodies: needle upper left, ball upper right, disk below.
+fn panel(canvas: &Canvas, (left, top): P, side: u32, seen: &[&Seen], ink: Ink, shown: &dyn Fn(&Seen) -> f64) {
+    let plot = Plot::new(
+        canvas,
+        left,
+        top,
+        left + 204.0,
+        top + 150.0,
+        Scale::linear(0.0..1.0),
+        Scale::linear(0.5..1.0),
+    );
+    let corner = |shares: [u32; 3]| {
+        let [needle, disk, ball] = shares.map(|share| f64::from(share) / f64::from(side));
+        plot.at(0.5 * disk + ball, needle + 0.5 * disk + ball)
+    };
+    let corners = |one: &Seen| {
+        let [a, b, down] = one.cell;
+        let c = side - a - b;
+        let corners = if down == 0 {
+            [[a + 1, b, c - 1], [a, b + 1, c - 1], [a, b, c]]
+        } else {
+            [[a + 1, b + 1, c - 2], [a + 1, b, c - 1], [a, b + 1, c - 1]]
+        };
+        corners.map(corner)
+    };
+    let of_shade = |opacity: f64, on_edge: bool| {
+        seen.iter().filter(move |one| one.on_edge == on_edge && shade(shown(one)) == opacity)
+    };
+    for (_, _, opacity) in STEPS {
+        canvas.triangles(of_shade(opacity, false).map(|one| corners(one)), Fill::new(ink).opacity(opacity));
+    }
+    let outline = [[side, 0, 0], [0, side, 0], [0, 0, side]].map(corner);
+    canvas.path(&[outline[0], outline[1], outline[2], outline[0]], Pen::new(Ink::Text, 1.0));
+    // A disc is a rim, the paper on it, the shade on that.
+    let centre = |one: &&Seen| plot.at(one.place.0, one.place.1);
+    let on_edge = || seen.iter().filter(|one| one.on_edge);
+    canvas.specks(on_edge().map(centre), Pen::new(Ink::Text, 11.0));
+    canvas.specks(on_edge().map(centre), Pen::new(Ink::Paper, 9.0));
+    for (_, _, opacity) in STEPS {
+        canvas.specks(of_shade(opacity, true).map(centre), Pen::new(ink, 9.0).opacity(opacity));
     }
 }
 
-fn panel(canvas: &Canvas, left: f64, seen: &[Seen], ink: Ink, title: &str) -> Result<Plot, Box<dyn Error>> {
-    let plot =
-        Plot::new(canvas, left, 56.0, left + 274.0, 416.0, Scale::log(1.0..1e26), Scale::log(NONE..10.0));
-    plot.x_axis((0..=3).map(|n| (10_f64.powi(8 * n), power_of_ten(8 * n))), "condition number $κ$");
-    let powers = (-4..=0).map(|n| (10_f64.powi(4 * n), power_of_ten(4 * n)));
-    plot.y_axis([(NONE, "0".into())].into_iter().chain(powers), "");
-    canvas.label((left - 30.0, 34.0), &Label::new(title).ink(ink).bold());
-    let place = |s: &Seen| plot.at(s.condition, if s.error > 0.0 { s.error.max(SMALL) } else { NONE });
-    canvas.specks(seen.iter().map(place), Pen::new(ink, 4.4).opacity(0.65));
-    for (units, pen) in [(1.0, Pen::new(Ink::Text, 1.6)), (LIMIT, Pen::new(Ink::Text, 1.4).dashed())] {
-        // An error of 1 is as wrong as can be.
-        plot.curve([(1.0, units * ROUNDING), (1.0 / (units * ROUNDING), 1.0)], pen)?;
+/// What the shades mean.
+fn key(canvas: &Canvas) {
+    let (left, top) = (126.0, 532.0);
+    canvas.label((left - 12.0, top + 15.0), &Label::new("units, up to").size(15.5).end());
+    for (i, (_, words, opacity)) in STEPS.into_iter().enumerate() {
+        let x = left + 62.0 * i as f64;
+        let corners = [(x, top), (x + 26.0, top), (x + 26.0, top + 20.0), (x, top + 20.0)];
+        canvas.area(&corners, Fill::new(Ink::Text).opacity(opacity), Some(Pen::new(Ink::Text, 1.0)));
+        canvas.label((x + 32.0, top + 15.0), &Label::new(words).size(15.5));
     }
-    Ok(plot)
+    canvas.label((left + 340.0, top + 15.0), &Label::new("1 unit = $κ$·$2^{−53}$").size(15.5));
 }
 
 #[cfg(test)]

@@ -38,7 +38,10 @@ macro_rules! methods {
             check: || holds(Method::$method, 0),
             mutants: &[
                 Mutant { change: "said to be one order better", check: || holds(Method::$method, 1) },
-                Mutant { change: "said to keep the energy of another body too", check: || keeps_another(Method::$method) },
+                Mutant {
+                    change: "said to keep the energy of another body too, and the momentum in the world",
+                    check: || keeps_another(Method::$method),
+                },
             ],
         },)*];
 
@@ -67,6 +70,14 @@ methods! {
     "moser-veselov-6" MoserVeselov6,
     "moser-veselov-8" MoserVeselov8,
     "moser-veselov-10" MoserVeselov10,
+    "constant-spin" ConstantSpin,
+    "semi-implicit-euler" SemiImplicitEuler,
+    "rescaled" Rescaled,
+    "rescaled-straight" RescaledStraight,
+    "one-newton" OneNewton,
+    "linearised-implicit" LinearisedImplicit,
+    "mean-spin-runge-kutta-4" MeanSpinRungeKutta4,
+    "turned-runge-kutta-4" TurnedRungeKutta4,
 }
 
 fn number(n: i64, d: i64) -> Number {
@@ -203,7 +214,16 @@ fn keeps_another(method: Method) -> Outcome {
         &energy(other, start),
         0..=order,
         &slack(method),
-    )
+    )?;
+    // A spin that stays in the body keeps any body's energy.
+    let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
+    let square = end.attitude.coords.dot(&end.attitude.coords);
+    let stretched = world(start).map(|x| x * square.clone());
+    let ended = world(&end);
+    ended
+        .iter()
+        .zip(&stretched)
+        .try_for_each(|(a, b)| same_series("the momentum in the world", a, b, 0..=order, &slack(method)))
 }
 
 #[cfg(test)]

@@ -1,0 +1,82 @@
+//! The command `measure`: error against run time, on this machine.
+
+use crate::{paths, say};
+use std::error::Error;
+use std::io::{IsTerminal as _, Write as _};
+use std::process::Command;
+use std::time::Instant;
+use tumbling_measure::campaign::{self, Campaign};
+use tumbling_measure::instructions::{self, Again};
+use tumbling_measure::measure::Effort;
+use tumbling_measure::{atlas as places, contestant, story};
+
+/// Measures the library's methods, or has the peers' own program measure them with the peers.
+pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
+    let folder = paths::repository().join("measure").join(if quick { "quick" } else { "record" });
+    let start = Instant::now();
+    if peers {
+        let manifest = paths::repository().join("measure/peers/Cargo.toml");
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        cargo
+            .args(["run", "--release", "--manifest-path"])
+            .arg(manifest)
+            .arg("--")
+            .arg("--into")
+            .arg(&folder);
+        if quick {
+            cargo.arg("--quick");
+        }
+        if !cargo.status()?.success() {
+            return Err("the program of the peers did not get through".into());
+        }
+    } else {
+        let contestants = contestant::ours();
+        let effort = if quick { Effort::QUICK } else { Effort::FULL };
+        let words = ["measure", "count"].map(Into::into).to_vec();
+        let again = Again { program: std::env::current_exe()?.into(), words };
+        let campaign = Campaign { contestants: &contestants, effort, again: Some(again), head: Vec::new() };
+        say!("{}", campaign::write(&campaign, &folder, &mut progress())?);
+    }
+    say!("Measured in {:.0} s. The record is in", start.elapsed().as_secs_f64());
+    say!("{}", folder.display());
+    if !quick {
+        say!(
+            "Draw its figures with `cargo run --release`. The book's own record: `git checkout measure/record`."
+        );
+    }
+    Ok(())
+}
+
+/// Runs every method on every hard case, prints what became of each and renews the record of it.
+pub(crate) fn atlas() -> Result<(), Box<dyn Error>> {
+    let places = places::atlas()?;
+    say!("{}", places::table(&places));
+    let file = paths::repository().join("measure/record/atlas.tsv");
+    std::fs::write(&file, places::written(&places))
+        .map_err(|error| format!("{}: {error}", file.display()))?;
+    say!("The record is in {}", file.display());
+    Ok(())
+}
+
+/// On a terminal one line that changes, else a line for each piece of work.
+fn progress() -> impl FnMut(&str) {
+    let terminal = std::io::stderr().is_terminal();
+    move |what| {
+        let mut out = std::io::stderr().lock();
+        let _ = if terminal { write!(out, "\r\x1b[K{what}") } else { writeln!(out, "{what}") };
+        let _ = out.flush();
+    }
+}
+
+/// The longest run.
+pub(crate) fn longest(method: &str) -> Result<(), Box<dyn Error>> {
+    let folder = paths::repository().join("measure/record");
+    say!("{}", campaign::longest(method, campaign::LONGEST, &folder)?);
+    Ok(())
+}
+
+/// A short run, so many times: what valgrind watches.
+pub(crate) fn count(name: &str, times: u64) -> Result<(), Box<dyn Error>> {
+    instructions::child(&contestant::ours(), &story::all()?, name, times)?;
+    Ok(())
+}

@@ -1,0 +1,86 @@
+//! DOP853 of the crate `differential-equations`.
+
+use crate::law::{Law, State};
+use differential_equations::prelude::*;
+use differential_equations::solout::Solout;
+use std::cell::Cell;
+use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting};
+use tumbling_measure::errors::Watch;
+use tumbling_measure::story::Story;
+
+pub struct Dop853;
+
+impl ODE<f64, State> for Law {
+    fn diff(&self, _t: f64, y: &State, dydt: &mut State) {
+        *dydt = self.rate(y);
+    }
+}
+
+/// Shows each step to the watch, and keeps the last alone.
+struct Seen<'a, 'b, 'c> {
+    law: &'a Law,
+    watch: Option<&'b mut Watch<'c>>,
+    last: &'a Cell<State>,
+}
+
+impl Solout<f64, State> for Seen<'_, '_, '_> {
+    fn solout<I>(
+        &mut self,
+        t: f64,
+        t_before: f64,
+        y: &State,
+        _before: &State,
+        _between: &mut I,
+        _solution: &mut Solution<f64, State>,
+    ) -> ControlFlag<f64, State>
+    where
+        I: Interpolation<f64, State> + ?Sized,
+    {
+        self.last.set(*y);
+        if let Some(watch) = self.watch.as_deref_mut().filter(|_| t > t_before) {
+            watch.see(t, &self.law.motion(y));
+        }
+        ControlFlag::Continue
+    }
+}
+
+impl Contestant for Dop853 {
+    fn name(&self) -> &str {
+        "DOP853 (differential-equations)"
+    }
+
+    fn group(&self) -> Group {
+        Group::Peer
+    }
+
+    fn order(&self) -> u32 {
+        8
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::Tolerance
+    }
+
+    fn takes(&self, _story: &Story) -> bool {
+        true
+    }
+
+    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+        let Setting::Tolerance(tolerance) = setting else {
+            return Err(Failure::Refused("it is set by a tolerance".into()));
+        };
+        let (law, start) = Law::of(story);
+        let last = Cell::new(start);
+        let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
+        let solution = IVP::ode(&law, 0.0, story.end, start)
+            .method(method)
+            .solout(Seen { law: &law, watch, last: &last })
+            .solve()
+            .map_err(|e| Failure::Refused(format!("{e:?}")))?;
+        Ok(Ended {
+            motion: law.motion(&last.get()),
+            steps: solution.steps.accepted as u64,
+            evaluations: Some(solution.evals.function as u64),
+        })
+    }
+}

@@ -1,0 +1,85 @@
+//! Measures published integrators and a whole engine beside the tumbling library, in one run.
+//!
+//! ```text
+//! cargo run --release --manifest-path measure/peers/Cargo.toml -- [--quick] --into FOLDER
+//! ```
+
+mod dop853;
+mod law;
+mod rapier;
+mod tsit45;
+
+use std::io::{IsTerminal as _, Write as _};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use tumbling_measure::campaign::{self, Campaign};
+use tumbling_measure::contestant::{self, Contestant};
+use tumbling_measure::instructions::{self, Again};
+use tumbling_measure::measure::Effort;
+use tumbling_measure::story::{self, Wrong};
+
+/// The peers with their versions, as the lock file has them.
+const LOCKED: &str = include_str!("../Cargo.lock");
+const PEERS: [&str; 3] = ["differential-equations", "diffsol", "rapier3d-f64"];
+
+fn version(package: &str) -> Option<&'static str> {
+    let (_, after) = LOCKED.split_once(&format!("name = \"{package}\"\nversion = \""))?;
+    after.split('"').next()
+}
+
+fn all() -> Vec<Box<dyn Contestant>> {
+    let mut all = contestant::ours();
+    all.push(Box::new(dop853::Dop853));
+    all.push(Box::new(tsit45::Tsit45));
+    all.push(Box::new(rapier::Rapier));
+    all
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(wrong) => {
+            eprintln!("error: {wrong}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Wrong> {
+    let mut words = std::env::args().skip(1);
+    let (mut effort, mut folder) = (Effort::FULL, None);
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            // How it runs itself again under valgrind.
+            "count" => {
+                let name = words.next().ok_or("whose steps?")?;
+                let times = words.next().ok_or("how many runs?")?.parse()?;
+                instructions::child(&all(), &story::all()?, &name, times)?;
+                return Ok(());
+            }
+            "--quick" => effort = Effort::QUICK,
+            "--into" => folder = words.next().map(PathBuf::from),
+            other => return Err(format!("`{other}` is not understood").into()),
+        }
+    }
+    let folder = folder.ok_or("it needs `--into FOLDER`")?;
+    let contestants = all();
+    let versions: Vec<String> = PEERS
+        .iter()
+        .map(|name| format!("{name} {}", version(name).unwrap_or("of no known version")))
+        .collect();
+    let campaign = Campaign {
+        contestants: &contestants,
+        effort,
+        again: Some(Again { program: std::env::current_exe()?.into(), words: vec!["count".into()] }),
+        head: vec![("peers".into(), versions.join("; "))],
+    };
+    let terminal = std::io::stderr().is_terminal();
+    let mut tell = |what: &str| {
+        let mut out = std::io::stderr().lock();
+        let _ = if terminal { write!(out, "\r\x1b[K{what}") } else { writeln!(out, "{what}") };
+        let _ = out.flush();
+    };
+    println!("{}", campaign::write(&campaign, &folder, &mut tell)?);
+    Ok(())
+}

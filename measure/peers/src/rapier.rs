@@ -1,0 +1,73 @@
+//! A body alone in a world of Rapier: the whole engine, its gyroscopic term on, as it comes.
+
+use nalgebra::{Quaternion, Vector3};
+use rapier3d_f64::prelude::*;
+use tumbling::step::Motion;
+use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting, step_of};
+use tumbling_measure::errors::Watch;
+use tumbling_measure::story::Story;
+
+pub struct Rapier;
+
+impl Contestant for Rapier {
+    fn name(&self) -> &str {
+        "Rapier, whole engine"
+    }
+
+    fn group(&self) -> Group {
+        Group::Peer
+    }
+
+    fn order(&self) -> u32 {
+        1
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::Steps
+    }
+
+    fn takes(&self, story: &Story) -> bool {
+        story.system.is_free()
+    }
+
+    #[allow(clippy::cast_precision_loss)]
+    fn run(
+        &self,
+        story: &Story,
+        setting: Setting,
+        mut watch: Option<&mut Watch<'_>>,
+    ) -> Result<Ended, Failure> {
+        let Setting::Steps(steps) = setting else {
+            return Err(Failure::Refused("it is set by its steps".into()));
+        };
+        let moments = *story.system.moments();
+        let spin = story.system.omega(&story.start.vector);
+        let mut world = PhysicsWorld::default();
+        world.gravity = Vector::ZERO;
+        world.integration_parameters.dt = step_of(story, steps);
+        let principal = AngVector::new(moments.x, moments.y, moments.z);
+        let body = RigidBodyBuilder::dynamic()
+            .additional_mass_properties(MassProperties::new(Vector::ZERO, 1.0, principal))
+            .angvel(AngVector::new(spin.x, spin.y, spin.z))
+            .linear_damping(0.0)
+            .angular_damping(0.0)
+            .can_sleep(false)
+            .gyroscopic_forces_enabled(true)
+            .build();
+        let handle = world.bodies.insert(body);
+        let state = |world: &PhysicsWorld| {
+            let body = &world.bodies[handle];
+            let (q, w) = (body.rotation(), body.angvel());
+            let attitude = Quaternion::new(q.w, q.x, q.y, q.z);
+            let omega = tumbling::attitude::rotation_matrix(&attitude).tr_mul(&Vector3::new(w.x, w.y, w.z));
+            Motion { attitude, vector: moments.component_mul(&omega) }
+        };
+        for k in 1..=steps {
+            world.step();
+            if let Some(watch) = watch.as_deref_mut() {
+                watch.see(story.end * (k as f64 / steps as f64), &state(&world));
+            }
+        }
+        Ok(Ended { motion: state(&world), steps, evaluations: None })
+    }
+}

@@ -1,0 +1,76 @@
+//! Tsitouras's pair of orders 5 and 4 of the crate `diffsol`.
+
+use crate::law::Law;
+use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
+use std::cell::Cell;
+use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting};
+use tumbling_measure::errors::Watch;
+use tumbling_measure::story::Story;
+
+pub struct Tsit45;
+
+impl Contestant for Tsit45 {
+    fn name(&self) -> &str {
+        "Tsit45 (diffsol)"
+    }
+
+    fn group(&self) -> Group {
+        Group::Peer
+    }
+
+    fn order(&self) -> u32 {
+        5
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::Tolerance
+    }
+
+    fn takes(&self, _story: &Story) -> bool {
+        true
+    }
+
+    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+        let Setting::Tolerance(tolerance) = setting else {
+            return Err(Failure::Refused("it is set by a tolerance".into()));
+        };
+        solve(story, tolerance, watch).map_err(|e| Failure::Refused(e.to_string()))
+    }
+}
+
+fn solve(
+    story: &Story,
+    tolerance: f64,
+    mut watch: Option<&mut Watch<'_>>,
+) -> Result<Ended, diffsol::error::DiffsolError> {
+    let (law, start) = Law::of(story);
+    let evaluations = Cell::new(0_u64);
+    let rate = |y: &[f64], _p: &[f64], _t: f64, dy: &mut [f64]| {
+        evaluations.set(evaluations.get() + 1);
+        let mut state = start;
+        state.copy_from_slice(y);
+        dy.copy_from_slice(&law.rate(&state));
+    };
+    let problem = OdeBuilder::<NalgebraMat<f64>>::new()
+        .rtol(tolerance)
+        .atol([tolerance])
+        .rhs(rate)
+        .init(move |_p: &[f64], _t: f64, y: &mut [f64]| y.copy_from_slice(&start), start.len())
+        .build()?;
+    let mut solver = problem.tsit45()?;
+    solver.set_stop_time(story.end)?;
+    let mut steps = 0;
+    loop {
+        let reason = solver.step()?;
+        steps += 1;
+        if let Some(watch) = watch.as_deref_mut() {
+            let state = solver.state();
+            watch.see(state.t, &law.motion(state.y.batch_as_slice(0)));
+        }
+        if matches!(reason, OdeSolverStopReason::TstopReached) {
+            break;
+        }
+    }
+    let motion = law.motion(solver.state().y.batch_as_slice(0));
+    Ok(Ended { motion, steps, evaluations: Some(evaluations.get()) })
+}

@@ -1,0 +1,255 @@
+//! Who takes part: the library's methods, the exact motion, and whoever else implements [`Contestant`].
+
+use crate::errors::Watch;
+use crate::operations;
+use crate::story::Story;
+use std::hint::black_box;
+use tumbling::Error;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Keeps, Method, Motion};
+
+/// What a contestant keeps of a free motion: how the figures tell their curves apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Group {
+    /// The closed form.
+    Exact,
+    /// Energy and momentum.
+    Both,
+    /// Momentum, its length at least, and not the energy.
+    Momentum,
+    /// Neither.
+    Neither,
+    /// A published program of others.
+    Peer,
+}
+
+impl Group {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Exact, Self::Both, Self::Momentum, Self::Neither, Self::Peer];
+
+    /// The word in the record.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Both => "energy and momentum",
+            Self::Momentum => "momentum",
+            Self::Neither => "neither",
+            Self::Peer => "peer",
+        }
+    }
+
+    fn of(keeps: &Keeps) -> Self {
+        match (keeps.energy, keeps.momentum || keeps.direction) {
+            (true, true) => Self::Both,
+            (_, true) => Self::Momentum,
+            _ => Self::Neither,
+        }
+    }
+}
+
+/// What a contestant is set by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Knob {
+    /// A fixed number of equal steps.
+    Steps,
+    /// A relative tolerance: it chooses its own steps.
+    Tolerance,
+    /// Nothing.
+    None,
+}
+
+/// A setting of the knob.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Setting {
+    /// So many equal steps.
+    Steps(u64),
+    /// This relative tolerance.
+    Tolerance(f64),
+    /// There is nothing to set.
+    None,
+}
+
+/// Where a run ended, and what it took.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ended {
+    /// Attitude, and momentum in body axes.
+    pub motion: Motion<f64>,
+    /// Steps done.
+    pub steps: u64,
+    /// How often the law was evaluated, where that was counted.
+    pub evaluations: Option<u64>,
+}
+
+/// Why a run did not come to its end.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Failure {
+    /// The motion left what an `f64` holds.
+    NotFinite,
+    /// It says so itself, in these words.
+    Refused(String),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::OutOfRange { .. } | Error::NotFinite { .. } => Self::NotFinite,
+            other => Self::Refused(other.to_string()),
+        }
+    }
+}
+
+/// Whoever can take a body from the start of a story to its end.
+pub trait Contestant {
+    /// What it is called; the key in the record.
+    fn name(&self) -> &str;
+
+    /// What it keeps.
+    fn group(&self) -> Group;
+
+    /// The order it claims, 0 for none.
+    fn order(&self) -> u32;
+
+    /// What it is set by.
+    fn knob(&self) -> Knob;
+
+    /// Whether it can take this story on at all: the exact motion is of free bodies.
+    fn takes(&self, story: &Story) -> bool;
+
+    /// From start to end, showing the watch each step where there is one.
+    ///
+    /// # Errors
+    /// Why it could not.
+    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure>;
+
+    /// How many evaluations of the law one step of this length is worth, where that is known beforehand.
+    fn evaluations_of_step(&self, _story: &Story, _step: f64) -> Option<f64> {
+        None
+    }
+
+    /// Claims that a run longer than a few turns can test.
+    fn keeps_something(&self) -> bool {
+        matches!(self.group(), Group::Both | Group::Momentum)
+    }
+
+    /// The method behind it, for runs of a million turns.
+    fn method(&self) -> Option<Method> {
+        None
+    }
+}
+
+/// A method of the library, at equal steps.
+#[derive(Debug, Clone, Copy)]
+pub struct Ours(pub Method);
+
+impl Contestant for Ours {
+    fn name(&self) -> &str {
+        self.0.about().name
+    }
+
+    fn group(&self) -> Group {
+        Group::of(&self.0.about().keeps)
+    }
+
+    fn order(&self) -> u32 {
+        self.0.about().order
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::Steps
+    }
+
+    fn takes(&self, _story: &Story) -> bool {
+        true
+    }
+
+    fn run(
+        &self,
+        story: &Story,
+        setting: Setting,
+        mut watch: Option<&mut Watch<'_>>,
+    ) -> Result<Ended, Failure> {
+        let Setting::Steps(steps) = setting else {
+            return Err(Failure::Refused("it is set by its steps".into()));
+        };
+        let h = black_box(step_of(story, steps));
+        let mut motion = story.start.clone();
+        for k in 1..=steps {
+            motion = self.0.step(&story.system, &motion, &h)?;
+            if let Some(watch) = watch.as_deref_mut() {
+                watch.see(time_of(k, steps, story.end), &motion);
+            }
+        }
+        Ok(Ended { motion, steps, evaluations: None })
+    }
+
+    fn evaluations_of_step(&self, story: &Story, step: f64) -> Option<f64> {
+        operations::evaluations_of_step(self.0, story, step)
+    }
+
+    fn method(&self) -> Option<Method> {
+        Some(self.0)
+    }
+}
+
+/// The length of each of so many steps.
+#[must_use]
+#[allow(clippy::cast_precision_loss)] // no run takes 2^53 steps
+pub fn step_of(story: &Story, steps: u64) -> f64 {
+    story.end / steps as f64
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn time_of(k: u64, steps: u64, end: f64) -> f64 {
+    end * (k as f64 / steps as f64)
+}
+
+/// The exact motion: prepared from moments and spin, asked once.
+#[derive(Debug, Clone, Copy)]
+pub struct Exact;
+
+impl Contestant for Exact {
+    fn name(&self) -> &str {
+        "exact motion"
+    }
+
+    fn group(&self) -> Group {
+        Group::Exact
+    }
+
+    fn order(&self) -> u32 {
+        0
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::None
+    }
+
+    fn takes(&self, story: &Story) -> bool {
+        story.system.is_free()
+    }
+
+    fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+        let moments = black_box(story.system.moments());
+        let omega = story.system.omega(&story.start.vector);
+        let exact = FreeMotion::new(moments, &omega)?;
+        let there = exact.at(black_box(story.end))?;
+        if let Some(watch) = watch {
+            watch.told(exact.flips(0.0, story.end)?.count());
+        }
+        let vector = moments.component_mul(&there.omega);
+        Ok(Ended {
+            motion: Motion { attitude: there.attitude.into_inner(), vector },
+            steps: 1,
+            evaluations: None,
+        })
+    }
+}
+
+/// The exact motion and all methods of the library.
+#[must_use]
+pub fn ours() -> Vec<Box<dyn Contestant>> {
+    let exact: Box<dyn Contestant> = Box::new(Exact);
+    let methods = Method::ALL.iter().map(|&method| Box::new(Ours(method)) as Box<dyn Contestant>);
+    std::iter::once(exact).chain(methods).collect()
+}

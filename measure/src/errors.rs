@@ -1,0 +1,170 @@
+//! How wrong a run was: each kind of error by itself, for energy hides phase.
+
+use crate::contestant::{Ended, Failure};
+use crate::story::{Story, in_world};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::exact::FreeMotion;
+use tumbling::step::Motion;
+
+/// What came of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// It came to the end, with every flip.
+    Right,
+    /// It came to the end, but flipped another number of times than the body does.
+    Flips(u64),
+    /// A number in it is not finite.
+    NotFinite,
+    /// It refused, in these words.
+    Refused(String),
+}
+
+impl From<Failure> for Outcome {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::NotFinite => Self::NotFinite,
+            Failure::Refused(why) => Self::Refused(why),
+        }
+    }
+}
+
+/// The errors of a run, each by itself. What there is not (flips under torque) is `None`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Errors {
+    /// How early or late the last flip came, as a share of the time between two.
+    pub phase: Option<f64>,
+    /// The angle between the body's attitude and the true one at the end, rad.
+    pub attitude: Option<f64>,
+    /// Relative error of the energy: where it is kept, the largest at any step, else at the end.
+    pub energy: Option<f64>,
+    /// The same of the length of the angular momentum.
+    pub momentum: Option<f64>,
+    /// The same of its direction in the world, rad.
+    pub direction: Option<f64>,
+}
+
+/// A run as it is seen from outside, step by step.
+#[derive(Debug)]
+pub struct Watch<'a> {
+    story: &'a Story,
+    middle: usize,
+    world: Vector3<f64>,
+    before: Option<(f64, Motion<f64>)>,
+    flips: u64,
+    /// The last state before the last change of sign, and when.
+    last: Option<(f64, Motion<f64>)>,
+    worst: [f64; 3],
+    finite: bool,
+}
+
+impl<'a> Watch<'a> {
+    /// Ready to watch a run of this story.
+    #[must_use]
+    pub fn new(story: &'a Story) -> Self {
+        let start = &story.start;
+        Self {
+            story,
+            middle: story.middle(),
+            world: in_world(&start.attitude, &start.vector),
+            before: Some((0.0, start.clone())),
+            flips: 0,
+            last: None,
+            worst: [0.0; 3],
+            finite: true,
+        }
+    }
+
+    /// The motion after a step.
+    pub fn see(&mut self, time: f64, motion: &Motion<f64>) {
+        if !motion.attitude.coords.iter().chain(&motion.vector).all(|x| x.is_finite()) {
+            self.finite = false;
+            return;
+        }
+        if let Some((t, before)) = self.before.take() {
+            // A component of exactly zero has the sign that it had before.
+            if motion.vector[self.middle] == 0.0 {
+                self.before = Some((t, before));
+                return;
+            }
+            if (before.vector[self.middle] < 0.0) != (motion.vector[self.middle] < 0.0) {
+                self.flips += 1;
+                self.last = Some((t, before));
+            }
+        }
+        self.before = Some((time, motion.clone()));
+        if self.story.keeps_energy() {
+            let off = relative(self.story.energy(motion), self.story.truth.energy);
+            self.worst[0] = self.worst[0].max(off);
+        }
+        if self.story.system.is_free() {
+            self.worst[1] = self.worst[1].max(relative(motion.vector.norm(), self.world.norm()));
+            let world = in_world(&motion.attitude, &motion.vector);
+            self.worst[2] = self.worst[2].max(angle(&world, &self.world));
+        }
+    }
+
+    /// How many flips there are, from one who knows without steps. When they are is then not watched.
+    pub fn told(&mut self, flips: usize) {
+        self.flips = flips as u64;
+    }
+
+    /// What to say of the run when it is over.
+    #[must_use]
+    pub fn judge(self, ended: Result<&Ended, &Failure>) -> (Outcome, Errors) {
+        let end = match ended {
+            Err(failure) => return (failure.clone().into(), Errors::default()),
+            Ok(end) => &end.motion,
+        };
+        if !self.finite || !end.attitude.coords.iter().chain(&end.vector).all(|x| x.is_finite()) {
+            return (Outcome::NotFinite, Errors::default());
+        }
+        let truth = &self.story.truth;
+        let true_world = in_world(&truth.motion.attitude, &truth.motion.vector);
+        let end_world = in_world(&end.attitude, &end.vector);
+        let at_end = [
+            relative(self.story.energy(end), truth.energy),
+            relative(end.vector.norm(), true_world.norm()),
+            angle(&end_world, &true_world),
+        ];
+        let largest = |i: usize| Some(self.worst[i].max(at_end[i]));
+        let mut errors = Errors {
+            phase: None,
+            attitude: Some(turn(&end.attitude, &truth.motion.attitude)),
+            energy: largest(0),
+            momentum: largest(1),
+            direction: largest(2),
+        };
+        let Some(flips) = truth.flips else { return (Outcome::Right, errors) };
+        if self.flips != flips.count {
+            return (Outcome::Flips(self.flips), errors);
+        }
+        errors.phase = self.last_flip().map(|t| (t - flips.last).abs() / flips.apart);
+        (Outcome::Right, errors)
+    }
+
+    /// When the last flip was: the exact motion from the last state before it says to the last digit when that state
+    /// flips, so that no interpolation stands between the method and its error.
+    fn last_flip(&self) -> Option<f64> {
+        let (t, state) = self.last.as_ref()?;
+        let omega = self.story.system.omega(&state.vector);
+        let on = FreeMotion::new(self.story.system.moments(), &omega).ok()?.next_flip(0.0).ok()??;
+        Some(t + on)
+    }
+}
+
+/// How far one number is from another, beside the other.
+fn relative(x: f64, truth: f64) -> f64 {
+    ((x - truth) / truth).abs()
+}
+
+/// The angle between two vectors, right also when it is tiny.
+fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b))
+}
+
+/// The angle of the turn from one attitude to another, of whatever lengths, rad.
+#[must_use]
+pub fn turn(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
+    let between = a.conjugate() * b;
+    2.0 * between.imag().norm().atan2(between.w.abs())
+}

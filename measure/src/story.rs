@@ -1,0 +1,174 @@
+//! The stories: bodies let go in some way, and where they truly are at the end.
+
+use nalgebra::{Quaternion, Vector3};
+use serde_json::Value;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Motion, System, Torque};
+
+/// What went wrong with a story, in words.
+pub type Wrong = Box<dyn std::error::Error>;
+
+/// A body let go in some way, and where it truly is at the end.
+#[derive(Debug, Clone)]
+pub struct Story {
+    /// One word or two: the key in the record.
+    pub name: &'static str,
+    /// What it is, for the head of a figure.
+    pub title: &'static str,
+    /// The body and its torques.
+    pub system: System<f64>,
+    /// Attitude, and momentum in body axes, at time 0.
+    pub start: Motion<f64>,
+    /// When it ends, s.
+    pub end: f64,
+    /// Where it truly is then.
+    pub truth: Truth,
+}
+
+/// Where a body truly is at the end of its story.
+#[derive(Debug, Clone)]
+pub struct Truth {
+    /// Attitude, and momentum in body axes.
+    pub motion: Motion<f64>,
+    /// Kinetic energy and that of its place, J.
+    pub energy: f64,
+    /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a free body alone.
+    pub flips: Option<Flips>,
+}
+
+/// Changes of sign of the spin along the middle axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flips {
+    /// How many.
+    pub count: u64,
+    /// When the last was, s.
+    pub last: f64,
+    /// From one to the next, s.
+    pub apart: f64,
+}
+
+/// Where the bodies truly are, by the program beside the table.
+const TABLE: &str = include_str!("../data/truth.json");
+
+impl Story {
+    /// The spin at the start, rad/s: what a step is judged by.
+    #[must_use]
+    pub fn speed(&self) -> f64 {
+        self.system.omega(&self.start.vector).norm()
+    }
+
+    /// How many times a body turning at that speed turns from start to end.
+    #[must_use]
+    pub fn turns(&self) -> f64 {
+        self.speed() * self.end / std::f64::consts::TAU
+    }
+
+    /// Which component belongs to the middle moment.
+    #[must_use]
+    pub fn middle(&self) -> usize {
+        let moments = self.system.moments();
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+        order[1]
+    }
+
+    /// Kinetic energy and that of its place, J. The attitude may have any length.
+    #[must_use]
+    pub fn energy(&self, motion: &Motion<f64>) -> f64 {
+        let kinetic = tumbling::observe::energy(&self.system.omega(&motion.vector), &motion.vector);
+        let place = |torque: &Torque<f64>| match torque {
+            Torque::Aligning { arm, field } => -arm.dot(&in_body(&motion.attitude, field)),
+            _ => 0.0,
+        };
+        kinetic + self.system.torques().iter().map(place).sum::<f64>()
+    }
+
+    /// Whether its energy stays what it was.
+    #[must_use]
+    pub fn keeps_energy(&self) -> bool {
+        self.system.torques().iter().all(|torque| matches!(torque, Torque::Aligning { .. }))
+    }
+
+    /// From its entry in the table.
+    fn read(entry: &Value, name: &'static str, title: &'static str) -> Result<Self, Wrong> {
+        let moments = vector(&entry["moments"])?;
+        let mut torques = Vec::new();
+        if entry["weight"].as_f64().is_some_and(|weight| weight != 0.0) {
+            torques.push(Torque::gravity(vector(&entry["arm"])?, number(&entry["weight"])?));
+        }
+        if entry["damping"].is_array() && vector(&entry["damping"])? != Vector3::zeros() {
+            torques.push(Torque::Damping(vector(&entry["damping"])?));
+        }
+        let system = System::with(&moments, torques)?;
+        let start =
+            Motion { attitude: Quaternion::identity(), vector: system.momentum(&vector(&entry["omega"])?) };
+        let [w, x, y, z] = numbers(&entry["attitude"])?;
+        let motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&entry["momentum"])? };
+        let end = number(&entry["t"])?;
+        let flips = if system.is_free() { Some(flips(&system, &start, end)?) } else { None };
+        let truth = Truth { motion, energy: number(&entry["energy"])?, flips };
+        Ok(Self { name, title, system, start, end, truth })
+    }
+}
+
+/// Those of a free body, by the exact motion.
+fn flips(system: &System<f64>, start: &Motion<f64>, end: f64) -> Result<Flips, Wrong> {
+    let exact = FreeMotion::new(system.moments(), &system.omega(&start.vector))?;
+    let times: Vec<f64> = exact.flips(0.0, end)?.collect();
+    let [.., before, last] = times.as_slice() else { return Err("fewer than two flips".into()) };
+    Ok(Flips { count: u64::try_from(times.len())?, last: *last, apart: last - before })
+}
+
+/// Names of the stories, as in the table, and what they are.
+const STORIES: [(&str, &str); 7] = [
+    ("box", "the box, 100 flips"),
+    ("wobble", "a stable wobble"),
+    ("racket", "a tennis racket"),
+    ("needle", "a needle, 1000 to 1"),
+    ("near sphere", "nearly a sphere"),
+    ("heavy top", "a heavy top"),
+    ("damped spin", "a damped spin"),
+];
+
+/// All stories.
+///
+/// # Errors
+/// A table that cannot be read, or a body that the library refuses.
+pub fn all() -> Result<Vec<Story>, Wrong> {
+    let table: Value = serde_json::from_str(TABLE)?;
+    let entries = table["stories"].as_array().ok_or("a table without stories")?;
+    STORIES
+        .iter()
+        .map(|&(name, title)| {
+            let entry = entries.iter().find(|entry| entry["name"] == name);
+            Story::read(entry.ok_or_else(|| format!("{name} is not in the table"))?, name, title)
+        })
+        .collect()
+}
+
+/// A world vector in the axes of a body with this attitude, of whatever length.
+fn in_body(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    tumbling::attitude::rotation_matrix(attitude).tr_mul(v) / attitude.norm_squared()
+}
+
+/// A body vector in the axes of the world.
+#[must_use]
+pub fn in_world(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    tumbling::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
+}
+
+fn number(value: &Value) -> Result<f64, Wrong> {
+    match value {
+        Value::String(digits) => Ok(digits.parse()?),
+        other => other.as_f64().ok_or_else(|| format!("{other} is no number").into()),
+    }
+}
+
+fn numbers<const N: usize>(value: &Value) -> Result<[f64; N], Wrong> {
+    let list = value.as_array().ok_or("not a list")?.iter().map(number).collect::<Result<Vec<_>, _>>()?;
+    <[f64; N]>::try_from(list).map_err(|list| format!("{} numbers instead of {N}", list.len()).into())
+}
+
+fn vector(value: &Value) -> Result<Vector3<f64>, Wrong> {
+    Ok(Vector3::from(numbers(value)?))
+}

@@ -1,0 +1,169 @@
+//! What the record says, in ratios.
+
+use crate::contestant::Group;
+use crate::errors::{Errors, Outcome};
+use crate::long::slope;
+use crate::record::{Long, Record, Work};
+use std::fmt::Write as _;
+
+/// A kind of error: its name, what it is, and where it stands.
+#[derive(Clone, Copy)]
+pub struct Kind {
+    /// One word, as in the record's columns.
+    pub name: &'static str,
+    /// What it is, with its unit.
+    pub title: &'static str,
+    /// Where it stands.
+    pub of: fn(&Errors) -> Option<f64>,
+}
+
+/// Each kind of error.
+pub const KINDS: [Kind; 5] = [
+    Kind { name: "phase", title: "phase: share of the time between flips", of: |e| e.phase },
+    Kind { name: "attitude", title: "attitude: angle (rad)", of: |e| e.attitude },
+    Kind { name: "energy", title: "energy: relative", of: |e| e.energy },
+    Kind { name: "momentum", title: "length of the momentum: relative", of: |e| e.momentum },
+    Kind { name: "direction", title: "direction of the momentum: angle (rad)", of: |e| e.direction },
+];
+
+/// The kind that is called so in the record.
+#[must_use]
+pub fn kind(name: &str) -> Option<&'static Kind> {
+    KINDS.iter().find(|kind| kind.name == name)
+}
+
+/// The least time in which a contestant comes below an error, s: between two neighbouring rungs of its ladder along the line of
+/// their logarithms. `None` if no rung comes below it.
+#[must_use]
+pub fn seconds_at(rows: &[Work], story: &str, contestant: &str, kind: &Kind, error: f64) -> Option<f64> {
+    let ladder: Vec<(f64, f64)> = rows
+        .iter()
+        .filter(|row| row.story == story && row.contestant == contestant)
+        .filter_map(|row| {
+            let off = (kind.of)(&row.errors)?;
+            let right = row.outcome == Outcome::Right;
+            Some((row.seconds?, if right { off } else { f64::INFINITY }))
+        })
+        .collect();
+    let mut best: Option<f64> = None;
+    let mut take = |seconds: f64| best = Some(best.map_or(seconds, |b| b.min(seconds)));
+    for (at, &(seconds, off)) in ladder.iter().enumerate() {
+        if off > error {
+            continue;
+        }
+        match at.checked_sub(1).and_then(|before| ladder.get(before)) {
+            Some(&(earlier, more)) if more > error && more.is_finite() && off > 0.0 => {
+                let share = (more / error).ln() / (more / off).ln();
+                take((earlier.ln() + share * (seconds / earlier).ln()).exp());
+            }
+            _ => take(seconds),
+        }
+    }
+    best
+}
+
+/// Everyone who comes below an error on a story, fastest first.
+#[must_use]
+pub fn ranking<'a>(rows: &'a [Work], story: &str, kind: &Kind, error: f64) -> Vec<(&'a str, Group, f64)> {
+    let mut all: Vec<(&str, Group, f64)> = contestants(rows)
+        .into_iter()
+        .filter_map(|(name, group)| Some((name, group, seconds_at(rows, story, name, kind, error)?)))
+        .collect();
+    all.sort_by(|a, b| a.2.total_cmp(&b.2));
+    all
+}
+
+/// Names and groups in the order of the record.
+#[must_use]
+pub fn contestants(rows: &[Work]) -> Vec<(&str, Group)> {
+    let mut names: Vec<(&str, Group)> = Vec::new();
+    for row in rows {
+        let group = Group::ALL.into_iter().find(|group| group.word() == row.group);
+        if let Some(group) = group.filter(|_| !names.iter().any(|(name, _)| *name == row.contestant)) {
+            names.push((&row.contestant, group));
+        }
+    }
+    names
+}
+
+/// The slope of the energy's error of a long run against time, in logarithms, from a thousand turns on. One half is a random
+/// walk, one a line.
+#[must_use]
+pub fn drift(rows: &[Long], contestant: &str) -> Option<f64> {
+    slope(rows.iter().filter(|row| row.contestant == contestant), 1000, |row| row.mean)
+}
+
+/// The whole verdict as lines of text.
+#[must_use]
+pub fn text(work: &Record<Work>, long: &Record<Long>) -> String {
+    let mut out = String::new();
+    let Some(attitude) = kind("attitude") else { return out };
+    for error in [1e-2, 1e-6, 1e-8, 1e-9] {
+        let ranking = ranking(&work.rows, "box", attitude, error);
+        let Some(&(_, _, yardstick)) = ranking.first() else { continue };
+        let _ = writeln!(out, "The box after 100 flips, attitude within {error:.0e} rad:");
+        for (name, group, seconds) in ranking {
+            let _ = writeln!(
+                out,
+                "  {:44} {:20} {:>10.2e} s {:>10.1} x",
+                name,
+                group.word(),
+                seconds,
+                seconds / yardstick
+            );
+        }
+    }
+    let mut seen: Vec<&str> = Vec::new();
+    for row in &long.rows {
+        if seen.contains(&row.contestant.as_str()) {
+            continue;
+        }
+        seen.push(&row.contestant);
+        if let Some(slope) = drift(&long.rows, &row.contestant) {
+            let last = long.rows.iter().rfind(|r| r.contestant == row.contestant);
+            let (turns, mean) = last.map_or((0, f64::NAN), |row| (row.turns, row.mean));
+            let _ = writeln!(
+                out,
+                "{:46} energy off by {mean:.1e} after {turns} turns, slope {slope:.2}",
+                row.contestant
+            );
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contestant::Setting;
+
+    fn rung(steps: u64, seconds: f64, attitude: f64) -> Work {
+        Work {
+            story: "box".into(),
+            contestant: "one".into(),
+            group: Group::Neither.word().into(),
+            order: 2,
+            setting: Setting::Steps(steps),
+            steps: Some(steps),
+            evaluations: None,
+            instructions: None,
+            seconds: Some(seconds),
+            spread: None,
+            errors: Errors { attitude: Some(attitude), ..Errors::default() },
+            outcome: Outcome::Right,
+        }
+    }
+
+    #[test]
+    fn time_to_an_error_lies_on_the_line_of_logarithms_between_two_rungs() {
+        let mut rows = vec![rung(1, 1.0, 1e-2), rung(10, 10.0, 1e-4), rung(100, 100.0, 1e-6)];
+        let attitude = kind("attitude").unwrap();
+        let at = |rows: &[Work], error| seconds_at(rows, "box", "one", attitude, error);
+        assert!((at(&rows, 1e-3).unwrap() - 10_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(at(&rows, 1e-1), Some(1.0));
+        assert_eq!(at(&rows, 1e-7), None);
+        // A rung that flipped wrongly is no way to an error, and nothing is to be read between it and the next.
+        rows[0].outcome = Outcome::Flips(3);
+        assert_eq!(at(&rows, 1e-3), Some(10.0));
+    }
+}

@@ -1,0 +1,223 @@
+//! Physics engines in use: which rule each goes by, and what it adds to the rule.
+
+use super::method::Method;
+use super::rk4::Motion;
+use super::rules::turn::{turned_beyond, turned_straight};
+use super::system::System;
+use crate::attitude;
+use crate::error::{Error, finite};
+use std::f64::consts::FRAC_PI_4;
+
+/// A physics engine, in one setting: what it does to a body that touches nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PhysicsEngine {
+    /// Its name.
+    pub name: &'static str,
+    /// The version recorded; none where the rule is known from the engine's source or documentation alone.
+    pub version: Option<&'static str>,
+    /// The setting, and whether it is the default.
+    pub setting: &'static str,
+    /// Its rule.
+    pub method: Method,
+    /// Into how many equal parts it cuts a step.
+    pub parts: u32,
+    /// What it adds to the rule.
+    pub limits: Limits,
+    /// What its recorded motions in `tests/data/engines` are called.
+    pub record: Option<&'static str>,
+}
+
+/// What an engine does to a body that is too fast for it. The rule alone has none of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Bullet: beyond this angle (rad) a step turns by less than the spin asks, never by more than half a turn. The spin stays.
+    pub turn: Option<f64>,
+    /// Bullet's multibody: the most spin (rad/s) along each axis of the world; what is beyond it is cut off.
+    pub component: Option<f64>,
+    /// Rapier: the most angle (rad) a whole step may turn; a faster spin is slowed to it, for good.
+    pub spin: Option<f64>,
+    /// MuJoCo: the most angular acceleration and spin (rad/s², rad/s) along any principal axis; beyond it MuJoCo puts the body back to its
+    /// attitude at the beginning of all, at rest, and warns. Here that is an error.
+    pub rate: Option<f64>,
+}
+
+impl Limits {
+    /// None.
+    pub const NONE: Self = Self { turn: None, component: None, spin: None, rate: None };
+}
+
+const MUJOCO: PhysicsEngine = PhysicsEngine {
+    name: "MuJoCo",
+    version: Some("4.0.0"),
+    setting: "",
+    method: Method::SemiImplicitEuler,
+    parts: 1,
+    limits: Limits { rate: Some(1e10), ..Limits::NONE },
+    record: None,
+};
+
+/// An engine that is not recorded.
+const UNRECORDED: PhysicsEngine =
+    PhysicsEngine { version: None, limits: Limits::NONE, method: Method::ConstantSpin, ..MUJOCO };
+
+/// Engines and what they do to a free body. The recorded ones are followed step by step in `tests/engines_recorded.rs`; of the
+/// others the rule is known, and neither the last digits nor their limits.
+///
+/// ```
+/// use tumbling::step::{Method, PHYSICS_ENGINES};
+/// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
+/// assert_eq!((rapier.method, rapier.parts), (Method::RescaledStraight, 4));
+/// let never_flips = PHYSICS_ENGINES.iter().filter(|engine| engine.method == Method::ConstantSpin);
+/// assert_eq!(never_flips.count(), 4);
+/// ```
+pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
+    PhysicsEngine { setting: "Euler (default)", record: Some("mujoco-4.0.0-euler"), ..MUJOCO },
+    PhysicsEngine {
+        setting: "implicitfast, implicit",
+        method: Method::LinearisedImplicit,
+        record: Some("mujoco-4.0.0-implicitfast"),
+        ..MUJOCO
+    },
+    PhysicsEngine {
+        setting: "RK4",
+        method: Method::TurnedRungeKutta4,
+        record: Some("mujoco-4.0.0-rk4"),
+        ..MUJOCO
+    },
+    PhysicsEngine {
+        version: Some("3.17.0"),
+        setting: "RK4",
+        method: Method::MeanSpinRungeKutta4,
+        record: Some("mujoco-3.17.0-rk4"),
+        ..MUJOCO
+    },
+    PhysicsEngine {
+        name: "Bullet",
+        version: Some("3.2.7 (pybullet)"),
+        setting: "multibody (pybullet's default)",
+        limits: Limits { turn: Some(FRAC_PI_4), component: Some(100.0), ..Limits::NONE },
+        record: Some("bullet-3.2.7-multibody"),
+        ..MUJOCO
+    },
+    PhysicsEngine {
+        name: "Bullet",
+        version: Some("3.2.7 (pybullet)"),
+        setting: "rigid body (maximal coordinates)",
+        method: Method::OneNewton,
+        limits: Limits { turn: Some(FRAC_PI_4), ..Limits::NONE },
+        record: Some("bullet-3.2.7-rigid"),
+        ..MUJOCO
+    },
+    PhysicsEngine {
+        name: "Rapier",
+        version: Some("0.36.1"),
+        setting: "gyroscopic forces on (default)",
+        method: Method::RescaledStraight,
+        parts: 4,
+        limits: Limits { spin: Some(FRAC_PI_4), ..Limits::NONE },
+        record: Some("rapier3d-f64-0.36.1"),
+    },
+    PhysicsEngine {
+        name: "Avian",
+        setting: "gyroscopic motion on (default)",
+        method: Method::Rescaled,
+        ..UNRECORDED
+    },
+    PhysicsEngine { name: "Jolt", setting: "gyroscopic force on", method: Method::Rescaled, ..UNRECORDED },
+    PhysicsEngine { name: "Jolt", setting: "gyroscopic force off (default)", ..UNRECORDED },
+    PhysicsEngine { name: "Box3D", setting: "default", method: Method::OneNewton, ..UNRECORDED },
+    PhysicsEngine { name: "PhysX, Unity", setting: "gyroscopic forces off (default)", ..UNRECORDED },
+    PhysicsEngine { name: "Godot Physics", setting: "default", ..UNRECORDED },
+    PhysicsEngine { name: "Brax", setting: "default", ..UNRECORDED },
+];
+
+impl PhysicsEngine {
+    /// One step of `h` seconds as this engine takes it: its rule, its parts of a step and its limits.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::step::{Motion, PHYSICS_ENGINES, System};
+    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, 0.0, 250.0) };
+    /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
+    /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.
+    /// let end = rapier.step(&system, &start, 1.0 / 60.0)?;
+    /// assert!((system.omega(&end.vector).z - 15.0 * std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back to the
+    /// beginning.
+    pub fn step(&self, system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
+        finite("the step", h)?;
+        if let Some(most) = self.limits.rate {
+            let omega = system.omega(&start.vector);
+            let rate = system.omega(&system.rate(start).vector);
+            let beyond = |x: &f64| x.is_nan() || x.abs() > most;
+            if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
+                return Err(Error::OutOfRange {
+                    what: "a spin or its rate, where the engine starts anew",
+                    value,
+                });
+            }
+        }
+        if self.parts <= 1 {
+            let end = self.method.step(system, start, &h)?;
+            return self.limited(system, start, end, h, h);
+        }
+        // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
+        let part = h / f64::from(self.parts);
+        let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
+        let free = System::of_numbers(*system.moments(), Vec::new());
+        (0..self.parts).try_fold(start.clone(), |mut motion, _| {
+            if !system.is_free() {
+                let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
+                motion.vector += system.momentum(&inside);
+            }
+            let end = self.method.step(&free, &motion, &part)?;
+            self.limited(system, &motion, end, part, h)
+        })
+    }
+
+    fn limited(
+        &self,
+        system: &System<f64>,
+        start: &Motion<f64>,
+        end: Motion<f64>,
+        part: f64,
+        h: f64,
+    ) -> Result<Motion<f64>, Error> {
+        let asked = system.omega(&end.vector);
+        let mut omega = asked;
+        if let Some(most) = self.limits.component {
+            // Cut in the world's axes, at the attitude before the turn.
+            let rotation = attitude::rotation_matrix(&start.attitude);
+            let world = rotation * asked;
+            if world.amax() > most {
+                omega = rotation.tr_mul(&world.map(|x| x.max(-most).min(most)));
+            }
+        }
+        if let Some(most) = self.limits.spin.map(|angle| angle / h.abs()) {
+            let speed = omega.norm();
+            if speed > most {
+                omega *= most / speed;
+            }
+        }
+        let cut = omega != asked;
+        let most = self.limits.turn.unwrap_or(f64::INFINITY);
+        if !cut && omega.norm() * part.abs() <= most {
+            return Ok(end);
+        }
+        let attitude = if self.method == Method::RescaledStraight {
+            turned_straight(&start.attitude, &omega, &part)
+        } else {
+            turned_beyond(&start.attitude, &omega, part, most)
+        };
+        let vector = if cut { system.momentum(&omega) } else { end.vector };
+        for &value in attitude.coords.iter().chain(&vector) {
+            finite("the motion after a step", value)?;
+        }
+        Ok(Motion { attitude, vector })
+    }
+}

@@ -1,0 +1,135 @@
+//! The classical Runge-Kutta method for the spin, with the attitude turned and not added to: MuJoCo's, with the rates of
+//! the turn corrected since its version 4, and not before.
+
+use super::super::method::{About, Keeps};
+use super::super::rk4::Motion;
+use super::super::system::System;
+use super::turn::turned;
+use crate::attitude;
+use crate::scalar::Analytic;
+use nalgebra::Vector3;
+
+pub(in super::super) const MEAN_SPIN: About = About {
+    name: "Runge-Kutta 4, mean spin",
+    order: 2,
+    implicit: false,
+    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    source: "MuJoCo's RK4 before version 4",
+};
+
+pub(in super::super) const CORRECTED: About = About {
+    name: "Runge-Kutta 4, turned",
+    order: 4,
+    implicit: false,
+    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    source: "MuJoCo's RK4, after MK98",
+};
+
+pub(in super::super) fn mean_spin<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    stepped(system, start, h, |_, omega| omega.clone())
+}
+
+pub(in super::super) fn corrected<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    stepped(system, start, h, turn_rate)
+}
+
+/// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is `slope(turn, spin)`.
+fn stepped<T: Analytic>(
+    system: &System<T>,
+    start: &Motion<T>,
+    h: &T,
+    slope: impl Fn(&Vector3<T>, &Vector3<T>) -> Vector3<T>,
+) -> Motion<T> {
+    let scaled = |v: &Vector3<T>, factor: &T| v.map(|x| x * factor.clone());
+    // The rates of turn and momentum `time` after the start, along rates found before.
+    let rates = |before: Option<&(Vector3<T>, Vector3<T>)>, time: &T| {
+        let (turn, vector) = match before {
+            None => (Vector3::from_fn(|_, _| T::zero()), start.vector.clone()),
+            Some((turn, push)) => (scaled(turn, time), &start.vector + scaled(push, time)),
+        };
+        let omega = system.omega(&vector);
+        // A free body's momentum does not ask for the attitude.
+        let attitude = if system.is_free() {
+            start.attitude.clone()
+        } else {
+            attitude::product(&start.attitude, &attitude::turn(&turn))
+        };
+        (slope(&turn, &omega), system.rate(&Motion { attitude, vector }).vector)
+    };
+    let half = h.clone() / T::integer(2);
+    let k1 = rates(None, h);
+    let k2 = rates(Some(&k1), &half);
+    let k3 = rates(Some(&k2), &half);
+    let k4 = rates(Some(&k3), h);
+    let mean = |a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>, d: &Vector3<T>| {
+        let middle = b + c;
+        (a + d + &middle + &middle).map(|x| x / T::integer(6))
+    };
+    let vector = &start.vector + scaled(&mean(&k1.1, &k2.1, &k3.1, &k4.1), h);
+    Motion { attitude: turned(&start.attitude, &mean(&k1.0, &k2.0, &k3.0, &k4.0), h), vector }
+}
+
+/// The rate of the rotation vector `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x (v x w)`, with
+/// `c = (1 - (|v|/2) cot(|v|/2)) / |v|^2`. It is infinite at whole turns.
+fn turn_rate<T: Analytic>(turn: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
+    let once = turn.cross(omega);
+    let half = turn.map(|x| x / T::integer(2));
+    let square = half.dot(&half);
+    let quarter = curvature(&square) / T::integer(4);
+    let twice = turn.cross(&once).map(|x| x * quarter.clone());
+    omega + once.map(|x| x / T::integer(2)) + twice
+}
+
+/// Coefficients of `(1 - x cot x) / x^2` in powers of `x^2`, numerator and two factors of the denominator
+/// ([DLMF](crate::references), 4.19.6).
+const COEFFICIENTS: [[u32; 3]; 10] = [
+    [1, 3, 1],
+    [1, 45, 1],
+    [2, 945, 1],
+    [1, 4725, 1],
+    [2, 93_555, 1],
+    [1382, 638_512_875, 1],
+    [4, 18_243_225, 1],
+    [3617, 66_976_875, 2431],
+    [87_734, 843_908_625, 46_189],
+    [349_222, 3_013_959_375, 508_079],
+];
+
+/// `(1 - x cot x) / x^2` from the square of `x`.
+fn curvature<T: Analytic>(square: &T) -> T {
+    // Where the difference cancels, its series: each term is below 1/39 of the one before.
+    if square.size() <= 0.25 {
+        return COEFFICIENTS.iter().rev().fold(T::zero(), |sum, &[n, d, e]| {
+            sum * square.clone() + T::integer(n) / (T::integer(d) * T::integer(e))
+        });
+    }
+    let (cosine, sinc) = square.cos_sinc_of_root();
+    (T::one() - cosine / sinc) / square.clone()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // u = x cot x solves x u' = u - u^2 - x^2, so that (2n + 1) b_n = [n = 1] + sum b_k b_(n-k).
+    #[test]
+    fn the_coefficients_of_the_cotangent_follow_from_its_differential_equation() {
+        let b = COEFFICIENTS.map(|[n, d, e]| f64::from(n) / (f64::from(d) * f64::from(e)));
+        for n in 1..=b.len() {
+            let crossed: f64 = (1..n).map(|k| b[k - 1] * b[n - k - 1]).sum();
+            let first = if n == 1 { 1.0 } else { 0.0 };
+            let odd = f64::from(u32::try_from(2 * n + 1).unwrap());
+            assert!((odd * b[n - 1] / (first + crossed) - 1.0).abs() < 1e-14, "{n}");
+        }
+    }
+
+    #[test]
+    fn the_series_of_the_cotangent_and_the_cotangent_meet() {
+        for x in [0.5_f64, 0.499, 0.4] {
+            let direct = (1.0 - x / x.tan()) / (x * x);
+            assert!((curvature(&(x * x)) / direct - 1.0).abs() < 1e-14);
+        }
+        let x = 0.5_f64.next_up();
+        assert!((curvature(&(x * x)) / curvature(&0.25) - 1.0).abs() < 1e-14);
+    }
+}

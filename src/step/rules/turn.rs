@@ -1,0 +1,44 @@
+//! Turning an attitude by a spin.
+
+use crate::attitude;
+use crate::scalar::Analytic;
+use nalgebra::{Quaternion, Vector3};
+
+/// A quaternion brought to length 1.
+fn unit<T: Analytic>(q: &Quaternion<T>) -> Quaternion<T> {
+    let norm = q.coords.dot(&q.coords).sqrt();
+    Quaternion::from_vector(q.coords.map(|x| x / norm.clone()))
+}
+
+/// `start` turned by the constant spin `omega` (body axes) for the time `h`: the exponential map.
+pub(super) fn turned<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: &T) -> Quaternion<T> {
+    unit(&attitude::product(start, &attitude::turn(&omega.map(|x| x * h.clone()))))
+}
+
+/// `start` moved straight along its rate for the time `h` and brought back to length 1. It turns about the right axis,
+/// by `2 atan(|w| h / 2)` instead of `|w| h`.
+pub(in super::super) fn turned_straight<T: Analytic>(
+    start: &Quaternion<T>,
+    omega: &Vector3<T>,
+    h: &T,
+) -> Quaternion<T> {
+    let half = h.clone() / T::integer(2);
+    let [x, y, z] = [0, 1, 2].map(|i| omega[i].clone() * half.clone());
+    unit(&attitude::product(start, &Quaternion::new(T::one(), x, y, z)))
+}
+
+/// `start` turned as Bullet does it: right up to the angle `most`; beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is
+/// too little, and never more than half a turn.
+pub(in super::super) fn turned_beyond(
+    start: &Quaternion<f64>,
+    omega: &Vector3<f64>,
+    h: f64,
+    most: f64,
+) -> Quaternion<f64> {
+    if omega.norm() * h.abs() <= most {
+        return turned(start, omega, &h);
+    }
+    let (sine, cosine) = (most / 2.0).sin_cos();
+    let part = omega * (h * sine / most);
+    unit(&attitude::product(start, &Quaternion::new(cosine, part.x, part.y, part.z)))
+}

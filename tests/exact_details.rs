@@ -1,0 +1,230 @@
+//! What is read off a motion, and its corners: the end of a herpolhode, two equal moments, the smallest numbers.
+
+mod common;
+
+use common::*;
+use nalgebra::{UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree as _;
+use std::f64::consts::PI;
+use tumbling::exact::{FreeMotion, Regime};
+use tumbling::{Axis, Body, Inertia};
+
+fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
+    FreeMotion::new(&moments.into(), &omega.into()).unwrap()
+}
+
+/// The angle between two attitudes is at most twice this.
+fn apart(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
+    let (a, b) = (a.coords, b.coords);
+    (a - b).norm().min((a + b).norm())
+}
+
+#[test]
+fn a_herpolhode_runs_from_the_start_to_the_end_of_its_time() {
+    let motion = motion([1.0, 2.0, 2.5], [0.3, 1.0, -0.4]);
+    let at = |t: f64| motion.at(t).unwrap().omega_world();
+    assert_eq!(motion.herpolhode(9.0, 4).unwrap(), [0.0, 3.0, 6.0, 9.0].map(at));
+    assert_eq!(motion.herpolhode(9.0, 2).unwrap(), [0.0, 9.0].map(at));
+    assert_eq!(motion.herpolhode(9.0, 1).unwrap(), [at(0.0)]);
+    assert!(motion.herpolhode(9.0, 0).unwrap().is_empty());
+    assert!(motion.herpolhode(f64::INFINITY, 3).is_err());
+}
+
+#[test]
+fn a_polhode_goes_round_once_in_even_steps() {
+    let motion = motion([1.0, 2.0, 2.5], [0.3, 1.0, -0.4]);
+    let period = motion.period().unwrap().unwrap();
+    let points = motion.polhode(4).unwrap();
+    for (k, point) in points.iter().enumerate() {
+        assert_eq!(*point, motion.omega(0.25 * period * k as f64).unwrap());
+    }
+    // It circles the third axis (L² is above 2 E I2): half round, the other two components have changed sign.
+    assert!(points.len() == 4 && (points[2] - Vector3::new(-0.3, -1.0, -0.4)).norm() < 1e-14);
+}
+
+/// A body with two equal moments, spun askew.
+fn top() -> impl Strategy<Value = (Vector3<f64>, Vector3<f64>, usize)> {
+    (0.2..1.9_f64, generic_spin(), 0..3_usize).prop_filter_map("a sphere", |(c, omega, axis)| {
+        let mut moments = Vector3::repeat(1.0);
+        moments[axis] = c;
+        ((c - 1.0).abs() > 0.05).then_some((moments, omega, axis))
+    })
+}
+
+proptest! {
+    // Independent: the angles seen along the way. Of a top's three axes the middle is met by none of the others' rules.
+    #[test]
+    fn a_tops_angles_to_the_momentum_bound_its_motion_and_are_reached((m, omega, _) in top()) {
+        let motion = FreeMotion::new(&m, &omega).unwrap();
+        for axis in 0..3 {
+            let [least, most] = motion.angles_to_momentum(axis).unwrap();
+            let mut seen = [f64::INFINITY, 0.0_f64];
+            for w in motion.polhode(2000).unwrap() {
+                let momentum = m.component_mul(&w);
+                let angle = (momentum[axis] / momentum.norm()).acos();
+                seen = [seen[0].min(angle), seen[1].max(angle)];
+            }
+            prop_assert!(seen[0] > least - 1e-7 && seen[1] < most + 1e-7, "{seen:?} {least} {most}");
+            prop_assert!(seen[0] < least + 0.02 && seen[1] > most - 0.02, "{seen:?} {least} {most}");
+        }
+    }
+
+    // The rate about the momentum, (2E + L w)/(L + I w), is constant here; and what the twist means for the attitude.
+    #[test]
+    fn a_tops_twist_is_its_rate_about_the_momentum_for_half_a_period((m, omega, axis) in top()) {
+        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let half = motion.period().unwrap().unwrap() / 2.0;
+        let start = m.component_mul(&omega);
+        let (momentum, along) = (start.norm(), omega[axis].abs());
+        let rate = (start.dot(&omega) + momentum * along) / (momentum + m[axis] * along);
+        let twist = motion.twist_of_half_period().unwrap();
+        prop_assert!((rate * half / twist - 1.0).abs() < 1e-13, "{twist}");
+        prop_assert!((motion.rotation_number().unwrap() * PI / twist - 1.0).abs() < 1e-15);
+        let mut about = Vector3::zeros();
+        about[axis] = PI;
+        let expected = UnitQuaternion::from_scaled_axis(start / momentum * (twist + PI)) * UnitQuaternion::from_scaled_axis(about);
+        prop_assert!(apart(&motion.attitude(half).unwrap(), &expected) < 1e-13 * (1.0 + twist));
+    }
+}
+
+/// With I1 (I2 - I1) next to I3 (I3 - I2) and two pushes alike, the motion is nearer to the separatrix by far than the push is
+/// to nothing: the least spin it passes is below all numbers, and the scale that undoes it has to come in two parts.
+#[test]
+fn the_least_push_beside_a_slow_spin_grows_to_a_whole_flip() {
+    // 0.7 · 0.3 = c (c - 1) for c = (1 + sqrt(1.84))/2.
+    let c = 0.5 * (1.0 + 1.84_f64.sqrt());
+    for (push, power) in [(5e-324, -99), (-5e-324, -100), (5e-324, -101), (5e-324, -102)] {
+        let slow = 2_f64.powi(power);
+        let motion = motion([0.7, 1.0, c], [5e-324, slow, push]);
+        let Regime::Circulating { complement, .. } = motion.regime() else { panic!("{:?}", motion.regime()) };
+        assert!(complement < 1e-298, "{complement:e}");
+        let flip = motion.next_flip(0.0).unwrap().unwrap();
+        let w = motion.omega(flip).unwrap() / slow;
+        // All of energy and momentum is across and around: I1 w1² + I3 w3² = 1 and I1² w1² + I3² w3² = 1.
+        let [x, z] = [(c - 1.0) / (0.7 * (c - 0.7)), 0.3 / (c * (c - 0.7))].map(f64::sqrt);
+        assert!(
+            w.y.abs() < 1e-12 && (w.x.abs() / x - 1.0).abs() < 1e-13 && (w.z.abs() / z - 1.0).abs() < 1e-13,
+            "{w:?}"
+        );
+    }
+}
+
+/// A tensor given askew has each entry rounded beside the largest moment, and the smallest moment of a needle with
+/// it: what the documentation of `FreeMotion::of` says.
+#[test]
+fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
+    let mut random = proptest::test_runner::TestRunner::deterministic();
+    let mut value = |range: std::ops::Range<f64>| range.new_tree(&mut random).unwrap().current();
+    for thin in [1e-6, 1e-12] {
+        let mut worst = [0.0_f64; 2];
+        for _ in 0..200 {
+            let m = Vector3::new(thin, 1.0, 1.0 + 0.4 * thin);
+            let turned =
+                UnitQuaternion::from_euler_angles(value(0.0..6.0), value(-1.5..1.5), value(0.0..6.0));
+            let omega = Vector3::from_fn(|_, _| value(-0.5..0.5));
+            let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&turned).unwrap();
+            let body = Body::spinning(inertia, turned.inverse(), &(turned * omega)).unwrap();
+            let askew = FreeMotion::of(&body).unwrap();
+            let t = value(0.0..3.0);
+            let (at, plain) = (askew.at(t).unwrap(), FreeMotion::new(&m, &omega).unwrap().at(t).unwrap());
+            let spin = (at.omega - turned * plain.omega).norm() / omega.norm();
+            let attitude = apart(&at.attitude, &(plain.attitude * turned.inverse()));
+            worst =
+                [worst[0].max((askew.moments().min() / thin - 1.0).abs()), worst[1].max(spin.max(attitude))];
+        }
+        let unit = 0.5 * f64::EPSILON / thin;
+        assert!(worst[0] < 4.0 * unit && worst[1] < 8.0 * unit, "{thin:e}: {worst:?}");
+        // And not better: the sentence is no bound out of the air.
+        assert!(worst[0] > unit && worst[1] > unit, "{thin:e}: {worst:?}");
+    }
+}
+
+/// Which end of its swing is whose, by hand: with moments (1, 2, 3) and the spin (0, 0.03, -1) the third axis is 2/100 off at
+/// the start and 1/100 a quarter period later, seen from behind.
+#[test]
+fn a_spin_the_other_way_round_swings_about_the_opposite_of_the_momentum() {
+    let motion = motion([1.0, 2.0, 3.0], [0.0, 0.03, -1.0]);
+    let [least, most] = motion.angles_to_momentum(2).unwrap().map(|a| PI - a);
+    assert!((least - 0.02).abs() < 1e-5 && (most - 0.01).abs() < 1e-5, "{least} {most}");
+    assert!(matches!(motion.regime(), Regime::Circulating { about: Axis::Largest, rate, .. } if rate > 0.0));
+}
+
+/// The top's greatest component is the radius of its circle: for (1, 1) it is sqrt(2).
+#[test]
+fn a_top_that_swings_beyond_the_range_is_refused() {
+    let new = |w: f64| FreeMotion::new(&Vector3::new(1.0, 1.0, 1.5), &Vector3::new(w, w, 1.0));
+    assert!(new(1.27e308).is_ok());
+    assert!(new(1.28e308).unwrap_err().to_string().contains("the greatest spin"));
+}
+
+/// A wobble beside a spin near the end of the range: with moments (1, 1.9, 2) the push along the first axis comes along the
+/// second sqrt(1/0.19) = 2.3 times as great, which is still nothing beside the spin.
+#[test]
+fn a_small_wobble_of_the_fastest_spin_is_within_the_range() {
+    for push in [1e200, 1e-100, 5e-324] {
+        let motion = motion([1.0, 1.9, 2.0], [push, 0.0, 1.7e308]);
+        let quarter = motion.omega(0.25 * motion.period().unwrap().unwrap()).unwrap();
+        assert!(
+            quarter.z == 1.7e308 && (quarter.y.abs() / push - 0.19_f64.sqrt().recip()).abs() < 0.5,
+            "{quarter:?}"
+        );
+    }
+}
+
+#[test]
+fn a_steady_spin_keeps_its_angles_and_grows_about_the_middle_axis_alone() {
+    let angles = |m: [f64; 3], w: [f64; 3], axis| motion(m, w).angles_to_momentum(axis).unwrap();
+    assert_eq!(angles([1.0, 2.0, 3.0], [0.0, -2.0, 0.0], 1), [PI; 2]);
+    assert_eq!(angles([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], 1), [0.0; 2]);
+    let [least, most] = angles([2.0, 2.0, 2.0], [3.0, 0.0, -4.0], 2);
+    assert!(least == most && (least.cos() + 0.8).abs() < 1e-15);
+    let growth = |w: [f64; 3]| motion([1.0, 3.0, 2.0], w).growth_rate().unwrap();
+    assert_eq!((growth([2.0, 0.0, 0.0]), growth([0.0, 2.0, 0.0])), (None, None));
+    // sqrt((3-2)(2-1)/(3·1)) of the spin.
+    assert!((growth([0.0, 0.0, -2.0]).unwrap() - 2.0 / 3_f64.sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
+    let new = |thin: f64| FreeMotion::new(&Vector3::new(thin, 1.0, 1.0), &Vector3::new(1.0, 0.5, 0.25));
+    assert!(new(1.001e-100).is_ok());
+    assert!(new(0.999e-100).unwrap_err().to_string().contains("1e-100 of the largest moment"));
+}
+
+proptest! {
+    // Continuity: the motion is prepared so that it starts where it was told to, to the few roundings that any answer may have.
+    #[test]
+    fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {
+        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let soon = motion.omega(1e-300).unwrap();
+        let off = (soon - omega).norm() / (omega.norm() * 0.5 * f64::EPSILON);
+        prop_assert!(off <= 8.0, "{off}");
+    }
+}
+
+#[test]
+fn several_instants_at_once_are_each_to_the_bit_what_they_are_alone() {
+    let times = [0.0, -0.0, 1.5, -3.25, 1e9, 1e-300, 0.75];
+    let askew = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let askew = askew.turned(&UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9)).unwrap();
+    let body = Body::spinning(
+        askew,
+        UnitQuaternion::from_euler_angles(1.0, 0.2, -0.5),
+        &Vector3::new(0.5, -1.0, 0.2),
+    );
+    let motions = [
+        FreeMotion::of(&body.unwrap()).unwrap(),
+        motion([1.0, 2.0, 2.5], [0.3, 0.2, 1.0]),
+        motion([1.0, 2.0, 2.5], [1e-9, 1.0, 0.0]),
+        motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]),
+        motion([1.0, 1.0, 1.5], [0.5, 0.2, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 0.0]),
+    ];
+    for motion in motions {
+        let alone: Vec<_> = times.iter().map(|&t| motion.at(t).unwrap()).collect();
+        assert_eq!(motion.at_each(&times).unwrap(), alone);
+        assert!(motion.at_each(&[1.0, f64::NAN]).is_err() && motion.at_each(&[]).unwrap().is_empty());
+    }
+}

@@ -1,0 +1,151 @@
+//! Every stepping method against the exact motion, and against what it says of itself. Orders are proven on power series elsewhere; here they
+//! are seen in `f64`.
+
+mod common;
+
+use common::*;
+use nalgebra::{Quaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, Motion, System, controlled};
+
+fn start(system: &System<f64>, omega: &Vector3<f64>) -> Motion<f64> {
+    Motion { attitude: Quaternion::identity(), vector: system.momentum(omega) }
+}
+
+fn run(method: Method, system: &System<f64>, from: &Motion<f64>, h: f64, count: usize) -> Motion<f64> {
+    (0..count).fold(from.clone(), |motion, _| method.step(system, &motion, &h).unwrap())
+}
+
+fn energy(system: &System<f64>, motion: &Motion<f64>) -> f64 {
+    0.5 * motion.vector.dot(&system.omega(&motion.vector))
+}
+
+fn in_world(motion: &Motion<f64>) -> Vector3<f64> {
+    tumbling::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.vector
+}
+
+/// Errors of spin (relative) and attitude at `t`.
+fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
+    let system = System::free(moments).unwrap();
+    let end = run(method, &system, &start(&system, omega), t / count as f64, count);
+    let truth = FreeMotion::new(moments, omega).unwrap().at(t).unwrap();
+    let spin = (system.omega(&end.vector) - truth.omega).norm() / omega.norm();
+    let q = truth.attitude.coords;
+    spin.max((end.attitude.coords - q).norm().min((end.attitude.coords + q).norm()))
+}
+
+#[test]
+fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
+    let (moments, omega) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.9, 1.1, -0.7));
+    for &method in Method::ALL {
+        let order = method.about().order;
+        if order == 0 {
+            // It goes to no truth.
+            assert!(error(method, &moments, &omega, 2.0, 4096) > 0.1, "{method:?}");
+            continue;
+        }
+        // Fine enough that the leading term leads, coarse enough that rounding does not count: 16 to 512 steps.
+        let count = 8 << (9 / order).min(6);
+        let errors = [1, 2].map(|finer| error(method, &moments, &omega, 2.0, count * finer));
+        let seen = (errors[0] / errors[1]).log2();
+        assert!((seen - f64::from(order)).abs() < 0.35, "{method:?}: {seen} for {order}, errors {errors:?}");
+    }
+}
+
+#[test]
+fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
+    // Steps of a fifth of a radian and more, ten thousand of them, of a body that flips.
+    let moments = Vector3::new(1.3, 2.0, 2.6);
+    let system = System::free(&moments).unwrap();
+    let from = start(&system, &Vector3::new(0.3, 2.0, -0.4));
+    let (h, count) = (0.1, 10_000);
+    for &method in Method::ALL {
+        let keeps = method.about().keeps;
+        let mut worst = [0.0_f64; 4];
+        let mut motion = from.clone();
+        for _ in 0..count {
+            motion = method.step(&system, &motion, &h).unwrap();
+            let l = from.vector.norm();
+            let found = [
+                energy(&system, &motion) / energy(&system, &from) - 1.0,
+                motion.vector.norm() / l - 1.0,
+                (in_world(&motion) - in_world(&from)).norm() / l,
+                motion.attitude.norm() - 1.0,
+            ];
+            for (worst, found) in worst.iter_mut().zip(found) {
+                *worst = worst.max(found.abs());
+            }
+            if worst.iter().any(|x| *x > 1e3) {
+                break;
+            }
+        }
+        let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
+        let names = ["energy", "|L|", "L in the world", "|q|"];
+        for ((name, said), worst) in names.iter().zip(said).zip(worst) {
+            // A random walk of 1e4 roundings, or a line of them at worst.
+            assert_eq!(worst < 3e-12, said, "{method:?}: {name} off by {worst:e}, said to be kept: {said}");
+        }
+        let there = run(method, &system, &from, h, 20);
+        let back = run(method, &system, &there, -h, 20);
+        let off = (back.vector - from.vector).norm() + (back.attitude.coords - from.attitude.coords).norm();
+        assert_eq!(off < 1e-12, keeps.reversible, "{method:?}: the way back off by {off:e}");
+    }
+}
+
+#[test]
+fn single_precision_runs_the_same_methods() {
+    let moments = Vector3::new(1.0_f32, 2.0, 2.5);
+    let single = System::of_numbers(moments, Vec::new());
+    let double = System::free(&moments.cast()).unwrap();
+    let omega = Vector3::new(0.5, 1.0, -0.25);
+    for &method in Method::ALL {
+        let mut a = Motion { attitude: Quaternion::identity(), vector: single.momentum(&omega) };
+        let mut b = start(&double, &omega.cast());
+        for _ in 0..100 {
+            a = method.step(&single, &a, &0.0625).unwrap();
+            b = method.step(&double, &b, &0.0625).unwrap();
+        }
+        let off = (a.vector.cast() - b.vector).norm() + (a.attitude.cast().coords - b.attitude.coords).norm();
+        assert!(off < 1e-4, "{method:?} {off}");
+    }
+}
+
+#[test]
+fn the_error_of_a_controlled_run_follows_its_tolerance() {
+    let (moments, omega) = (Vector3::new(5.0 / 6.0, 13.0 / 12.0, 5.0 / 12.0), Vector3::new(1.0, 0.01, 0.01));
+    let system = System::free(&moments).unwrap();
+    for t in [40.0, -40.0] {
+        let truth = FreeMotion::new(&moments, &omega).unwrap().at(t).unwrap();
+        let mut before = f64::INFINITY;
+        let mut steps = 0;
+        for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+            let run = controlled(&system, &start(&system, &omega), t, tolerance).unwrap();
+            let off = (run.end.attitude.coords - truth.attitude.coords).norm();
+            assert!(off < 1e4 * tolerance, "{tolerance:e}: {off:e}");
+            assert!(off < 0.1 * before && run.steps > steps, "{tolerance:e}: {off:e} after {before:e}");
+            (before, steps) = (off, run.steps);
+        }
+    }
+    let finest = controlled(&system, &start(&system, &omega), 40.0, 1e-17);
+    let error = finest.unwrap_err().to_string();
+    assert!(error.contains("rounding") && error.contains("1e-17"), "{error}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn no_input_makes_a_method_panic(moments in any_vector(), momentum in any_vector(), q in [anything(), anything(), anything(), anything()], h in anything()) {
+        let from = Motion { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), vector: momentum };
+        // Also numbers that the constructor refuses.
+        for system in [System::free(&moments).ok(), Some(System::of_numbers(moments, Vec::new()))].into_iter().flatten() {
+            for &method in Method::ALL {
+                if let Ok(end) = method.step(&system, &from, &h) {
+                    prop_assert!(end.attitude.coords.iter().chain(&end.vector).all(|x| x.is_finite()), "{method:?} {end:?}");
+                }
+            }
+            let _ = tumbling::flow::step(&system, &from, h);
+        }
+    }
+}
