@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
 const REST: f64 = 700.0;
 
-/// What one place on the way contributes: the half turns there, `dF/dm` without them, and the integral of `cn²` as
+/// What one place on the way contributes: the half turns there, `dn dF/dm` without them, and the integral of `cn²` as
 /// quarter turns and a rest, counted from the flip or the saddle, whichever is nearer.
 struct Place {
     values: Values,
@@ -103,19 +103,21 @@ impl Elliptic {
         let down = self.down();
         let turns = end.halves - start.halves;
         let whole = if turns == 0.0 { 0.0 } else { 2.0 * turns * self.complete() };
-        let gained = whole + (end.growth - start.growth);
+        let before = whole - start.growth / start.values.dn;
         let Values { sn, cn, dn } = end.values;
         let [a_x, a_m, a_c] = self.amplitudes;
         let parameter = self.constants.modulus * self.constants.modulus;
         let mut spin = [Vector3::zeros(); 6];
         for k in 0..6 {
             let to_separatrix = constants.to_separatrix[k];
-            let shift = constants.phase[k] + run * constants.log_rate[k] + to_separatrix * gained;
+            // The shift of the phase times dn: far out on the separatrix it has no size of its own.
+            let shift = dn * (constants.phase[k] + run * constants.log_rate[k] + to_separatrix * before)
+                + to_separatrix * end.growth;
             let change = [
-                constants.across[k] * cn - a_x * sn * (dn * shift),
-                constants.middle[k] * sn + a_m * (cn * down) * (dn * down * shift),
+                constants.across[k] * cn - a_x * sn * shift,
+                constants.middle[k] * sn + a_m * (cn * down) * (shift * down),
                 constants.around[k] * dn
-                    + a_c * (sn * sn * (to_separatrix / (2.0 * dn)) - parameter * sn * (cn * shift)),
+                    + a_c * sn * (sn * (to_separatrix / (2.0 * dn)) - parameter * (cn / dn) * shift),
             ];
             let up = if k < 3 { self.constants.lifts[k] } else { 0 };
             for (row, &axis) in self.axes.iter().enumerate() {
@@ -140,7 +142,8 @@ impl Elliptic {
 
     /// `dK/dm` over `2^(2 shift)`.
     fn complete(&self) -> f64 {
-        growth(1.0, 0.0, self.constants.scaled_complement, self.down())
+        let complement = self.constants.scaled_complement;
+        growth(1.0, 0.0, complement, self.down()) / complement
     }
 
     /// The integral of `cn²` over a quarter period: `2 m' dK/dm`; on the separatrix that of `sech²`.
@@ -174,7 +177,7 @@ impl Elliptic {
         let side = sn.signum();
         let true_cn2 = (cn * down) * (cn * down);
         let (quarters, share) = if sn * sn < 0.5 {
-            (0.0, 2.0 * complement * complement * growth + sn * (cn / dn))
+            (0.0, 2.0 * complement * (complement / dn) * growth + sn * (cn / dn))
         } else {
             // What is left to the saddle: an integral of the same form in the complementary angle.
             let quotient = dn / complement;
@@ -258,17 +261,17 @@ impl Elliptic {
     }
 }
 
-/// `dF/dm` at fixed angle, up to a quarter turn, over `2^(2 shift)`: from its sine, and cosine and rate times
-/// `2^shift`. It is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with the scaled numbers.
+/// `dn dF/dm` at fixed angle, up to a quarter turn, over `2^shift`: from its sine, and cosine and rate times `2^shift`.
+/// The derivative is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with the scaled numbers.
 fn growth(sn: f64, cn: f64, dn: f64, down: f64) -> f64 {
     let (true_cn, true_dn) = (cn * down, dn * down);
     let shared = true_cn + true_dn + true_cn * true_dn;
-    let first = 3.0 / (dn * (dn + cn) * (1.0 + true_dn));
+    let first = 3.0 / ((dn + cn) * (1.0 + true_dn));
     // What follows is smaller than the first by about this.
     let rest = if shared < 1e-100 {
         0.0
     } else {
         rd([true_cn * true_cn + shared, 1.0 + shared, true_dn * true_dn + shared].map(|a| 0.25 * a)) * 0.25
     };
-    sn * sn * sn / 6.0 * (first + rest * down * down)
+    sn * sn * sn / 6.0 * (first + rest * down * true_dn)
 }

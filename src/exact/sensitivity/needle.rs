@@ -62,7 +62,8 @@ impl FreeMotion {
         if count > COUNTABLE {
             return None;
         }
-        let mut map = self.map(moments, omega, time - count * period, speed);
+        let rest = if count > 0.0 { time - count * period } else { time };
+        let mut map = self.map(moments, omega, rest, speed);
         let mut power = if count > 0.0 { Some(self.map(moments, omega, period, speed)) } else { None };
         while let Some(whole) = power {
             let half = (0.5 * count).trunc();
