@@ -61,6 +61,14 @@ fn works() -> Vec<Work> {
                 Box::new(move |k| drop(black_box(motion.at(black_box(times[k as usize % 1024]))))),
             ));
         }
+        let short: Vec<f64> = times.iter().map(|t| 0.002 * t).collect();
+        for (what, times) in [("derivatives", &times), ("derivatives, short spans", &short)] {
+            let times = times.clone();
+            works.push((
+                name(what),
+                Box::new(move |k| drop(black_box(motion.sensitivity(black_box(times[k as usize % 1024]))))),
+            ));
+        }
         works.push((
             name("preparing"),
             Box::new(move |_| drop(black_box(FreeMotion::new(black_box(&moments), black_box(&omega))))),

@@ -14,7 +14,7 @@ mod trigonometric;
 
 pub use jacobi::Jacobi;
 
-pub(crate) use carlson::rf_of_roots;
+pub(crate) use carlson::{rd, rf_of_roots};
 pub(crate) use complete::{quarter_period, quarter_period_from_root};
 pub(crate) use hyperbolic::{Decay, Hyperbolic};
 pub(crate) use jacobi::TURNING_RATIO;

@@ -195,12 +195,18 @@ impl FreeMotion {
         if t == 0.0 {
             return Ok(self.mount.as_ref().map_or(self.start, |mount| mount.omega));
         }
-        let omega = match &self.law {
+        let omega = self.omega_along(time);
+        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+    }
+
+    /// The spin along the principal axes.
+    fn omega_along(&self, time: f64) -> Vector3<f64> {
+        match &self.law {
+            _ if time == 0.0 => self.start,
             Law::AtRest | Law::Steady(_) => self.start,
             Law::Symmetric(precession) => precession.omega(time),
             Law::Elliptic(motion) => motion.omega(time),
-        };
-        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+        }
     }
 
     /// Attitude at time `t`, body to world.
@@ -209,14 +215,18 @@ impl FreeMotion {
     /// A time that is not finite.
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        let turned = match &self.law {
-            _ if t == 0.0 => Quaternion::identity(),
+        Ok(self.in_world(t, self.turned(time).into_inner()))
+    }
+
+    /// The attitude of the principal axes, from where they are at the start.
+    fn turned(&self, time: f64) -> UnitQuaternion<f64> {
+        UnitQuaternion::new_unchecked(match &self.law {
+            _ if time == 0.0 => Quaternion::identity(),
             Law::AtRest => Quaternion::identity(),
             Law::Steady(turn) => turn.at(time),
             Law::Symmetric(precession) => precession.attitude(time),
             Law::Elliptic(motion) => motion.attitude(time),
-        };
-        Ok(self.in_world(t, turned))
+        })
     }
 
     /// Spin and attitude at time `t`, which share most of their work.

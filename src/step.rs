@@ -6,15 +6,20 @@
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
 mod buss;
+mod decimal;
 mod dormand_prince;
 mod engine;
 mod explicit;
+mod gauss;
 mod lie;
 mod method;
+mod moser_veselov;
 mod physics_engine;
 mod rk4;
 mod rules;
 mod spiral;
+mod splitting;
+mod symmetric_top;
 mod system;
 mod torque;
 

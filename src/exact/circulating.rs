@@ -1,5 +1,9 @@
 //! The motion of a body with three different moments, about its largest or smallest axis or between.
 
+mod neighbours;
+
+pub(super) use neighbours::Halves;
+
 use super::Regime;
 use super::flips::Clock;
 use super::klein::{HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
@@ -36,6 +40,10 @@ struct Constants {
     about: Axis,
     modulus: f64,
     complement: f64,
+    /// The same times `2^shift`, and the powers of two taken into the three components: `[shift + lift, lift,
+    /// shift]`. One of the two is 0.
+    scaled_complement: f64,
+    lifts: [i32; 3],
     /// With its sign, per unit of time.
     rate: Double,
     /// Infinite on the separatrix.
@@ -239,7 +247,8 @@ impl Elliptic {
         let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
         form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
         let (start, argument) = (form.start(), form.argument());
-        let unscale = [shift + lift, lift, shift].map(|up| {
+        let lifts = [shift + lift, lift, shift];
+        let unscale = lifts.map(|up| {
             let total = motion.clock - up;
             let part = if total < -900 { 600 } else { 0 };
             [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)]
@@ -258,6 +267,8 @@ impl Elliptic {
                 about: if i[c] > i[m] { Axis::Largest } else { Axis::Smallest },
                 modulus,
                 complement,
+                scaled_complement,
+                lifts,
                 rate,
                 quarter,
                 argument,
@@ -273,6 +284,11 @@ impl Elliptic {
             return Regime::Separatrix { rate };
         }
         Regime::Circulating { about, modulus, complement, rate }
+    }
+
+    /// Index of the axis circled.
+    pub(crate) fn around(&self) -> usize {
+        self.axes[2]
     }
 
     pub(crate) fn greatest_spin(&self) -> f64 {

@@ -82,6 +82,10 @@ impl Precession {
         self.wobble.value()
     }
 
+    pub(crate) fn wobble(&self) -> Double {
+        self.wobble
+    }
+
     /// `L / I` with the equal moments, radians per unit of scaled time.
     pub(crate) fn precession(&self) -> f64 {
         self.about_momentum.rate()

@@ -1,8 +1,15 @@
 //! How the motion answers to small changes of its start and of the body.
 
-use super::FreeMotion;
+mod elementary;
+mod needle;
+mod series;
+
+use super::circulating::{Elliptic, Halves};
+use super::elementary::scaled;
+use super::{FreeMotion, Law};
+use crate::double::Double;
 use crate::error::{Error, finite};
-use crate::inertia::length;
+use crate::scale::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Vector3};
 
 /// Derivatives of spin and attitude at one instant; see [`FreeMotion::sensitivity`].
@@ -21,25 +28,25 @@ pub struct Sensitivity {
     pub turn_by_omega: Matrix3<f64>,
     /// The same by the change of the moments, per kg m².
     pub turn_by_moments: Matrix3<f64>,
-    /// An estimate of the relative error of the worst of the twelve columns.
-    pub error: f64,
 }
 
-/// Both derivatives by one input.
-type Column = (Vector3<f64>, Vector3<f64>);
+/// The change of the spin by the three components of the start's and by the three moments, and the integral over time of
+/// the square of each component less that at the start.
+pub(super) struct Change {
+    pub(super) spin: [Vector3<f64>; 6],
+    pub(super) squares: [f64; 3],
+}
 
-/// How many steps the extrapolation may take, and by how much each is shorter.
-const STEPS: usize = 9;
-const SHORTER: f64 = 0.6;
+/// Up to this many radians the power series in time are taken.
+const SHORT: f64 = 1.0;
 
 impl FreeMotion {
     /// How the motion at time `t` changes with the spin at the start and with the moments.
     ///
-    /// The motion is an analytic function of all of them, across every border between regimes. So
-    /// the derivatives are taken from the exact motions of neighbours at several distances to both sides,
-    /// extrapolated to no distance [Rid82](crate::references): one rule for all regimes, with an estimate of its own error. That is
-    /// the rounding of the motions over the distance: some 1e-13 for an ordinary motion of a few turns, more as
-    /// the derivatives themselves grow.
+    /// The derivatives are those of the closed form, in every regime: of Jacobi's functions by argument and modulus,
+    /// of sines and exponentials, and over short spans of power series in time. The turn needs no
+    /// integral but that of the squares of the spin: across the momentum it follows from the momentum's being
+    /// constant, along it from the energy's.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -48,97 +55,129 @@ impl FreeMotion {
     /// let steady = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.0))?;
     /// let change = steady.sensitivity(0.5)?;
     /// let growth = (10.0 / 3_f64.sqrt() * 0.5).cosh();
-    /// assert!((change.omega_by_omega[(2, 2)] / growth - 1.0).abs() < 1e-10);
+    /// assert!((change.omega_by_omega[(2, 2)] / growth - 1.0).abs() < 1e-14);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A time that is not finite, or derivatives beyond `f64`, such as of a motion so long or so close to a
-    /// border of what `f64` holds that its neighbours are not there.
+    /// A time that is not finite, derivatives beyond `f64`, or the separatrix where its spin has been at rest on the
+    /// middle axis for so long (700 times the inverse of its rate) that `f64` does not tell it from rest.
     pub fn sensitivity(&self, t: f64) -> Result<Sensitivity, Error> {
-        finite("the time", t)?;
-        let speed = length(&self.start);
-        // Changes that matter: of the spin beside its size, of the moments beside the smallest; and so small
-        // that they turn the body by less than a radian by then.
-        let turns = speed * t.abs();
-        let gentle = if turns > 1.0 { 0.3 / turns } else { 0.3 };
-        let spin_scale = if speed > 0.0 { speed } else { 1.0 / t.abs().max(1.0) };
-        let mut columns = [(Vector3::zeros(), Vector3::zeros()); 6];
-        let mut error = 0.0_f64;
-        for (k, column) in columns.iter_mut().enumerate() {
-            let scale = if k < 3 { spin_scale } else { self.moments.min() };
-            let (best, off) = self.extrapolated(k, scale * gentle, t)?;
-            *column = best;
-            error = error.max(off);
-        }
-        let matrix = |first: usize, part: fn(&Column) -> Vector3<f64>| {
-            Matrix3::from_columns(&[0, 1, 2].map(|k| part(&columns[first + k])))
+        let time = finite("the time", t)? * self.clock;
+        let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
+        let speed = Vector3::from(omega).norm();
+        let (change, turn) = if (speed * time).abs() <= SHORT {
+            let short = series::short(&moments, &omega, time, speed * time);
+            let attitude = self.turned(time);
+            (short.change, short.turn.map(|turn| attitude * turn))
+        } else {
+            let change = self.change(&moments, &omega, time)?;
+            let turn = match self.slow_turn(&moments, &omega, time) {
+                Some(turn) => turn,
+                None => self.turn(&moments, &omega, time, &change),
+            };
+            (change, turn)
+        };
+        let heaviest = exponent(self.moments.max());
+        let matrix = |columns: &[Vector3<f64>], power: i32| {
+            let matrix = Matrix3::from_columns(columns).map(|x| times_power_of_two(x, power));
+            match matrix.iter().find(|x| !x.is_finite()) {
+                Some(&value) => Err(Error::OutOfRange { what: "a derivative of the motion", value }),
+                None => Ok(matrix),
+            }
         };
         Ok(Sensitivity {
-            omega_by_omega: matrix(0, |c| c.0),
-            omega_by_moments: matrix(3, |c| c.0),
-            turn_by_omega: matrix(0, |c| c.1),
-            turn_by_moments: matrix(3, |c| c.1),
-            error,
+            omega_by_omega: matrix(&change.spin[..3], 0)?,
+            omega_by_moments: matrix(&change.spin[3..], self.exponent - heaviest)?,
+            turn_by_omega: matrix(&turn[..3], -self.exponent)?,
+            turn_by_moments: matrix(&turn[3..], -heaviest)?,
         })
     }
 
-    /// The derivative by input `k` from ever smaller distances, and how far the last two best agree.
-    fn extrapolated(&self, k: usize, distance: f64, t: f64) -> Result<(Column, f64), Error> {
-        let mut table: Vec<Vec<Column>> = Vec::new();
-        let mut best = ((Vector3::zeros(), Vector3::zeros()), f64::INFINITY);
-        let mut h = distance;
-        for row in 0..STEPS {
-            let mut entries = vec![self.quotient(k, h, t)?];
-            let mut factor = 1.0;
-            for j in 1..=row {
-                // Errors are even in the distance: each column takes off two more powers.
-                factor /= SHORTER * SHORTER;
-                let (a, b) = (entries[j - 1], table[row - 1][j - 1]);
-                let next = |a: Vector3<f64>, b: Vector3<f64>| a + (a - b) / (factor - 1.0);
-                let entry = (next(a.0, b.0), next(a.1, b.1));
-                let off = relative(&entry, &a).max(relative(&entry, &b));
-                if off < best.1 {
-                    best = (entry, off);
+    /// The change of the spin, in scaled units, over a span in which the body turns by more than a little.
+    fn change(&self, moments: &[f64; 3], omega: &[f64; 3], time: f64) -> Result<Change, Error> {
+        Ok(match &self.law {
+            Law::AtRest => series::short(moments, omega, time, 0.0).change,
+            Law::Steady(_) => {
+                let moving = [0, 1, 2].map(|k| omega[k] != 0.0);
+                match moving {
+                    [true, false, false] => elementary::principal(moments, 0, omega[0], time),
+                    [false, true, false] => elementary::principal(moments, 1, omega[1], time),
+                    [false, false, true] => elementary::principal(moments, 2, omega[2], time),
+                    _ => {
+                        let equal = |axis: &usize| moments[(axis + 1) % 3] == moments[(axis + 2) % 3];
+                        let axis = (0..3).find(equal).unwrap_or(2);
+                        elementary::top(moments, axis, omega, Double::ZERO, time)
+                    }
                 }
-                entries.push(entry);
             }
-            table.push(entries);
-            h *= SHORTER;
-        }
-        let finite_entries = best.0.0.iter().chain(best.0.1.iter()).all(|x| x.is_finite());
-        if !finite_entries || best.1.is_infinite() {
-            return Err(Error::OutOfRange { what: "a derivative of the motion", value: best.1 });
-        }
-        Ok(best)
+            Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
+            Law::Elliptic(motion) => {
+                let halves = motion.half_periods(time);
+                if halves.argument.abs() <= SHORT {
+                    near_return(motion, &halves, moments, omega)
+                } else {
+                    motion.neighbours(moments, time)?
+                }
+            }
+        })
     }
 
-    /// The symmetric difference quotient at the distance `h`.
-    fn quotient(&self, k: usize, h: f64, t: f64) -> Result<Column, Error> {
-        let neighbour = |sign: f64| {
-            let (mut moments, mut omega) = (self.moments, self.start);
-            let input = if k < 3 { &mut omega[k] } else { &mut moments[k - 3] };
-            *input += sign * h;
-            let moved = *input;
-            Ok((Self::of_principal(&moments, &omega)?.at(t)?, moved))
-        };
-        let ((after, high), (before, low)) = (neighbour(1.0)?, neighbour(-1.0)?);
-        // The distance that the rounded inputs really are apart.
-        let over = 1.0 / (high - low);
-        let turn = (after.attitude * before.attitude.inverse()).into_inner();
-        let turn = if turn.w < 0.0 { -turn } else { turn };
-        let sine = turn.imag().norm();
-        let angle = 2.0 * sine.atan2(turn.w);
-        let vector = if sine > 0.0 { turn.imag() * (angle / sine) } else { Vector3::zeros() };
-        Ok(((after.omega - before.omega) * over, vector * over))
+    /// The turns that belong to it, in the world.
+    ///
+    /// The momentum in the world is `L = R M`; so `turn x L + R dM = dL`, which gives the part across `L`. Along
+    /// it, `d/dt (turn · L) = dw · M`, and `2E` is the start's.
+    fn turn(&self, moments: &[f64; 3], omega: &[f64; 3], time: f64, change: &Change) -> [Vector3<f64>; 6] {
+        let rotation = self.turned(time);
+        let now = self.omega_along(time).map(|w| times_power_of_two(w, -self.exponent));
+        let i = Vector3::from(*moments);
+        let start = i.component_mul(&Vector3::from(*omega));
+        let momentum = start.norm();
+        let direction = start / momentum;
+        let current = i.component_mul(&now);
+        let main = start.iamax();
+        std::array::from_fn(|column| {
+            let k = column % 3;
+            let unit = Vector3::ith(k, 1.0);
+            let (mut before, mut after) = (Vector3::zeros(), i.component_mul(&change.spin[column]));
+            let along = if column < 3 {
+                before += unit * i[k];
+                time * start[k]
+            } else {
+                // Along its largest component the momentum itself may be taken off, which does not change.
+                if k == main {
+                    before -= (start - unit * start[k]) / i[k];
+                    after -= (current - unit * current[k]) / i[k];
+                } else {
+                    before += unit * omega[k];
+                    after += unit * now[k];
+                }
+                -0.5 * change.squares[k]
+            };
+            let across = direction.cross(&(before - rotation * after));
+            across / momentum + direction * (along / momentum)
+        })
     }
 }
 
-/// How far two columns are apart beside the larger of their parts, spin and turn each beside its own.
-fn relative(a: &Column, b: &Column) -> f64 {
-    let part = |a: &Vector3<f64>, b: &Vector3<f64>| {
-        let size = a.norm().max(b.norm());
-        if size > 0.0 { (a - b).norm() / size } else { 0.0 }
-    };
-    part(&a.0, &b.0).max(part(&a.1, &b.1))
+/// The change near a whole number of half periods, after each of which the spin is that before it with two signs
+/// turned: a series over the time that is left, and how much later or earlier the half periods end.
+fn near_return(motion: &Elliptic, halves: &Halves, moments: &[f64; 3], omega: &[f64; 3]) -> Change {
+    let series::Short { mut change, omega: end, .. } =
+        series::short(moments, omega, halves.time, halves.argument);
+    if halves.count == 0.0 {
+        return change;
+    }
+    let (later, squares) = motion.whole(moments, halves.count);
+    let factor = series::Ratios::new(moments).factor;
+    let rate = Vector3::from([0, 1, 2].map(|a| factor[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
+    let odd = halves.count - 2.0 * (0.5 * halves.count).round_ties_even() != 0.0;
+    let turned = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
+    for (column, later) in change.spin.iter_mut().zip(later) {
+        *column = (*column + rate * later).component_mul(&turned);
+    }
+    for (sum, whole) in change.squares.iter_mut().zip(squares) {
+        *sum += whole;
+    }
+    change
 }

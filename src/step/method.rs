@@ -3,7 +3,9 @@
 use super::rk4::Motion;
 use super::rules::{explicit as simple, newton, runge_kutta};
 use super::system::System;
-use super::{buss, dormand_prince, explicit, lie, rk4, spiral};
+use super::{
+    buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
+};
 use crate::error::Error;
 use crate::scalar::Analytic;
 
@@ -28,6 +30,30 @@ pub enum Method {
     Buss,
     /// SPIRAL, in its synchronous form.
     Spiral,
+    /// The implicit midpoint rule, attitude and momentum turned as one.
+    ImplicitMidpoint,
+    /// Gauss's collocation with two stages.
+    Gauss4,
+    /// Gauss's collocation with three stages.
+    Gauss6,
+    /// An exact turn about each principal axis, there and back.
+    ThreeRotations2,
+    /// Seven of those in one step.
+    ThreeRotations4,
+    /// Nine of those in one step.
+    ThreeRotations6,
+    /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first two moments are the nearest.
+    SymmetricTop,
+    /// The discrete Moser-Veselov algorithm.
+    MoserVeselov2,
+    /// The same with the moments preprocessed to order 4.
+    MoserVeselov4,
+    /// The same with the moments preprocessed to order 6.
+    MoserVeselov6,
+    /// The same with the moments preprocessed to order 8.
+    MoserVeselov8,
+    /// The same with the moments preprocessed to order 10.
+    MoserVeselov10,
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with it Unity by default, Jolt
     /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin never flips or precesses, and the momentum
     /// wanders in the world with the body; at any step, so that its order is 0.
@@ -100,6 +126,18 @@ impl Method {
         Self::MuntheKaas4,
         Self::Buss,
         Self::Spiral,
+        Self::ImplicitMidpoint,
+        Self::Gauss4,
+        Self::Gauss6,
+        Self::ThreeRotations2,
+        Self::ThreeRotations4,
+        Self::ThreeRotations6,
+        Self::SymmetricTop,
+        Self::MoserVeselov2,
+        Self::MoserVeselov4,
+        Self::MoserVeselov6,
+        Self::MoserVeselov8,
+        Self::MoserVeselov10,
         Self::ConstantSpin,
         Self::SemiImplicitEuler,
         Self::Rescaled,
@@ -120,6 +158,18 @@ impl Method {
             Self::MuntheKaas4 => &lie::ABOUT,
             Self::Buss => &buss::ABOUT,
             Self::Spiral => &spiral::ABOUT,
+            Self::ImplicitMidpoint => &gauss::MIDPOINT,
+            Self::Gauss4 => &gauss::GAUSS_4,
+            Self::Gauss6 => &gauss::GAUSS_6,
+            Self::ThreeRotations2 => &splitting::ORDER_2,
+            Self::ThreeRotations4 => &splitting::ORDER_4,
+            Self::ThreeRotations6 => &splitting::ORDER_6,
+            Self::SymmetricTop => &symmetric_top::ABOUT,
+            Self::MoserVeselov2 => &moser_veselov::ORDER_2,
+            Self::MoserVeselov4 => &moser_veselov::ORDER_4,
+            Self::MoserVeselov6 => &moser_veselov::ORDER_6,
+            Self::MoserVeselov8 => &moser_veselov::ORDER_8,
+            Self::MoserVeselov10 => &moser_veselov::ORDER_10,
             Self::ConstantSpin => &simple::CONSTANT_SPIN,
             Self::SemiImplicitEuler => &simple::SEMI_IMPLICIT,
             Self::Rescaled => &simple::RESCALED,
@@ -158,6 +208,18 @@ impl Method {
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),
             Self::Spiral => spiral::step(system, start, h),
+            Self::ImplicitMidpoint => gauss::midpoint(system, start, h)?,
+            Self::Gauss4 => gauss::gauss_4(system, start, h)?,
+            Self::Gauss6 => gauss::gauss_6(system, start, h)?,
+            Self::ThreeRotations2 => splitting::order_2(system, start, h),
+            Self::ThreeRotations4 => splitting::order_4(system, start, h),
+            Self::ThreeRotations6 => splitting::order_6(system, start, h),
+            Self::SymmetricTop => symmetric_top::step(system, start, h),
+            Self::MoserVeselov2 => moser_veselov::step(system, start, h, 2)?,
+            Self::MoserVeselov4 => moser_veselov::step(system, start, h, 4)?,
+            Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
+            Self::MoserVeselov8 => moser_veselov::step(system, start, h, 8)?,
+            Self::MoserVeselov10 => moser_veselov::step(system, start, h, 10)?,
             Self::ConstantSpin => simple::constant_spin(system, start, h),
             Self::SemiImplicitEuler => simple::semi_implicit(system, start, h),
             Self::Rescaled => simple::rescaled(system, start, h),

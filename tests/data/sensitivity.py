@@ -2,39 +2,114 @@
 
     python3 sensitivity.py > sensitivity.json
 
-Symmetric differences of the closed form (oracle.py) at a distance of 1e-40, with 160 digits. The turn is the
-rotation vector in the world, twice the imaginary part of dq conj(q)."""
-import json
+Symmetric differences of the closed form (oracle.py). The distance is 1e-35 of the smallest scale there is (a component
+of the spin, a moment, a difference of two moments), and so many digits are carried that 40 or more of the difference
+are left. The turn is the rotation vector in the world, twice the imaginary part of dq conj(q)."""
+import json, math, itertools
 from fractions import Fraction as Fr
+from multiprocessing import Pool
 import mpmath as mp
 from oracle import Closed, F, M, qmul, qconj
 
-H = Fr(1, 10**40)
-CASES = [([1.0, 2.0, 2.5], [0.3, -0.7, 0.4], 3.7), ([10/12, 13/12, 5/12], [1.0, 0.01, 0.02], 6.0),
-         ([3.0, 4.0, 6.0], [2.0, 1.0, 1.0], 1.5), ([1.0, 1.0, 1.5], [0.5, 0.2, 1.0], 4.0),
-         ([2.0, 2.0, 2.0], [0.3, 0.4, -0.5], 3.0), ([1.0, 2.0, 2.5], [0.0, 0.0, 1.3], 5.0),
-         ([1.0, 2.0, 2.5], [0.0, 2.0, 0.0], 2.0), ([0.001, 1.0, 1.0005], [0.5, 0.3, 0.8], 2.0),
-         ([1.0, 2.0, 2.5], [0.3, -0.7, 0.4], -120.0)]
-rows = []
-for I, w, t in CASES:
-    base = Closed(I, w, 160)
-    with mp.workdps(160):
-        W, Q = base.at(t)
+def distances(I, w, t):
+    "for a component of the spin and for a moment"
+    J, v = [F(x) for x in I], [F(x) for x in w]
+    lengths = [abs(a-b) for a, b in itertools.combinations(J, 2)] + J
+    spins = [abs(x) for x in v if x]
+    power = lambda x: Fr(10)**(math.floor(mp.log10(M(x))) - 35)
+    least = min(spins) if spins else Fr(1)
+    ratio = least/max(spins) if spins else Fr(1)
+    # a neighbour of the separatrix leaves it as the square of what a change grows by
+    motion = Closed(I, w, 30)
+    near = Fr(10)**-int(0.9*motion.rate*abs(t)) if motion.kind == 'sep' else Fr(1)
+    # so close to the separatrix, a moment must not move the motion across it
+    return power(least)*near, power(min(x for x in lengths if x)*ratio**2)*near
+
+def derivatives(case):
+    family, I, w, t = case
+    h_spin, h_moment = distances(I, w, t)
+    digits = 160 + 3*max(0, int(-mp.log10(M(min(h_spin/max([abs(F(x)) for x in w] + [h_spin]), h_moment/F(max(I)))))))
+    with mp.workdps(digits):
+        Q = Closed(I, w, digits).at(t)[1]
         columns = []
         for k in range(6):
-            ends = []
+            h, ends = (h_spin if k < 3 else h_moment), []
             for sign in (1, -1):
                 J, v = [F(x) for x in I], [F(x) for x in w]
-                if k < 3: v[k] += sign*H
-                else: J[k-3] += sign*H
-                ends.append(Closed(J, v, 160).at(t))
+                if k < 3: v[k] += sign*h
+                else: J[k-3] += sign*h
+                W, q = Closed(J, v, digits).at(t)
+                if sum(a*b for a, b in zip(q, Q)) < 0: q = [-x for x in q]
+                ends.append((W, q))
             (wa, qa), (wb, qb) = ends
-            if sum(a*b for a, b in zip(qa, qb)) < 0: qb = [-x for x in qb]
-            if sum(a*b for a, b in zip(qa, Q)) < 0: qa, qb = [-x for x in qa], [-x for x in qb]
-            h = 2*M(H)
-            dq = [(a-b)/h for a, b in zip(qa, qb)]
+            dq = [(a-b)/(2*M(h)) for a, b in zip(qa, qb)]
             turn = [2*x for x in qmul(dq, qconj(Q))[1:]]
-            columns.append([mp.nstr(x, 20) for x in [(a-b)/h for a, b in zip(wa, wb)] + turn])
-        rows.append(dict(inertia=[repr(x) for x in I], w0=[repr(x) for x in w], t=repr(t), columns=columns))
-print(json.dumps(dict(schema="columns: by w0[0..3], then by inertia[0..3]; each: change of w (body), then of the turn (world)",
-                      cases=rows), indent=0))
+            columns.append([mp.nstr(x, 20) for x in [(a-b)/(2*M(h)) for a, b in zip(wa, wb)] + turn])
+    return dict(family=family, inertia=[repr(x) for x in I], w0=[repr(x) for x in w], t=repr(t), columns=columns)
+
+def cases():
+    box = [1.0, 2.0, 2.5]
+    for k, order in enumerate(itertools.permutations(range(3))):
+        signs = [(-1)**(k >> j & 1) for j in range(3)]
+        at = lambda v: [v[i] for i in order]
+        for spin, t in (([0.3, -0.7, 1.4], 3.7), ([1.3, 0.7, -0.4], -12.0)):
+            yield 'box', at(box), [s*x for s, x in zip(signs, at(spin))], t
+    yield 'box', box, [0.3, -0.7, 0.4], -120.0
+    yield 'box', box, [0.3, -0.7, 0.4], 1e3
+    yield 'box, long', box, [0.3, -0.7, 0.4], 1e6
+    yield 'box, long', box, [0.3, -0.7, 0.4], 1e12
+    yield 'box, short', box, [0.3, -0.7, 0.4], 1e-15
+    yield 'box, short', box, [0.3, -0.7, 0.4], 1e-3
+    yield 'box, short', box, [0.3, -0.7, 0.4], -0.4
+    yield 'box, short', box, [0.3, -0.7, 0.4], 0.9
+    yield 'size', [3e-200, 2e-200, 4e-200], [3e80, -1e80, 1e80], 2e-80
+    yield 'size', [3e100, 2e100, 4e100], [3e-90, -1e-90, 1e-90], -5e90
+    book = [10/12, 13/12, 5/12]
+    yield 'push', book, [1.0, 0.01, 0.02], 6.0
+    for push, times in ((1e-3, (3.0, 11.2, 14.0, 22.0, 500.0)), (1e-9, (10.0, 33.7, 40.0, -60.0)),
+                        (1e-30, (5.0, 107.0, 140.0)), (1e-300, (0.5, 40.0, 1010.0, 1035.0, 1300.0))):
+        for t in times:
+            yield 'push', book, [1.0, push, 0.3*push], t
+    yield 'push', book, [-1.0, 1e-9, -3e-9], 36.0
+    yield 'push', book, [-1.0, 0.0, -1e-9], 30.0
+    yield 'push', book, [1.0, 1e-9, 0.0], 30.0
+    for t in (0.1, 1.5, -3.0, 30.0, 500.0):
+        yield 'separatrix', [3.0, 4.0, 6.0], [2.0, 1.0, 1.0], t
+    yield 'separatrix', [3.0, 4.0, 6.0], [2e-9, 1.0, 1e-9], 60.0
+    yield 'separatrix', [3.0, 4.0, 6.0], [2*2.0**-500, 1.0, 2.0**-500], 800.0
+    yield 'wobble', box, [1e-9, 2e-9, 1.0], 7.0
+    yield 'wobble', box, [1.0, 3e-9, -2e-9], 70.0
+    yield 'wobble', box, [1e-200, -1e-200, 1.0], 7.0
+    yield 'wobble', box, [1e-3, -1e-3, 1.0], 1e5
+    for e in (1e-3, 1e-6, 1e-12):
+        for t in (2.0, -50.0):
+            yield 'needle', [e, 1.0, 1.0+e/2], [0.5, 0.3, 0.8], t
+            yield 'needle', [1.0, 1.0+e/4, e], [0.02, -0.01, 1.5], t
+    for e in (1e-6, 1e-12):
+        for t in (0.1, 20.0, 1e4):
+            yield 'sleeping needle', [e, 1.0, 1.0+e/2], [1.0, 1e-4, 2e-4], t
+    for e in (1e-9, 2.0**-43):
+        for t in (0.1, 5.0, 0.3/e, 40.0/e):
+            yield 'near-sphere', [1.0, 1.0+e, 1.0+3*e], [0.5, -0.3, 0.8], t
+    yield 'near-top', [1.0, 1.0+2.0**-43, 1.5], [0.5, -0.3, 0.8], 9.0
+    yield 'near-top', [1.0, 1.0+2.0**-43, 1.5], [0.5, -0.3, 1e-9], 1e5
+    yield 'near-top', [1.0, 1.5, 1.5+2.0**-43], [1e-9, -0.3, 0.4], 3.0
+    for body in ([1.0, 1.0, 1.5], [2.0, 0.5, 2.0], [1e-6, 1.0, 1.0], [1.0, 1.0+2.0**-40, 1.0]):
+        for t in (0.2, 4.0, -300.0):
+            yield 'top', body, [0.5, 0.2, 1.0], t
+    yield 'top', [1.0, 1.0, 1.5], [0.5, 0.2, 1e-6], 4.0
+    yield 'in the plane', [1.0, 1.0, 1.5], [0.5, 0.2, 0.0], 4.0
+    yield 'sphere', [2.0, 2.0, 2.0], [0.3, 0.4, -0.5], 3.0
+    yield 'sphere', [2.0, 2.0, 2.0], [0.3, 0.4, -0.5], 1e4
+    for spin in ([0.0, 0.0, 1.3], [0.0, -2.0, 0.0], [1.1, 0.0, 0.0]):
+        for t in (0.1, 5.0, -40.0):
+            yield 'steady', box, spin, t
+    yield 'steady', [1.0, 1.0, 1.5], [0.0, 1.0, 0.0], 5.0
+    yield 'steady', [1.0, 1.0, 1.5], [0.0, 0.0, 1.0], 5.0
+    yield 'rest', box, [0.0, 0.0, 0.0], 3.0
+
+if __name__ == '__main__':
+    with Pool() as pool:
+        rows = pool.map(derivatives, list(cases()), chunksize=1)
+    print(json.dumps(dict(schema="columns: by w0[0..3], then by inertia[0..3]; each: change of w (body), then of the turn (world)",
+                          cases=rows), indent=0))

@@ -8,13 +8,21 @@ use crate::number::{Fraction, Rational, Series};
 use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
 use crate::proofs::order::exact;
 use nalgebra::{Quaternion, Vector3};
+use num_traits::Zero;
 use tumbling::attitude;
 use tumbling::step::{Method, Motion, System};
 
 type Number = Series<Rational>;
 
+/// The methods whose constants are no fractions, and are given with 27 digits. What is left over of a law that they keep has 18 zeros behind
+/// the point; what is left over of one that they break has not.
+const ROUNDED: &[Method] = &[Method::Gauss4, Method::Gauss6, Method::ThreeRotations6];
+
 /// How many powers beyond its order a law is followed.
 const BEYOND: usize = 4;
+
+/// The same for constants of many digits, which make long fractions.
+const BEYOND_ROUNDED: usize = 2;
 
 macro_rules! methods {
     ($($name:literal $method:ident,)*) => {
@@ -50,6 +58,18 @@ methods! {
     "munthe-kaas-4" MuntheKaas4,
     "buss" Buss,
     "spiral" Spiral,
+    "implicit-midpoint" ImplicitMidpoint,
+    "gauss-4" Gauss4,
+    "gauss-6" Gauss6,
+    "three-rotations-2" ThreeRotations2,
+    "three-rotations-4" ThreeRotations4,
+    "three-rotations-6" ThreeRotations6,
+    "symmetric-top-splitting" SymmetricTop,
+    "moser-veselov-2" MoserVeselov2,
+    "moser-veselov-4" MoserVeselov4,
+    "moser-veselov-6" MoserVeselov6,
+    "moser-veselov-8" MoserVeselov8,
+    "moser-veselov-10" MoserVeselov10,
     "constant-spin" ConstantSpin,
     "semi-implicit-euler" SemiImplicitEuler,
     "rescaled" Rescaled,
@@ -80,15 +100,37 @@ fn cases() -> [(System<Number>, Motion<Number>); 2] {
     ]
 }
 
-fn same_series(claim: &str, a: &Number, b: &Number, powers: std::ops::RangeInclusive<usize>) -> Outcome {
+/// What may be left over of a law that holds: nothing, or what rounded constants leave.
+fn slack(method: Method) -> Rational {
+    let billionth = || Rational::new(1, 1_000_000_000);
+    if ROUNDED.contains(&method) { billionth() * billionth() } else { Rational::zero() }
+}
+
+fn same_series(
+    claim: &str,
+    a: &Number,
+    b: &Number,
+    powers: std::ops::RangeInclusive<usize>,
+    slack: &Rational,
+) -> Outcome {
     for power in powers {
         let claim = format!("{claim}, power {power} of the step");
         match a.coefficient(power).zip(b.coefficient(power)) {
+            Some((x, y)) if near(&x, &y, slack) => {}
             Some((x, y)) => same(&claim, &Fraction::from(x), &Fraction::from(y))?,
             None => return Err(Residue::Missing { claim }),
         }
     }
     Ok(())
+}
+
+fn beyond(method: Method) -> usize {
+    if ROUNDED.contains(&method) { BEYOND_ROUNDED } else { BEYOND }
+}
+
+fn near(x: &Rational, y: &Rational, slack: &Rational) -> bool {
+    let off = x.clone() - y.clone();
+    !slack.is_zero() && off.clone() * off < slack.clone() * slack.clone()
 }
 
 fn step(
@@ -111,7 +153,7 @@ fn holds(method: Method, more: usize) -> Outcome {
             all(&end)
                 .iter()
                 .zip(all(&truth))
-                .try_for_each(|(a, b)| same_series("the motion", a, &b, powers.clone()))
+                .try_for_each(|(a, b)| same_series("the motion", a, &b, powers.clone(), &slack(method)))
         };
         agree(0..=order)?;
         breaks("the next power does not agree", agree(order + 1..=order + 1))?;
@@ -126,7 +168,7 @@ fn energy(system: &System<Number>, motion: &Motion<Number>) -> Number {
 
 fn laws(method: Method) -> Outcome {
     let keeps = method.about().keeps;
-    let order = method.about().order as usize + BEYOND;
+    let order = method.about().order as usize + beyond(method);
     let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
     // What one body keeps by chance the other must break.
     let mut kept = [true; 5];
@@ -138,7 +180,7 @@ fn laws(method: Method) -> Outcome {
         let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
         let stretched = world(start).map(|x| x * square(&end));
         let alike = |claim: &str, a: &[Number], b: &[Number]| {
-            a.iter().zip(b).try_for_each(|(a, b)| same_series(claim, a, b, 0..=order))
+            a.iter().zip(b).try_for_each(|(a, b)| same_series(claim, a, b, 0..=order, &slack(method)))
         };
         let all = |m: &Motion<Number>| m.attitude.coords.iter().chain(&m.vector).cloned().collect::<Vec<_>>();
         let found = [
@@ -163,10 +205,16 @@ fn laws(method: Method) -> Outcome {
 }
 
 fn keeps_another(method: Method) -> Outcome {
-    let order = method.about().order as usize + BEYOND;
+    let order = method.about().order as usize + beyond(method);
     let [(system, start), (other, _)] = &cases();
     let end = step(method, system, start, &Number::step(order))?;
-    same_series("the energy of another body", &energy(other, &end), &energy(other, start), 0..=order)?;
+    same_series(
+        "the energy of another body",
+        &energy(other, &end),
+        &energy(other, start),
+        0..=order,
+        &slack(method),
+    )?;
     // A spin that stays in the body keeps any body's energy.
     let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
     let square = end.attitude.coords.dot(&end.attitude.coords);
@@ -175,13 +223,13 @@ fn keeps_another(method: Method) -> Outcome {
     ended
         .iter()
         .zip(&stretched)
-        .try_for_each(|(a, b)| same_series("the momentum in the world", a, b, 0..=order))
+        .try_for_each(|(a, b)| same_series("the momentum in the world", a, b, 0..=order, &slack(method)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_traits::{One, Zero};
+    use num_traits::One;
     use tumbling::scalar::Analytic;
 
     #[test]

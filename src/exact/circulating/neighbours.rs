@@ -1,0 +1,277 @@
+//! How the spin of neighbouring motions differs: the closed form differentiated.
+//!
+//! With the spin `A_X cn u`, `A_M sn u`, `A_C dn u`, every neighbour differs by its amplitudes, its modulus and where
+//! it stands. The last two are one number, a shift of the phase at a fixed angle: of `u = F(phi, m)` it is
+//! `du - (dF/dm) dm`, and `dF/dm` is an integral of one sign, Carlson's `R_D` ([DLMF](crate::references) 19.25). At the start the shift is known from
+//! the spin; from there it grows with the change of the rate, and with that of the modulus by the difference of the
+//! integral. All that is small, near the separatrix or in a small wobble, is carried times powers of two, as in the
+//! motion itself; on the separatrix `m' = 0` the same formulas hold as they are.
+
+use super::{Elliptic, Form};
+use crate::double::Double;
+use crate::elliptic::{Values, rd};
+use crate::error::Error;
+use crate::exact::sensitivity::Change;
+use crate::scale::times_power_of_two;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
+const REST: f64 = 700.0;
+
+/// What one place on the way contributes: the half turns there, `dn dF/dm` without them, and the integral of `cn²` as
+/// quarter turns and a rest, counted from the flip or the saddle, whichever is nearer.
+struct Place {
+    values: Values,
+    halves: f64,
+    growth: f64,
+    quarters: f64,
+    share: f64,
+}
+
+/// How the motion's constants differ between neighbours, for the spin across, along the middle and circled (each times
+/// its power of two) and the three moments in the same order.
+struct Constants {
+    /// Of the three amplitudes, of the logarithm of the rate, and of `m'` times the square of the shift.
+    across: [f64; 6],
+    middle: [f64; 6],
+    around: [f64; 6],
+    log_rate: [f64; 6],
+    to_separatrix: [f64; 6],
+    /// Of the phase at the start.
+    phase: [f64; 6],
+    /// `A_X²/A_M²`, and `m A_C²/A_M²`.
+    ratio: f64,
+    steepness: f64,
+}
+
+/// The change of whole half periods.
+pub(crate) struct Halves {
+    /// How many.
+    pub(crate) count: f64,
+    /// The scaled time that is left, and Jacobi's argument over it.
+    pub(crate) time: f64,
+    pub(crate) argument: f64,
+}
+
+/// From where on the integral is that of the separatrix to rounding.
+const FAR: f64 = 1e100;
+
+impl Elliptic {
+    /// The half periods nearest to `time`; none on the separatrix.
+    pub(crate) fn half_periods(&self, time: f64) -> Halves {
+        let run = self.constants.rate * time;
+        let half = self.constants.quarter * 2.0;
+        let (count, left) = if half.value().is_finite() { (run / half).split() } else { (0.0, 0.0) };
+        if count == 0.0 {
+            return Halves { count, time, argument: run.value() };
+        }
+        let argument = half * left;
+        Halves { count, time: (argument / self.constants.rate).value(), argument: argument.value() }
+    }
+
+    /// The change over `count` half periods: by how much each input shifts the time at which they end, and the integrals
+    /// of the squares.
+    pub(crate) fn whole(&self, moments: &[f64; 3], count: f64) -> ([f64; 6], [f64; 3]) {
+        let start = self.place(0.0);
+        let constants = self.inputs(moments, &start);
+        let half = 2.0 * self.constants.quarter.value();
+        let mut later = [0.0; 6];
+        for k in 0..6 {
+            let shift = half * constants.log_rate[k] + 2.0 * constants.to_separatrix[k] * self.complete();
+            let up = if k < 3 { self.constants.lifts[k] } else { 0 };
+            later[self.index(k)] = times_power_of_two(count * shift / self.constants.rate.value(), up);
+        }
+        (later, self.squares(&constants, &start, count * half, 2.0 * count * self.quarter_share()))
+    }
+
+    /// How the spin at scaled `time` changes with that at the start and with the moments, and by how much the squares
+    /// of the spin, integrated over time, exceed their values at the start. Not for the neighbourhood of whole half
+    /// periods: there it cancels.
+    ///
+    /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
+    pub(crate) fn neighbours(&self, moments: &[f64; 3], time: f64) -> Result<Change, Error> {
+        let run = self.constants.rate * time;
+        let resting = self.constants.quarter.value().is_infinite();
+        if resting && (self.constants.argument + run).value().abs() > REST {
+            let what = "the separatrix's argument, with its spin at rest,";
+            return Err(Error::OutOfRange { what, value: run.value() });
+        }
+        let run = run.value();
+        let (start, end) = (self.place(0.0), self.place(time));
+        let constants = self.inputs(moments, &start);
+        let down = self.down();
+        let turns = end.halves - start.halves;
+        let whole = if turns == 0.0 { 0.0 } else { 2.0 * turns * self.complete() };
+        let before = whole - start.growth / start.values.dn;
+        let Values { sn, cn, dn } = end.values;
+        let [a_x, a_m, a_c] = self.amplitudes;
+        let parameter = self.constants.modulus * self.constants.modulus;
+        let mut spin = [Vector3::zeros(); 6];
+        for k in 0..6 {
+            let to_separatrix = constants.to_separatrix[k];
+            // The shift of the phase times dn: far out on the separatrix it has no size of its own.
+            let shift = dn * (constants.phase[k] + run * constants.log_rate[k] + to_separatrix * before)
+                + to_separatrix * end.growth;
+            let change = [
+                constants.across[k] * cn - a_x * sn * shift,
+                constants.middle[k] * sn + a_m * (cn * down) * (shift * down),
+                constants.around[k] * dn
+                    + a_c * sn * (sn * (to_separatrix / (2.0 * dn)) - parameter * (cn / dn) * shift),
+            ];
+            let up = if k < 3 { self.constants.lifts[k] } else { 0 };
+            for (row, &axis) in self.axes.iter().enumerate() {
+                spin[self.index(k)][axis] = times_power_of_two(change[row], up - self.constants.lifts[row]);
+            }
+        }
+        let quarters = end.quarters - start.quarters;
+        let whole = if quarters == 0.0 { 0.0 } else { quarters * self.quarter_share() };
+        let squares = self.squares(&constants, &start, run, whole + (end.share - start.share));
+        Ok(Change { spin, squares })
+    }
+
+    /// Which column the input number `k` is, in the body's order.
+    fn index(&self, k: usize) -> usize {
+        if k < 3 { self.axes[k] } else { 3 + self.axes[k - 3] }
+    }
+
+    /// `2^-shift`.
+    fn down(&self) -> f64 {
+        times_power_of_two(1.0, -self.constants.lifts[2])
+    }
+
+    /// `dK/dm` over `2^(2 shift)`.
+    fn complete(&self) -> f64 {
+        let complement = self.constants.scaled_complement;
+        growth(1.0, 0.0, complement, self.down()) / complement
+    }
+
+    /// The integral of `cn²` over a quarter period: `2 m' dK/dm`; on the separatrix that of `sech²`.
+    fn quarter_share(&self) -> f64 {
+        let complement = self.constants.scaled_complement;
+        if complement == 0.0 { 1.0 } else { 2.0 * complement * complement * self.complete() }
+    }
+
+    fn place(&self, time: f64) -> Place {
+        let (values, halves) = match &self.form {
+            Form::Trigonometric { spin, start, turns, .. } => {
+                let (sin, cos) = super::advanced(start, *turns * time);
+                let values = spin.at(sin, cos);
+                let at_start = Double::from(start[0].atan2(start[1]) / TAU);
+                let (whole, left) = ((*turns * time + at_start) * 2.0).split();
+                // Between two half turns the sign of the cosine decides.
+                let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
+                let halves = if even == (values.cn > 0.0) { whole } else { whole + 1_f64.copysign(left) };
+                (values, halves)
+            }
+            Form::Hyperbolic { spin, way, .. } => {
+                let place = way.at(time);
+                (place.spin(spin), place.halves)
+            }
+        };
+        let down = self.down();
+        let (cn, dn) = (values.cn.abs(), values.dn);
+        let sn = values.sn * values.cn.signum();
+        let growth = growth(sn, cn, dn, down);
+        let complement = self.constants.scaled_complement;
+        let side = sn.signum();
+        let true_cn2 = (cn * down) * (cn * down);
+        let (quarters, share) = if sn * sn < 0.5 {
+            (0.0, 2.0 * complement * (complement / dn) * growth + sn * (cn / dn))
+        } else {
+            // What is left to the saddle: an integral of the same form in the complementary angle.
+            let quotient = dn / complement;
+            let left = if quotient < FAR {
+                true_cn2 * (cn / complement) * rd([sn * sn, quotient * quotient, 1.0]) / 3.0
+            } else {
+                true_cn2 * (cn / dn) / (1.0 + sn.abs())
+            };
+            (side, -side * left)
+        };
+        Place { values, halves, growth, quarters: 2.0 * halves + quarters, share }
+    }
+
+    /// The integrals over time of the squares of the spin less those at the start, from Jacobi's argument `run` and
+    /// the integral of `cn²` over it; of the three the energy and the momentum leave one.
+    fn squares(&self, constants: &Constants, start: &Place, run: f64, share: f64) -> [f64; 3] {
+        let amplitude = times_power_of_two(self.amplitudes[1], -self.constants.lifts[1]);
+        let cn = start.values.cn * self.down();
+        let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.value();
+        let [x, m, c] = self.axes;
+        let mut squares = [0.0; 3];
+        squares[x] = -constants.ratio * excess;
+        squares[m] = excess;
+        squares[c] = -constants.steepness * excess;
+        squares
+    }
+
+    fn inputs(&self, moments: &[f64; 3], start: &Place) -> Constants {
+        let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
+        let [d_cx, d_cm, d_mx] = [i_c - i_x, i_c - i_m, i_m - i_x];
+        // A_X² = w_X² + R w_M², A_C² = w_C² + S w_M², m' A_C² = w_C² - T w_X².
+        let r = i_m * d_cm / (i_x * d_cx);
+        let s = i_m * d_mx / (i_c * d_cx);
+        let t = i_x * d_mx / (i_c * d_cm);
+        // The logarithmic derivatives of differences, moments and their ratios.
+        let (by_cx, by_cm, by_mx) =
+            ([-1.0 / d_cx, 0.0, 1.0 / d_cx], [0.0, -1.0 / d_cm, 1.0 / d_cm], [-1.0 / d_mx, 1.0 / d_mx, 0.0]);
+        let over = [1.0 / i_x, 1.0 / i_m, 1.0 / i_c];
+        let ratio = |above: [f64; 3], below: [f64; 3], signs: [f64; 3]| {
+            [0, 1, 2].map(|k| above[k] - below[k] + signs[k] * over[k])
+        };
+        let log_r = ratio(by_cm, by_cx, [-1.0, 1.0, 0.0]);
+        let log_s = ratio(by_mx, by_cx, [0.0, 1.0, -1.0]);
+        let log_t = ratio(by_mx, by_cm, [1.0, 0.0, -1.0]);
+
+        let [_, lift, shift] = self.constants.lifts;
+        let (down, flat) = (times_power_of_two(1.0, -shift), times_power_of_two(1.0, -lift));
+        let [a_x, a_m, a_c] = self.amplitudes;
+        let Values { sn, cn, dn } = start.values;
+        let (square, quotient) = (sn * sn, cn / dn);
+        let parameter = self.constants.modulus * self.constants.modulus;
+        let complement2 = self.constants.scaled_complement * self.constants.scaled_complement;
+        let true_cn2 = (cn * down) * (cn * down);
+        let root_r = r.sqrt();
+        let all = |spins: [f64; 3], moment: &dyn Fn(usize) -> f64| {
+            [spins[0], spins[1], spins[2], moment(0), moment(1), moment(2)]
+        };
+        let around = all([0.0, s * (a_m * flat) / a_c * sn * flat, dn * down * down], &|k| {
+            0.5 * a_c * parameter * square * log_s[k]
+        });
+        Constants {
+            across: all([cn * down * down, root_r * sn, 0.0], &|k| 0.5 * a_x * square * log_r[k]),
+            middle: all([cn * down * down / root_r, sn, 0.0], &|k| -0.5 * a_m * true_cn2 * log_r[k]),
+            around,
+            log_rate: [0, 1, 2, 3, 4, 5].map(|k| {
+                let own = |k: usize| 0.5 * (by_cm[k] + by_cx[k] - if k < 2 { over[k] } else { 0.0 });
+                around[k] / a_c + if k < 3 { 0.0 } else { own(k - 3) }
+            }),
+            to_separatrix: all(
+                [
+                    -2.0 * t * (a_x * flat) * flat * cn / (a_c * a_c),
+                    -2.0 * complement2 * s * (a_m * flat) * flat * sn / (a_c * a_c),
+                    2.0 * parameter * dn / a_c,
+                ],
+                &|k| -parameter * (cn * cn * log_t[k] + complement2 * square * log_s[k]),
+            ),
+            phase: all([-sn / (a_x * dn), quotient / a_m, 0.0], &|k| 0.5 * sn * quotient * log_r[k]),
+            ratio: r,
+            steepness: s,
+        }
+    }
+}
+
+/// `dn dF/dm` at fixed angle, up to a quarter turn, over `2^shift`: from its sine, and cosine and rate times `2^shift`.
+/// The derivative is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with the scaled numbers.
+fn growth(sn: f64, cn: f64, dn: f64, down: f64) -> f64 {
+    let (true_cn, true_dn) = (cn * down, dn * down);
+    let shared = true_cn + true_dn + true_cn * true_dn;
+    let first = 3.0 / ((dn + cn) * (1.0 + true_dn));
+    // What follows is smaller than the first by about this.
+    let rest = if shared < 1e-100 {
+        0.0
+    } else {
+        rd([true_cn * true_cn + shared, 1.0 + shared, true_dn * true_dn + shared].map(|a| 0.25 * a)) * 0.25
+    };
+    sn * sn * sn / 6.0 * (first + rest * down * true_dn)
+}

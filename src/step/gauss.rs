@@ -1,0 +1,170 @@
+//! The implicit midpoint rule in a form that keeps every law, and Gauss's collocation of orders 4 and 6
+//! ([But64](crate::references), [HLW06](crate::references)), solved by iteration to rounding.
+
+use super::decimal::{ROOT_OF_3, ROOT_OF_15};
+use super::method::{About, Keeps};
+use super::rk4::Motion;
+use super::system::System;
+use crate::attitude;
+use crate::error::Error;
+use crate::scalar::Analytic;
+use nalgebra::{Quaternion, Vector3};
+
+pub(super) const MIDPOINT: About = About {
+    name: "implicit midpoint",
+    order: 2,
+    implicit: true,
+    keeps: Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true },
+    source: "HLW06",
+};
+
+/// All that is square in attitude and momentum is kept; the momentum in the world is a product of three.
+const SQUARES: Keeps = Keeps { energy: true, momentum: true, direction: false, unit: true, reversible: true };
+
+pub(super) const GAUSS_4: About =
+    About { name: "Gauss 4", order: 4, implicit: true, keeps: SQUARES, source: "But64" };
+
+pub(super) const GAUSS_6: About =
+    About { name: "Gauss 6", order: 6, implicit: true, keeps: SQUARES, source: "But64" };
+
+/// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
+const ROUNDS: usize = 200;
+
+/// Rounds `next` until what it gives moves no more than by rounding. On power series each round settles one power, until nothing
+/// moves at all.
+fn settled<S>(
+    what: &'static str,
+    mut guess: S,
+    scale: f64,
+    mut next: impl FnMut(&S) -> (S, f64),
+    rounding: f64,
+) -> Result<S, Error> {
+    let mut moved = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        let before = moved;
+        (guess, moved) = next(&guess);
+        let at_rounding = moved <= 64.0 * rounding * scale;
+        if moved == 0.0 || (at_rounding && moved >= 0.5 * before) {
+            return Ok(guess);
+        }
+        if !moved.is_finite() {
+            break;
+        }
+    }
+    Err(Error::NotConverged { what, iterations: ROUNDS, residual: moved })
+}
+
+fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
+    v.iter().map(Analytic::size).sum()
+}
+
+/// `L' - L = h (M x w + torque)` with `M` the mean of the momenta and `w = J M`, and a turn by half-angle tangents `h w / 2`. That
+/// turn, without a torque, is what the rule itself makes of the momentum; so attitude and momentum move as one, and the
+/// momentum stays in the world. The torque is taken at the mean of the attitudes.
+pub(super) fn midpoint<T: Analytic>(
+    system: &System<T>,
+    start: &Motion<T>,
+    h: &T,
+) -> Result<Motion<T>, Error> {
+    let half = h.clone() / T::integer(2);
+    let turn = |mean: &Vector3<T>| {
+        let c = system.omega(mean).map(|x| x * half.clone());
+        let over = T::one() / (T::one() + c.dot(&c)).sqrt();
+        let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| x.clone() * over.clone());
+        Quaternion::new(over, x, y, z)
+    };
+    let kick = |mean: &Vector3<T>| {
+        if system.is_free() {
+            return Vector3::from_fn(|_, _| T::zero());
+        }
+        let mut sum = turn(mean).coords;
+        sum.w += T::one();
+        let length = sum.dot(&sum).sqrt();
+        let middle = Quaternion::from_vector(sum.map(|x| x / length.clone()));
+        let here = Motion { attitude: attitude::product(&start.attitude, &middle), vector: mean.clone() };
+        system.torque(&here).map(|x| x * half.clone())
+    };
+    let next = |mean: &Vector3<T>| {
+        let c = system.omega(mean).map(|x| x * half.clone());
+        // M + c x M = L + h torque / 2, solved for M with c and the torque as they are: nearer than M = L + ...
+        let right = &start.vector + kick(mean);
+        let (along, over) = (c.dot(&right), T::one() / (T::one() + c.dot(&c)));
+        let better = (&right - c.cross(&right) + c.map(|x| x * along.clone())).map(|x| x * over.clone());
+        let moved = size(&(&better - mean));
+        (better, moved)
+    };
+    let scale = size(&start.vector);
+    let mean = settled("the midpoint of a step", start.vector.clone(), scale, next, T::rounding())?;
+    let turned = turn(&mean);
+    let vector = if system.is_free() {
+        attitude::seen_from(&turned, &start.vector)
+    } else {
+        &mean + &mean - &start.vector
+    };
+    Ok(Motion { attitude: attitude::product(&start.attitude, &turned), vector })
+}
+
+pub(super) fn gauss_4<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
+    let quarter = T::one() / T::integer(4);
+    let away = ROOT_OF_3.value::<T>() / T::integer(6);
+    let half = T::one() / T::integer(2);
+    collocated(
+        system,
+        start,
+        h,
+        &[[quarter.clone(), quarter.clone() - away.clone()], [quarter.clone() + away, quarter]],
+        &[half.clone(), half],
+    )
+}
+
+pub(super) fn gauss_6<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
+    let part = |n: u32, below: u32| T::integer(n) / T::integer(below);
+    let root = ROOT_OF_15.value::<T>();
+    let over = |below: u32| root.clone() / T::integer(below);
+    let (side, middle) = (part(5, 36), part(2, 9));
+    collocated(
+        system,
+        start,
+        h,
+        &[
+            [side.clone(), middle.clone() - over(15), side.clone() - over(30)],
+            [side.clone() + over(24), middle.clone(), side.clone() - over(24)],
+            [side.clone() + over(30), middle + over(15), side],
+        ],
+        &[part(5, 18), part(4, 9), part(5, 18)],
+    )
+}
+
+/// The Runge-Kutta method with these coefficients.
+fn collocated<T: Analytic, const N: usize>(
+    system: &System<T>,
+    start: &Motion<T>,
+    h: &T,
+    stages: &[[T; N]; N],
+    weights: &[T; N],
+) -> Result<Motion<T>, Error> {
+    let first = system.rate(start);
+    let along = |slopes: &[Motion<T>; N], weights: &[T; N]| {
+        slopes
+            .iter()
+            .zip(weights)
+            .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, &(h.clone() * weight.clone())))
+    };
+    let turns = |m: &Motion<T>| m.attitude.coords.iter().map(Analytic::size).sum::<f64>();
+    // Both in units of their own: the attitude's length, the momentum's.
+    let momentum = match size(&start.vector) + h.size() * size(&first.vector) {
+        0.0 => 1.0,
+        size => size,
+    };
+    let next = |slopes: &[Motion<T>; N]| {
+        let better = std::array::from_fn(|i| system.rate(&along(slopes, &stages[i])));
+        let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
+            let change = after.plus(before, &-T::one());
+            sum + h.size() * (turns(&change) + size(&change.vector) / momentum)
+        });
+        (better, moved)
+    };
+    let guess: [Motion<T>; N] = std::array::from_fn(|_| first.clone());
+    let slopes = settled("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
+    Ok(along(&slopes, weights))
+}

@@ -1,0 +1,219 @@
+//! The discrete Moser-Veselov algorithm [MV91](crate::references), and the same given such moments that its step is the body's own
+//! motion to order 4, 6, 8 or 10 ([MZ05](crate::references), [HV06](crate::references)).
+//!
+//! One step turns the body by the half-angle tangents `c` (the axis times the tangent of half the angle) that solve
+//!
+//! ```text
+//! K c + c x K c = (1 + |c|^2) h L / 2
+//! ```
+//!
+//! with `K` the moments. Energy, momentum in the world and the length of the attitude are kept for any `h`, and so by any `K` with
+//! `1/K_j = a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. All that such a step can be wrong by is
+//! the rates of its two angles, and the two numbers `a` and `b` put those right.
+//!
+//! Their powers in `h` come from the exact motion: seen from it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)` the turn of one step.
+//! `proofs/programs/moser_veselov.py` expands this in exact fractions and prints the sums below. The order of the result is proven of this
+//! very code, on power series.
+
+use super::method::{About, Keeps};
+use super::rk4::Motion;
+use super::system::System;
+use crate::attitude;
+use crate::error::Error;
+use crate::scalar::{Analytic, Ring};
+use nalgebra::{Quaternion, Vector3};
+
+const ALL: Keeps = Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true };
+
+pub(super) const ORDER_2: About =
+    About { name: "discrete Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
+
+const fn preprocessed(name: &'static str, order: u32) -> About {
+    About { name, order, implicit: true, keeps: ALL, source: "HV06" }
+}
+
+pub(super) const ORDER_4: About = preprocessed("preprocessed Moser-Veselov 4", 4);
+pub(super) const ORDER_6: About = preprocessed("preprocessed Moser-Veselov 6", 6);
+pub(super) const ORDER_8: About = preprocessed("preprocessed Moser-Veselov 8", 8);
+pub(super) const ORDER_10: About = preprocessed("preprocessed Moser-Veselov 10", 10);
+
+/// With a torque, between two half kicks of it: then of order 2, whatever the order without.
+pub(super) fn step<T: Analytic>(
+    system: &System<T>,
+    start: &Motion<T>,
+    h: &T,
+    order: u32,
+) -> Result<Motion<T>, Error> {
+    let half = h.clone() / T::integer(2);
+    let start = system.kicked(start, &half);
+    let end = Prepared::new(system.inverse(), &start.vector, h, order).step(&start)?;
+    Ok(system.kicked(&end, &half))
+}
+
+/// What a step needs of the body and of what the motion conserves.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Prepared<T: nalgebra::Scalar> {
+    /// The moments given to the algorithm, the body's first moment for a unit.
+    moments: Vector3<T>,
+    /// Their inverses.
+    inverse: Vector3<T>,
+    /// Takes a momentum to `h L / 2` in that unit.
+    scale: T,
+}
+
+impl<T: Analytic> Prepared<T> {
+    /// For a body with these inverse moments and all motions with the energy and `|L|` of this momentum.
+    pub(super) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Self {
+        // In units of the first moment and of the step everything is a pure number, and small where the step is.
+        let unit = &inverse.x;
+        let [one, j, k] = [T::one(), inverse.y.clone() / unit.clone(), inverse.z.clone() / unit.clone()];
+        let inverse = Vector3::new(one, j, k);
+        let whole = unit.clone() * h.clone();
+        let (a, b) = if order > 2 {
+            let turned = momentum.map(|x| x * whole.clone());
+            corrections(&inverse, &turned, order)
+        } else {
+            (T::one(), T::zero())
+        };
+        let inverse = inverse.map(|x| a.clone() * x + b.clone());
+        let moments = inverse.map(|x| T::one() / x);
+        Self { moments, inverse, scale: whole / T::integer(2) }
+    }
+
+    pub(super) fn step(&self, start: &Motion<T>) -> Result<Motion<T>, Error> {
+        let half = start.vector.map(|x| x * self.scale.clone());
+        let c = tangents(&self.moments, &self.inverse, &half)?;
+        let one = T::one;
+        let square = one() + c.dot(&c);
+        let over = one() / square.sqrt();
+        let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| x.clone() * over.clone());
+        let turned = Quaternion::new(over, x, y, z);
+        let vector = attitude::seen_from(&turned, &start.vector);
+        Ok(Motion { attitude: attitude::product(&start.attitude, &turned), vector })
+    }
+}
+
+/// The most rounds of Newton's iteration: each doubles the digits, so one that has a solution near needs few.
+const ROUNDS: usize = 40;
+
+/// The small root of `K c + c x K c = (1 + |c|^2) m`, by Newton's iteration.
+fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -> Result<Vector3<T>, Error> {
+    // To third order in m: c = u (1 + |u|^2) - J (c x K c) with u = J m.
+    let u = inverse.component_mul(m);
+    let bend = |c: &Vector3<T>| inverse.component_mul(&c.cross(&k.component_mul(c)));
+    let near = &u - bend(&u);
+    let grown = T::one() + u.dot(&u);
+    let mut c = u.map(|x| x * grown.clone()) - bend(&near);
+    // An error e leaves one of the order of e^2: below this it leaves less than rounding.
+    let enough = T::rounding().sqrt() / 128.0;
+    let mut moved = f64::NAN;
+    for _ in 0..ROUNDS {
+        let kc = k.component_mul(&c);
+        let twice = m + m;
+        let grown = T::one() + c.dot(&c);
+        let miss = &kc + c.cross(&kc) - m.map(|x| x * grown.clone());
+        // Columns of the derivative: K_j e_j + (K_j c - K c) x e_j - 2 c_j m.
+        let [xy, yz, zx] = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| k[i].clone() - k[j].clone());
+        let p = |x: &T, y: &T| x.clone() * y.clone();
+        let column = |j: usize, first: Vector3<T>| first - twice.map(|x| x * c[j].clone());
+        let x = column(0, Vector3::new(k.x.clone(), -p(&zx, &c.z), -p(&xy, &c.y)));
+        let y = column(1, Vector3::new(-p(&yz, &c.z), k.y.clone(), -p(&xy, &c.x)));
+        let z = column(2, Vector3::new(-p(&yz, &c.y), -p(&zx, &c.x), k.z.clone()));
+        let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
+        let over = T::one() / x.dot(&yz);
+        let change = Vector3::new(yz.dot(&miss), zx.dot(&miss), xy.dot(&miss)).map(|x| x * over.clone());
+        let size = |v: &Vector3<T>| v.iter().map(Analytic::size).sum::<f64>();
+        moved = size(&change);
+        c -= change;
+        if moved <= enough * size(&c) {
+            return Ok(c);
+        }
+        if !moved.is_finite() {
+            break;
+        }
+    }
+    Err(Error::NotConverged { what: "the turn of a Moser-Veselov step", iterations: ROUNDS, residual: moved })
+}
+
+/// A whole number.
+#[inline(always)]
+fn whole<T: Ring>(n: i32) -> T {
+    let size = T::integer(n.unsigned_abs());
+    if n < 0 { -size } else { size }
+}
+
+/// `a` and `b` of `1/K = a/I + b`, for the momentum times the step, all in units of the first moment.
+fn corrections<T: Analytic>(inverse: &Vector3<T>, momentum: &Vector3<T>, order: u32) -> (T, T) {
+    let square = momentum.dot(momentum);
+    let twice_energy = momentum.dot(&inverse.component_mul(momentum));
+    let [x, y, z] = [&inverse.x, &inverse.y, &inverse.z];
+    let p = |x: &T, y: &T| x.clone() * y.clone();
+    let e1 = x.clone() + y.clone() + z.clone();
+    let e2 = p(x, y) + p(y, z) + p(z, x);
+    let e3 = p(&p(x, y), z);
+    // Sums of whole numbers times products of the elementary symmetric functions.
+    macro_rules! sum {
+        ($($n:literal $first:ident $($rest:ident)*),*) => {
+            T::zero() $(+ whole::<T>($n) * $first.clone() $(* $rest.clone())*)*
+        };
+    }
+    // sum of parts[j] square^(k - j) twice_energy^j, over `below`.
+    let joined = |below: u32, parts: &[T]| {
+        let mut power = T::one();
+        let mut total = T::zero();
+        for part in parts {
+            total = total * square.clone() + part.clone() * power.clone();
+            power *= twice_energy.clone();
+        }
+        total / T::integer(below)
+    };
+    let mut a = T::one() + joined(12, &[sum!(1 e2), sum!(-2 e1)]);
+    let mut b = joined(12, &[sum!(-2 e3), sum!(1 e2)]);
+    if order > 4 {
+        a += joined(240, &[sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)]);
+        b += joined(240, &[sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)]);
+    }
+    if order > 6 {
+        a += joined(
+            20_160,
+            &[
+                sum!(17 e2 e2 e2, -66 e1 e2 e3, 100 e3 e3),
+                sum!(-36 e1 e2 e2, 132 e1 e1 e3, -30 e2 e3),
+                sum!(6 e1 e1 e2, 41 e2 e2, -212 e1 e3),
+                sum!(-4 e1 e1 e1, 4 e1 e2, 72 e3),
+            ],
+        );
+        b += joined(
+            20_160,
+            &[
+                sum!(-19 e2 e2 e3, 72 e1 e3 e3),
+                sum!(2 e2 e2 e2, -2 e1 e2 e3, -176 e3 e3),
+                sum!(13 e1 e2 e2, -64 e1 e1 e3, 110 e2 e3),
+                sum!(2 e1 e1 e2, -26 e2 e2, 60 e1 e3),
+            ],
+        );
+    }
+    if order > 8 {
+        a += joined(
+            725_760,
+            &[
+                sum!(62 e2 e2 e2 e2, -342 e1 e2 e2 e3, 378 e1 e1 e3 e3, 291 e2 e3 e3),
+                sum!(-154 e1 e2 e2 e2, 612 e1 e1 e2 e3, 282 e2 e2 e3, -2256 e1 e3 e3),
+                sum!(156 e1 e1 e2 e2, 18 e2 e2 e2, -612 e1 e1 e1 e3, 180 e1 e2 e3, 1908 e3 e3),
+                sum!(-4 e1 e1 e1 e2, -264 e1 e2 e2, 1104 e1 e1 e3, -828 e2 e3),
+                sum!(2 e1 e1 e1 e1, -3 e1 e1 e2, 153 e2 e2, -486 e1 e3),
+            ],
+        );
+        b += joined(
+            725_760,
+            &[
+                sum!(-61 e2 e2 e2 e3, 243 e1 e2 e3 e3, -610 e3 e3 e3),
+                sum!(-1 e2 e2 e2 e2, 222 e1 e2 e2 e3, -864 e1 e1 e3 e3, 684 e2 e3 e3),
+                sum!(-30 e1 e2 e2 e2, 114 e1 e1 e2 e3, -798 e2 e2 e3, 2136 e1 e3 e3),
+                sum!(-30 e1 e1 e2 e2, 194 e2 e2 e2, 128 e1 e1 e1 e3, -552 e1 e2 e3, -1296 e3 e3),
+                sum!(-1 e1 e1 e1 e2, -6 e1 e2 e2, -126 e1 e1 e3, 459 e2 e3),
+            ],
+        );
+    }
+    (a, b)
+}

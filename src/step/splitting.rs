@@ -1,0 +1,100 @@
+//! The three-rotation splitting: the energy's three terms one after another, each an exact turn about a principal axis
+//! ([McL93](crate::references), [Rei93](crate::references), [TW94](crate::references)); and compositions of it to orders 4 and 6.
+
+use super::decimal::Decimal;
+use super::method::{About, Keeps};
+use super::rk4::Motion;
+use super::system::System;
+use crate::scalar::Analytic;
+use nalgebra::Quaternion;
+
+const KEEPS: Keeps =
+    Keeps { momentum: true, direction: true, unit: true, reversible: true, ..Keeps::NOTHING };
+
+const fn about(name: &'static str, order: u32, source: &'static str) -> About {
+    About { name, order, implicit: false, keeps: KEEPS, source }
+}
+
+pub(super) const ORDER_2: About = about("three rotations", 2, "McL93");
+pub(super) const ORDER_4: About = about("three rotations, 7 in 1", 4, "our own weights");
+pub(super) const ORDER_6: About = about("three rotations, 9 in 1", 6, "KL97");
+
+/// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition of a symmetric method of
+/// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, as Fermat's
+/// theorem has it for two, and five are too few as well; of seven these are the smallest: 2 (12^3 + 17^3 + 19^3) = 30^3.
+const SEVEN: [(i32, u32); 4] = [(19, 66), (17, 66), (12, 66), (-30, 66)];
+
+/// Shares of the step for order 6: also their fifth powers sum to 0, and so does one more polynomial. The first is a free number, taken as it was
+/// published [KL97](crate::references) with 26 digits; the others solve the four equations.
+const NINE: [Decimal; 5] = [
+    decimal(false, [392_161_444, 7_314_139, 279_250_560]),
+    decimal(false, [332_599_136, 789_359_438, 599_748_634]),
+    decimal(true, [706_246_172, 557_639_359, 809_964_820]),
+    decimal(false, [82_213_596, 293_550_800, 231_490_449]),
+    decimal(false, [798_543_990, 934_829_963, 398_950_353]),
+];
+
+const fn decimal(negative: bool, groups: [u32; 3]) -> Decimal {
+    Decimal { negative, whole: 0, groups }
+}
+
+pub(super) fn order_2<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    composed(system, start, h, &[T::one()])
+}
+
+pub(super) fn order_4<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    let [a, b, c, d] = SEVEN.map(|(n, below)| {
+        let size = T::integer(n.unsigned_abs()) / T::integer(below);
+        if n < 0 { -size } else { size }
+    });
+    composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d, c, b, a])
+}
+
+pub(super) fn order_6<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+    let [a, b, c, d, e] = NINE.map(|share| share.value::<T>());
+    composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d.clone(), e, d, c, b, a])
+}
+
+/// With a torque, all of it between two half kicks: then of order 2.
+fn composed<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T, shares: &[T]) -> Motion<T> {
+    let half = h.clone() / T::integer(2);
+    let mut motion = system.kicked(start, &half);
+    let mut before = T::zero();
+    for share in shares {
+        let half_share = share.clone() * half.clone();
+        // The last turn of one share and the first of the next are about the same axis.
+        turned(system, &mut motion, 0, &(before + half_share.clone()));
+        turned(system, &mut motion, 1, &half_share);
+        turned(system, &mut motion, 2, &(share.clone() * h.clone()));
+        turned(system, &mut motion, 1, &half_share);
+        before = half_share;
+    }
+    turned(system, &mut motion, 0, &before);
+    system.kicked(&motion, &half)
+}
+
+/// The turn that the energy of the spin about one axis alone makes in a time.
+pub(super) fn turned<T: Analytic>(system: &System<T>, motion: &mut Motion<T>, axis: usize, time: &T) {
+    let rate = motion.vector[axis].clone() * system.inverse()[axis].clone();
+    spun(motion, axis, &(rate * time.clone() / T::integer(2)));
+}
+
+/// The body turned about its own axis by twice the angle, its momentum staying in the world.
+pub(super) fn spun<T: Analytic>(motion: &mut Motion<T>, axis: usize, half_angle: &T) {
+    let (i, j, k) = (axis, (axis + 1) % 3, (axis + 2) % 3);
+    let (s, c) = half_angle.sin_cos();
+    let p = |x: &T, y: &T| x.clone() * y.clone();
+    let (sine, sine_square) = (p(&s, &c), p(&s, &s));
+    let (sine, less) = (sine.clone() + sine, sine_square.clone() + sine_square);
+    // cos of the whole angle is 1 less `less`: small turns keep their digits.
+    let (v, w) = (motion.vector[j].clone(), motion.vector[k].clone());
+    motion.vector[j] = v.clone() - (p(&v, &less) - p(&w, &sine));
+    motion.vector[k] = w.clone() - (p(&w, &less) + p(&v, &sine));
+    let q = &motion.attitude.coords;
+    let mut turned = q.clone_owned();
+    turned.w = p(&q.w, &c) - p(&q[i], &s);
+    turned[i] = p(&q[i], &c) + p(&q.w, &s);
+    turned[j] = p(&q[j], &c) + p(&q[k], &s);
+    turned[k] = p(&q[k], &c) - p(&q[j], &s);
+    motion.attitude = Quaternion::from_vector(turned);
+}
