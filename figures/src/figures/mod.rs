@@ -28,6 +28,7 @@ mod three_spins;
 mod turning_tensor;
 mod two_arrows;
 mod wobble_growth;
+mod work;
 
 /// A finished drawing, and what it shows in words, for those who do not see it.
 pub(crate) struct Picture {
@@ -38,7 +39,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 24] = [
+pub(crate) static ALL: [Figure; 31] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -158,6 +159,48 @@ pub(crate) static ALL: [Figure; 24] = [
         shows: "Errors of the exact motion over all bodies, beside what the motion makes of rounded inputs",
         chapter: "exact-motion",
         draw: exact_errors::draw,
+    },
+    Figure {
+        name: "work-box",
+        shows: "Error of the box's attitude against run time, for every method",
+        chapter: "error-against-run-time",
+        draw: work::draw_box,
+    },
+    Figure {
+        name: "work-attitude",
+        shows: "Error of the attitude against run time, for seven bodies",
+        chapter: "error-against-run-time",
+        draw: work::draw_attitude,
+    },
+    Figure {
+        name: "work-phase",
+        shows: "Error of the flips' phase against run time, for the free bodies",
+        chapter: "error-against-run-time",
+        draw: work::draw_phase,
+    },
+    Figure {
+        name: "work-energy",
+        shows: "Error of the energy against run time, for seven bodies",
+        chapter: "error-against-run-time",
+        draw: work::draw_energy,
+    },
+    Figure {
+        name: "work-momentum",
+        shows: "Error of the momentum's length against run time, for seven bodies",
+        chapter: "error-against-run-time",
+        draw: work::draw_momentum,
+    },
+    Figure {
+        name: "work-direction",
+        shows: "Error of the momentum's direction against run time, for seven bodies",
+        chapter: "error-against-run-time",
+        draw: work::draw_direction,
+    },
+    Figure {
+        name: "drift",
+        shows: "Error of the energy through a million turns",
+        chapter: "error-against-run-time",
+        draw: work::draw_drift,
     },
     Figure {
         name: "atlas-steps",

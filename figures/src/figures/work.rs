@@ -1,0 +1,328 @@
+//! Error against run time, from the committed record: every method on the box, and every body for each kind of error.
+
+use super::{Drawing, Picture, power_of_ten};
+use crate::draw::{Canvas, Label, P, Pen, Plot, Scale};
+use crate::ink::Ink;
+use tumbling_measure::contestant::{Group, Setting};
+use tumbling_measure::errors::Outcome;
+use tumbling_measure::record::{self, Record, Work};
+use tumbling_measure::story;
+use tumbling_measure::verdict::{Kind, contestants, kind, seconds_at};
+
+/// How a group's curves look.
+fn pen(group: Group) -> Pen {
+    match group {
+        Group::Exact => Pen::new(Ink::Text, 3.0),
+        Group::Both => Pen::new(Ink::Text, 1.8),
+        Group::Momentum => Pen::new(Ink::Momentum, 1.8),
+        Group::Neither => Pen::new(Ink::Faint, 1.6),
+        Group::Peer => Pen::new(Ink::Text, 1.8).dashed(),
+    }
+}
+
+/// What a group is, in the key.
+fn words(group: Group) -> &'static str {
+    match group {
+        Group::Exact => "the exact motion",
+        Group::Both => "keeps energy and momentum",
+        Group::Momentum => "keeps the momentum",
+        Group::Neither => "keeps neither",
+        Group::Peer => "published programs",
+    }
+}
+
+/// The smallest error that is drawn; smaller ones lie on it.
+const FLOOR: f64 = 1e-16;
+/// Larger ones lie on this.
+const CEILING: f64 = 10.0;
+const SHORTEST: f64 = 5e-7;
+const LONGEST: f64 = 1.0;
+
+/// One curve, and where it failed.
+struct Curve<'a> {
+    name: &'a str,
+    group: Group,
+    /// Seconds and error of the runs that came right.
+    right: Vec<(f64, f64)>,
+    /// The same of runs with a wrong number of flips, and of those that broke down: at the upper edge, where a run of so many steps
+    /// would have ended.
+    wrong: Vec<(f64, f64)>,
+}
+
+fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &Kind) -> Curve<'a> {
+    let ladder: Vec<&Work> = rows.iter().filter(|r| r.story == story && r.contestant == name).collect();
+    // Seconds for a step, from the finest rung that came through.
+    let pace = ladder.iter().rev().find_map(|row| match (row.setting, row.seconds) {
+        #[allow(clippy::cast_precision_loss)]
+        (Setting::Steps(steps), Some(seconds)) => Some(seconds / steps as f64),
+        _ => None,
+    });
+    let (mut right, mut wrong) = (Vec::new(), Vec::new());
+    for row in ladder {
+        let seconds = row.seconds.or_else(|| match (row.setting, pace) {
+            #[allow(clippy::cast_precision_loss)]
+            (Setting::Steps(steps), Some(pace)) => Some(pace * steps as f64),
+            _ => None,
+        });
+        let Some(seconds) = seconds else { continue };
+        match ((kind.of)(&row.errors), &row.outcome) {
+            (Some(error), Outcome::Right) => right.push((seconds, error.clamp(FLOOR, CEILING))),
+            // An error that the story does not have is no failure.
+            (None, Outcome::Right) => {}
+            (Some(error), _) => wrong.push((seconds, error.clamp(FLOOR, CEILING))),
+            (None, _) => wrong.push((seconds, CEILING)),
+        }
+    }
+    Curve { name, group, right, wrong }
+}
+
+fn curves<'a>(rows: &'a [Work], story: &str, kind: &Kind) -> Vec<Curve<'a>> {
+    contestants(rows).into_iter().map(|(name, group)| curve(rows, story, name, group, kind)).collect()
+}
+
+/// A plot of time and error with its axes.
+fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
+    let (left, top) = corner;
+    let plot = Plot::new(
+        canvas,
+        left,
+        top,
+        left + size.0,
+        top + size.1,
+        Scale::log(SHORTEST..LONGEST),
+        Scale::log(FLOOR..CEILING),
+    );
+    let times = [(1e-6, "1 µs"), (1e-4, "100 µs"), (1e-2, "10 ms"), (1.0, "1 s")];
+    plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), title);
+    let powers = (-16..=0).filter(|n| n % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n)));
+    plot.y_axis(powers, "");
+    plot
+}
+
+/// Crosses.
+fn crosses(canvas: &Canvas, plot: &Plot, points: &[(f64, f64)]) {
+    for &(x, y) in points {
+        let (x, y) = plot.at(x.clamp(SHORTEST, LONGEST), y);
+        let pen = Pen::new(Ink::Wrong, 1.2).opacity(0.8);
+        canvas.line((x - 3.0, y - 3.0), (x + 3.0, y + 3.0), pen);
+        canvas.line((x - 3.0, y + 3.0), (x + 3.0, y - 3.0), pen);
+    }
+}
+
+fn line(canvas: &Canvas, plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
+    crosses(canvas, plot, &curve.wrong);
+    if let [only] = curve.right.as_slice() {
+        plot.dots([*only], if curve.group == Group::Exact { 5.0 } else { 2.5 }, pen.ink())?;
+    }
+    plot.curve(curve.right.iter().copied(), pen)
+}
+
+/// Labels in a column beside their curves' ends, none upon another.
+fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
+    ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1).then(a.0.0.total_cmp(&b.0.0)));
+    let room = bottom - top;
+    #[allow(clippy::cast_precision_loss)]
+    let apart = (room / ends.len().max(1) as f64).min(17.0);
+    let mut places: Vec<f64> = Vec::new();
+    for (end, ..) in &ends {
+        let least = places.last().map_or(top, |y| y + apart);
+        places.push(end.1.max(least));
+    }
+    // What has run over the lower edge moves up, and pushes those above it.
+    let mut most = bottom;
+    for place in places.iter_mut().rev() {
+        *place = place.min(most);
+        most = *place - apart;
+    }
+    for ((end, text, pen), y) in ends.into_iter().zip(places) {
+        canvas.line((end.0 + 3.0, end.1), (x - 4.0, y), Pen::new(pen.ink(), 0.8).opacity(0.55));
+        canvas.label((x, y + 4.5), &Label::new(text).size(13.5));
+    }
+}
+
+fn committed() -> Result<Record<Work>, Box<dyn std::error::Error>> {
+    Ok(record::work()?)
+}
+
+/// When and where, for the words.
+fn circumstances(record: &Record<Work>) -> String {
+    let said = |key: &str| record.said(key).unwrap_or("unknown").to_owned();
+    format!("Measured on {} ({}).", said("machine"), said("compiler"))
+}
+
+/// Everyone on the box: the attitude after 100 flips.
+pub(super) fn draw_box() -> Drawing {
+    let record = committed()?;
+    let kind = kind("attitude").ok_or("no such error")?;
+    let canvas = Canvas::new(600);
+    let plot = plot(&canvas, (58.0, 50.0), (372.0, 480.0), 2, "time of a run");
+    canvas.label((20.0, 30.0), &Label::new("error of the attitude after 100 flips (rad)").bold());
+    let curves = curves(&record.rows, "box", kind);
+    let mut ends = Vec::new();
+    for curve in curves.iter().rev() {
+        let pen = pen(curve.group);
+        line(&canvas, &plot, curve, pen)?;
+        let best = curve.right.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some(best) = best {
+            ends.push((plot.at(best.0, best.1), curve.name.to_owned(), pen));
+        }
+    }
+    let failed: Vec<&str> = curves.iter().filter(|c| c.right.is_empty()).map(|c| c.name).collect();
+    column(&canvas, 446.0, 50.0, 530.0, ends);
+    let mut told = Vec::new();
+    for error in [1e-2, 1e-8] {
+        for (name, group) in contestants(&record.rows) {
+            if group == Group::Peer {
+                if let Some(seconds) = seconds_at(&record.rows, "box", name, kind, error) {
+                    told.push(format!("{name} comes below {error:.0e} in {:.1} ms", seconds * 1e3));
+                }
+            }
+        }
+    }
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "Time of a run across, error of the attitude up, both logarithmic. Each curve is a method at ever finer steps; \
+             crosses are runs that counted a wrong number of flips or broke down. The exact motion is a single dot, far to the \
+             left and at the bottom. {}. Right at no step on the ladder: {}. {}",
+            told.join(", "),
+            if failed.is_empty() { "none".to_owned() } else { failed.join(", ") },
+            circumstances(&record)
+        ),
+    })
+}
+
+/// Every body, for one kind of error.
+fn bodies(name: &str) -> Drawing {
+    let record = committed()?;
+    let kind = kind(name).ok_or("no such error")?;
+    let canvas = Canvas::new(920);
+    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
+    let stories = story::all()?;
+    let with: Vec<_> = stories
+        .iter()
+        .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
+        .collect();
+    let place = |at: usize| {
+        let (row, column) = (at / 2, at % 2);
+        #[allow(clippy::cast_precision_loss)]
+        (56.0 + 330.0 * column as f64, 68.0 + 218.0 * row as f64)
+    };
+    let size = (270.0, 150.0);
+    let mut told = Vec::new();
+    for (at, story) in with.iter().enumerate() {
+        let corner = place(at);
+        let plot = plot(&canvas, corner, size, 4, "");
+        canvas.label((corner.0, corner.1 - 8.0), &Label::new(story.title).size(15.5));
+        let curves = curves(&record.rows, story.name, kind);
+        for group in [Group::Neither, Group::Momentum, Group::Peer, Group::Both, Group::Exact] {
+            for curve in curves.iter().filter(|curve| curve.group == group) {
+                line(&canvas, &plot, curve, pen(group))?;
+            }
+        }
+        let best = curves.iter().flat_map(|c| c.right.iter().map(move |p| (c.name, p.1)));
+        let best = best.filter(|(name, _)| *name != "exact motion").min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((name, error)) = best {
+            told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
+        }
+    }
+    let (left, top) = place(with.len());
+    for (at, group) in Group::ALL.into_iter().enumerate() {
+        #[allow(clippy::cast_precision_loss)]
+        let y = top + 12.0 + 24.0 * at as f64;
+        let pen = pen(group);
+        if group == Group::Exact {
+            canvas.disc((left + 15.0, y), 5.0, crate::draw::Fill::new(pen.ink()), None);
+        } else {
+            canvas.line((left, y), (left + 30.0, y), pen);
+        }
+        canvas.label((left + 40.0, y + 5.0), &Label::new(words(group)).size(15.5));
+    }
+    let y = top + 12.0 + 24.0 * 5.0;
+    let cross = Pen::new(Ink::Wrong, 1.2);
+    canvas.line((left + 11.0, y - 4.0), (left + 19.0, y + 4.0), cross);
+    canvas.line((left + 11.0, y + 4.0), (left + 19.0, y - 4.0), cross);
+    canvas.label((left + 40.0, y + 5.0), &Label::new("wrong number of flips, or broken").size(15.5));
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "Small plots, one for each body: time of a run across, from 1 microsecond to 1 second, error up, from 1e-16 to 1, \
+             both logarithmic. {}. {}",
+            told.join("; "),
+            circumstances(&record)
+        ),
+    })
+}
+
+pub(super) fn draw_attitude() -> Drawing {
+    bodies("attitude")
+}
+
+pub(super) fn draw_phase() -> Drawing {
+    bodies("phase")
+}
+
+pub(super) fn draw_energy() -> Drawing {
+    bodies("energy")
+}
+
+pub(super) fn draw_momentum() -> Drawing {
+    bodies("momentum")
+}
+
+pub(super) fn draw_direction() -> Drawing {
+    bodies("direction")
+}
+
+/// Energy after up to a million turns.
+pub(super) fn draw_drift() -> Drawing {
+    let record = record::long()?;
+    let canvas = Canvas::new(560);
+    let (from, to) = (1.0, 2e6);
+    let (low, high) = (1e-18, 1.0);
+    let plot = Plot::new(&canvas, 62.0, 50.0, 430.0, 490.0, Scale::log(from..to), Scale::log(low..high));
+    plot.x_axis((0..=3).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "turns");
+    plot.y_axis((-9..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "");
+    canvas.label((20.0, 28.0), &Label::new("error of the energy, relative, 20 steps a turn").bold());
+    for (slope, start, text) in [(0.5, 3e-17, "slope ½"), (1.0, 3e-7, "slope 1")] {
+        let end = 1e6;
+        let top: f64 = start * 10_f64.powf(6.0 * slope);
+        plot.curve([(1.0, start), (end, top.min(high))], Pen::new(Ink::Text, 5.0).opacity(0.15))?;
+        let (x, y) = plot.at(30.0, start * 30_f64.powf(slope));
+        canvas.label((x, y - 12.0), &Label::new(text).size(14.5).halo(Ink::Paper));
+    }
+    let mut names: Vec<(&str, Group)> = Vec::new();
+    for row in &record.rows {
+        let group = Group::ALL.into_iter().find(|g| g.word() == row.group).ok_or("no such group")?;
+        if !names.iter().any(|(name, _)| *name == row.contestant) {
+            names.push((&row.contestant, group));
+        }
+    }
+    let (mut ends, mut told) = (Vec::new(), Vec::new());
+    for (name, group) in names {
+        #[allow(clippy::cast_precision_loss)]
+        let points: Vec<(f64, f64)> = record
+            .rows
+            .iter()
+            .filter(|row| row.contestant == name && row.outcome == Outcome::Right)
+            .map(|row| (row.turns as f64, row.mean.clamp(low, high)))
+            .collect();
+        let pen = pen(group);
+        plot.curve(points.iter().copied(), pen)?;
+        if let Some(&(x, y)) = points.last() {
+            ends.push((plot.at(x, y), name.to_owned(), pen));
+        }
+        if let Some(slope) = tumbling_measure::verdict::drift(&record.rows, name) {
+            told.push(format!("{name} {slope:.2}"));
+        }
+    }
+    column(&canvas, 446.0, 50.0, 490.0, ends);
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The error of the energy against the number of turns, both logarithmic, for the methods that keep something, and for \
+             the classical Runge-Kutta method. Slopes from a thousand turns on: {}. A random walk has 0.5, a steady drift 1.",
+            told.join(", ")
+        ),
+    })
+}
