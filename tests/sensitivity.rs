@@ -290,7 +290,7 @@ fn zz_sweep() {
     let Ok(path) = std::env::var("SWEEP") else { return };
     let text = std::fs::read_to_string(path).unwrap();
     for line in text.lines() {
-        if let Ok(_) = serde_json::from_str::<Value>(line) {
+        if serde_json::from_str::<Value>(line).is_ok() {
             let w = judge(&format!("{{\"cases\":[{line}]}}"));
             let m = w.iter().map(|x| x.0).fold(0.0, f64::max);
             if m > 4.0 || w.iter().any(|x| x.0.is_nan()) {
