@@ -246,12 +246,20 @@ impl FreeMotion {
         Ok(Instant { omega, attitude: self.in_world(t, turned) })
     }
 
-    /// Spin and attitude at each of `times`.
+    /// Spin and attitude at each of `times`: to the bit those of [`at`](Self::at), at the same cost for each.
+    ///
+    /// What the instants of one motion have in common is in the preparation already. What is left to share is
+    /// to ask once what kind of motion it is, which saves less than a twentieth; a recurrence from one time to the
+    /// next would save more, and lose digits.
     ///
     /// # Errors
     /// A time that is not finite.
     pub fn at_each(&self, times: &[f64]) -> Result<Vec<Instant>, Error> {
-        times.iter().map(|&t| self.at(t)).collect()
+        let mut instants = Vec::with_capacity(times.len());
+        for &t in times {
+            instants.push(self.at(t)?);
+        }
+        Ok(instants)
     }
 
     fn in_world(&self, t: f64, turned: Quaternion<f64>) -> UnitQuaternion<f64> {

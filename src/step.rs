@@ -10,6 +10,7 @@ mod decimal;
 mod dormand_prince;
 mod engine;
 mod explicit;
+mod game;
 mod gauss;
 mod lie;
 mod method;
@@ -25,6 +26,7 @@ mod torque;
 
 pub use dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use engine::Engine;
+pub use game::game;
 pub use method::{About, Keeps, Method};
 pub use physics_engine::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 pub use rk4::{Motion, rk4};

@@ -202,3 +202,29 @@ proptest! {
         prop_assert!(off <= 8.0, "{off}");
     }
 }
+
+#[test]
+fn several_instants_at_once_are_each_to_the_bit_what_they_are_alone() {
+    let times = [0.0, -0.0, 1.5, -3.25, 1e9, 1e-300, 0.75];
+    let askew = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let askew = askew.turned(&UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9)).unwrap();
+    let body = Body::spinning(
+        askew,
+        UnitQuaternion::from_euler_angles(1.0, 0.2, -0.5),
+        &Vector3::new(0.5, -1.0, 0.2),
+    );
+    let motions = [
+        FreeMotion::of(&body.unwrap()).unwrap(),
+        motion([1.0, 2.0, 2.5], [0.3, 0.2, 1.0]),
+        motion([1.0, 2.0, 2.5], [1e-9, 1.0, 0.0]),
+        motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]),
+        motion([1.0, 1.0, 1.5], [0.5, 0.2, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 0.0]),
+    ];
+    for motion in motions {
+        let alone: Vec<_> = times.iter().map(|&t| motion.at(t).unwrap()).collect();
+        assert_eq!(motion.at_each(&times).unwrap(), alone);
+        assert!(motion.at_each(&[1.0, f64::NAN]).is_err() && motion.at_each(&[]).unwrap().is_empty());
+    }
+}

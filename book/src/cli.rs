@@ -30,6 +30,8 @@ Draws the figures of the book and builds its pages.
                                                run; compiles some two hundred crates first
     cargo run --release -- measure --quick     the same in less than a minute, coarser, into measure/quick/;
                                                also with --peers
+    cargo run --release -- atlas               run every method on every hard case, some seconds; prints what
+                                               became of each and renews measure/record/atlas.tsv
     cargo run --release -- measure --long NAME a billion turns by one method, a quarter of an hour or more
     cargo run --release -- --help              this text
 
@@ -60,13 +62,14 @@ pub(crate) enum Asked {
     Figures { names: Vec<&'static Figure>, check: bool },
     Check { folder: Option<PathBuf>, how: Checking },
     Measure { quick: bool, peers: bool },
+    Atlas,
     Longest { method: String },
     Count { contestant: String, times: u64 },
     Preprocess,
     Supports { renderer: String },
 }
 
-const COMMANDS: [&str; 7] = ["figures", "check", "list", "build", "measure", "help", "preprocess"];
+const COMMANDS: [&str; 8] = ["figures", "check", "list", "build", "measure", "atlas", "help", "preprocess"];
 const OPTIONS: [&str; 7] = ["--help", "--check", "--list", "--mutants", "--quick", "--peers", "--long"];
 
 /// Reads the arguments that follow the program's name.
@@ -136,11 +139,12 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             [word, renderer] if word == "supports" => Ok(Asked::Supports { renderer: renderer.clone() }),
             _ => Err("`preprocess` takes nothing, or `supports RENDERER`.".into()),
         },
-        Some(word @ ("list" | "build" | "help")) => match rest.first() {
+        Some(word @ ("list" | "build" | "atlas" | "help")) => match rest.first() {
             Some(extra) => Err(format!("`{word}` takes no further word, but got `{extra}`.")),
             None => Ok(match word {
                 "list" => Asked::List,
                 "build" => Asked::Build,
+                "atlas" => Asked::Atlas,
                 _ => Asked::Help,
             }),
         },
@@ -194,6 +198,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
             });
         }
         Asked::Measure { quick, peers } => measure::measure(quick, peers)?,
+        Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
         Asked::Count { contestant, times } => measure::count(&contestant, times)?,
         Asked::Build => build::build()?,
@@ -289,6 +294,7 @@ mod tests {
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
+        assert!(matches!(parsed(&["atlas"]), Ok(Asked::Atlas)));
         assert!(matches!(parsed(&["measure"]), Ok(Asked::Measure { quick: false, peers: false })));
         assert!(matches!(
             parsed(&["measure", "--quick", "--peers"]),

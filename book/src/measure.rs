@@ -8,7 +8,7 @@ use std::time::Instant;
 use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
-use tumbling_measure::{contestant, story};
+use tumbling_measure::{atlas as places, contestant, story};
 
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
 pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
@@ -44,6 +44,17 @@ pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
             "Draw its figures with `cargo run --release`. The book's own record: `git checkout measure/record`."
         );
     }
+    Ok(())
+}
+
+/// Runs every method on every hard case, prints what became of each and renews the record of it.
+pub(crate) fn atlas() -> Result<(), Box<dyn Error>> {
+    let places = places::atlas()?;
+    say!("{}", places::table(&places));
+    let file = paths::repository().join("measure/record/atlas.tsv");
+    std::fs::write(&file, places::written(&places))
+        .map_err(|error| format!("{}: {error}", file.display()))?;
+    say!("The record is in {}", file.display());
     Ok(())
 }
 

@@ -7,8 +7,11 @@
 //!
 //! [`measure`](measure::measure) does that for all of them, and [`record`] keeps what came out: two files of comma-separated values, whose
 //! heads say what, when, on which machine. The figures and the chapter of the book are made from those files.
+//!
+//! The [`atlas`] asks another question, without a clock: what becomes of each method on each hard case.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod atlas;
 pub mod campaign;
 pub mod contestant;
 pub mod errors;

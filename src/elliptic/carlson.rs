@@ -77,8 +77,8 @@ mod tests {
         // R_D(x, x, x) = x^(-3/2); and with two equal, an elementary integral: of x = y = 1, z = 1/4.
         assert!((rd([9.0; 3]) * 27.0 - 1.0).abs() < 1e-15);
         let z: f64 = 0.25;
-        let rc = (1.0 / z.sqrt()).acosh() / (1.0 - z).sqrt();
-        let expected = 3.0 / (1.0 - z) * (1.0 / z.sqrt() - rc);
+        let angle = z.sqrt().acos();
+        let expected = 3.0 / (1.0 - z) * (1.0 / z.sqrt() - angle / (1.0 - z).sqrt());
         assert!((rd([1.0, 1.0, z]) / expected - 1.0).abs() < 1e-14);
     }
 

@@ -58,7 +58,7 @@ impl Clock {
         };
         let half_turns = (rate * times_power_of_two(t, exponent) + offset).value();
         let room = limit - 8.0;
-        if !(half_turns.abs() <= room) {
+        if half_turns.is_nan() || half_turns.abs() > room {
             return Err(Error::Order {
                 smaller: "the number of flips from the start",
                 small: half_turns.abs(),

@@ -46,7 +46,8 @@ impl FreeMotion {
     /// The derivatives are those of the closed form, in every regime: of Jacobi's functions by argument and modulus,
     /// of sines and exponentials, and over short spans of power series in time. The turn needs no
     /// integral but that of the squares of the spin: across the momentum it follows from the momentum's being
-    /// constant, along it from the energy's.
+    /// constant, along it from the energy's. Each of the four matrices is right to some roundings of its own norm,
+    /// times the angle in radians that the body has spun through where that is above 1.
     ///
     /// ```
     /// use nalgebra::Vector3;

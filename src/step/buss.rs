@@ -28,5 +28,5 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     let mean = &omega + change.map(|x| x * half.clone()) + change.cross(&omega).map(|x| x * twelfth.clone());
     let turned = attitude::turn(&mean.map(|x| x * h.clone()));
     let vector = attitude::seen_from(&turned, &start.vector);
-    system.kicked(&Motion { attitude: attitude::product(&start.attitude, &turned), vector }, &half)
+    system.kicked_back(&Motion { attitude: attitude::product(&start.attitude, &turned), vector }, &half)
 }

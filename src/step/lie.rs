@@ -9,7 +9,7 @@ use crate::scalar::Analytic;
 use nalgebra::Vector3;
 
 pub(super) const ABOUT: About = About {
-    name: "Runge-Kutta-Munthe-Kaas 4",
+    name: "Munthe-Kaas 4",
     order: 4,
     implicit: false,
     keeps: Keeps { momentum: true, direction: true, unit: true, ..Keeps::NOTHING },

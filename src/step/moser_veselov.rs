@@ -26,16 +26,16 @@ use nalgebra::{Quaternion, Vector3};
 const ALL: Keeps = Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true };
 
 pub(super) const ORDER_2: About =
-    About { name: "discrete Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
+    About { name: "Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
 
 const fn preprocessed(name: &'static str, order: u32) -> About {
     About { name, order, implicit: true, keeps: ALL, source: "HV06" }
 }
 
-pub(super) const ORDER_4: About = preprocessed("preprocessed Moser-Veselov 4", 4);
-pub(super) const ORDER_6: About = preprocessed("preprocessed Moser-Veselov 6", 6);
-pub(super) const ORDER_8: About = preprocessed("preprocessed Moser-Veselov 8", 8);
-pub(super) const ORDER_10: About = preprocessed("preprocessed Moser-Veselov 10", 10);
+pub(super) const ORDER_4: About = preprocessed("Moser-Veselov 4", 4);
+pub(super) const ORDER_6: About = preprocessed("Moser-Veselov 6", 6);
+pub(super) const ORDER_8: About = preprocessed("Moser-Veselov 8", 8);
+pub(super) const ORDER_10: About = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
 pub(super) fn step<T: Analytic>(
@@ -47,7 +47,7 @@ pub(super) fn step<T: Analytic>(
     let half = h.clone() / T::integer(2);
     let start = system.kicked(start, &half);
     let end = Prepared::new(system.inverse(), &start.vector, h, order).step(&start)?;
-    Ok(system.kicked(&end, &half))
+    Ok(system.kicked_back(&end, &half))
 }
 
 /// What a step needs of the body and of what the motion conserves.
@@ -80,14 +80,13 @@ impl<T: Analytic> Prepared<T> {
         Self { moments, inverse, scale: whole / T::integer(2) }
     }
 
+    #[inline]
     pub(super) fn step(&self, start: &Motion<T>) -> Result<Motion<T>, Error> {
         let half = start.vector.map(|x| x * self.scale.clone());
         let c = tangents(&self.moments, &self.inverse, &half)?;
-        let one = T::one;
-        let square = one() + c.dot(&c);
-        let over = one() / square.sqrt();
-        let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| x.clone() * over.clone());
-        let turned = Quaternion::new(over, x, y, z);
+        let over = T::one() / (T::one() + c.dot(&c)).sqrt();
+        let part = |x: &T| x.clone() * over.clone();
+        let turned = Quaternion::new(over.clone(), part(&c.x), part(&c.y), part(&c.z));
         let vector = attitude::seen_from(&turned, &start.vector);
         Ok(Motion { attitude: attitude::product(&start.attitude, &turned), vector })
     }
@@ -97,15 +96,18 @@ impl<T: Analytic> Prepared<T> {
 const ROUNDS: usize = 40;
 
 /// The small root of `K c + c x K c = (1 + |c|^2) m`, by Newton's iteration.
+#[inline]
 fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -> Result<Vector3<T>, Error> {
-    // To third order in m: c = u (1 + |u|^2) - J (c x K c) with u = J m.
+    // Three rounds of c = (1 + |c|^2) u - J (c x K c) with u = J m, each of which gains an order.
     let u = inverse.component_mul(m);
     let bend = |c: &Vector3<T>| inverse.component_mul(&c.cross(&k.component_mul(c)));
     let near = &u - bend(&u);
     let grown = T::one() + u.dot(&u);
-    let mut c = u.map(|x| x * grown.clone()) - bend(&near);
+    let nearer = u.map(|x| x * grown.clone()) - bend(&near);
+    let grown = T::one() + nearer.dot(&nearer);
+    let mut c = u.map(|x| x * grown.clone()) - bend(&nearer);
     // An error e leaves one of the order of e^2: below this it leaves less than rounding.
-    let enough = T::rounding().sqrt() / 128.0;
+    let enough = T::rounding().sqrt() / 8.0;
     let mut moved = f64::NAN;
     for _ in 0..ROUNDS {
         let kc = k.component_mul(&c);
@@ -113,7 +115,8 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         let grown = T::one() + c.dot(&c);
         let miss = &kc + c.cross(&kc) - m.map(|x| x * grown.clone());
         // Columns of the derivative: K_j e_j + (K_j c - K c) x e_j - 2 c_j m.
-        let [xy, yz, zx] = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| k[i].clone() - k[j].clone());
+        let beside = |i: usize, j: usize| k[i].clone() - k[j].clone();
+        let (xy, yz, zx) = (beside(0, 1), beside(1, 2), beside(2, 0));
         let p = |x: &T, y: &T| x.clone() * y.clone();
         let column = |j: usize, first: Vector3<T>| first - twice.map(|x| x * c[j].clone());
         let x = column(0, Vector3::new(k.x.clone(), -p(&zx, &c.z), -p(&xy, &c.y)));

@@ -70,7 +70,7 @@ fn composed<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T, shares: &
         before = half_share;
     }
     turned(system, &mut motion, 0, &before);
-    system.kicked(&motion, &half)
+    system.kicked_back(&motion, &half)
 }
 
 /// The turn that the energy of the spin about one axis alone makes in a time.

@@ -35,5 +35,5 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     let angle = beside(2) * motion.vector.z.clone() * half.clone();
     spun(&mut motion, 2, &angle);
     rest(&mut motion);
-    system.kicked(&motion, &half)
+    system.kicked_back(&motion, &half)
 }

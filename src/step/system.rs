@@ -125,10 +125,42 @@ impl<T: Analytic> System<T> {
 
     /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of a
     /// kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
+    ///
+    /// The torques act one after another, in their order; the second kick of a step must be
+    /// [`kicked_back`](Self::kicked_back), or the step is not the same backwards, and of first order only.
     #[must_use]
     pub fn kicked(&self, motion: &Motion<T>, h: &T) -> Motion<T> {
+        self.kicked_by(self.torques.iter(), motion, h)
+    }
+
+    /// The same with the last torque first.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::step::{Motion, System, Torque};
+    /// let torques = vec![Torque::InBody(Vector3::x()), Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
+    /// let system = System::with(&Vector3::new(1.0, 1.0, 1.0), torques)?;
+    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::x() };
+    /// let end = system.kicked_back(&system.kicked(&start, &0.1), &-0.1);
+    /// assert!((end.vector - start.vector).norm() < 1e-15);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn kicked_back(&self, motion: &Motion<T>, h: &T) -> Motion<T> {
+        self.kicked_by(self.torques.iter().rev(), motion, h)
+    }
+
+    fn kicked_by<'a>(
+        &self,
+        torques: impl Iterator<Item = &'a Torque<T>>,
+        motion: &Motion<T>,
+        h: &T,
+    ) -> Motion<T> {
+        if self.torques.is_empty() {
+            return motion.clone();
+        }
         let rotation = attitude::rotation_matrix(&motion.attitude);
-        let vector = self.torques.iter().fold(motion.vector.clone(), |momentum, torque| {
+        let vector = torques.fold(motion.vector.clone(), |momentum, torque| {
             torque.kick(&rotation, &momentum, &self.inverse, h)
         });
         Motion { attitude: motion.attitude.clone(), vector }

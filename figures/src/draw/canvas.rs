@@ -89,6 +89,29 @@ impl Canvas {
         self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{:.0}\" style=\"{style}\"/>\n", r * FINENESS));
     }
 
+    /// Many small round dots in one element: strokes of no length with round ends.
+    pub(crate) fn specks(&self, centres: impl IntoIterator<Item = P>, pen: Pen) {
+        let mut data = String::new();
+        for (x, y) in centres.into_iter().map(fine) {
+            let _ = write!(data, "M{x} {y}h0");
+        }
+        if !data.is_empty() {
+            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", pen.css()));
+        }
+    }
+
+    /// Many triangles of one look in one element.
+    pub(crate) fn triangles(&self, corners: impl IntoIterator<Item = [P; 3]>, fill: Fill) {
+        let mut data = String::new();
+        for triangle in corners {
+            data.push_str(&path_data(&triangle.map(fine)));
+            data.push('z');
+        }
+        if !data.is_empty() {
+            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", fill.css()));
+        }
+    }
+
     /// An arc from one angle to another (radians, from the right, upwards).
     pub(crate) fn arc(&self, centre: P, r: f64, from: f64, to: f64, pen: Pen) {
         let points: Vec<P> =

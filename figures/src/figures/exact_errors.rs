@@ -138,7 +138,7 @@ pub(super) fn draw() -> Drawing {
     let mut seen = Vec::new();
     for entry in file["cases"].as_array().ok_or("a table without cases")? {
         let one = case(entry).ok_or_else(|| format!("case {} cannot be read", entry["inertia"]))?;
-        if let Some(bad) = one.units.iter().find(|&&units| !(units <= LIMIT)) {
+        if let Some(bad) = one.units.iter().find(|&&units| units.is_nan() || units > LIMIT) {
             return Err(format!("{} {:?} has an error of {bad:.1} units", one.spun, one.cell).into());
         }
         seen.push(one);
@@ -200,7 +200,7 @@ fn panel(canvas: &Canvas, (left, top): P, side: u32, seen: &[&Seen], ink: Ink, s
         let [needle, disk, ball] = shares.map(|share| f64::from(share) / f64::from(side));
         plot.at(0.5 * disk + ball, needle + 0.5 * disk + ball)
     };
-    for one in seen.iter().filter(|one| !one.on_edge) {
+    let corners = |one: &Seen| {
         let [a, b, down] = one.cell;
         let c = side - a - b;
         let corners = if down == 0 {
@@ -208,15 +208,23 @@ fn panel(canvas: &Canvas, (left, top): P, side: u32, seen: &[&Seen], ink: Ink, s
         } else {
             [[a + 1, b + 1, c - 2], [a + 1, b, c - 1], [a, b + 1, c - 1]]
         };
-        canvas.area(&corners.map(corner), Fill::new(ink).opacity(shade(shown(one))), None);
+        corners.map(corner)
+    };
+    let of_shade = |opacity: f64, on_edge: bool| {
+        seen.iter().filter(move |one| one.on_edge == on_edge && shade(shown(one)) == opacity)
+    };
+    for (_, _, opacity) in STEPS {
+        canvas.triangles(of_shade(opacity, false).map(|one| corners(one)), Fill::new(ink).opacity(opacity));
     }
     let outline = [[side, 0, 0], [0, side, 0], [0, 0, side]].map(corner);
     canvas.path(&[outline[0], outline[1], outline[2], outline[0]], Pen::new(Ink::Text, 1.0));
-    for one in seen.iter().filter(|one| one.on_edge) {
-        let centre = plot.at(one.place.0, one.place.1);
-        canvas.disc(centre, 5.0, Fill::new(Ink::Paper), None);
-        let rim = Pen::new(Ink::Text, 1.0);
-        canvas.disc(centre, 5.0, Fill::new(ink).opacity(shade(shown(one))), Some(rim));
+    // A disc is a rim, the paper on it, the shade on that.
+    let centre = |one: &&Seen| plot.at(one.place.0, one.place.1);
+    let on_edge = || seen.iter().filter(|one| one.on_edge);
+    canvas.specks(on_edge().map(centre), Pen::new(Ink::Text, 11.0));
+    canvas.specks(on_edge().map(centre), Pen::new(Ink::Paper, 9.0));
+    for (_, _, opacity) in STEPS {
+        canvas.specks(of_shade(opacity, true).map(centre), Pen::new(ink, 9.0).opacity(opacity));
     }
 }
 

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use tumbling::solid::{Cuboid, MassProperties, Solid};
 use tumbling::{Axis, Error, Inertia};
 
+mod atlas;
 mod box_arrows;
 mod box_moments;
 mod cover;
@@ -38,7 +39,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 27] = [
+pub(crate) static ALL: [Figure; 31] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -200,6 +201,30 @@ pub(crate) static ALL: [Figure; 27] = [
         shows: "Error of the energy through a million turns",
         chapter: "error-against-run-time",
         draw: work::draw_drift,
+    },
+    Figure {
+        name: "atlas-steps",
+        shows: "What becomes of each method as the turn in a step grows",
+        chapter: "where-things-break",
+        draw: atlas::steps,
+    },
+    Figure {
+        name: "atlas-pushes",
+        shows: "Which methods count three flips after a push, down to the smallest",
+        chapter: "where-things-break",
+        draw: atlas::pushes,
+    },
+    Figure {
+        name: "atlas-stiff",
+        shows: "What becomes of each method on needles and under strong damping",
+        chapter: "where-things-break",
+        draw: atlas::stiff,
+    },
+    Figure {
+        name: "atlas-named",
+        shows: "What becomes of each method on cases that users of engines have met",
+        chapter: "where-things-break",
+        draw: atlas::named,
     },
 ];
 

@@ -26,7 +26,7 @@ pub(in super::super) const SEMI_IMPLICIT: About = About {
 };
 
 pub(in super::super) const RESCALED: About = About {
-    name: "explicit, then rescaled",
+    name: "explicit, rescaled",
     order: 1,
     implicit: false,
     keeps: Keeps { momentum: true, ..UNIT },
@@ -34,7 +34,7 @@ pub(in super::super) const RESCALED: About = About {
 };
 
 pub(in super::super) const RESCALED_STRAIGHT: About =
-    About { name: "explicit, then rescaled; turned straight", source: "Rapier", ..RESCALED };
+    About { name: "rescaled, turned straight", source: "Rapier", ..RESCALED };
 
 /// The momentum after the torques alone, at their value at the start.
 fn pushed<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Vector3<T> {

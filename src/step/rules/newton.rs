@@ -8,7 +8,7 @@ use crate::scalar::Analytic;
 use nalgebra::Vector3;
 
 pub(in super::super) const ONE_NEWTON: About = About {
-    name: "one Newton step of implicit Euler",
+    name: "one Newton step",
     order: 1,
     implicit: true,
     keeps: Keeps { unit: true, ..Keeps::NOTHING },
@@ -16,7 +16,7 @@ pub(in super::super) const ONE_NEWTON: About = About {
 };
 
 pub(in super::super) const LINEARISED: About = About {
-    name: "linearised implicit Euler",
+    name: "linearised implicit",
     order: 1,
     implicit: true,
     keeps: Keeps { unit: true, ..Keeps::NOTHING },

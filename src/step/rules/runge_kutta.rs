@@ -10,7 +10,7 @@ use crate::scalar::Analytic;
 use nalgebra::Vector3;
 
 pub(in super::super) const MEAN_SPIN: About = About {
-    name: "Runge-Kutta 4, turned by the mean spin",
+    name: "Runge-Kutta 4, mean spin",
     order: 2,
     implicit: false,
     keeps: Keeps { unit: true, ..Keeps::NOTHING },
@@ -18,7 +18,7 @@ pub(in super::super) const MEAN_SPIN: About = About {
 };
 
 pub(in super::super) const CORRECTED: About = About {
-    name: "Runge-Kutta 4, turned by the corrected mean spin",
+    name: "Runge-Kutta 4, turned",
     order: 4,
     implicit: false,
     keeps: Keeps { unit: true, ..Keeps::NOTHING },

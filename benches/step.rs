@@ -1,0 +1,94 @@
+//! What one step costs, in steps of the plainest rule that does not blow up: explicit, then the momentum's length restored. Ratios within one run.
+//!
+//! ```text
+//! cargo bench -p tumbling --bench step
+//! valgrind --tool=callgrind --toggle-collect='*counted_here*' target/release/deps/step-... count NAME
+//! ```
+//!
+//! The first prints ratios of times; the second runs one piece of work 1000 times inside a function whose
+//! instructions are counted. Under `cargo test` it does nothing but make sure that it runs.
+
+use nalgebra::{Quaternion, Vector3};
+use std::hint::black_box;
+use std::time::Instant;
+use tumbling::attitude;
+use tumbling::step::{Method, Motion, System, game};
+
+type Work = (&'static str, Box<dyn FnMut(u32)>);
+
+const H: f64 = 1.0 / 60.0;
+
+/// Rapier's and Avian's rule for the spin, and the turn by the new spin.
+fn rescaled(system: &System<f64>, start: &Motion<f64>, h: f64) -> Motion<f64> {
+    let before = &start.vector;
+    let moved = before + before.cross(&system.omega(before)) * h;
+    let vector = moved * (before.norm() / moved.norm());
+    let turn = attitude::turn(&(system.omega(&vector) * h));
+    Motion { attitude: attitude::product(&start.attitude, &turn).normalize(), vector }
+}
+
+fn works() -> Vec<Work> {
+    let system = System::free(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)).expect("a body");
+    let vector = system.momentum(&Vector3::new(10.0, 0.1, 0.1));
+    let start = Motion { attitude: Quaternion::identity(), vector };
+    let mut works: Vec<Work> = Vec::new();
+    let mut add = |name, step: Box<dyn Fn(&System<f64>, &Motion<f64>, f64) -> Motion<f64>>| {
+        let (system, mut motion) = (system.clone(), start.clone());
+        works.push((
+            name,
+            Box::new(move |_| motion = step(black_box(&system), black_box(&motion), black_box(H))),
+        ));
+    };
+    add("explicit, then rescaled", Box::new(rescaled));
+    add("game", Box::new(|system, motion, h| game(system, motion, h).expect("a step")));
+    for &method in Method::ALL.iter().filter(|method| method.about().keeps.unit) {
+        add(
+            method.about().name,
+            Box::new(move |system, motion, h| method.step(system, motion, &h).expect("a step")),
+        );
+    }
+    works
+}
+
+/// The least of several measurements, ns for one.
+fn time_of(work: &mut dyn FnMut(u32)) -> f64 {
+    let count = 20_000;
+    (0..25)
+        .map(|_| {
+            let start = Instant::now();
+            (0..count).for_each(&mut *work);
+            start.elapsed().as_secs_f64() * 1e9 / f64::from(count)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+#[inline(never)]
+fn counted_here(work: &mut dyn FnMut(u32)) {
+    (0..1000).for_each(work);
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let mut works = works();
+    if let Some(at) = arguments.iter().position(|a| a == "count") {
+        let wanted = arguments.get(at + 1).map_or("", String::as_str);
+        for (name, work) in &mut works {
+            if *name == wanted {
+                counted_here(work);
+            }
+        }
+    } else if arguments.iter().any(|a| a == "--bench") {
+        let mut unit = 0.0;
+        for (name, work) in &mut works {
+            let time = time_of(work);
+            if unit == 0.0 {
+                unit = time;
+            }
+            println!("{name:36} {time:8.1} ns {:7.2} of the rule", time / unit);
+        }
+    } else {
+        for (_, work) in &mut works {
+            work(1);
+        }
+    }
+}

@@ -1,0 +1,329 @@
+//! Methods that keep the laws of motion, and the step for a game. Their orders and laws are proven on power series in the proofs' crate; here the
+//! same is held against rounding, long runs, torques and nonsense.
+
+mod common;
+
+use common::{any_vector, anything, attitude, generic_spin, moments};
+use nalgebra::{Quaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::Error;
+use tumbling::bodies;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, Motion, System, Torque, controlled, game};
+
+const GEOMETRIC: [Method; 12] = [
+    Method::ImplicitMidpoint,
+    Method::Gauss4,
+    Method::Gauss6,
+    Method::ThreeRotations2,
+    Method::ThreeRotations4,
+    Method::ThreeRotations6,
+    Method::SymmetricTop,
+    Method::MoserVeselov2,
+    Method::MoserVeselov4,
+    Method::MoserVeselov6,
+    Method::MoserVeselov8,
+    Method::MoserVeselov10,
+];
+
+fn energy(system: &System<f64>, motion: &Motion<f64>) -> f64 {
+    0.5 * motion.vector.dot(&system.omega(&motion.vector))
+}
+
+fn in_world(motion: &Motion<f64>) -> Vector3<f64> {
+    tumbling::attitude::rotation_matrix(&motion.attitude) * motion.vector
+}
+
+/// How far apart two motions are, attitude and momentum each by its own size.
+fn apart(a: &Motion<f64>, b: &Motion<f64>) -> f64 {
+    (a.attitude.coords - b.attitude.coords).norm() + (a.vector - b.vector).norm() / b.vector.norm()
+}
+
+/// Energy, momentum, its direction and the attitude's length: how far each has moved, of one.
+fn changes(system: &System<f64>, start: &Motion<f64>, end: &Motion<f64>) -> [f64; 4] {
+    let relative = |x: f64, y: f64| (x / y - 1.0).abs();
+    [
+        relative(energy(system, end), energy(system, start)),
+        relative(end.vector.norm(), start.vector.norm()),
+        (in_world(end) - in_world(start)).norm() / start.vector.norm(),
+        relative(end.attitude.norm(), start.attitude.norm()),
+    ]
+}
+
+fn run(
+    method: Method,
+    system: &System<f64>,
+    start: &Motion<f64>,
+    h: f64,
+    count: usize,
+) -> Result<Motion<f64>, Error> {
+    (0..count).try_fold(start.clone(), |motion, _| method.step(system, &motion, &h))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// A hundred steps of up to a third of a radian, of any body: what is said to be kept is, to a few roundings a step.
+    #[test]
+    fn laws_that_are_said_to_be_kept_are_kept_to_rounding(
+        moments in moments(),
+        omega in generic_spin(),
+        attitude in attitude(),
+        h in 0.02..0.2,
+    ) {
+        let system = System::free(&moments)?;
+        let start = Motion { attitude: *attitude.quaternion(), vector: system.momentum(&omega) };
+        // Energy weighs the momentum by moments that differ; roundings of momentum count by as much.
+        let bound = 100.0 * 16.0 * f64::EPSILON * moments.max() / moments.min();
+        for method in GEOMETRIC {
+            let end = run(method, &system, &start, h, 100)?;
+            let keeps = method.about().keeps;
+            let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
+            for (law, change) in changes(&system, &start, &end).into_iter().enumerate() {
+                prop_assert!(!said[law] || change < bound, "{method:?} law {law}: {change:e}");
+            }
+            if keeps.reversible {
+                let back = run(method, &system, &end, -h, 100)?;
+                // Roundings on the way are stretched by a motion of up to 20 radians.
+                prop_assert!(apart(&back, &start) < 20.0 * bound, "{method:?}: {:e}", apart(&back, &start));
+            }
+        }
+    }
+
+    #[test]
+    fn any_numbers_at_all_give_a_motion_or_an_error(
+        moments in any_vector(),
+        momentum in any_vector(),
+        torque in any_vector(),
+        (w, x, y, z) in (anything(), anything(), anything(), anything()),
+        h in anything(),
+        driven in any::<bool>(),
+    ) {
+        let torques = if driven { vec![Torque::InWorld(torque), Torque::Damping(torque.abs())] } else { Vec::new() };
+        let sound = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+        for system in [System::with(&moments, torques).unwrap_or(sound.clone()), sound] {
+            let start = Motion { attitude: Quaternion::new(w, x, y, z), vector: momentum };
+            let finite = |motion: Motion<f64>| motion.attitude.coords.iter().chain(&motion.vector).all(|x| x.is_finite());
+            for method in GEOMETRIC {
+                prop_assert!(method.step(&system, &start, &h).map_or(true, finite), "{method:?}");
+            }
+            prop_assert!(game(&system, &start, h).map_or(true, finite));
+        }
+    }
+}
+
+#[test]
+fn laws_that_are_said_to_be_broken_are_broken_by_far_more_than_rounding() {
+    let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
+    let start =
+        Motion { attitude: Quaternion::identity(), vector: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+    for method in GEOMETRIC {
+        let keeps = method.about().keeps;
+        let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
+        // Where they happen to stand after any one step may be right by chance.
+        let mut most = [0.0_f64; 4];
+        let mut motion = start.clone();
+        for _ in 0..50 {
+            motion = method.step(&system, &motion, &0.3).unwrap();
+            for (most, change) in most.iter_mut().zip(changes(&system, &start, &motion)) {
+                *most = most.max(change);
+            }
+        }
+        for (law, most) in most.into_iter().enumerate() {
+            assert!(said[law] || most > 1e-7, "{method:?} law {law}: {most:e}");
+        }
+    }
+}
+
+#[test]
+fn the_energy_of_the_splittings_swings_and_does_not_grow() {
+    let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
+    let start =
+        Motion { attitude: Quaternion::identity(), vector: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+    for method in
+        [Method::ThreeRotations2, Method::ThreeRotations4, Method::ThreeRotations6, Method::SymmetricTop]
+    {
+        let mut worst = [0.0_f64; 2];
+        let mut motion = start.clone();
+        for k in 0..20_000 {
+            motion = method.step(&system, &motion, &0.1).unwrap();
+            let off = (energy(&system, &motion) / energy(&system, &start) - 1.0).abs();
+            worst[k / 10_000] = worst[k / 10_000].max(off);
+        }
+        assert!(worst[1] < 1.01 * worst[0], "{method:?}: {worst:?}");
+    }
+}
+
+/// The error after one second at two steps, the second half the first: its ratio is two to the power of the order.
+fn order_of(
+    method: Method,
+    error: impl Fn(&Motion<f64>) -> f64,
+    end: impl Fn(f64, usize) -> Motion<f64>,
+    n: usize,
+) -> f64 {
+    let errors = [n, 2 * n].map(|n| error(&end(1.0 / n as f64, n)));
+    assert!(errors[1] > 1e-13, "{method:?}: {errors:?} is rounding");
+    (errors[0] / errors[1]).log2()
+}
+
+#[test]
+fn errors_of_free_motion_fall_with_the_order_in_floating_point_too() {
+    let moments = Vector3::new(1.0, 2.0, 2.5);
+    let omega = Vector3::new(1.0, 1.5, -0.8);
+    let system = System::free(&moments).unwrap();
+    let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let truth = FreeMotion::new(&moments, &omega).unwrap().at(1.0).unwrap();
+    let truth = Motion { attitude: truth.attitude.into_inner(), vector: system.momentum(&truth.omega) };
+    for method in GEOMETRIC {
+        // The higher the order, the coarser the steps that still show it above rounding.
+        let n = match method.about().order {
+            2 => 100,
+            4 => 24,
+            6 => 6,
+            8 => 4,
+            _ => 3,
+        };
+        let order =
+            order_of(method, |m| apart(m, &truth), |h, n| run(method, &system, &start, h, n).unwrap(), n);
+        let said = f64::from(method.about().order);
+        // At the coarsest steps the next power of the error still shows.
+        let bound = if said > 4.0 { 0.3 } else { 0.05 };
+        assert!((order - said).abs() < bound, "{method:?}: {order}");
+    }
+}
+
+#[test]
+fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
+    let torques = vec![
+        Torque::gravity(Vector3::new(0.1, 0.0, 0.5), 3.0),
+        Torque::InBody(Vector3::new(0.2, -0.1, 0.3)),
+        Torque::Damping(Vector3::new(0.1, 0.2, 0.3)),
+    ];
+    let system = System::with(&Vector3::new(1.0, 2.0, 2.5), torques).unwrap();
+    let vector = system.momentum(&Vector3::new(1.0, 1.5, -0.8));
+    let start = Motion { attitude: Quaternion::identity(), vector };
+    let truth = controlled(&system, &start, 1.0, 1e-14).unwrap().end;
+    for method in GEOMETRIC {
+        let (said, n) = match method {
+            Method::Gauss4 => (4.0, 24),
+            Method::Gauss6 => (6.0, 8),
+            _ => (2.0, 100),
+        };
+        let order =
+            order_of(method, |m| apart(m, &truth), |h, n| run(method, &system, &start, h, n).unwrap(), n);
+        assert!((order - said).abs() < 0.1, "{method:?}: {order}");
+    }
+    let played = |h: f64, n: usize| (0..n).try_fold(start.clone(), |m, _| game(&system, &m, h)).unwrap();
+    let errors = [100, 200].map(|n| apart(&played(1.0 / n as f64, n), &truth));
+    assert!(((errors[0] / errors[1]).log2() - 2.0).abs() < 0.1, "{errors:?}");
+}
+
+#[test]
+fn a_step_too_long_for_an_implicit_method_is_refused() {
+    let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
+    let start =
+        Motion { attitude: Quaternion::identity(), vector: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+    // A turn by p takes h L / 2 = p0 K p + p x K p, whose size is at most that of K p: with |L| about 3.7, no turn takes a step of 3 s.
+    // The iteration of the stages does not settle over many turns.
+    for (method, h) in [(Method::MoserVeselov2, 3.0), (Method::Gauss4, 30.0), (Method::Gauss6, 30.0)] {
+        let refused = method.step(&system, &start, &h);
+        assert!(matches!(refused, Err(Error::NotConverged { .. })), "{method:?}: {refused:?}");
+    }
+    let refused = Method::MoserVeselov2.step(&system, &start, &3.0).unwrap_err().to_string();
+    assert!(refused.contains("Moser-Veselov"), "{refused}");
+    let refused = game(&system, &start, 1000.0).unwrap_err();
+    assert!(matches!(refused, Error::OutOfRange { what: "the turn of a step", .. }), "{refused}");
+}
+
+/// Moments of the named bodies, the box first among them: smallest, middle, largest.
+fn named() -> impl Iterator<Item = (&'static str, Vector3<f64>)> {
+    bodies::all()
+        .iter()
+        .map(|body| (body.name(), body.properties().expect("a body").inertia().principal().moments()))
+}
+
+#[test]
+fn a_game_counts_every_flip_of_ten_minutes_at_60_hertz() {
+    let h = 1.0 / 60.0;
+    let mut counted = 0;
+    for (name, moments) in named() {
+        let system = System::free(&moments).unwrap();
+        for spin in [1.0, 6.0, 15.0] {
+            for push in [0.1, 0.01, 1e-3] {
+                let omega = Vector3::new(push, 1.0, push) * spin;
+                let flips: Vec<f64> =
+                    FreeMotion::new(&moments, &omega).unwrap().flips(0.0, 600.0).unwrap().collect();
+                let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+                let mut seen = Vec::new();
+                for step in 0..36_000 {
+                    let next = game(&system, &motion, h).unwrap();
+                    let (before, after) = (motion.vector.y, next.vector.y);
+                    if (before > 0.0) != (after > 0.0) {
+                        seen.push(h * (f64::from(step) + before / (before - after)));
+                    }
+                    motion = next;
+                }
+                assert_eq!(seen.len(), flips.len(), "{name}, {spin} rad/s, push {push}");
+                // Each within a tenth of a frame: the line between two frames misses the flip by some of that.
+                let late = seen.iter().zip(&flips).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+                assert!(late < 0.1 * h, "{name}, {spin} rad/s, push {push}: {late} s");
+                counted += flips.len();
+            }
+        }
+    }
+    assert!(counted > 15_000, "{counted}");
+}
+
+#[test]
+fn a_push_as_small_as_rounding_is_where_a_game_miscounts() {
+    // The energy that parts this motion from the one that never returns is 1e-16 of the whole.
+    let (_, moments) = named().next().unwrap();
+    let omega = Vector3::new(1e-8, 1.0, 1e-8) * 15.0;
+    let system = System::free(&moments).unwrap();
+    let flips = FreeMotion::new(&moments, &omega).unwrap().flips(0.0, 600.0).unwrap().count();
+    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let mut seen = 0;
+    for _ in 0..36_000 {
+        let next = game(&system, &motion, 1.0 / 60.0).unwrap();
+        seen += usize::from((motion.vector.y > 0.0) != (next.vector.y > 0.0));
+        motion = next;
+    }
+    assert!(seen > flips + 3 && seen < 2 * flips, "{seen} of {flips}");
+}
+
+#[test]
+fn a_stable_spin_stays_where_it_is_for_an_hour_in_a_game() {
+    for (name, moments) in named() {
+        let system = System::free(&moments).unwrap();
+        for axis in [0, 2] {
+            let mut omega = Vector3::new(0.3, 0.3, 0.3);
+            omega[axis] = 10.0;
+            let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+            let angles = FreeMotion::new(&moments, &omega).unwrap().angles_to_momentum(axis).unwrap();
+            let mut motion = start.clone();
+            for _ in 0..36_000 {
+                motion = game(&system, &motion, 0.1).unwrap();
+                let angle = (motion.vector[axis] / motion.vector.norm()).acos();
+                assert!(
+                    angle > angles[0] - 1e-9 && angle < angles[1] + 1e-9,
+                    "{name}: {angle} off {angles:?}"
+                );
+            }
+            let most = changes(&system, &start, &motion).into_iter().fold(0.0, f64::max);
+            assert!(most < 1e-11, "{name}: {most:e}");
+        }
+    }
+}
+
+#[test]
+fn a_step_of_many_turns_is_taken_in_parts_in_a_game() {
+    let moments = Vector3::new(1.0, 2.0, 2.5);
+    let omega = Vector3::new(3.0, 100.0, 20.0);
+    let system = System::free(&moments).unwrap();
+    let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let end = game(&system, &start, 1.0).unwrap();
+    let truth = FreeMotion::new(&moments, &omega).unwrap().at(1.0).unwrap();
+    let off = (end.attitude.coords - truth.attitude.coords).norm();
+    let off = off.min((end.attitude.coords + truth.attitude.coords).norm());
+    assert!(off < 1e-5, "{off:e}");
+}
