@@ -20,6 +20,8 @@ pub struct Effort {
     pub turns: u64,
     /// From how many starts.
     pub starts: u32,
+    /// From fewer, down to one, where all would be worth more evaluations of the law than this.
+    pub long: f64,
 }
 
 impl Effort {
