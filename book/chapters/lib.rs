@@ -49,6 +49,10 @@ mod dzhanibekov {}
 mod exact_motion {}
 
 #[cfg(doctest)]
+#[doc = include_str!("stepping-through-time.md")]
+mod stepping_through_time {}
+
+#[cfg(doctest)]
 #[doc = include_str!("proofs.md")]
 mod proofs {}
 

@@ -3,7 +3,7 @@
 use crate::contestant::{Contestant, Ours};
 use crate::instructions::{self, Again};
 use crate::measure::{Effort, measure};
-use crate::record::{Long, Record, Work};
+use crate::record::{Record, Work};
 use crate::story::{self, Wrong};
 use crate::{long, setup, verdict};
 use std::fs;

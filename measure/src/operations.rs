@@ -176,7 +176,8 @@ mod tests {
     #[test]
     fn a_step_of_runge_kutta_is_worth_four_evaluations_and_some_sums() {
         let stories = crate::story::all().unwrap();
-        let worth = |method| evaluations_of_step(method, &stories[0].system, &stories[0].start, 0.01).unwrap();
+        let worth =
+            |method| evaluations_of_step(method, &stories[0].system, &stories[0].start, 0.01).unwrap();
         let (euler, classical) = (worth(Method::ExplicitEuler), worth(Method::RungeKutta4));
         assert!(euler > 1.0 && euler < 1.5, "{euler}");
         assert!(classical > 4.0 && classical < 6.0, "{classical}");
