@@ -189,7 +189,7 @@ impl Contestant for Ours {
     }
 
     fn evaluations_of_step(&self, story: &Story, step: f64) -> Option<f64> {
-        operations::evaluations_of_step(self.0, story, step)
+        operations::evaluations_of_step(self.0, &story.system, &story.start, step)
     }
 
     fn method(&self) -> Option<Method> {

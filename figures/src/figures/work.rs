@@ -198,13 +198,15 @@ pub(super) fn draw_box() -> Drawing {
 fn bodies(name: &str) -> Drawing {
     let record = committed()?;
     let kind = kind(name).ok_or("no such error")?;
-    let canvas = Canvas::new(920);
-    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let stories = story::all()?;
     let with: Vec<_> = stories
         .iter()
         .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
         .collect();
+    // A row is for two, and the key takes a place.
+    let rows = u32::try_from(with.len() / 2)? + 1;
+    let canvas = Canvas::new(48 + 218 * rows);
+    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let place = |at: usize| {
         let (row, column) = (at / 2, at % 2);
         #[allow(clippy::cast_precision_loss)]
