@@ -112,6 +112,22 @@ impl Canvas {
         }
     }
 
+    /// Many rectangles (left, top, right, bottom) of one look in one element.
+    pub(crate) fn tiles(&self, tiles: &[[f64; 4]], fill: Fill, outline: Option<Pen>) {
+        let mut data = String::new();
+        for &[left, top, right, bottom] in tiles {
+            let ((x, y), (end, low)) = (fine((left, top)), fine((right, bottom)));
+            let _ = write!(data, "M{x} {y}h{}v{}h{}z", end - x, low - y, x - end);
+        }
+        let mut style = fill.css();
+        if let Some(pen) = outline {
+            style = format!("{style};{}", pen.css());
+        }
+        if !data.is_empty() {
+            self.push(&format!("<path d=\"{data}\" style=\"{style}\"/>\n"));
+        }
+    }
+
     /// An arc from one angle to another (radians, from the right, upwards).
     pub(crate) fn arc(&self, centre: P, r: f64, from: f64, to: f64, pen: Pen) {
         let points: Vec<P> =
@@ -144,6 +160,13 @@ impl Canvas {
     /// Writing, with its baseline at the point.
     pub(crate) fn label(&self, at: P, label: &Label) {
         self.push(&label.svg(at, FINENESS));
+    }
+
+    /// A row of letters, each with a place of its own on one line.
+    pub(crate) fn letters(&self, x: &[f64], y: f64, label: &Label) {
+        if !x.is_empty() {
+            self.push(&label.spread(x, y, FINENESS));
+        }
     }
 
     /// The whole document. `name` prefixes its ids.
