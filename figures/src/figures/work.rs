@@ -225,7 +225,8 @@ fn bodies(name: &str) -> Drawing {
             }
         }
         let best = curves.iter().flat_map(|c| c.right.iter().map(move |p| (c.name, p.1)));
-        let best = best.filter(|(name, _)| *name != "exact motion").min_by(|a, b| a.1.total_cmp(&b.1));
+        let best =
+            best.filter(|(name, _)| !name.starts_with("exact motion")).min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((name, error)) = best {
             told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
         }
