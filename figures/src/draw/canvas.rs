@@ -118,7 +118,8 @@ impl Canvas {
         for (x, y) in centres.into_iter().map(fine) {
             let (left, top) = (f64::from(x) - half, f64::from(y) - half);
             let whole = 2.0 * half;
-            let _ = write!(data, "M{left} {top}l{whole} {whole}m0 -{whole}l-{whole} {whole}");
+            let right = left + whole;
+            let _ = write!(data, "M{left} {top}l{whole} {whole}M{right} {top}l-{whole} {whole}");
         }
         if !data.is_empty() {
             self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", pen.css()));

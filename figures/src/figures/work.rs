@@ -37,7 +37,7 @@ fn words(group: Group) -> &'static str {
 const FLOOR: f64 = 1e-16;
 /// Larger ones lie on this.
 const CEILING: f64 = 10.0;
-const SHORTEST: f64 = 5e-7;
+const SHORTEST: f64 = 5e-8;
 const LONGEST: f64 = 1.0;
 
 /// One curve, and where it failed.
@@ -247,7 +247,7 @@ fn bodies(name: &str) -> Drawing {
     Ok(Picture {
         canvas,
         description: format!(
-            "Small plots, one for each body: time of a run across, from 1 microsecond to 1 second, error up, from 1e-16 to 1, \
+            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
              both logarithmic. {}. {}",
             told.join("; "),
             circumstances(&record)
