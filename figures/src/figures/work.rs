@@ -104,7 +104,13 @@ fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
 /// Failures.
 fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Curve<'_>]) {
     let points = curves.iter().flat_map(|curve| &curve.wrong);
-    let places = points.map(|&(x, y)| plot.at(x.clamp(SHORTEST, LONGEST), y));
+    let mut places: Vec<P> = Vec::new();
+    for place in points.map(|&(x, y)| plot.at(x.clamp(SHORTEST, LONGEST), y)) {
+        // One cross does for those that would lie upon each other.
+        if places.iter().all(|p| (p.0 - place.0).hypot(p.1 - place.1) > 4.0) {
+            places.push(place);
+        }
+    }
     canvas.crosses(places, 3.0, Pen::new(Ink::Wrong, 1.2).opacity(0.8));
 }
 
