@@ -53,6 +53,10 @@ mod exact_motion {}
 mod stepping_through_time {}
 
 #[cfg(doctest)]
+#[doc = include_str!("error-against-run-time.md")]
+mod error_against_run_time {}
+
+#[cfg(doctest)]
 #[doc = include_str!("proofs.md")]
 mod proofs {}
 

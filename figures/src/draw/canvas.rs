@@ -128,6 +128,20 @@ impl Canvas {
         }
     }
 
+    /// Many small crosses in one element.
+    pub(crate) fn crosses(&self, centres: impl IntoIterator<Item = P>, r: f64, pen: Pen) {
+        let (half, mut data) = ((r * FINENESS).round(), String::new());
+        for (x, y) in centres.into_iter().map(fine) {
+            let (left, top) = (f64::from(x) - half, f64::from(y) - half);
+            let whole = 2.0 * half;
+            let right = left + whole;
+            let _ = write!(data, "M{left} {top}l{whole} {whole}M{right} {top}l-{whole} {whole}");
+        }
+        if !data.is_empty() {
+            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", pen.css()));
+        }
+    }
+
     /// An arc from one angle to another (radians, from the right, upwards).
     pub(crate) fn arc(&self, centre: P, r: f64, from: f64, to: f64, pen: Pen) {
         let points: Vec<P> =
