@@ -49,6 +49,10 @@ mod dzhanibekov {}
 mod exact_motion {}
 
 #[cfg(doctest)]
+#[doc = include_str!("where-things-break.md")]
+mod where_things_break {}
+
+#[cfg(doctest)]
 #[doc = include_str!("proofs.md")]
 mod proofs {}
 
