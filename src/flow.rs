@@ -43,7 +43,7 @@ pub fn step(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<
         attitude: attitude::product(&kicked.attitude, &drift.attitude.into_inner()),
         vector: system.momentum(&drift.omega),
     };
-    let end = if system.is_free() { end } else { system.kicked(&end, &half) };
+    let end = if system.is_free() { end } else { system.kicked_back(&end, &half) };
     let size = end.attitude.norm() + end.vector.norm();
     if size.is_finite() {
         Ok(end)

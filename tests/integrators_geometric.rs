@@ -213,9 +213,15 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
             order_of(method, |m| apart(m, &truth), |h, n| run(method, &system, &start, h, n).unwrap(), n);
         assert!((order - said).abs() < 0.1, "{method:?}: {order}");
     }
-    let played = |h: f64, n: usize| (0..n).try_fold(start.clone(), |m, _| game(&system, &m, h)).unwrap();
-    let errors = [100, 200].map(|n| apart(&played(1.0 / n as f64, n), &truth));
-    assert!(((errors[0] / errors[1]).log2() - 2.0).abs() < 0.1, "{errors:?}");
+    type Step = dyn Fn(&System<f64>, &Motion<f64>, f64) -> Result<Motion<f64>, Error>;
+    let others: [&Step; 3] =
+        [&game, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, &h)];
+    for (k, step) in others.into_iter().enumerate() {
+        let played =
+            |n: usize| (0..n).try_fold(start.clone(), |m, _| step(&system, &m, 1.0 / n as f64)).unwrap();
+        let errors = [100, 200].map(|n| apart(&played(n), &truth));
+        assert!(((errors[0] / errors[1]).log2() - 2.0).abs() < 0.1, "{k}: {errors:?}");
+    }
 }
 
 #[test]

@@ -142,11 +142,13 @@ proptest! {
             let by_spin = |w: &Vector3<f64>| Vector3::from_fn(|k, _| m[k].powi(power) * w[k]);
             let by_moment = |w: &Vector3<f64>| Vector3::from_fn(|k, _| 0.5 * f64::from(power) * m[k].powi(power - 1) * w[k] * w[k]);
             let weights = by_spin(&now);
+            // The spin there is right to roundings of its length, not of each component.
+            let heavy = by_spin(&Vector3::repeat(now.norm()));
             let later = change.omega_by_omega.tr_mul(&weights);
-            let size = change.omega_by_omega.abs().tr_mul(&weights.abs()).amax();
+            let size = change.omega_by_omega.abs().tr_mul(&heavy).amax();
             prop_assert!((later - by_spin(&omega)).amax() <= bound(size), "{later} {}", by_spin(&omega));
             let later = change.omega_by_moments.tr_mul(&weights) + by_moment(&now);
-            let size = change.omega_by_moments.abs().tr_mul(&weights.abs()).amax() + by_moment(&now).amax();
+            let size = change.omega_by_moments.abs().tr_mul(&heavy).amax() + by_moment(&now).amax();
             prop_assert!((later - by_moment(&omega)).amax() <= bound(size), "{later} {}", by_moment(&omega));
         }
     }
@@ -158,7 +160,9 @@ proptest! {
         let (at, change) = (motion.at(t).unwrap(), motion.sensitivity(t).unwrap());
         let bound = |m: &Matrix3<f64>, v: &Vector3<f64>| 32.0 * ROUNDING * condition(&omega, t) * (m.abs() * v.abs()).norm();
         for block in [change.omega_by_moments, change.turn_by_moments] {
-            prop_assert!((block * m).norm() <= bound(&block, &m), "{}", block * m);
+            // Each block is right beside its own norm, whichever of its columns is the small one.
+            let size = norm(&block) * m.norm() * condition(&omega, t);
+            prop_assert!((block * m).norm() <= 32.0 * ROUNDING * size, "{}", block * m);
         }
         let rate = euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
         let faster = change.omega_by_omega * omega;
@@ -186,10 +190,11 @@ proptest! {
         prop_assert!((turned - expected).norm() <= size, "{turned} {expected}");
     }
 
-    // The chain rule: over two spans, the changes of the first are the start of the second.
+    // The chain rule: over two spans, the changes of the first are the start of the second. Of ordinary bodies: the
+    // start between is rounded, and what that does is not bounded by first derivatives on a needle.
     #[test]
     fn the_change_over_two_spans_is_that_of_the_second_after_the_first(
-        m in body(), omega in spin(), first in time(), second in time(),
+        m in moments(), omega in spin(), first in time(), second in time(),
     ) {
         let motion = FreeMotion::new(&m, &omega).unwrap();
         let between = motion.at(first).unwrap();
@@ -285,7 +290,7 @@ fn zz_sweep() {
     let Ok(path) = std::env::var("SWEEP") else { return };
     let text = std::fs::read_to_string(path).unwrap();
     for line in text.lines() {
-        if let Ok(_) = serde_json::from_str::<Value>(line) {
+        if serde_json::from_str::<Value>(line).is_ok() {
             let w = judge(&format!("{{\"cases\":[{line}]}}"));
             let m = w.iter().map(|x| x.0).fold(0.0, f64::max);
             if m > 4.0 || w.iter().any(|x| x.0.is_nan()) {

@@ -6,26 +6,29 @@ use crate::story::Story;
 use std::hint::black_box;
 use tumbling::Error;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Keeps, Method, Motion};
+use tumbling::step::{About, Method, Motion};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Group {
     /// The closed form.
     Exact,
-    /// Energy and momentum.
+    /// Energy and the length of the momentum.
     Both,
-    /// Momentum, its length at least, and not the energy.
+    /// The length of the momentum at least, and not the energy.
     Momentum,
     /// Neither.
     Neither,
     /// A published program of others.
     Peer,
+    /// Another law than the body's: no step is short enough.
+    Wrong,
 }
 
 impl Group {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Exact, Self::Both, Self::Momentum, Self::Neither, Self::Peer];
+    pub const ALL: [Self; 6] =
+        [Self::Exact, Self::Both, Self::Momentum, Self::Neither, Self::Peer, Self::Wrong];
 
     /// The word in the record.
     #[must_use]
@@ -36,13 +39,15 @@ impl Group {
             Self::Momentum => "momentum",
             Self::Neither => "neither",
             Self::Peer => "peer",
+            Self::Wrong => "wrong law",
         }
     }
 
-    fn of(keeps: &Keeps) -> Self {
-        match (keeps.energy, keeps.momentum || keeps.direction) {
-            (true, true) => Self::Both,
-            (_, true) => Self::Momentum,
+    fn of(about: &About) -> Self {
+        match (about.order, about.keeps.energy, about.keeps.momentum) {
+            (0, ..) => Self::Wrong,
+            (_, true, true) => Self::Both,
+            (_, _, true) => Self::Momentum,
             _ => Self::Neither,
         }
     }
@@ -148,7 +153,7 @@ impl Contestant for Ours {
     }
 
     fn group(&self) -> Group {
-        Group::of(&self.0.about().keeps)
+        Group::of(self.0.about())
     }
 
     fn order(&self) -> u32 {
@@ -184,7 +189,7 @@ impl Contestant for Ours {
     }
 
     fn evaluations_of_step(&self, story: &Story, step: f64) -> Option<f64> {
-        operations::evaluations_of_step(self.0, story, step)
+        operations::evaluations_of_step(self.0, &story.system, &story.start, step)
     }
 
     fn method(&self) -> Option<Method> {

@@ -99,9 +99,14 @@ fn perhaps<T: FromStr>(field: &str) -> Result<Option<T>, Wrong> {
     if field.is_empty() { Ok(None) } else { parsed(field).map(Some) }
 }
 
-/// In one field: a comma would begin the next.
+/// In one field, where a comma would begin the next: a semicolon stands for it.
 fn plain(text: &str) -> String {
     text.replace(',', ";").replace(['\n', '\r'], " ")
+}
+
+/// With its commas again.
+fn full(field: &str) -> String {
+    field.replace(';', ",")
 }
 
 impl Outcome {
@@ -116,7 +121,7 @@ impl Outcome {
 
     fn read(field: &str) -> Result<Self, Wrong> {
         if let Some(why) = field.strip_prefix("refused: ") {
-            return Ok(Self::Refused(why.into()));
+            return Ok(Self::Refused(full(why)));
         }
         Ok(match field {
             "right" => Self::Right,
@@ -211,7 +216,7 @@ impl Row for Work {
         };
         Ok(Self {
             story: story.into(),
-            contestant: contestant.into(),
+            contestant: full(contestant),
             group: group.into(),
             order: parsed(order)?,
             setting: Setting::read(setting)?,
@@ -254,7 +259,7 @@ impl Row for Long {
             return Err(format!("{} fields", fields.len()));
         };
         Ok(Self {
-            contestant: contestant.into(),
+            contestant: full(contestant),
             group: group.into(),
             steps: parsed(steps)?,
             turns: parsed(turns)?,
@@ -337,7 +342,7 @@ mod tests {
     fn what_is_written_reads_back() {
         let base = Work {
             story: "box".into(),
-            contestant: "one; or another".into(),
+            contestant: "one, or another".into(),
             group: "neither".into(),
             order: 4,
             setting: Setting::Steps(1234),
@@ -360,9 +365,10 @@ mod tests {
         let written = Record { head, rows }.write();
         let back = Record::<Work>::read(&written).unwrap();
         assert_eq!(back.write(), written);
+        assert_eq!(back.rows[0].contestant, "one, or another");
         assert_eq!(back.said("machine"), Some("a machine: two cores"));
         assert_eq!(back.rows[1].outcome, Outcome::Flips(99));
-        assert_eq!(back.rows[3].outcome, Outcome::Refused("no; it does not find its end".into()));
+        assert_eq!(back.rows[3].outcome, Outcome::Refused("no, it does not find its end".into()));
         assert!(Record::<Work>::read(&written.replace("1234 steps", "many steps")).is_err());
         assert!(Record::<Long>::read(&written).is_err());
     }

@@ -54,8 +54,7 @@ fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f
     let omega = system.omega(&start.vector);
     let turn = (start.vector.dot(&omega) * inverse.max()).sqrt() * h.abs();
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
-    // Not a number is not at most anything.
-    if !(parts <= MOST_PARTS) {
+    if parts.is_nan() || parts > MOST_PARTS {
         return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
     }
     let prepared = Prepared::new(inverse, &start.vector, &(h / parts), ORDER);

@@ -36,5 +36,5 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     let second = attitude::turn(&k1.map(|x| x * h.clone() / T::integer(2)));
     let turned = attitude::product(&first, &second);
     let end = Motion { attitude: attitude::product(&start.attitude, &turned), vector: system.momentum(&end) };
-    system.kicked(&end, &half)
+    system.kicked_back(&end, &half)
 }

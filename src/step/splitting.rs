@@ -20,8 +20,9 @@ pub(super) const ORDER_4: About = about("three rotations, 7 in 1", 4, "our own w
 pub(super) const ORDER_6: About = about("three rotations, 9 in 1", 6, "KL97");
 
 /// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition of a symmetric method of
-/// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, as Fermat's
-/// theorem has it for two, and five are too few as well; of seven these are the smallest: 2 (12^3 + 17^3 + 19^3) = 30^3.
+/// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, since 2 has no
+/// cube root among them, and so are five, since 4 is no sum of two of their cubes. Of seven, these are by far the smallest with whole numbers up to 60
+/// over a common one: 2 (12^3 + 17^3 + 19^3) = 30^3.
 const SEVEN: [(i32, u32); 4] = [(19, 66), (17, 66), (12, 66), (-30, 66)];
 
 /// Shares of the step for order 6: also their fifth powers sum to 0, and so does one more polynomial. The first is a free number, taken as it was

@@ -5,13 +5,13 @@
 Symmetric differences of the closed form (oracle.py). The distance is 1e-35 of the smallest scale there is (a component
 of the spin, a moment, a difference of two moments), and so many digits are carried that 40 or more of the difference
 are left. The turn is the rotation vector in the world, twice the imaginary part of dq conj(q)."""
-import json, math, itertools
+import json, math, itertools, random
 from fractions import Fraction as Fr
 from multiprocessing import Pool
 import mpmath as mp
 from oracle import Closed, F, M, qmul, qconj
 
-def distances(I, w, t):
+def distances(I, w, t, on_separatrix):
     "for a component of the spin and for a moment"
     J, v = [F(x) for x in I], [F(x) for x in w]
     lengths = [abs(a-b) for a, b in itertools.combinations(J, 2)] + J
@@ -20,14 +20,13 @@ def distances(I, w, t):
     least = min(spins) if spins else Fr(1)
     ratio = least/max(spins) if spins else Fr(1)
     # a neighbour of the separatrix leaves it as the square of what a change grows by
-    motion = Closed(I, w, 30)
-    near = Fr(10)**-int(0.9*motion.rate*abs(t)) if motion.kind == 'sep' else Fr(1)
+    near = Fr(10)**-int(0.9*Closed(I, w, 30).rate*abs(t)) if on_separatrix and ratio > 1e-50 else Fr(1)
     # so close to the separatrix, a moment must not move the motion across it
     return power(least)*near, power(min(x for x in lengths if x)*ratio**2)*near
 
 def derivatives(case):
     family, I, w, t = case
-    h_spin, h_moment = distances(I, w, t)
+    h_spin, h_moment = distances(I, w, t, family == 'separatrix')
     digits = 160 + 3*max(0, int(-mp.log10(M(min(h_spin/max([abs(F(x)) for x in w] + [h_spin]), h_moment/F(max(I)))))))
     with mp.workdps(digits):
         Q = Closed(I, w, digits).at(t)[1]
@@ -108,8 +107,32 @@ def cases():
     yield 'steady', [1.0, 1.0, 1.5], [0.0, 0.0, 1.0], 5.0
     yield 'rest', box, [0.0, 0.0, 0.0], 3.0
 
+def drawn(seed, count):
+    "motions at random, hard ones above all"
+    draw = random.Random(seed)
+    size = lambda low, high: 10**draw.uniform(low, high)
+    for _ in range(count):
+        kind, share = draw.randrange(6), draw.uniform(0.05, 0.95)
+        a, b = draw.uniform(0.2, 1.0), draw.uniform(0.2, 1.0)
+        if kind == 0: family, I = 'box', [a, b, abs(a-b) + share*2*min(a, b)]
+        if kind == 1: e = size(-12, -1); family, I = 'needle', [e, 1.0, 1.0+e*share]
+        if kind == 2: e = size(-14, -2); family, I = 'near-sphere', [1.0, 1.0+e*share, 1.0+e]
+        if kind == 3: family, I = 'near-top', [1.0, 1.0+size(-14, -2), 0.5+1.4*share]
+        if kind == 4: family, I = 'top', [1.0, 1.0, 0.1+1.8*share]
+        if kind == 5: family, I = 'plate', [a, b, (a+b)*(1-size(-14, -2))]
+        w = [draw.gauss(0, 1) for _ in range(3)]
+        near = draw.randrange(4)
+        if near < 3:
+            for k in range(3):
+                if k != near: w[k] *= size(-12, 0) if draw.random() < 0.8 else size(-40, 0)
+        low, mid, high = sorted(I)
+        rate = math.sqrt((high-mid)*(mid-low)/(low*high))*max(map(abs, w))
+        t = size(-3, 2.5) if draw.random() < 0.5 else size(-2, 2)/max(rate, 1e-16)
+        order = draw.sample(range(3), 3)
+        yield family + ', drawn', [I[k] for k in order], [w[k] for k in order], draw.choice((t, -t))
+
 if __name__ == '__main__':
     with Pool() as pool:
-        rows = pool.map(derivatives, list(cases()), chunksize=1)
+        rows = pool.map(derivatives, list(cases()) + list(drawn(1, 120)), chunksize=1)
     print(json.dumps(dict(schema="columns: by w0[0..3], then by inertia[0..3]; each: change of w (body), then of the turn (world)",
                           cases=rows), indent=0))

@@ -17,6 +17,7 @@ fn pen(group: Group) -> Pen {
         Group::Momentum => Pen::new(Ink::Momentum, 1.8),
         Group::Neither => Pen::new(Ink::Faint, 1.6),
         Group::Peer => Pen::new(Ink::Text, 1.8).dashed(),
+        Group::Wrong => Pen::new(Ink::Wrong, 1.6),
     }
 }
 
@@ -25,9 +26,10 @@ fn words(group: Group) -> &'static str {
     match group {
         Group::Exact => "the exact motion",
         Group::Both => "keeps energy and momentum",
-        Group::Momentum => "keeps the momentum",
+        Group::Momentum => "keeps the length of momentum",
         Group::Neither => "keeps neither",
         Group::Peer => "published programs",
+        Group::Wrong => "another law",
     }
 }
 
@@ -92,7 +94,7 @@ fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
         Scale::log(SHORTEST..LONGEST),
         Scale::log(FLOOR..CEILING),
     );
-    let times = [(1e-6, "1 µs"), (1e-4, "100 µs"), (1e-2, "10 ms"), (1.0, "1 s")];
+    let times = [(1e-6, "1 µs"), (1e-4, "0.1 ms"), (1e-2, "10 ms"), (1.0, "1 s")];
     plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), title);
     let powers = (-16..=0).filter(|n| n % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n)));
     plot.y_axis(powers, "");
@@ -136,7 +138,7 @@ fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, Stri
     }
     for ((end, text, pen), y) in ends.into_iter().zip(places) {
         canvas.line((end.0 + 3.0, end.1), (x - 4.0, y), Pen::new(pen.ink(), 0.8).opacity(0.55));
-        canvas.label((x, y + 4.5), &Label::new(text).size(13.5));
+        canvas.label((x, y + 4.5), &Label::new(text).size(12.5));
     }
 }
 
@@ -155,7 +157,7 @@ pub(super) fn draw_box() -> Drawing {
     let record = committed()?;
     let kind = kind("attitude").ok_or("no such error")?;
     let canvas = Canvas::new(600);
-    let plot = plot(&canvas, (58.0, 50.0), (372.0, 480.0), 2, "time of a run");
+    let plot = plot(&canvas, (58.0, 50.0), (312.0, 480.0), 2, "time of a run");
     canvas.label((20.0, 30.0), &Label::new("error of the attitude after 100 flips (rad)").bold());
     let curves = curves(&record.rows, "box", kind);
     let mut ends = Vec::new();
@@ -168,7 +170,7 @@ pub(super) fn draw_box() -> Drawing {
         }
     }
     let failed: Vec<&str> = curves.iter().filter(|c| c.right.is_empty()).map(|c| c.name).collect();
-    column(&canvas, 446.0, 50.0, 530.0, ends);
+    column(&canvas, 388.0, 50.0, 530.0, ends);
     let mut told = Vec::new();
     for error in [1e-2, 1e-8] {
         for (name, group) in contestants(&record.rows) {
@@ -196,13 +198,15 @@ pub(super) fn draw_box() -> Drawing {
 fn bodies(name: &str) -> Drawing {
     let record = committed()?;
     let kind = kind(name).ok_or("no such error")?;
-    let canvas = Canvas::new(920);
-    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let stories = story::all()?;
     let with: Vec<_> = stories
         .iter()
         .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
         .collect();
+    // A row is for two, and the key takes a place.
+    let rows = u32::try_from(with.len() / 2)? + 1;
+    let canvas = Canvas::new(48 + 218 * rows);
+    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let place = |at: usize| {
         let (row, column) = (at / 2, at % 2);
         #[allow(clippy::cast_precision_loss)]
@@ -215,7 +219,7 @@ fn bodies(name: &str) -> Drawing {
         let plot = plot(&canvas, corner, size, 4, "");
         canvas.label((corner.0, corner.1 - 8.0), &Label::new(story.title).size(15.5));
         let curves = curves(&record.rows, story.name, kind);
-        for group in [Group::Neither, Group::Momentum, Group::Peer, Group::Both, Group::Exact] {
+        for group in [Group::Wrong, Group::Neither, Group::Momentum, Group::Peer, Group::Both, Group::Exact] {
             for curve in curves.iter().filter(|curve| curve.group == group) {
                 line(&canvas, &plot, curve, pen(group))?;
             }
@@ -238,7 +242,7 @@ fn bodies(name: &str) -> Drawing {
         }
         canvas.label((left + 40.0, y + 5.0), &Label::new(words(group)).size(15.5));
     }
-    let y = top + 12.0 + 24.0 * 5.0;
+    let y = top + 12.0 + 24.0 * 6.0;
     let cross = Pen::new(Ink::Wrong, 1.2);
     canvas.line((left + 11.0, y - 4.0), (left + 19.0, y + 4.0), cross);
     canvas.line((left + 11.0, y + 4.0), (left + 19.0, y - 4.0), cross);
@@ -280,7 +284,7 @@ pub(super) fn draw_drift() -> Drawing {
     let canvas = Canvas::new(560);
     let (from, to) = (1.0, 2e6);
     let (low, high) = (1e-18, 1.0);
-    let plot = Plot::new(&canvas, 62.0, 50.0, 430.0, 490.0, Scale::log(from..to), Scale::log(low..high));
+    let plot = Plot::new(&canvas, 62.0, 50.0, 370.0, 490.0, Scale::log(from..to), Scale::log(low..high));
     plot.x_axis((0..=3).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "turns");
     plot.y_axis((-9..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "");
     canvas.label((20.0, 28.0), &Label::new("error of the energy, relative, 20 steps a turn").bold());
@@ -316,7 +320,7 @@ pub(super) fn draw_drift() -> Drawing {
             told.push(format!("{name} {slope:.2}"));
         }
     }
-    column(&canvas, 446.0, 50.0, 490.0, ends);
+    column(&canvas, 388.0, 50.0, 490.0, ends);
     Ok(Picture {
         canvas,
         description: format!(

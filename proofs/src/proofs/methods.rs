@@ -33,7 +33,8 @@ macro_rules! methods {
                 "One step of ", stringify!($method), " agrees with the motion of a free body through the power of the step that is said \
                  to be its order, in every component of attitude and momentum, and not through the next; and of energy, momentum, \
                  its direction in the world, the attitude's length and reversibility it keeps those that it is said to keep, and no \
-                 other."
+                 other. Constants \
+                 that are no fractions stand with 27 digits, and what they leave over is below 1e-18."
             ),
             check: || holds(Method::$method, 0),
             mutants: &[

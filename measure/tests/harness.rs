@@ -1,0 +1,210 @@
+//! The harness itself: that it would tell a right method from a wrong one.
+
+use nalgebra::Quaternion;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, Motion};
+use tumbling_measure::contestant::{Contestant, Ended, Exact, Failure, Group, Knob, Ours, Setting, ours};
+use tumbling_measure::errors::{Outcome, Watch, turn};
+use tumbling_measure::measure::{Effort, measure};
+use tumbling_measure::record::{self, Work};
+use tumbling_measure::story::{self, Story, in_world};
+use tumbling_measure::{long, verdict};
+
+const SMALL: Effort =
+    Effort { evaluations: 1e6, repeats: 1, seconds: 1.0, turns: 4000, starts: 1, long: 1e9 };
+
+fn measured(contestant: impl Contestant + 'static, story: &str) -> Vec<Work> {
+    let stories: Vec<Story> = story::all().unwrap().into_iter().filter(|s| s.name == story).collect();
+    assert_eq!(stories.len(), 1);
+    measure(&[Box::new(contestant)], &stories, SMALL, &mut |_| ()).unwrap()
+}
+
+fn judged(contestant: &dyn Contestant, story: &Story, steps: u64) -> (Outcome, Option<f64>) {
+    let mut watch = Watch::new(story);
+    let ended = contestant.run(story, Setting::Steps(steps), Some(&mut watch));
+    let (outcome, errors) = watch.judge(ended.as_ref());
+    (outcome, errors.attitude)
+}
+
+/// Halving the step of the classical method divides its errors by 16, with torque and without.
+#[test]
+fn a_method_of_order_four_shows_slope_four() {
+    for story in ["wobble", "heavy top", "damped spin"] {
+        let rows = measured(Ours(Method::RungeKutta4), story);
+        let above: Vec<&Work> = rows.iter().filter(|row| row.errors.attitude.unwrap() > 1e-10).collect();
+        let [.., coarse, fine] = above.as_slice() else { panic!("{rows:?}") };
+        assert_eq!(fine.steps.unwrap(), 2 * coarse.steps.unwrap());
+        let slope = (coarse.errors.attitude.unwrap() / fine.errors.attitude.unwrap()).log2();
+        assert!((slope - 4.0).abs() < 0.2, "{story}: {slope}");
+    }
+}
+
+/// The table of 30 digits and the closed form in doubles meet to rounding, as far as the motion magnifies it.
+#[test]
+fn the_exact_motion_is_where_the_table_says() {
+    for story in story::all().unwrap().iter().filter(|story| story.system.is_free()) {
+        let omega = story.system.omega(&story.start.vector);
+        let there = FreeMotion::new(story.system.moments(), &omega).unwrap().at(story.end).unwrap();
+        let off = turn(there.attitude.quaternion(), &story.truth.motion.attitude);
+        // A radian of turn loses at most some units of rounding.
+        assert!(off < 4.0 * f64::EPSILON * story.speed() * story.end, "{}: {off:e}", story.name);
+    }
+}
+
+/// What must hold of the true end of each story, whoever computed it.
+#[test]
+fn the_table_keeps_the_laws() {
+    for story in story::all().unwrap() {
+        let end = &story.truth.motion;
+        assert!((end.attitude.norm() - 1.0).abs() < 1e-15, "{}", story.name);
+        assert!((story.energy(end) / story.truth.energy - 1.0).abs() < 1e-14, "{}", story.name);
+        let started = story.energy(&story.start);
+        if story.keeps_energy() {
+            assert!((started / story.truth.energy - 1.0).abs() < 1e-14, "{}", story.name);
+        } else {
+            assert!(story.truth.energy < started, "{}", story.name);
+        }
+        if story.system.is_free() {
+            let moved = in_world(&end.attitude, &end.vector) - story.start.vector;
+            assert!(moved.norm() < 1e-14 * story.start.vector.norm(), "{}", story.name);
+        }
+    }
+}
+
+/// A contestant that is right but for one thing.
+struct Broken(fn(Motion<f64>) -> Result<Motion<f64>, Failure>);
+
+impl Contestant for Broken {
+    fn name(&self) -> &str {
+        "broken"
+    }
+    fn group(&self) -> Group {
+        Group::Neither
+    }
+    fn order(&self) -> u32 {
+        4
+    }
+    fn knob(&self) -> Knob {
+        Knob::Steps
+    }
+    fn takes(&self, _story: &Story) -> bool {
+        true
+    }
+    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+        let mut ended = Ours(Method::RungeKutta4).run(story, setting, watch)?;
+        ended.motion = (self.0)(ended.motion)?;
+        Ok(ended)
+    }
+}
+
+#[test]
+fn what_is_broken_shows_as_broken() {
+    let stories = story::all().unwrap();
+    let [wobble] = [&stories[1]];
+    assert_eq!(judged(&Broken(Ok), wobble, 8192).0, Outcome::Right);
+    let lost = Broken(|motion| Ok(Motion { attitude: motion.attitude * f64::NAN, ..motion }));
+    assert_eq!(judged(&lost, wobble, 8192), (Outcome::NotFinite, None));
+    let refuses = Broken(|_| Err(Failure::Refused("not today".into())));
+    assert_eq!(judged(&refuses, wobble, 8192).0, Outcome::Refused("not today".into()));
+    // Turned by a tenth of a radian about some axis, the attitude is off by just that, and nothing else is.
+    let turned = Broken(|motion| {
+        let by = Quaternion::new(0.05_f64.cos(), 0.0, 0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin());
+        Ok(Motion { attitude: by * motion.attitude, ..motion })
+    });
+    let (outcome, attitude) = judged(&turned, wobble, 1 << 16);
+    assert_eq!(outcome, Outcome::Right);
+    assert!((attitude.unwrap() - 0.1).abs() < 1e-6, "{attitude:?}");
+}
+
+/// Without the gyroscopic term a body never flips: the box's 100 are missed, and seen to be missed.
+#[test]
+fn a_missing_flip_is_counted() {
+    let stories = story::all().unwrap();
+    assert_eq!(stories[0].truth.flips.unwrap().count, 100);
+    assert_eq!(judged(&Ours(Method::ConstantSpin), &stories[0], 4096).0, Outcome::Flips(0));
+}
+
+/// The phase is the last flip's delay beside the time between two: here the method's own clock runs slow by a known share.
+#[test]
+fn a_slow_clock_shows_as_phase() {
+    struct Slow;
+    impl Contestant for Slow {
+        fn name(&self) -> &str {
+            "slow"
+        }
+        fn group(&self) -> Group {
+            Group::Neither
+        }
+        fn order(&self) -> u32 {
+            0
+        }
+        fn knob(&self) -> Knob {
+            Knob::Steps
+        }
+        fn takes(&self, story: &Story) -> bool {
+            story.system.is_free()
+        }
+        fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+            let omega = story.system.omega(&story.start.vector);
+            let exact = FreeMotion::new(story.system.moments(), &omega)?;
+            let mut motion = story.start.clone();
+            let watch = watch.unwrap();
+            for k in 1..=10_000_u32 {
+                let t = story.end * f64::from(k) / 1e4;
+                let there = exact.at(t * (1.0 - 1e-6))?;
+                motion = Motion {
+                    attitude: there.attitude.into_inner(),
+                    vector: story.system.momentum(&there.omega),
+                };
+                watch.see(t, &motion);
+            }
+            Ok(Ended { motion, steps: 10_000, evaluations: None })
+        }
+    }
+    let stories = story::all().unwrap();
+    let mut watch = Watch::new(&stories[0]);
+    let ended = Slow.run(&stories[0], Setting::None, Some(&mut watch));
+    let (outcome, errors) = watch.judge(ended.as_ref());
+    assert_eq!(outcome, Outcome::Right);
+    let flips = stories[0].truth.flips.unwrap();
+    let expected = 1e-6 * flips.last / flips.apart;
+    assert!((errors.phase.unwrap() / expected - 1.0).abs() < 1e-3, "{errors:?}");
+    assert!(errors.energy.unwrap() < 1e-13 && errors.direction.unwrap() < 1e-13, "{errors:?}");
+}
+
+/// A drift of the energy that is always to one side has slope one.
+#[test]
+fn the_classical_method_loses_energy_along_a_line() {
+    let rows = long::run(Method::RungeKutta4, "neither", SMALL.turns, 1);
+    let slope = long::slope(&rows, 30, |row| row.mean).unwrap();
+    assert!((slope - 1.0).abs() < 0.1, "{slope}");
+}
+
+#[test]
+fn the_exact_motion_is_asked_once_and_comes_within_rounding() {
+    let rows = measured(Exact, "box");
+    let [row] = rows.as_slice() else { panic!("{rows:?}") };
+    assert_eq!(row.outcome, Outcome::Right);
+    assert!(row.errors.attitude.unwrap() < 1e-11, "{row:?}");
+}
+
+/// The committed record can be read, is whole, and came of a full run without debug assertions.
+#[test]
+fn the_committed_record_is_one_for_the_record() {
+    let (work, long) = (record::work().unwrap(), record::long().unwrap());
+    for (key, wanted) in [("effort", "full"), ("compiler", "release"), ("peers", "rapier3d-f64")] {
+        assert!(work.said(key).is_some_and(|said| said.contains(wanted)), "{key}: {:?}", work.said(key));
+        assert!(long.said(key).is_some_and(|said| said.contains(wanted)), "{key}: {:?}", long.said(key));
+    }
+    let has = |story: &Story, name: &str| {
+        work.rows.iter().any(|row| row.story == story.name && row.contestant == name)
+    };
+    for contestant in ours() {
+        let stories = story::all().unwrap();
+        let told = stories.iter().filter(|story| contestant.takes(story)).map(|s| has(s, contestant.name()));
+        let told: Vec<bool> = told.collect();
+        // A method newer than the record is in none of it.
+        assert!(told.iter().all(|&has| has) || !told.contains(&true), "{}: {told:?}", contestant.name());
+    }
+    assert!(verdict::contestants(&work.rows).iter().filter(|(_, group)| *group == Group::Peer).count() == 3);
+}
