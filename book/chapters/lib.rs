@@ -56,6 +56,7 @@ mod stepping_through_time {}
 #[doc = include_str!("error-against-run-time.md")]
 mod error_against_run_time {}
 
+#[cfg(doctest)]
 #[doc = include_str!("where-things-break.md")]
 mod where_things_break {}
 
