@@ -116,8 +116,9 @@ impl Canvas {
     pub(crate) fn tiles(&self, tiles: &[[f64; 4]], fill: Fill, outline: Option<Pen>) {
         let mut data = String::new();
         for &[left, top, right, bottom] in tiles {
-            let ((x, y), (end, low)) = (fine((left, top)), fine((right, bottom)));
-            let _ = write!(data, "M{x} {y}h{}v{}h{}z", end - x, low - y, x - end);
+            let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+            data.push_str(&path_data(&corners.map(fine)));
+            data.push('z');
         }
         let mut style = fill.css();
         if let Some(pen) = outline {

@@ -169,7 +169,7 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
 /// As a power of ten where that is shorter.
 fn short(case: &str) -> String {
     match case.parse::<f64>() {
-        Ok(value) if value >= 100.0 || value < 0.01 || case.contains('e') => {
+        Ok(value) if !(0.01..100.0).contains(&value) || case.contains('e') => {
             let power = value.log10().round();
             if power == 0.0 { "1".to_owned() } else { format!("$10^{{{power}}}$") }
         }
@@ -212,10 +212,8 @@ struct Tiles {
 
 impl Tiles {
     fn draw(&self, canvas: &Canvas) {
-        for fate in 0..FATES.len() {
-            let tiles = &self.large[fate];
+        for (fate, (tiles, (_, sign, dark))) in self.large.iter().zip(FATES).enumerate() {
             canvas.tiles(tiles, fill(fate), Some(Pen::new(Ink::Faint, 0.6)));
-            let (_, sign, dark) = FATES[fate];
             let ink = if dark > 0.5 { Ink::Paper } else { Ink::Text };
             let mut rows = tiles.clone();
             rows.sort_by(|a, b| a[1].total_cmp(&b[1]));
