@@ -126,6 +126,15 @@ impl<T: Analytic> System<T> {
         }
     }
 
+    /// The damping along each axis, all of it together, N m s.
+    pub(super) fn drag(&self) -> Vector3<T> {
+        let none = Vector3::from_fn(|_, _| T::zero());
+        self.torques.iter().fold(none, |sum, torque| match torque {
+            Torque::Damping(coefficients) => sum + coefficients,
+            _ => sum,
+        })
+    }
+
     /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of a
     /// kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
     ///
