@@ -180,6 +180,7 @@ mod tests {
             |method| evaluations_of_step(method, &stories[0].system, &stories[0].start, 0.01).unwrap();
         let (euler, classical) = (worth(Method::ExplicitEuler), worth(Method::RungeKutta4));
         assert!(euler > 1.0 && euler < 1.5, "{euler}");
-        assert!(classical > 4.0 && classical < 6.0, "{classical}");
+        // The sums of seven numbers between the four are some hundred operations, the law less than fifty.
+        assert!(classical > 6.0 && classical < 7.0, "{classical}");
     }
 }
