@@ -132,13 +132,13 @@ const fn of_method(method: Method) -> &'static str {
              momentum instead of adding to it (three exact turns a step, or Buss's method). Chapter \"Stepping through time\"."
         }
         Method::Rescaled | Method::RescaledStraight => {
-            "The momentum's length is put right after an explicit step, its energy is not: a spin about the largest moment drifts \
+            "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts \
              toward the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without \
              rescaling). Chapter \"Stepping through time\"."
         }
         Method::OneNewton | Method::LinearisedImplicit => {
             "One implicit step takes energy and momentum from a body that tumbles: it is stable, and slows down by itself. Use the \
-             implicit midpoint rule, or three exact turns a step, at the like cost. Chapter \"Stepping through time\"."
+             implicit midpoint rule or three exact turns a step. Chapter \"Stepping through time\"."
         }
         Method::MeanSpinRungeKutta4 => {
             "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' spins to the turn \

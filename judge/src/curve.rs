@@ -12,6 +12,8 @@ pub(crate) struct Curve {
     rows_each: usize,
     last_rows: usize,
     last: f64,
+    least: f64,
+    greatest: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -24,12 +26,14 @@ struct Stretch {
 
 impl Curve {
     pub(crate) const fn new() -> Self {
-        Self { stretches: Vec::new(), rows_each: 1, last_rows: 0, last: 0.0 }
+        Self { stretches: Vec::new(), rows_each: 1, last_rows: 0, last: 0.0, least: 0.0, greatest: 0.0 }
     }
 
     /// The error at a time after all before it.
     pub(crate) fn push(&mut self, t: f64, error: f64) {
         self.last = error;
+        self.least = self.least.min(error);
+        self.greatest = self.greatest.max(error);
         let size = error.abs();
         match self.stretches.last_mut() {
             Some(stretch) if self.last_rows < self.rows_each => {
@@ -61,6 +65,11 @@ impl Curve {
     /// The error in the last row, with its sign.
     pub(crate) const fn last(&self) -> f64 {
         self.last
+    }
+
+    /// The least and the greatest error, with their signs; zero is one of them.
+    pub(crate) const fn range(&self) -> [f64; 2] {
+        [self.least, self.greatest]
     }
 
     /// The greatest size.

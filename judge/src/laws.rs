@@ -23,7 +23,7 @@ pub enum LawName {
     Separatrix,
     /// How far the spin is ahead on its way round, in ways round, of the exact one.
     Phase,
-    /// The turn from row to row against the spin, beside the spin, less what a step of that length may make.
+    /// The turn from row to row against the spin, beside the spin, less what this step and the last changed the spin.
     Consistency,
 }
 
@@ -108,6 +108,8 @@ pub(crate) struct Laws {
     lag: f64,
     flips: Flips,
     speed: f64,
+    /// How much the last step changed the spin, beside the spin.
+    change: f64,
     /// Steps since the first row; rows where a step has no one length.
     steps: f64,
     pub last: State,
@@ -175,6 +177,7 @@ impl Laws {
                 last: None,
             },
             speed: first.omega.norm(),
+            change: 0.0,
             steps: 0.0,
             last: *first,
             constant: true,
@@ -232,11 +235,16 @@ impl Laws {
 
     /// A row and the one a step before it.
     pub(crate) fn pair(&mut self, pair: &Pair) {
+        let (from, to) = (pair.from.omega, pair.to.omega);
+        let speed = from.norm().max(to.norm());
+        let change = (to - from).norm() / speed;
+        let changes = if change.is_finite() { change.max(self.change) } else { self.change };
         if let Some(off) = pair.inconsistency() {
-            let angle = pair.from.omega.norm().max(pair.to.omega.norm()) * pair.h;
-            let allowed = angle * angle;
+            // A spin that changes in a step leaves open which of its values turned the body; a turn has its rounding.
+            let allowed = changes + 8.0 * self.floor / (speed * pair.h);
             self.put(LawName::Consistency, pair.to.t - self.first.t, (off - allowed).max(0.0));
         }
+        self.change = if change.is_finite() { change } else { 0.0 };
     }
 
     /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a circle.
@@ -325,11 +333,7 @@ impl Laws {
                 let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
                 let growth = curve.growth(rounding, of_ratio);
                 let last = plain(curve.last());
-                let most = if curve.last() < 0.0 && of_ratio {
-                    curve.most().max(last.abs()).min(1.0)
-                } else {
-                    plain(curve.most())
-                };
+                let most = curve.range().map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
                 Law { name: *name, growth, most, last }
             })
             .collect()

@@ -26,32 +26,43 @@ impl fmt::Display for Verdict {
             writeln!(f, "\n{diagnosis}")?;
         }
         writeln!(f)?;
-        for complaint in &self.complaints {
-            writeln!(f, "Besides: {complaint}.")?;
-        }
-        f.write_str(match self.outcome {
-            Outcome::Passed => "PASSED",
-            Outcome::Failed => "FAILED",
-            Outcome::NothingToJudge => "NOTHING TO JUDGE",
-        })?;
-        match (self.outcome, self.worst()) {
-            (Outcome::NothingToJudge, _) if self.torque.is_some() => {
-                f.write_str(": a torque acts, and the laws judged here are those of a free body. What made the record is told above")
-            }
-            (Outcome::NothingToJudge, _) => {
-                f.write_str(": the spin is constant, as it is right for this start. Push the body off its principal axis")
-            }
-            (Outcome::Failed, _) if !self.misread.is_empty() => f.write_str(": the file is not what its names say"),
-            (Outcome::Failed, _) if !self.resets.is_empty() => f.write_str(": the motion does not go through"),
-            (_, Some(law)) => write!(
+        if let Some(law) = self.worst() {
+            writeln!(
                 f,
-                ": worst kept is {} ({}); allowed is an error of {}",
-                law.name.words(),
+                "Overall:  {} (of what the motion keeps, {} is kept worst)",
                 law.growth.name(),
-                self.threshold
-            ),
-            (_, None) => Ok(()),
+                law.name.words()
+            )?;
         }
+        let mut reasons: Vec<String> = Vec::new();
+        let (name, reason) = match self.outcome {
+            Outcome::Passed => ("PASSED", format!("every law is kept within {}", self.threshold)),
+            Outcome::NothingToJudge if self.torque.is_some() => (
+                "NOTHING TO JUDGE",
+                "a torque acts, and the laws judged here are those of a free body. What made the record is told above".into(),
+            ),
+            Outcome::NothingToJudge => (
+                "NOTHING TO JUDGE",
+                "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
+            ),
+            Outcome::Failed => {
+                if !self.misread.is_empty() {
+                    reasons.push("the file is not what its names say".into());
+                }
+                if !self.resets.is_empty() {
+                    reasons.push("the motion does not go through".into());
+                }
+                reasons.extend(self.broken().map(|law| {
+                    format!("{} is off by up to {:.3e} (allowed: {})", law.name.words(), law.most, self.threshold)
+                }));
+                ("FAILED", String::new())
+            }
+        };
+        reasons.extend(self.complaints.iter().cloned());
+        if !reason.is_empty() {
+            reasons.insert(0, reason);
+        }
+        write!(f, "{name}: {}", reasons.join(";\n  "))
     }
 }
 

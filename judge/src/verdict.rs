@@ -117,6 +117,11 @@ impl Verdict {
             .filter(|law| law.name.is_conserved())
             .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
     }
+
+    /// The conserved laws that are broken by more than the threshold.
+    pub fn broken(&self) -> impl Iterator<Item = &Law> {
+        self.laws.iter().filter(|law| law.name.is_conserved() && law.most.abs() > self.threshold)
+    }
 }
 
 /// Judges a record.
@@ -353,6 +358,11 @@ impl Trial {
         }
         if sample.seen() == 0 {
             complaints.push("no two rows are one step apart: no rule can be tried".into());
+        }
+        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > threshold) {
+            let off = 100.0 * law.most;
+            complaints
+                .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
         }
         let misread = reading.mistakes();
         let broken = kept.iter().any(|law| law.name.is_conserved() && law.most.abs() > threshold);

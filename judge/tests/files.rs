@@ -268,3 +268,73 @@ fn the_threshold_decides() {
     assert_eq!(with(1.0), Outcome::Passed);
     assert_eq!(with(1e-6), Outcome::Failed);
 }
+
+#[test]
+fn no_damage_to_a_file_makes_the_judge_panic() {
+    let good = csv(&stepped(Method::SemiImplicitEuler, SPIN, 0.05, 12)).into_bytes();
+    let mut seed = 1_u64;
+    let mut random = |below: usize| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(seed >> 33).unwrap() % below
+    };
+    let mut refused = 0;
+    for _ in 0..3000 {
+        let mut text = good.clone();
+        for _ in 0..=random(3) {
+            let at = random(text.len());
+            match random(4) {
+                0 => text[at] = b"0123456789eE+-.,;\t \n#NaninfwxyzqtL\xff"[random(35)],
+                1 => drop(text.drain(at..(at + random(40)).min(text.len()))),
+                2 => text.splice(at..at, *b"e30").for_each(drop),
+                _ => text.truncate(at.max(20)),
+            }
+        }
+        match judge(&text[..], &Options::default()) {
+            Ok(verdict) => drop((verdict.to_string(), verdict.json().to_string())),
+            Err(error) => {
+                refused += 1;
+                assert!(!error.to_string().is_empty());
+            }
+        }
+    }
+    assert!(refused > 1000);
+}
+
+#[test]
+fn spins_from_the_slowest_to_the_fastest_that_a_number_holds_are_judged_or_refused() {
+    for scale in [1e-300, 1e-160, 1e-30, 1e30, 1e100, 1e154, 1e300] {
+        let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
+        for (t, _, w) in exact(SPIN, 0.01, 100) {
+            let w = w * scale;
+            text += &format!("{:?},{:?},{:?},{:?}\n", t / scale, w.x, w.y, w.z);
+        }
+        if let Ok(verdict) = judge(text.as_bytes(), &Options::default()) {
+            assert!(!verdict.to_string().is_empty());
+            if (1e-100..1e101).contains(&scale) {
+                assert_eq!(verdict.outcome, Outcome::Passed, "{scale:e}: {verdict}");
+            }
+        } else {
+            assert!(!(1e-100..1e101).contains(&scale), "{scale:e}");
+        }
+    }
+}
+
+#[test]
+fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
+    // The rule of Bullet's multibody, every number rounded to single precision after each step.
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
+    let single = |x: f64| f64::from(x as f32);
+    let system = tumbling::step::System::free(&MOMENTS).unwrap();
+    let rows = common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
+        let end = Method::SemiImplicitEuler.step(&system, motion, &(1.0 / 64.0)).unwrap();
+        let omega = system.omega(&end.vector).map(single);
+        let attitude = Quaternion::from_vector(end.attitude.coords.map(single));
+        tumbling::step::Motion { attitude, vector: system.momentum(&omega) }
+    });
+    let rounded = altered(&rows, |(t, q, w)| (*t, *q, w.map(single)));
+    let verdict = judged(&csv(&rounded));
+    assert!((verdict.rounding - f64::from(f32::EPSILON)).abs() < 1e-12);
+    let diagnosis = verdict.diagnosis.unwrap();
+    assert_eq!(diagnosis.best.rule.method(), Some((Method::SemiImplicitEuler, 1)), "{diagnosis}");
+    assert_eq!(diagnosis.sure, tumbling_judge::Sure::ToRounding, "{diagnosis}");
+}
