@@ -175,3 +175,43 @@ fn a_rule_that_none_knows_is_not_given_a_name() {
     assert_eq!(diagnosis.sure, Sure::NoneFits, "{diagnosis}");
     assert!(diagnosis.to_string().contains("None of the known rules fits"));
 }
+
+#[test]
+fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
+    let system = System::free(&MOMENTS).unwrap();
+    let mut judgements = 0;
+    for engine in tumbling::step::PHYSICS_ENGINES {
+        for speed in [0.1, 1.0, 10.0, 30.0] {
+            for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
+                for direction in SPINS {
+                    let omega = Vector3::from(direction).normalize() * speed;
+                    let mut motion = Motion {
+                        attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
+                        vector: system.momentum(&omega),
+                    };
+                    let mut rows = Vec::new();
+                    for i in 0..300 {
+                        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.vector)));
+                        match engine.step(&system, &motion, h) {
+                            Ok(next) if next.vector.norm() < 1e4 * speed => motion = next,
+                            _ => break,
+                        }
+                    }
+                    let verdict = judged(&csv(&rows));
+                    let what = format!("{} {} {omega:?} {h} {}", engine.name, engine.setting, rows.len());
+                    assert_eq!(verdict.misread, [], "{what}");
+                    assert_eq!(verdict.resets, [], "{what}");
+                    let diagnosis = verdict.diagnosis.unwrap();
+                    let mut named =
+                        std::iter::once(diagnosis.best.rule).chain(diagnosis.alike.iter().copied());
+                    assert!(
+                        named.any(|rule| rule.method() == Some((engine.method, engine.parts))),
+                        "{what}: {diagnosis}"
+                    );
+                    judgements += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(judgements, 896);
+}
