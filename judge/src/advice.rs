@@ -110,7 +110,7 @@ fn limits(limits: &Limits) -> String {
         all.push(format!("a step beyond {:.0} degrees turns too little", angle.to_degrees()));
     }
     if let Some(most) = limits.component {
-        all.push(format!("spin is cut at {most} rad/s along each axis of the world"));
+        all.push(format!("spin is cut at {most:.1} rad/s along each axis of the world"));
     }
     if let Some(angle) = limits.spin {
         all.push(format!("spin is slowed to {:.0} degrees a step", angle.to_degrees()));

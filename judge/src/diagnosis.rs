@@ -320,3 +320,24 @@ pub(crate) fn should_change(subject: &Subject, pairs: &[Pair], floor: f64) -> bo
             rate.norm() * pair.h > 100.0 * floor * pair.from.omega.norm()
         })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::State;
+
+    #[test]
+    fn a_sample_is_no_larger_however_long_the_record_and_from_all_of_it() {
+        let mut sample = Sample::new();
+        for line in 0..1_000_000 {
+            let state = State { line, t: 0.0, attitude: None, omega: Vector3::zeros() };
+            sample.push(&Pair { from: state, to: state, h: 1.0 });
+            assert!(sample.pairs().len() <= PAIRS);
+        }
+        assert_eq!(sample.seen(), 1_000_000);
+        let lines: Vec<usize> = sample.pairs().iter().map(|pair| pair.from.line).collect();
+        assert!(lines.len() > PAIRS / 4 && lines[0] == 0 && lines[lines.len() - 1] > 990_000);
+        let apart: Vec<usize> = lines.windows(2).map(|x| x[1] - x[0]).collect();
+        assert!(apart.iter().all(|&x| x == apart[0]), "evenly");
+    }
+}

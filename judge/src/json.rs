@@ -81,7 +81,11 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
     };
     json!({
         "best": explanation(&diagnosis.best),
-        "alike": diagnosis.alike.iter().map(crate::suspects::Rule::name).collect::<Vec<_>>(),
+        "alike": diagnosis
+            .alike
+            .iter()
+            .map(|rule| json!({"rule": rule.name(), "engines": rule.engines()}))
+            .collect::<Vec<_>>(),
         "second": diagnosis.second.as_ref().map(explanation),
         "ratio": diagnosis.ratio(),
         "sure": match diagnosis.sure {

@@ -168,7 +168,11 @@ impl fmt::Display for Diagnosis {
             self.steps, best.middle, best.most
         )?;
         if !self.alike.is_empty() {
-            let names: Vec<String> = self.alike.iter().take(6).map(super::suspects::Rule::name).collect();
+            let named = |rule: &crate::suspects::Rule| match rule.engines() {
+                engines if engines.is_empty() => rule.name(),
+                engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
+            };
+            let names: Vec<String> = self.alike.iter().take(6).map(named).collect();
             let more = if self.alike.len() > 6 { ", and others" } else { "" };
             writeln!(f, "  not to be told from it here: {}{more}", names.join("; "))?;
         }
