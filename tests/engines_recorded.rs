@@ -187,7 +187,6 @@ fn whole_runs_follow_the_records_as_far_as_rounding_lets_any_run_follow() {
     // The last recorded step through which every error is below 1e-9, rounded down: 20 s are 1200 steps.
     let far = |name: &str, story: &str| match (name, story) {
         ("mujoco-4.0.0-euler", "box-middle") => 700,
-        ("mujoco-4.0.0-euler", "middle") => 390,
         ("mujoco-4.0.0-euler", "major") => 320,
         ("mujoco-4.0.0-euler", "minor") => 720,
         ("mujoco-4.0.0-euler", "fast") => 16,

@@ -149,3 +149,48 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let system = System::free(&moments).unwrap();
+    let slow = start(&system, &(Vector3::new(0.3, 1.0, -0.4) * 1e-162));
+    for &method in Method::ALL {
+        // A step that turns it by a hundredth of a radian, and one in which it does not move.
+        assert!(method.step(&system, &slow, &1e160).is_err(), "{method:?}");
+        let end = method.step(&system, &slow, &0.01).unwrap();
+        let moved = (end.attitude.coords - slow.attitude.coords).norm() + (end.vector - slow.vector).norm();
+        assert!(moved < 1e-160, "{method:?}: {moved:e}");
+    }
+    assert!(controlled(&system, &slow, 1e162, 1e-10).is_err());
+}
+
+#[test]
+fn a_game_steps_a_needle_in_as_many_parts_as_it_turns_and_no_more() {
+    // End over end, a needle turns by a tenth of a radian; its length holds no spin at all.
+    let system = System::free(&Vector3::new(1e-8, 1.0, 1.0)).unwrap();
+    let from = start(&system, &Vector3::new(0.0, 6.0, 0.6));
+    let end = tumbling::step::game(&system, &from, 1.0 / 60.0).unwrap();
+    assert!((end.vector.norm() / from.vector.norm() - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn buss_augments_the_mean_spin_by_a_twelfth() {
+    // The turn of a step is h w + h^2 w'/2 + h^3 (w'' / 6 + w' x w / 12) + ...: of the third power he keeps the last term, so that h^3 w'' / 6
+    // is all that is missing.
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let omega = Vector3::new(0.9, 1.1, -0.7);
+    let system = System::free(&moments).unwrap();
+    let none = Vector3::zeros();
+    let rate = |w: &Vector3<f64>| tumbling::euler::angular_acceleration(&moments, w, &none);
+    let e = 1e-4;
+    let second = (rate(&(omega + rate(&omega) * e)) - rate(&(omega - rate(&omega) * e))) / (2.0 * e);
+    // In the axes of the start the spin changes by w'' + w' x w, turned along with the body.
+    let missing = second + omega.cross(&rate(&omega));
+    let h = 1e-2;
+    let end = Method::Buss.step(&system, &start(&system, &omega), &h).unwrap();
+    let truth = FreeMotion::new(&moments, &omega).unwrap().at(h).unwrap().attitude;
+    let turn = |q: Quaternion<f64>| nalgebra::UnitQuaternion::new_normalize(q).scaled_axis();
+    let off = (turn(truth.into_inner()) - turn(end.attitude)) / h.powi(3) * 6.0;
+    assert!((off - missing).norm() < 0.03 * missing.norm(), "{off} {missing}");
+}

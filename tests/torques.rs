@@ -174,3 +174,95 @@ fn bad_torques_are_refused_by_name() {
         assert!(error.contains(word), "{error}");
     }
 }
+
+#[test]
+fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
+    // Ten minutes at 60 Hz: the momentum falls by e^-600, below where squares of it are numbers.
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let losses = vec![Torque::Damping(moments), Torque::Dissipation(0.1)];
+    let system = System::with(&moments, losses).unwrap();
+    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.1, 2.0, 0.3) };
+    let h = 1.0 / 60.0;
+    let steps: [(&str, Box<Step>); 3] = [
+        ("game", Box::new(|s, m, h| tumbling::step::game(s, m, h).unwrap())),
+        ("flow", Box::new(|s, m, h| tumbling::flow::step(s, m, h).unwrap())),
+        ("rotations", Box::new(|s, m, h| Method::ThreeRotations2.step(s, m, &h).unwrap())),
+    ];
+    for (name, step) in steps {
+        let mut motion = from.clone();
+        for _ in 0..60 * 800 {
+            motion = step(&system, &motion, h);
+        }
+        assert!(motion.vector.norm() < 1e-300, "{name}: {motion:?}");
+        assert!((motion.attitude.norm() - 1.0).abs() < 1e-9, "{name}: {motion:?}");
+    }
+}
+
+#[test]
+fn dissipation_is_the_same_in_every_unit_of_momentum() {
+    let inverse = Vector3::new(1.0, 0.5, 0.4);
+    let momentum = Vector3::new(1.0, 0.2, -0.3);
+    let kick = |scale: f64, time: f64| {
+        let torque = Torque::Dissipation(1.0);
+        torque.kick(&nalgebra::Matrix3::identity(), &(momentum * scale), &inverse, &time) / scale
+    };
+    let plain = kick(1.0, 0.7);
+    // Its pace goes with the square of the momentum.
+    assert!((kick(2_f64.powi(40), 0.7 * 2_f64.powi(-80)) - plain).norm() < 1e-15);
+    for scale in [1e-300, 1e-160, 1e160, 1e300] {
+        let still = kick(scale, 0.0);
+        assert!((still - momentum).norm() < 1e-15, "{scale:e}: {still}");
+    }
+    assert!((kick(1e200, 1.0) - Vector3::new(0.0, 0.0, -momentum.norm())).norm() < 1e-15);
+}
+
+#[test]
+fn a_game_never_calls_a_motion_whole_that_is_not() {
+    let moments = Vector3::new(1.0, 2.0, 2.5) * 1e200;
+    let system = System::with(&moments, vec![Torque::Damping(Vector3::repeat(6e202))]).unwrap();
+    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::repeat(1e-10) };
+    // Back in time a drag winds up without bound.
+    let end = tumbling::step::game(&system, &from, -1.5);
+    assert!(end.is_err(), "{end:?}");
+}
+
+#[test]
+fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
+    // A compass needle a tenth of a radian off the field: with the field along x and its moment too, small swings about z of
+    // period 2 pi sqrt(I / (m B)), a little longer by a sixteenth of the square of the angle.
+    let (moment, pull, angle) = (2.0_f64, 3.0_f64, 0.1_f64);
+    let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull };
+    let system = System::with(&Vector3::new(1.0, 1.5, moment), vec![aligning]).unwrap();
+    let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
+    let from = Motion { attitude, vector: Vector3::zeros() };
+    // The pendulum's period through the arithmetic-geometric mean of 1 and cos(angle / 2).
+    let (mut a, mut g) = (1.0_f64, (angle / 2.0).cos());
+    for _ in 0..5 {
+        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+    }
+    let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let run = tumbling::step::controlled(&system, &from, period, tolerance).unwrap();
+        let off = (run.end.attitude.coords - attitude.coords).norm() + run.end.vector.norm();
+        assert!(off < 100.0 * tolerance, "{tolerance:e}: {off:e}");
+        assert!(run.steps > 5);
+    }
+    let pushed = System::with(&Vector3::new(1.0, 1.5, 2.0), vec![Torque::InBody(Vector3::z())]).unwrap();
+    let rest = Motion { attitude: Quaternion::identity(), vector: Vector3::zeros() };
+    let run = tumbling::step::controlled(&pushed, &rest, 2.0, 1e-10).unwrap();
+    assert!((run.end.vector - Vector3::z() * 2.0).norm() < 1e-9);
+}
+
+#[test]
+fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, 0.0, 1.0) };
+    for strength in [0.1, 2.0, 1e3, 1e6] {
+        let system = System::with(&moments, vec![Torque::Damping(moments * strength)]).unwrap();
+        let end = Method::LinearisedImplicit.step(&system, &from, &1.0).unwrap();
+        // L (1 + c h) = L before.
+        // What is left of a difference from one.
+        assert!((end.vector.z - 1.0 / (1.0 + strength)).abs() < 1e-15, "{strength}: {end:?}");
+        assert!(end.vector.z > 0.0);
+    }
+}

@@ -1,5 +1,5 @@
 //! The code of the chapters, run by `cargo test`: one module for each chapter, in the order of the
-//! book. A chapter's code may use `tumbling` and `nalgebra`.
+//! book. A chapter's code may use `tumbling` and `nalgebra`, and the crates of proofs and measurements.
 //!
 //! Edition 2024 lets rustdoc build all of it as one program; a block fenced `rust,standalone_crate`
 //! gets one of its own. One chapter alone: `cargo test -p tumbling-book --doc two_arrows`.
@@ -51,6 +51,14 @@ mod exact_motion {}
 #[cfg(doctest)]
 #[doc = include_str!("stepping-through-time.md")]
 mod stepping_through_time {}
+
+#[cfg(doctest)]
+#[doc = include_str!("error-against-run-time.md")]
+mod error_against_run_time {}
+
+#[cfg(doctest)]
+#[doc = include_str!("where-things-break.md")]
+mod where_things_break {}
 
 #[cfg(doctest)]
 #[doc = include_str!("proofs.md")]

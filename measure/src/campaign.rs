@@ -3,7 +3,7 @@
 use crate::contestant::{Contestant, Ours};
 use crate::instructions::{self, Again};
 use crate::measure::{Effort, measure};
-use crate::record::{Long, Record, Work};
+use crate::record::{Record, Work};
 use crate::story::{self, Wrong};
 use crate::{long, setup, verdict};
 use std::fs;
@@ -79,14 +79,8 @@ fn head(what: &[(&str, &str)], more: &[(String, String)], effort: Effort) -> Vec
     head
 }
 
-/// Measures and counts. `tell` hears how far it is.
-///
-/// # Errors
-/// A story that cannot be told.
-pub fn run(
-    campaign: &Campaign<'_>,
-    tell: &mut dyn FnMut(&str),
-) -> Result<(Record<Work>, Record<Long>), Wrong> {
+/// Errors, times and counts. `tell` hears how far it is.
+fn work(campaign: &Campaign<'_>, tell: &mut dyn FnMut(&str)) -> Result<Record<Work>, Wrong> {
     let stories = story::all()?;
     let Campaign { contestants, effort, again, head: more } = campaign;
     let mut rows = measure(contestants, &stories, *effort, tell)?;
@@ -98,10 +92,7 @@ pub fn run(
             }
         }
     }
-    let work = Record { head: head(WORK, more, *effort), rows };
-    let rows = long::all(contestants, *effort, tell);
-    let long = Record { head: head(LONG, more, *effort), rows };
-    Ok((work, long))
+    Ok(Record { head: head(WORK, more, *effort), rows })
 }
 
 /// Measures, and writes `work.csv` and `long.csv` into a folder. The verdict.
@@ -110,9 +101,12 @@ pub fn run(
 /// A story that cannot be told, or a folder that cannot be written to.
 pub fn write(campaign: &Campaign<'_>, folder: &Path, tell: &mut dyn FnMut(&str)) -> Result<String, Wrong> {
     fs::create_dir_all(folder)?;
-    let (work, long) = run(campaign, tell)?;
+    let work = work(campaign, tell)?;
     fs::write(folder.join("work.csv"), work.write())?;
+    let rows = long::all(campaign.contestants, campaign.effort, tell);
+    let long = Record { head: head(LONG, &campaign.head, campaign.effort), rows };
     fs::write(folder.join("long.csv"), long.write())?;
+    tell("done");
     Ok(verdict::text(&work, &long))
 }
 

@@ -3,6 +3,7 @@
 use crate::errors::Watch;
 use crate::operations;
 use crate::story::Story;
+use std::cell::RefCell;
 use std::hint::black_box;
 use tumbling::Error;
 use tumbling::exact::FreeMotion;
@@ -189,7 +190,7 @@ impl Contestant for Ours {
     }
 
     fn evaluations_of_step(&self, story: &Story, step: f64) -> Option<f64> {
-        operations::evaluations_of_step(self.0, story, step)
+        operations::evaluations_of_step(self.0, &story.system, &story.start, step)
     }
 
     fn method(&self) -> Option<Method> {
@@ -251,10 +252,52 @@ impl Contestant for Exact {
     }
 }
 
+/// The exact motion of a story, once prepared, asked for one instant: what each further instant costs.
+#[derive(Debug, Default)]
+pub struct Prepared(RefCell<Option<(&'static str, FreeMotion)>>);
+
+impl Contestant for Prepared {
+    fn name(&self) -> &str {
+        "exact motion, prepared"
+    }
+
+    fn group(&self) -> Group {
+        Group::Exact
+    }
+
+    fn order(&self) -> u32 {
+        0
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::None
+    }
+
+    fn takes(&self, story: &Story) -> bool {
+        story.system.is_free()
+    }
+
+    fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+        let mut kept = self.0.borrow_mut();
+        if kept.as_ref().is_none_or(|(name, _)| *name != story.name) {
+            let omega = story.system.omega(&story.start.vector);
+            *kept = Some((story.name, FreeMotion::new(story.system.moments(), &omega)?));
+        }
+        let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };
+        let there = exact.at(black_box(story.end))?;
+        if let Some(watch) = watch {
+            watch.told(exact.flips(0.0, story.end)?.count());
+        }
+        let vector = story.system.moments().component_mul(&there.omega);
+        let motion = Motion { attitude: there.attitude.into_inner(), vector };
+        Ok(Ended { motion, steps: 1, evaluations: None })
+    }
+}
+
 /// The exact motion and all methods of the library.
 #[must_use]
 pub fn ours() -> Vec<Box<dyn Contestant>> {
-    let exact: Box<dyn Contestant> = Box::new(Exact);
+    let exact: [Box<dyn Contestant>; 2] = [Box::new(Exact), Box::<Prepared>::default()];
     let methods = Method::ALL.iter().map(|&method| Box::new(Ours(method)) as Box<dyn Contestant>);
-    std::iter::once(exact).chain(methods).collect()
+    exact.into_iter().chain(methods).collect()
 }

@@ -3,6 +3,7 @@
 use crate::contestant::{Contestant, Failure};
 use crate::errors::Outcome;
 use crate::measure::Effort;
+use crate::operations::evaluations_of_step;
 use crate::record::Long;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::TAU;
@@ -44,9 +45,19 @@ pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, tell: &mut dyn F
             continue;
         }
         tell(&format!("{} turns: {}", effort.turns, contestant.name()));
-        rows.extend(run(method, contestant.group().word(), effort.turns, effort.starts));
+        let starts = starts(method, effort);
+        rows.extend(run(method, contestant.group().word(), effort.turns, starts));
     }
     rows
+}
+
+/// From how many starts this method runs: from fewer where its steps are dear.
+#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn starts(method: Method, effort: Effort) -> u32 {
+    let Some((system, motion, h)) = start(0) else { return effort.starts };
+    let Some(each) = evaluations_of_step(method, &system, &motion, h) else { return effort.starts };
+    let one = each * f64::from(STEPS) * effort.turns as f64;
+    ((effort.long / one) as u32).clamp(1, effort.starts.max(1))
 }
 
 /// One method through so many turns from each of so many starts.

@@ -20,13 +20,17 @@ pub struct Effort {
     pub turns: u64,
     /// From how many starts.
     pub starts: u32,
+    /// From fewer, down to one, where all would be worth more evaluations of the law than this.
+    pub long: f64,
 }
 
 impl Effort {
     /// For the record: some minutes.
-    pub const FULL: Self = Self { evaluations: 3e6, repeats: 7, seconds: 0.2, turns: 1_000_000, starts: 3 };
+    pub const FULL: Self =
+        Self { evaluations: 1.5e6, repeats: 5, seconds: 0.2, turns: 1_000_000, starts: 3, long: 5e8 };
     /// For a look: below a minute.
-    pub const QUICK: Self = Self { evaluations: 2e5, repeats: 3, seconds: 0.02, turns: 3_000, starts: 2 };
+    pub const QUICK: Self =
+        Self { evaluations: 1e5, repeats: 3, seconds: 0.02, turns: 3_000, starts: 2, long: 1e7 };
 }
 
 /// What a step is taken to be worth where that is not known.

@@ -1,6 +1,5 @@
 //! Evaluations of the law that a step is worth, by counting: the library's steps run on numbers that count.
 
-use crate::story::Story;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{One, Zero};
 use std::cell::Cell;
@@ -146,10 +145,15 @@ const STEPS: u32 = 16;
 ///
 /// So a method without evaluations, as those made of rotations, is held to the same measure as one with nothing else.
 #[must_use]
-pub fn evaluations_of_step(method: Method, story: &Story, step: f64) -> Option<f64> {
-    let system = counting(&story.system)?;
-    let [x, y, z, w] = story.start.attitude.coords.map(Tallied::new).into();
-    let mut motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&story.start.vector) };
+pub fn evaluations_of_step(
+    method: Method,
+    system: &System<f64>,
+    start: &Motion<f64>,
+    step: f64,
+) -> Option<f64> {
+    let system = counting(system)?;
+    let [x, y, z, w] = start.attitude.coords.map(Tallied::new).into();
+    let mut motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&start.vector) };
     let (_, law) = counted(|| system.rate(&motion));
     let h = Tallied::new(step);
     let (done, steps) = counted(|| {
@@ -172,7 +176,8 @@ mod tests {
     #[test]
     fn a_step_of_runge_kutta_is_worth_four_evaluations_and_some_sums() {
         let stories = crate::story::all().unwrap();
-        let worth = |method| evaluations_of_step(method, &stories[0], 0.01).unwrap();
+        let worth =
+            |method| evaluations_of_step(method, &stories[0].system, &stories[0].start, 0.01).unwrap();
         let (euler, classical) = (worth(Method::ExplicitEuler), worth(Method::RungeKutta4));
         assert!(euler > 1.0 && euler < 1.5, "{euler}");
         assert!(classical > 4.0 && classical < 6.0, "{classical}");

@@ -10,7 +10,8 @@ use tumbling_measure::record::{self, Work};
 use tumbling_measure::story::{self, Story, in_world};
 use tumbling_measure::{long, verdict};
 
-const SMALL: Effort = Effort { evaluations: 1e6, repeats: 1, seconds: 1.0, turns: 4000, starts: 1 };
+const SMALL: Effort =
+    Effort { evaluations: 1e6, repeats: 1, seconds: 1.0, turns: 4000, starts: 1, long: 1e9 };
 
 fn measured(contestant: impl Contestant + 'static, story: &str) -> Vec<Work> {
     let stories: Vec<Story> = story::all().unwrap().into_iter().filter(|s| s.name == story).collect();

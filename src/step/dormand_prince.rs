@@ -1,6 +1,6 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references), at a fixed step or with its error controlled.
 
-use super::method::{About, Keeps};
+use super::method::{About, Keeps, lost_squares};
 use super::rk4::Motion;
 use super::system::System;
 use crate::error::{Error, finite, positive};
@@ -119,14 +119,23 @@ pub fn controlled(
     if duration == 0.0 {
         return Ok(run);
     }
+    lost_squares(&system.omega(&start.vector), &duration)?;
     let mut slope = system.rate(start);
-    let scale = |motion: &Motion<f64>| [motion.attitude.norm(), motion.vector.norm()];
-    let relative = |part: &Motion<f64>, whole: [f64; 2]| {
-        let [turn, momentum] = scale(part);
-        let over = |x: f64, y: f64| if x == 0.0 { 0.0 } else { x / y };
-        over(turn, whole[0]).max(over(momentum, whole[1]))
+    // Lengths without a square, which would leave the range before they do.
+    let length = |parts: &[f64]| parts.iter().fold(0.0, |sum: f64, x| sum.max(x.abs()));
+    let lengths =
+        |motion: &Motion<f64>| [length(motion.attitude.coords.as_slice()), length(motion.vector.as_slice())];
+    let over = |x: f64, y: f64| if x == 0.0 { 0.0 } else { x / y };
+    // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will do.
+    let relative = |part: &Motion<f64>, whole: [f64; 2], gained: f64| {
+        let [turn, momentum] = lengths(part);
+        over(turn, whole[0]).max(over(momentum, whole[1] + gained))
     };
-    let pace = relative(&slope, scale(start));
+    // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
+    let [turning, _] = lengths(&slope);
+    let [unit, _] = lengths(start);
+    let torque = length(system.torque(start).as_slice());
+    let pace = (2.0 * over(turning, unit)).max((torque * system.inverse().max()).sqrt());
     let guess = tolerance.powf(0.2) / pace;
     let mut h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
     let mut time = 0.0;
@@ -147,7 +156,9 @@ pub fn controlled(
         let end_slope = system.rate(&end);
         slopes.push(end_slope.clone());
         let nothing = Motion { attitude: run.end.attitude * 0.0, vector: run.end.vector * 0.0 };
-        let error = relative(&combined(&nothing, &slopes, &ERROR, &h_now), scale(&run.end)) / tolerance;
+        let gained = length(slope.vector.as_slice()) * h_now.abs();
+        let off = combined(&nothing, &slopes, &ERROR, &h_now);
+        let error = relative(&off, lengths(&run.end), gained) / tolerance;
         if !error.is_finite() {
             return Err(Error::OutOfRange { what: "the error of a step", value: error });
         }

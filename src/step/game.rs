@@ -1,9 +1,10 @@
-//! A step for a game: right at 60 Hz, whatever the body.
+//! A step for a game: right at 60 Hz, for ordinary bodies and spins.
 
 use super::moser_veselov::Prepared;
 use super::rk4::Motion;
 use super::system::System;
 use crate::error::Error;
+use nalgebra::Vector3;
 
 /// The order at which the moments are preprocessed.
 const ORDER: u32 = 8;
@@ -15,7 +16,7 @@ const LONGEST: f64 = 0.5;
 const MOST_PARTS: f64 = 1000.0;
 
 /// One step of a game's clock: [Moser and Veselov's](super::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
-/// radian; with a torque, all of it between two half kicks. At 60 Hz a body has up to 30 rad/s before a second part is needed.
+/// radian; with a torque, all of it between two half kicks. At 60 Hz a steady spin has 30 rad/s before a second part is needed.
 ///
 /// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable spin stays stable for ever; the
 /// attitude comes back with length 1.
@@ -43,16 +44,42 @@ pub fn game(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<
         return drifted(system, start, h);
     }
     let end = drifted(system, &system.kicked(start, &(0.5 * h)), h)?;
-    Ok(system.kicked_back(&end, &(0.5 * h)))
+    whole(system.kicked_back(&end, &(0.5 * h)))
+}
+
+/// The motion, if its numbers are.
+#[inline]
+fn whole(motion: Motion<f64>) -> Result<Motion<f64>, Error> {
+    let size = motion.attitude.coords.sum() + motion.vector.sum();
+    if size.is_finite() {
+        Ok(motion)
+    } else {
+        Err(Error::OutOfRange { what: "the motion after a step", value: size })
+    }
+}
+
+/// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
+#[inline]
+fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
+    let mut order = [0, 1, 2];
+    let moments = system.moments();
+    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    let [a, b, c] = order.map(|i| moments[i]);
+    let [x, y, z] = order.map(|i| omega[i] * omega[i]);
+    // What one component gives up, the other may take.
+    let share = |from: f64, weight: f64, over: f64| if from == 0.0 { 0.0 } else { from * (weight / over) };
+    let first = x + share(y, b * (c - b), a * (c - a));
+    let last = z + share(y, b * (b - a), c * (c - a));
+    let middle = y + share(x, a * (c - a), b * (c - b)).min(share(z, c * (c - a), b * (b - a)));
+    first + middle + last
 }
 
 /// The free motion in the time of a step.
 #[inline]
 fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
     let inverse = system.inverse();
-    // The spin's square is at most twice the energy over the smallest moment, and both stay: the parts do not change on the way.
-    let omega = system.omega(&start.vector);
-    let turn = (start.vector.dot(&omega) * inverse.max()).sqrt() * h.abs();
+    // Energy and momentum stay, and so does this: the parts do not change on the way.
+    let turn = fastest(system, &system.omega(&start.vector)).sqrt() * h.abs();
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
@@ -63,10 +90,5 @@ fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f
         motion = prepared.step(&motion)?;
     }
     motion.attitude *= 1.0 / motion.attitude.norm();
-    let size = motion.attitude.coords.sum() + motion.vector.sum();
-    if size.is_finite() {
-        Ok(motion)
-    } else {
-        Err(Error::OutOfRange { what: "the motion after a step", value: size })
-    }
+    whole(motion)
 }

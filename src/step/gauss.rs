@@ -5,9 +5,9 @@ use super::decimal::{ROOT_OF_3, ROOT_OF_15};
 use super::method::{About, Keeps};
 use super::rk4::Motion;
 use super::system::System;
-use crate::attitude;
 use crate::error::Error;
 use crate::scalar::Analytic;
+use crate::{attitude, euler};
 use nalgebra::{Quaternion, Vector3};
 
 pub(super) const MIDPOINT: About = About {
@@ -85,11 +85,9 @@ pub(super) fn midpoint<T: Analytic>(
         system.torque(&here).map(|x| x * half.clone())
     };
     let next = |mean: &Vector3<T>| {
-        let c = system.omega(mean).map(|x| x * half.clone());
-        // M + c x M = L + h torque / 2, solved for M with c and the torque as they are: nearer than M = L + ...
-        let right = &start.vector + kick(mean);
-        let (along, over) = (c.dot(&right), T::one() / (T::one() + c.dot(&c)));
-        let better = (&right - c.cross(&right) + c.map(|x| x * along.clone())).map(|x| x * over.clone());
+        // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two nearly cancel.
+        let turned = euler::coupling(system.moments(), &system.omega(mean));
+        let better = &start.vector + turned.map(|x| x * half.clone()) + kick(mean);
         let moved = size(&(&better - mean));
         (better, moved)
     };

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::error::Error;
 use crate::scalar::Analytic;
+use nalgebra::Vector3;
 
 /// A way to step a body through time.
 ///
@@ -70,8 +71,8 @@ pub enum Method {
     /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
     /// multiply the energy.
     OneNewton,
-    /// Implicit Euler linearised at the start, torques included: MuJoCo 4.0.0's implicit and implicitfast. For a free body the same as
-    /// [`OneNewton`](Self::OneNewton).
+    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the damping: MuJoCo 4.0.0's implicit
+    /// and implicitfast. For a free body the same as [`OneNewton`](Self::OneNewton).
     LinearisedImplicit,
     /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's RK4 before version 4.0.0. The spin is right
     /// to the fourth order, the attitude to the second.
@@ -201,6 +202,7 @@ impl Method {
     /// A step so long that an implicit method does not find its end, or that the motion leaves what the number type
     /// holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
     pub fn step<T: Analytic>(self, system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
+        lost_squares(&system.omega(&start.vector), h)?;
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
             Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
@@ -236,4 +238,18 @@ impl Method {
             Err(Error::OutOfRange { what: "the motion after a step", value: size })
         }
     }
+}
+
+/// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without them nothing would gyrate.
+pub(super) fn lost_squares<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
+    let largest = &omega[omega.map(|x| x.size()).imax()];
+    let (size, rounding) = (largest.size(), T::rounding());
+    if !(size > 0.0 && rounding > 0.0 && size * h.size() > 1e-9) {
+        return Ok(());
+    }
+    let back = largest.clone() * largest.clone() / largest.clone() - largest.clone();
+    if back.size() <= 4.0 * rounding * size {
+        return Ok(());
+    }
+    Err(Error::OutOfRange { what: "the square of the spin", value: size * size })
 }

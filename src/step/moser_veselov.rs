@@ -108,6 +108,8 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
     let mut c = u.map(|x| x * grown.clone()) - bend(&nearer);
     // An error e leaves one of the order of e^2: below this it leaves less than rounding.
     let enough = T::rounding().sqrt() / 8.0;
+    // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to find.
+    let least = T::rounding().powi(4);
     let mut moved = f64::NAN;
     for _ in 0..ROUNDS {
         let kc = k.component_mul(&c);
@@ -128,7 +130,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         let size = |v: &Vector3<T>| v.iter().map(Analytic::size).sum::<f64>();
         moved = size(&change);
         c -= change;
-        if moved <= enough * size(&c) {
+        if moved <= enough * size(&c) || moved < least {
             return Ok(c);
         }
         if !moved.is_finite() {

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::euler;
 use crate::inertia::possible_moments;
 use crate::scalar::{Analytic, Field};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// A body by its principal moments, and the torques that act on it.
 ///
@@ -114,13 +114,25 @@ impl<T: Analytic> System<T> {
     }
 
     /// The law: rates of attitude and of body-frame momentum, `q' = q w / 2` and `L' = L x w + torque`.
+    ///
+    /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of momentum and spin two
+    /// nearly cancel.
     #[must_use]
     pub fn rate(&self, motion: &Motion<T>) -> Motion<T> {
-        let inverse = Matrix3::from_diagonal(&self.inverse);
+        let omega = self.omega(&motion.vector);
         Motion {
-            attitude: attitude::rate(&motion.attitude, &self.omega(&motion.vector)),
-            vector: euler::momentum_rate(&inverse, &motion.vector, &self.torque(motion)),
+            attitude: attitude::rate(&motion.attitude, &omega),
+            vector: euler::coupling(&self.moments, &omega) + self.torque(motion),
         }
+    }
+
+    /// The damping along each axis, all of it together, N m s.
+    pub(super) fn drag(&self) -> Vector3<T> {
+        let none = Vector3::from_fn(|_, _| T::zero());
+        self.torques.iter().fold(none, |sum, torque| match torque {
+            Torque::Damping(coefficients) => sum + coefficients,
+            _ => sum,
+        })
     }
 
     /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of a

@@ -92,19 +92,23 @@ impl<T: Analytic> Torque<T> {
 }
 
 /// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and the whole is brought back to
-/// its length. Rates are taken from the slowest, so that one component always stays.
+/// its length. Rates are taken from the slowest, so that one component always stays; lengths in parts of the largest component, so
+/// that no square leaves the range.
 fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T) -> Vector3<T> {
-    let square = momentum.dot(momentum);
     let present = |i: &usize| momentum[*i].size() > 0.0;
     let slowest = (0..3).filter(present).min_by(|&i, &j| inverse[i].size().total_cmp(&inverse[j].size()));
     let Some(slowest) = slowest else { return momentum.clone() };
+    let largest = &momentum[momentum.map(|x| x.size()).imax()];
+    let part = momentum.map(|x| x / largest.clone());
+    let square = part.dot(&part);
     let decay = |i: usize| {
-        let beside = inverse[i].clone() - inverse[slowest].clone();
-        (-(square.clone() * beside * time.clone())).exp()
+        // In this order: nothing times anything finite is nothing.
+        let beside = (inverse[i].clone() - inverse[slowest].clone()) * time.clone();
+        (-(beside * largest.clone() * largest.clone() * square.clone())).exp()
     };
-    let shrunk = Vector3::from_fn(|i, _| momentum[i].clone() * decay(i));
-    let back = (square / shrunk.dot(&shrunk)).sqrt();
-    shrunk.map(|x| x * back.clone())
+    let shrunk = Vector3::from_fn(|i, _| part[i].clone() * decay(i));
+    let back = (square.clone() / shrunk.dot(&shrunk)).sqrt();
+    shrunk.map(|x| x * back.clone() * largest.clone())
 }
 
 impl Torque<f64> {

@@ -112,6 +112,37 @@ impl Canvas {
         }
     }
 
+    /// Many rectangles (left, top, right, bottom) of one look in one element.
+    pub(crate) fn tiles(&self, tiles: &[[f64; 4]], fill: Fill, outline: Option<Pen>) {
+        let mut data = String::new();
+        for &[left, top, right, bottom] in tiles {
+            let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+            data.push_str(&path_data(&corners.map(fine)));
+            data.push('z');
+        }
+        let mut style = fill.css();
+        if let Some(pen) = outline {
+            style = format!("{style};{}", pen.css());
+        }
+        if !data.is_empty() {
+            self.push(&format!("<path d=\"{data}\" style=\"{style}\"/>\n"));
+        }
+    }
+
+    /// Many small crosses in one element.
+    pub(crate) fn crosses(&self, centres: impl IntoIterator<Item = P>, r: f64, pen: Pen) {
+        let (half, mut data) = ((r * FINENESS).round(), String::new());
+        for (x, y) in centres.into_iter().map(fine) {
+            let (left, top) = (f64::from(x) - half, f64::from(y) - half);
+            let whole = 2.0 * half;
+            let right = left + whole;
+            let _ = write!(data, "M{left} {top}l{whole} {whole}M{right} {top}l-{whole} {whole}");
+        }
+        if !data.is_empty() {
+            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", pen.css()));
+        }
+    }
+
     /// An arc from one angle to another (radians, from the right, upwards).
     pub(crate) fn arc(&self, centre: P, r: f64, from: f64, to: f64, pen: Pen) {
         let points: Vec<P> =
@@ -144,6 +175,13 @@ impl Canvas {
     /// Writing, with its baseline at the point.
     pub(crate) fn label(&self, at: P, label: &Label) {
         self.push(&label.svg(at, FINENESS));
+    }
+
+    /// A row of letters, each with a place of its own on one line.
+    pub(crate) fn letters(&self, x: &[f64], y: f64, label: &Label) {
+        if !x.is_empty() {
+            self.push(&label.spread(x, y, FINENESS));
+        }
     }
 
     /// The whole document. `name` prefixes its ids.

@@ -20,7 +20,7 @@ const FATES: [(&str, &str, f64); 9] = [
 ];
 
 /// The sizes of the sheet, in points.
-const LEFT: f64 = 196.0;
+const LEFT: f64 = 178.0;
 const RIGHT: f64 = 672.0;
 const ROW: f64 = 17.0;
 const GAP: f64 = 14.0;
@@ -83,17 +83,18 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
     let mut said = Vec::new();
     for (row, runner) in runners.iter().enumerate() {
         let y = top + ROW * number(row);
-        canvas.label((LEFT - 8.0, y + 0.76 * ROW), &Label::new(*runner).size(13.5).end());
+        canvas.label((LEFT - 8.0, y + 0.76 * ROW), &Label::new(*runner).size(13.0).end());
     }
+    let mut tiles = Tiles::default();
     let mut x = LEFT;
     for (chart, cases) in charts.iter().zip(&columns) {
         let middle = x + 0.5 * wide * number(cases.len());
         canvas.label((middle, 22.0), &Label::new(chart.title).size(15.5).bold().middle());
-        let mut right = Vec::new();
+        let mut counts = Vec::new();
         for (column, case) in cases.iter().enumerate() {
             let left = x + wide * number(column);
             let title = if keyed { (column + 1).to_string() } else { short(case) };
-            canvas.label((left + 0.5 * wide, top - 7.0), &Label::new(title).size(12.0).middle());
+            canvas.label((left + 0.5 * wide, top - 7.0), &Label::new(title).size(11.0).middle());
             for (row, runner) in runners.iter().enumerate() {
                 let y = top + ROW * number(row);
                 let fate = |single: bool| {
@@ -104,14 +105,14 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
                 };
                 let (double, single) = (fate(false), fate(true));
                 if let Some(fate) = double {
-                    cell(&canvas, [left, y, left + wide, y + ROW], fate, true);
+                    tiles.large[fate].push([left, y, left + wide, y + ROW]);
                 }
                 if let (Some(double), Some(single)) = (double, single)
                     && double != single
                 {
                     let side = 0.42 * ROW;
                     let (ex, ey) = (left + wide - 0.8, y + ROW - 0.8);
-                    cell(&canvas, [ex - side, ey - side, ex, ey], single, false);
+                    tiles.small[single].push([ex - side, ey - side, ex, ey]);
                 }
             }
         }
@@ -125,20 +126,21 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
                         && p.fate == 0
                 })
             });
-            right.push(format!("{runner} {}", kept.count()));
+            counts.push((kept.count(), *runner));
         }
         canvas.label((middle, bottom + 20.0), &Label::new(chart.swept).size(14.0).middle());
         said.push(format!(
-            "{} ({}), {} cases from {} to {}; right in f64: {}.",
-            chart.title,
+            "{}: {}, {} cases from {} to {}. {}.",
+            capital(chart.title),
             chart.swept,
             cases.len(),
             cases.first().copied().unwrap_or_default(),
             cases.last().copied().unwrap_or_default(),
-            right.join(", ")
+            best_and_worst(&counts)
         ));
         x += wide * number(cases.len()) + GAP;
     }
+    tiles.draw(&canvas);
     let mut y = bottom + 50.0;
     if keyed {
         for (index, case) in columns[0].iter().enumerate() {
@@ -148,7 +150,12 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
         }
         y += 19.0 * number(keys) + 6.0;
     }
-    legend(&canvas, y);
+    let used: Vec<usize> = (0..FATES.len())
+        .filter(|&fate| {
+            all.iter().any(|p| p.fate == fate && charts.iter().any(|chart| chart.name == p.chart))
+        })
+        .collect();
+    legend(&canvas, y, &used);
     Ok(Picture {
         canvas,
         description: format!(
@@ -162,7 +169,7 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
 /// As a power of ten where that is shorter.
 fn short(case: &str) -> String {
     match case.parse::<f64>() {
-        Ok(value) if value >= 100.0 || value < 0.01 || case.contains('e') => {
+        Ok(value) if !(0.01..100.0).contains(&value) || case.contains('e') => {
             let power = value.log10().round();
             if power == 0.0 { "1".to_owned() } else { format!("$10^{{{power}}}$") }
         }
@@ -170,33 +177,83 @@ fn short(case: &str) -> String {
     }
 }
 
-fn cell(canvas: &Canvas, [left, top, right, bottom]: [f64; 4], fate: usize, large: bool) {
-    let (word, sign, dark) = FATES[fate];
-    let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
-    let edge = Pen::new(Ink::Faint, if large { 0.6 } else { 0.8 });
-    if !large {
-        canvas.area(&corners, Fill::new(Ink::Paper), None);
-    }
-    let ink = if word == "refused" { Ink::Faint } else { Ink::Wrong };
-    let dark = if word == "refused" { 0.35 } else { dark };
-    canvas.area(&corners, Fill::new(ink).opacity(dark), Some(edge));
-    if large && !sign.is_empty() {
-        let ink = if dark > 0.5 { Ink::Paper } else { Ink::Text };
-        let at = (0.5 * (left + right), bottom - 0.26 * (bottom - top));
-        canvas.label(at, &Label::new(sign).size(13.0).ink(ink).middle());
+/// With a capital first letter.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
+}
+
+/// Who is right most often and who never, in double precision.
+fn best_and_worst(counts: &[(usize, &str)]) -> String {
+    let with = |count: usize| {
+        let names: Vec<&str> = counts.iter().filter(|c| c.0 == count).map(|c| c.1).collect();
+        names.join("; ")
+    };
+    let mut ranks: Vec<usize> = counts.iter().map(|c| c.0).collect();
+    ranks.sort_unstable();
+    ranks.dedup();
+    let best: Vec<_> = ranks
+        .iter()
+        .rev()
+        .take(2)
+        .filter(|&&count| count > 0)
+        .map(|&count| format!("Right in {count}: {}", with(count)))
+        .collect();
+    let never = with(0);
+    if never.is_empty() { best.join(". ") } else { format!("{}. Right in none: {never}", best.join(". ")) }
+}
+
+/// Squares by their fate: those of double precision, and the small ones of single precision at their corners.
+#[derive(Default)]
+struct Tiles {
+    large: [Vec<[f64; 4]>; FATES.len()],
+    small: [Vec<[f64; 4]>; FATES.len()],
+}
+
+impl Tiles {
+    fn draw(&self, canvas: &Canvas) {
+        for (fate, (tiles, (_, sign, dark))) in self.large.iter().zip(FATES).enumerate() {
+            canvas.tiles(tiles, fill(fate), Some(Pen::new(Ink::Faint, 0.6)));
+            let ink = if dark > 0.5 { Ink::Paper } else { Ink::Text };
+            let mut rows = tiles.clone();
+            rows.sort_by(|a, b| a[1].total_cmp(&b[1]));
+            // The signs of one row in one element.
+            for row in rows.chunk_by(|a, b| a[1].total_cmp(&b[1]).is_eq()).filter(|_| !sign.is_empty()) {
+                let x: Vec<f64> = row.iter().map(|tile| 0.5 * (tile[0] + tile[2])).collect();
+                let label = Label::new(sign.repeat(x.len())).size(13.0).ink(ink).middle();
+                canvas.letters(&x, row[0][3] - 0.26 * ROW, &label);
+            }
+        }
+        for (fate, tiles) in self.small.iter().enumerate() {
+            canvas.tiles(tiles, Fill::new(Ink::Paper), None);
+            canvas.tiles(tiles, fill(fate), Some(Pen::new(Ink::Faint, 0.8)));
+        }
     }
 }
 
-fn legend(canvas: &Canvas, y: f64) {
+fn fill(fate: usize) -> Fill {
+    let (word, _, dark) = FATES[fate];
+    let (ink, dark) = if word == "refused" { (Ink::Faint, 0.35) } else { (Ink::Wrong, dark) };
+    Fill::new(ink).opacity(dark)
+}
+
+/// The fates that the sheet shows.
+fn legend(canvas: &Canvas, y: f64, used: &[usize]) {
     let mut x = 24.0;
     let mut y = y;
-    for (index, (word, _, _)) in FATES.iter().enumerate() {
+    let mut tiles = Tiles::default();
+    for &index in used {
+        let word = FATES[index].0;
         if x > 560.0 {
             (x, y) = (24.0, y + 24.0);
         }
-        cell(canvas, [x, y - 13.0, x + 22.0, y + 4.0], index, true);
-        canvas.label((x + 28.0, y), &Label::new(*word).size(14.0));
+        tiles.large[index].push([x, y - 13.0, x + 22.0, y + 4.0]);
+        canvas.label((x + 28.0, y), &Label::new(word).size(14.0));
         x += 44.0 + 8.2 * word.len() as f64;
+    }
+    tiles.draw(canvas);
+    if x > 480.0 {
+        (x, y) = (18.0, y + 24.0);
     }
     canvas.label((x + 6.0, y), &Label::new("corner: single precision").size(14.0));
 }

@@ -12,6 +12,7 @@ mod box_arrows;
 mod box_moments;
 mod cover;
 mod engines_energy;
+mod engines_fate;
 mod engines_paths;
 mod exact_errors;
 mod flip_strip;
@@ -39,7 +40,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 31] = [
+pub(crate) static ALL: [Figure; 32] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -201,6 +202,12 @@ pub(crate) static ALL: [Figure; 31] = [
         shows: "Error of the energy through a million turns",
         chapter: "error-against-run-time",
         draw: work::draw_drift,
+    },
+    Figure {
+        name: "engines-fate",
+        shows: "What the rules of physics engines make of a stable spin",
+        chapter: "where-things-break",
+        draw: engines_fate::draw,
     },
     Figure {
         name: "atlas-steps",

@@ -37,7 +37,7 @@ fn words(group: Group) -> &'static str {
 const FLOOR: f64 = 1e-16;
 /// Larger ones lie on this.
 const CEILING: f64 = 10.0;
-const SHORTEST: f64 = 5e-7;
+const SHORTEST: f64 = 5e-8;
 const LONGEST: f64 = 1.0;
 
 /// One curve, and where it failed.
@@ -101,18 +101,20 @@ fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
     plot
 }
 
-/// Crosses.
-fn crosses(canvas: &Canvas, plot: &Plot, points: &[(f64, f64)]) {
-    for &(x, y) in points {
-        let (x, y) = plot.at(x.clamp(SHORTEST, LONGEST), y);
-        let pen = Pen::new(Ink::Wrong, 1.2).opacity(0.8);
-        canvas.line((x - 3.0, y - 3.0), (x + 3.0, y + 3.0), pen);
-        canvas.line((x - 3.0, y + 3.0), (x + 3.0, y - 3.0), pen);
+/// Failures.
+fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Curve<'_>]) {
+    let points = curves.iter().flat_map(|curve| &curve.wrong);
+    let mut places: Vec<P> = Vec::new();
+    for place in points.map(|&(x, y)| plot.at(x.clamp(SHORTEST, LONGEST), y)) {
+        // One cross does for those that would lie upon each other.
+        if places.iter().all(|p| (p.0 - place.0).hypot(p.1 - place.1) > 4.0) {
+            places.push(place);
+        }
     }
+    canvas.crosses(places, 3.0, Pen::new(Ink::Wrong, 1.2).opacity(0.8));
 }
 
-fn line(canvas: &Canvas, plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
-    crosses(canvas, plot, &curve.wrong);
+fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
     if let [only] = curve.right.as_slice() {
         plot.dots([*only], if curve.group == Group::Exact { 5.0 } else { 2.5 }, pen.ink())?;
     }
@@ -160,10 +162,11 @@ pub(super) fn draw_box() -> Drawing {
     let plot = plot(&canvas, (58.0, 50.0), (312.0, 480.0), 2, "time of a run");
     canvas.label((20.0, 30.0), &Label::new("error of the attitude after 100 flips (rad)").bold());
     let curves = curves(&record.rows, "box", kind);
+    crosses(&canvas, &plot, &curves);
     let mut ends = Vec::new();
     for curve in curves.iter().rev() {
         let pen = pen(curve.group);
-        line(&canvas, &plot, curve, pen)?;
+        line(&plot, curve, pen)?;
         let best = curve.right.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some(best) = best {
             ends.push((plot.at(best.0, best.1), curve.name.to_owned(), pen));
@@ -198,13 +201,15 @@ pub(super) fn draw_box() -> Drawing {
 fn bodies(name: &str) -> Drawing {
     let record = committed()?;
     let kind = kind(name).ok_or("no such error")?;
-    let canvas = Canvas::new(920);
-    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let stories = story::all()?;
     let with: Vec<_> = stories
         .iter()
         .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
         .collect();
+    // A row is for two, and the key takes a place.
+    let rows = u32::try_from(with.len() / 2)? + 1;
+    let canvas = Canvas::new(48 + 218 * rows);
+    canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let place = |at: usize| {
         let (row, column) = (at / 2, at % 2);
         #[allow(clippy::cast_precision_loss)]
@@ -217,13 +222,15 @@ fn bodies(name: &str) -> Drawing {
         let plot = plot(&canvas, corner, size, 4, "");
         canvas.label((corner.0, corner.1 - 8.0), &Label::new(story.title).size(15.5));
         let curves = curves(&record.rows, story.name, kind);
+        crosses(&canvas, &plot, &curves);
         for group in [Group::Wrong, Group::Neither, Group::Momentum, Group::Peer, Group::Both, Group::Exact] {
             for curve in curves.iter().filter(|curve| curve.group == group) {
-                line(&canvas, &plot, curve, pen(group))?;
+                line(&plot, curve, pen(group))?;
             }
         }
         let best = curves.iter().flat_map(|c| c.right.iter().map(move |p| (c.name, p.1)));
-        let best = best.filter(|(name, _)| *name != "exact motion").min_by(|a, b| a.1.total_cmp(&b.1));
+        let best =
+            best.filter(|(name, _)| !name.starts_with("exact motion")).min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((name, error)) = best {
             told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
         }
@@ -241,14 +248,12 @@ fn bodies(name: &str) -> Drawing {
         canvas.label((left + 40.0, y + 5.0), &Label::new(words(group)).size(15.5));
     }
     let y = top + 12.0 + 24.0 * 6.0;
-    let cross = Pen::new(Ink::Wrong, 1.2);
-    canvas.line((left + 11.0, y - 4.0), (left + 19.0, y + 4.0), cross);
-    canvas.line((left + 11.0, y + 4.0), (left + 19.0, y - 4.0), cross);
+    canvas.crosses([(left + 15.0, y)], 4.0, Pen::new(Ink::Wrong, 1.2));
     canvas.label((left + 40.0, y + 5.0), &Label::new("wrong number of flips, or broken").size(15.5));
     Ok(Picture {
         canvas,
         description: format!(
-            "Small plots, one for each body: time of a run across, from 1 microsecond to 1 second, error up, from 1e-16 to 1, \
+            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
              both logarithmic. {}. {}",
             told.join("; "),
             circumstances(&record)

@@ -161,7 +161,8 @@ impl Elliptic {
                 let (whole, left) = ((*turns * time + at_start) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
-                let halves = if even == (values.cn > 0.0) { whole } else { whole + 1_f64.copysign(left) };
+                let halves =
+                    if even == values.cn.is_sign_positive() { whole } else { whole + 1_f64.copysign(left) };
                 (values, halves)
             }
             Form::Hyperbolic { spin, way, .. } => {

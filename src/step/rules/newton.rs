@@ -23,13 +23,20 @@ pub(in super::super) const LINEARISED: About = About {
     source: "MuJoCo's implicit and implicitfast",
 };
 
-/// The change of spin that solves `(I + h D) dw = impulse`, with `D = [w]x I - [I w]x` the derivative of `w x I w`.
-fn solved<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T, impulse: &Vector3<T>) -> Vector3<T> {
+/// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative of `w x I w` and `C` the
+/// drag along each axis.
+fn solved<T: Analytic>(
+    system: &System<T>,
+    start: &Motion<T>,
+    h: &T,
+    impulse: &Vector3<T>,
+    drag: &Vector3<T>,
+) -> Vector3<T> {
     let omega = system.omega(&start.vector);
     let columns: [Vector3<T>; 3] = std::array::from_fn(|k| {
         let axis = Vector3::from_fn(|i, _| if i == k { T::one() } else { T::zero() });
         let moment = axis.map(|x| x * system.moments()[k].clone());
-        let slope = omega.cross(&moment) - start.vector.cross(&axis);
+        let slope = omega.cross(&moment) - start.vector.cross(&axis) + axis.map(|x| x * drag[k].clone());
         moment + slope.map(|x| x * h.clone())
     });
     let [a, b, c] = &columns;
@@ -46,13 +53,14 @@ fn ended<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T, change: &Vec
 
 pub(in super::super) fn one_newton<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
     let gyroscopic = start.vector.cross(&system.omega(&start.vector));
-    let turned = solved(system, start, h, &gyroscopic.map(|x| x * h.clone()));
+    let none = Vector3::from_fn(|_, _| T::zero());
+    let turned = solved(system, start, h, &gyroscopic.map(|x| x * h.clone()), &none);
     let pushed = system.omega(&system.torque(start)).map(|x| x * h.clone());
     ended(system, start, h, &(turned + pushed))
 }
 
 pub(in super::super) fn linearised<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
     let impulse = system.rate(start).vector.map(|x| x * h.clone());
-    let change = solved(system, start, h, &impulse);
+    let change = solved(system, start, h, &impulse, &system.drag());
     ended(system, start, h, &change)
 }
