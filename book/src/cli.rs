@@ -1,6 +1,6 @@
 //! What was asked for on the command line, and carrying it out.
 
-use crate::{build, complain, draw, guard, measure, nearest, paths, preprocess, say};
+use crate::{build, complain, draw, guard, judge, measure, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -24,6 +24,13 @@ Draws the figures of the book and builds its pages.
     cargo run --release -- check --list        the same, and for each number and equation what holds it
     cargo run --release -- check --mutants     alter the book's numbers and equations, one change at a
                                                time, and tell which alterations go unnoticed
+    cargo run --release -- judge FILE          hold an engine's record of a free body (columns t, qw..qz,
+                                               wx..wz) against the exact motion, and say which rule made it:
+                                               exit 0 where it passes, 1 where not, 2 where it cannot be read;
+                                               FILE may be - for the standard input
+         --inertia A,B,C                       principal moments, where no comment `# inertia: A B C` tells
+         --threshold X                         the most error allowed of a law (0.01 if not given)
+         --json                                the verdict as JSON
     cargo run --release -- measure             run every method against the exact motion, some minutes;
                                                renews measure/record/, from which figures are drawn
     cargo run --release -- measure --peers     the same, with published solvers and an engine in the same
@@ -61,6 +68,7 @@ pub(crate) enum Asked {
     Build,
     Figures { names: Vec<&'static Figure>, check: bool },
     Check { folder: Option<PathBuf>, how: Checking },
+    Judge { file: PathBuf, json: bool, options: tumbling_judge::Options },
     Measure { quick: bool, peers: bool },
     Atlas,
     Longest { method: String },
@@ -69,8 +77,20 @@ pub(crate) enum Asked {
     Supports { renderer: String },
 }
 
-const COMMANDS: [&str; 8] = ["figures", "check", "list", "build", "measure", "atlas", "help", "preprocess"];
-const OPTIONS: [&str; 7] = ["--help", "--check", "--list", "--mutants", "--quick", "--peers", "--long"];
+const COMMANDS: [&str; 9] =
+    ["figures", "check", "list", "build", "judge", "measure", "atlas", "help", "preprocess"];
+const OPTIONS: [&str; 10] = [
+    "--help",
+    "--check",
+    "--list",
+    "--mutants",
+    "--quick",
+    "--peers",
+    "--long",
+    "--inertia",
+    "--threshold",
+    "--json",
+];
 
 /// Reads the arguments that follow the program's name.
 ///
@@ -83,6 +103,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut check = false;
     let mut how = Checking::Offences;
     let (mut quick, mut peers, mut long) = (false, false, None);
+    let (mut inertia, mut threshold, mut json) = (None, None, false);
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
             Short('h') | Long("help") => return Ok(Asked::Help),
@@ -93,6 +114,15 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Long("peers") => peers = true,
             Long("long") => {
                 long = Some(parser.value().map_err(|e| e.to_string())?.to_string_lossy().into_owned());
+            }
+            Long("json") => json = true,
+            Long("inertia") => {
+                let value = parser.value().map_err(|e| e.to_string())?;
+                inertia = Some(judge::moments(&value.to_string_lossy())?);
+            }
+            Long("threshold") => {
+                let value = parser.value().map_err(|e| e.to_string())?;
+                threshold = Some(judge::threshold(&value.to_string_lossy())?);
             }
             Value(word) => words.push(word.to_string_lossy().into_owned()),
             Long(unknown) => {
@@ -115,8 +145,21 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     if (quick || peers || long.is_some()) && command.as_deref() != Some("measure") {
         return Err("`--quick`, `--peers` and `--long` go with `measure`.".into());
     }
+    if (json || inertia.is_some() || threshold.is_some()) && command.as_deref() != Some("judge") {
+        return Err("`--inertia`, `--threshold` and `--json` go with `judge`.".into());
+    }
     match command.as_deref() {
         None => Ok(Asked::Everything),
+        Some("judge") => match rest.as_slice() {
+            [] => Err("`judge` takes a file of comma-separated values, or - for the standard input.".into()),
+            [file] => {
+                let usual = tumbling_judge::Options::default();
+                let options =
+                    tumbling_judge::Options { inertia, threshold: threshold.unwrap_or(usual.threshold) };
+                Ok(Asked::Judge { file: file.into(), json, options })
+            }
+            [_, extra, ..] => Err(format!("`judge` takes one file, but got `{extra}` besides.")),
+        },
         Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
         Some("check") => match rest.as_slice() {
             [] => Ok(Asked::Check { folder: None, how }),
@@ -197,6 +240,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
                 }
             });
         }
+        Asked::Judge { file, json, options } => return Ok(judge::judge(&file, &options, json)),
         Asked::Measure { quick, peers } => measure::measure(quick, peers)?,
         Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
@@ -303,6 +347,15 @@ mod tests {
         assert!(
             matches!(parsed(&["measure", "--long", "Buss"]), Ok(Asked::Longest { method }) if method == "Buss")
         );
+        assert!(matches!(
+            parsed(&["judge", "run.csv"]),
+            Ok(Asked::Judge { json: false, options, .. }) if options == tumbling_judge::Options::default()
+        ));
+        assert!(matches!(
+            parsed(&["judge", "-", "--inertia", "1,2,2.5", "--threshold=1e-6", "--json"]),
+            Ok(Asked::Judge { json: true, options, .. })
+                if options.threshold == 1e-6 && options.inertia.is_some_and(|moments| moments.z == 2.5)
+        ));
         assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
         assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, how: Checking::Offences })));
         assert!(matches!(
@@ -335,6 +388,12 @@ mod tests {
         assert!(parsed(&["measure", "--quick", "--long", "x"]).unwrap_err().contains("alone"));
         assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));
         assert!(matches!(parsed(&["check", "--list"]), Ok(Asked::Check { how: Checking::Listing, .. })));
+        assert!(parsed(&["judge"]).unwrap_err().contains("takes a file"));
+        assert!(parsed(&["judge", "a", "b"]).unwrap_err().contains("`b`"));
+        assert!(parsed(&["build", "--json"]).unwrap_err().contains("`judge`"));
+        assert!(parsed(&["judge", "a", "--inertia", "1,2"]).unwrap_err().contains("three numbers"));
+        assert!(parsed(&["judge", "a", "--inertia", "1,x,2"]).unwrap_err().contains("three numbers"));
+        assert!(parsed(&["judge", "a", "--threshold", "-1"]).unwrap_err().contains("above zero"));
         assert!(parsed(&["figures", "--mutants"]).unwrap_err().contains("`check`"));
     }
 }

@@ -4,6 +4,7 @@ mod build;
 mod cli;
 mod draw;
 mod guard;
+mod judge;
 mod log;
 mod measure;
 mod nearest;

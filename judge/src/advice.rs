@@ -1,0 +1,158 @@
+//! What a rule is called, who goes by it, and what to do about it.
+
+use crate::suspects::{Base, Rule, When};
+use tumbling::step::{Limits, Method, PHYSICS_ENGINES};
+
+impl Rule {
+    /// The method that it is, and in how many parts it cuts a step, if it is one and no more than limited.
+    #[must_use]
+    pub const fn method(&self) -> Option<(Method, u32)> {
+        match self {
+            Self::Method(method, parts) => Some((*method, *parts)),
+            Self::Engine(engine) => Some((engine.method, engine.parts)),
+            _ => None,
+        }
+    }
+
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Exact => "the exact motion".into(),
+            Self::Method(method, parts) => Base::Method(*method, *parts).name(),
+            Self::Engine(engine) => {
+                format!(
+                    "{}, with the limits of {} ({})",
+                    Base::Method(engine.method, engine.parts).name(),
+                    engine.name,
+                    limits(&engine.limits)
+                )
+            }
+            Self::FrozenTensor(_) => "a tensor frozen in the world".into(),
+            Self::MomentumForSpin(mass) => format!("momentum taken for spin (divided by {mass:.4})"),
+            Self::OtherMoments(moments, base) => {
+                format!(
+                    "other moments ({:.4}, {:.4}, {:.4}), {}",
+                    moments.x,
+                    moments.y,
+                    moments.z,
+                    base.name()
+                )
+            }
+            Self::Damped(factor, base, when) => {
+                let when = if *when == When::Before { "before" } else { "after" };
+                format!(
+                    "damping left on ({:.3e} of the spin each step, {when} the rule), {}",
+                    1.0 - factor,
+                    base.name()
+                )
+            }
+            Self::Capped(most, base) => format!("a cap on the spin ({most:.4} rad/s), {}", base.name()),
+        }
+    }
+
+    /// Physics engines known to go by it, with their settings.
+    #[must_use]
+    pub fn engines(&self) -> Vec<String> {
+        PHYSICS_ENGINES
+            .iter()
+            .filter(|engine| match self {
+                Self::Method(method, parts) => (engine.method, engine.parts) == (*method, *parts),
+                Self::Engine(this) => {
+                    (engine.method, engine.parts, engine.limits) == (this.method, this.parts, this.limits)
+                }
+                _ => false,
+            })
+            .map(|engine| match engine.version {
+                Some(version) => format!("{} {version}, {}", engine.name, engine.setting),
+                None => format!("{}, {}", engine.name, engine.setting),
+            })
+            .collect()
+    }
+
+    /// What it means for a body, and what to do.
+    #[must_use]
+    pub fn advice(&self) -> &'static str {
+        match self {
+            Self::Exact => "Nothing to do: the steps are the motion itself.",
+            Self::Method(method, _) => of_method(*method),
+            Self::Engine(engine) if engine.limits.rate.is_none() => {
+                "The body is too fast for the engine's limits, which slow it or turn it too little: take shorter steps, or raise the \
+                 limits. Chapter \"Stepping through time\"."
+            }
+            Self::Engine(engine) => of_method(engine.method),
+            Self::FrozenTensor(_) => {
+                "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with the \
+                 body, R I R^T, at each step. Chapter \"Three pitfalls\", 1."
+            }
+            Self::MomentumForSpin(_) => {
+                "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to the \
+                 world, w = R J R^T L. Chapter \"Three pitfalls\", 2."
+            }
+            Self::OtherMoments(..) => {
+                "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal frame \
+                 that is left out, or a shape that replaces the moments set. A free body tells their ratios, never their \
+                 common scale. Chapter \"Principal axes\"."
+            }
+            Self::Damped(..) => {
+                "Damping takes spin in each step: set the engine's angular damping to 0. Chapter \"Stepping through time\"."
+            }
+            Self::Capped(..) => {
+                "The spin is cut off at a limit: raise the engine's greatest angular velocity."
+            }
+        }
+    }
+}
+
+fn limits(limits: &Limits) -> String {
+    let mut all = Vec::new();
+    if let Some(angle) = limits.turn {
+        all.push(format!("a step beyond {:.0} degrees turns too little", angle.to_degrees()));
+    }
+    if let Some(most) = limits.component {
+        all.push(format!("spin is cut at {most:.1} rad/s along each axis of the world"));
+    }
+    if let Some(angle) = limits.spin {
+        all.push(format!("spin is slowed to {:.0} degrees a step", angle.to_degrees()));
+    }
+    if let Some(most) = limits.rate {
+        all.push(format!("put back beyond {most:e} rad/s2"));
+    }
+    all.join("; ")
+}
+
+const fn of_method(method: Method) -> &'static str {
+    match method {
+        Method::ConstantSpin => {
+            "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same where the \
+             momentum is taken for the spin). Turn gyroscopic forces on, or add w x I w. Chapter \"Three pitfalls\", 3."
+        }
+        Method::SemiImplicitEuler => {
+            "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. Turn the \
+             momentum instead of adding to it (three exact turns a step, or Buss's method). Chapter \"Where things break\", the fix."
+        }
+        Method::Rescaled | Method::RescaledStraight => {
+            "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts \
+             toward the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without \
+             rescaling). Chapter \"Where things break\", the fix."
+        }
+        Method::OneNewton | Method::LinearisedImplicit => {
+            "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by themselves; of a step \
+             that turns by a radian or more it can multiply the energy. Use the implicit midpoint rule or three exact turns a step. Chapter \"Where things break\", the fix."
+        }
+        Method::MeanSpinRungeKutta4 => {
+            "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' spins to the turn \
+             since the start of the step. Chapter \"Stepping through time\"."
+        }
+        Method::ExplicitEuler => {
+            "Everything is stepped straight ahead, the crudest of all: take any other method. Chapter \"Stepping through time\"."
+        }
+        Method::RungeKutta4 | Method::DormandPrince5 | Method::TurnedRungeKutta4 | Method::MuntheKaas4 => {
+            "A good method whose errors fall fast with the step, and add up: for long runs take one that keeps the laws. \
+             Chapter \"Stepping through time\"."
+        }
+        _ => {
+            "A method that keeps what it says it keeps; what is left is an error of phase. Chapter \"Stepping through time\"."
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! An error in the course of time, in little room; and how it grows.
+
+use std::fmt;
+
+/// As many stretches of time at most.
+const MOST: usize = 512;
+
+/// The size of an error over a record of any length, in at most 512 stretches of equally many rows.
+#[derive(Debug, Clone)]
+pub(crate) struct Curve {
+    stretches: Vec<Stretch>,
+    rows_each: usize,
+    last_rows: usize,
+    last: f64,
+    least: f64,
+    greatest: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    /// Its end, s.
+    t: f64,
+    /// The most that the error was.
+    most: f64,
+}
+
+impl Curve {
+    pub(crate) const fn new() -> Self {
+        Self { stretches: Vec::new(), rows_each: 1, last_rows: 0, last: 0.0, least: 0.0, greatest: 0.0 }
+    }
+
+    /// The error at a time after all before it.
+    pub(crate) fn push(&mut self, t: f64, error: f64) {
+        self.last = error;
+        self.least = self.least.min(error);
+        self.greatest = self.greatest.max(error);
+        let size = error.abs();
+        match self.stretches.last_mut() {
+            Some(stretch) if self.last_rows < self.rows_each => {
+                stretch.t = t;
+                stretch.most = stretch.most.max(size);
+                self.last_rows += 1;
+            }
+            _ => {
+                if self.stretches.len() == MOST {
+                    self.halve();
+                }
+                self.stretches.push(Stretch { t, most: size });
+                self.last_rows = 1;
+            }
+        }
+    }
+
+    fn halve(&mut self) {
+        let pairs = self.stretches.chunks(2);
+        self.stretches = pairs
+            .map(|pair| Stretch {
+                t: pair.iter().map(|x| x.t).fold(f64::NEG_INFINITY, f64::max),
+                most: pair.iter().map(|x| x.most).fold(0.0, f64::max),
+            })
+            .collect();
+        self.rows_each *= 2;
+    }
+
+    /// The error in the last row, with its sign.
+    pub(crate) const fn last(&self) -> f64 {
+        self.last
+    }
+
+    /// The least and the greatest error, with their signs; zero is one of them.
+    pub(crate) const fn range(&self) -> [f64; 2] {
+        [self.least, self.greatest]
+    }
+
+    /// The greatest size.
+    pub(crate) fn most(&self) -> f64 {
+        self.stretches.iter().map(|x| x.most).fold(0.0, f64::max)
+    }
+
+    /// How it grows, if what is below `rounding` is none. A logarithm of a ratio (`of_ratio`) that grows evenly is a quantity that
+    /// grows or decays exponentially.
+    pub(crate) fn growth(&self, rounding: f64, of_ratio: bool) -> Growth {
+        let most = self.most();
+        if most <= rounding {
+            return Growth::Rounding;
+        }
+        let end = self.stretches.last().map_or(0.0, |x| x.t);
+        let mut greatest = 0.0_f64;
+        // The greatest so far, from a sixteenth of the time on.
+        let envelope: Vec<(f64, f64)> = self
+            .stretches
+            .iter()
+            .map(|x| {
+                greatest = greatest.max(x.most);
+                (x.t, greatest)
+            })
+            .filter(|&(t, size)| t >= end / 16.0 && t > 0.0 && size > 0.0)
+            .collect();
+        let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
+        if most < 1.25 * at(0.5) {
+            return Growth::Bounded;
+        }
+        let power = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
+        let exponential = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
+        let even = |rate: f64| {
+            if of_ratio && most > 0.05 { Growth::Exponential { rate } } else { Growth::Linear { rate } }
+        };
+        if power.slope >= 1.5 {
+            if exponential.misfit < power.misfit && most > 10.0 * at(0.125) {
+                let rate = if of_ratio { self.last / end } else { exponential.slope };
+                return Growth::Exponential { rate };
+            }
+            return if of_ratio && most > 0.5 {
+                Growth::Exponential { rate: self.last / end }
+            } else {
+                Growth::Power { power: power.slope }
+            };
+        }
+        if power.slope >= 0.75 {
+            return even(self.last / end);
+        }
+        Growth::RandomWalk { rate: most / end.sqrt() }
+    }
+}
+
+struct Line {
+    slope: f64,
+    /// Mean square of what is left.
+    misfit: f64,
+}
+
+fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> Line {
+    let n = points.clone().map(|_| 1.0).sum::<f64>().max(1.0);
+    let (x, y) = points.clone().fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for p in points {
+        xx += (p.0 - x) * (p.0 - x);
+        xy += (p.0 - x) * (p.1 - y);
+        yy += (p.1 - y) * (p.1 - y);
+    }
+    let slope = if xx > 0.0 { xy / xx } else { 0.0 };
+    Line { slope, misfit: (yy - slope * xy) / n }
+}
+
+/// How an error grows in the time of a record, best first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Growth {
+    /// No more than the rounding of the numbers and of each step can make.
+    Rounding,
+    /// In the second half of the time no more than in the first, to a quarter.
+    Bounded,
+    /// As the square root of time.
+    RandomWalk {
+        /// So much at one second, and as the root of time from there.
+        rate: f64,
+    },
+    /// As time.
+    Linear {
+        /// So much a second.
+        rate: f64,
+    },
+    /// As a power of time beyond the first.
+    Power {
+        /// That power.
+        power: f64,
+    },
+    /// As an exponential of time.
+    Exponential {
+        /// By this much of itself a second; negative where it decays.
+        rate: f64,
+    },
+}
+
+impl Growth {
+    /// From best, 0, to worst, 5.
+    #[must_use]
+    pub const fn rank(self) -> u8 {
+        match self {
+            Self::Rounding => 0,
+            Self::Bounded => 1,
+            Self::RandomWalk { .. } => 2,
+            Self::Linear { .. } => 3,
+            Self::Power { .. } => 4,
+            Self::Exponential { .. } => 5,
+        }
+    }
+
+    /// In a word or three.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rounding => "kept to rounding",
+            Self::Bounded => "bounded",
+            Self::RandomWalk { .. } => "random walk",
+            Self::Linear { .. } => "linear",
+            Self::Power { .. } => "faster than linear",
+            Self::Exponential { .. } => "exponential",
+        }
+    }
+}
+
+impl fmt::Display for Growth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())?;
+        match self {
+            Self::Rounding | Self::Bounded => Ok(()),
+            Self::RandomWalk { rate } => write!(f, ", {rate:.2e} times the root of the seconds"),
+            Self::Linear { rate } => write!(f, ", {rate:.2e} a second"),
+            Self::Power { power } => write!(f, ", as time to the power {power:.1}"),
+            Self::Exponential { rate } => write!(f, ", {rate:.2e} of itself a second"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grown(rows: u32, error: impl Fn(f64) -> f64, of_ratio: bool) -> Growth {
+        let mut curve = Curve::new();
+        for i in 0..rows {
+            let t = f64::from(i) / 100.0;
+            curve.push(t, error(t));
+        }
+        assert!(curve.stretches.len() <= MOST);
+        curve.growth(1e-12, of_ratio)
+    }
+
+    #[test]
+    fn each_way_to_grow_is_told_from_the_others_whatever_the_length() {
+        for rows in [300, 5000, 100_000] {
+            assert_eq!(grown(rows, |t| 1e-13 * t.sin(), false), Growth::Rounding);
+            assert_eq!(grown(rows, |t| 1e-3 * (9.0 * t).sin(), false), Growth::Bounded);
+            assert!(
+                matches!(grown(rows, |t| 1e-5 * t.sqrt(), false), Growth::RandomWalk { rate } if (rate / 1e-5 - 1.0).abs() < 1e-6)
+            );
+            assert!(
+                matches!(grown(rows, |t| -1e-5 * t, false), Growth::Linear { rate } if (rate / -1e-5 - 1.0).abs() < 1e-6)
+            );
+            assert!(
+                matches!(grown(rows, |t| 1e-5 * t * t, false), Growth::Power { power } if (power - 2.0).abs() < 0.01)
+            );
+            assert!(
+                matches!(grown(rows, |t| -0.1 * t, true), Growth::Exponential { rate } if (rate + 0.1).abs() < 1e-6)
+            );
+        }
+        let rises = grown(3000, |t| 1e-9 * (0.5 * t).exp(), false);
+        assert!(matches!(rises, Growth::Exponential { rate } if (rate - 0.5).abs() < 1e-3), "{rises:?}");
+    }
+}

@@ -1,0 +1,89 @@
+//! What can be wrong with a record, each with its place.
+
+use std::fmt;
+
+/// Why a record could not be judged.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// The source itself failed.
+    Read {
+        /// The line that was being read, from 1; 0 where it could not be opened.
+        line: usize,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// Not a single line that is not a comment.
+    Empty,
+    /// Column names, and no row below them.
+    NoRows,
+    /// A start, and nothing to hold against it.
+    OneRow,
+    /// The line of column names does not do.
+    Columns {
+        /// Its line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A field does not do.
+    Field {
+        /// Its line, from 1.
+        line: usize,
+        /// Its column, from 1.
+        column: usize,
+        /// Its column's name.
+        name: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A line does not do as a whole.
+    Line {
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The body or its motion is none that the library takes.
+    Body(tumbling::Error),
+    /// Neither a header nor the caller tells the moments.
+    NoMoments,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Read { line: 0, source } => write!(f, "{source}"),
+            Self::Read { line, source } => write!(f, "line {line}: {source}"),
+            Self::Empty => f.write_str("the file is empty: a line of column names, then rows of numbers, are wanted"),
+            Self::NoRows => f.write_str("there are column names and no rows"),
+            Self::OneRow => f.write_str("there is one row: a motion takes two at least"),
+            Self::Columns { line, problem } | Self::Line { line, problem } => {
+                write!(f, "line {line}: {problem}")
+            }
+            Self::Field { line, column, name, problem } => {
+                write!(f, "line {line}, column {column} (`{name}`): {problem}")
+            }
+            Self::Body(error) => write!(f, "{error}"),
+            Self::NoMoments => f.write_str(
+                "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Read { source, .. } => Some(source),
+            Self::Body(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<tumbling::Error> for Error {
+    fn from(error: tumbling::Error) -> Self {
+        Self::Body(error)
+    }
+}

@@ -1,0 +1,31 @@
+//! Judges how well an engine turns a rigid body that nothing touches: a trajectory in, a verdict out.
+//!
+//! [`judge`] reads a record row by row and holds it against the exact motion from its first row. The [`Verdict`] says how
+//! each law of free motion is kept, what is wrong with the file if its numbers are not what their names say, and which
+//! rule made it: each rule known to the library takes the recorded rows one step further, and is held against the next row.
+//!
+//! Its memory does not grow with the record.
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod advice;
+mod columns;
+mod comment;
+mod curve;
+mod diagnosis;
+mod error;
+mod json;
+mod laws;
+mod reading;
+mod rows;
+mod state;
+mod suspects;
+mod text;
+mod verdict;
+
+pub use curve::Growth;
+pub use diagnosis::{Diagnosis, Explanation, Sure};
+pub use error::Error;
+pub use laws::{FlipCount, Law, LawName};
+pub use reading::Misread;
+pub use suspects::{Base, Rule, Steps, When};
+pub use verdict::{Gaps, Options, Outcome, Reset, Verdict, judge};

@@ -1,0 +1,244 @@
+//! How the numbers of a file are meant: mistakes of the file, told from mistakes of the engine.
+//!
+//! A spin and the turn from one row to the next tell the same thing. Where they do not, and would if the
+//! numbers were read another way, the file is what is wrong.
+
+use crate::columns::Kind;
+use crate::rows::Raw;
+use crate::state::{Pair, State, median};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::euler;
+
+/// A mistake of a file: what its numbers seem to be, against what its names say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Misread {
+    /// What is named in body axes is in the world's, or the other way round.
+    Frame,
+    /// The attitude is x, y, z, w.
+    Order,
+    /// The attitude takes the world to the body.
+    Inverse,
+    /// Spins are in degrees a second.
+    Degrees,
+    /// Time is in milliseconds.
+    Milliseconds,
+    /// The spin turns by the left hand, the attitude (if there is one) by the right.
+    LeftHandedSpin,
+    /// All of it is mirrored along an axis.
+    LeftHanded,
+    /// One component of the spin has the wrong sign: 0, 1 or 2.
+    MirroredComponent(usize),
+}
+
+impl Misread {
+    /// What is wrong, and what to do.
+    #[must_use]
+    pub fn words(self) -> String {
+        match self {
+            Self::Frame => "the vector is not in the axes its name says: a spin in world axes where body axes are named (`wx`), or \
+                            the other way round. Name the columns `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body"
+                .into(),
+            Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
+            Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
+            Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
+            Self::Milliseconds => "the time is in milliseconds: write seconds".into(),
+            Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
+            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, \
+                                 the opposite sign"
+                .into(),
+            Self::MirroredComponent(i) => {
+                format!("the {} component of the spin has the wrong sign (left-handed axes?)", ["x", "y", "z"][i.min(2)])
+            }
+        }
+    }
+}
+
+/// A way to take the numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Reading {
+    kind: Kind,
+    order: bool,
+    inverse: bool,
+    frame: bool,
+    hand: Hand,
+    /// What a spin is to be multiplied by, and a time.
+    spin: f64,
+    time: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Hand {
+    Right,
+    Left,
+    One(usize),
+}
+
+impl Reading {
+    /// As the names say.
+    pub(crate) const fn plain(kind: Kind) -> Self {
+        Self { kind, order: false, inverse: false, frame: false, hand: Hand::Right, spin: 1.0, time: 1.0 }
+    }
+
+    pub(crate) const fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// What it takes for wrong.
+    pub(crate) fn mistakes(&self) -> Vec<Misread> {
+        let mut all = Vec::new();
+        if self.order {
+            all.push(Misread::Order);
+        }
+        match (self.inverse, self.hand) {
+            (true, Hand::Left) => all.push(Misread::LeftHanded),
+            (inverse, hand) => {
+                if inverse {
+                    all.push(Misread::Inverse);
+                }
+                match hand {
+                    Hand::Right => {}
+                    Hand::Left => all.push(Misread::LeftHandedSpin),
+                    Hand::One(i) => all.push(Misread::MirroredComponent(i)),
+                }
+            }
+        }
+        if self.frame {
+            all.push(Misread::Frame);
+        }
+        if self.spin != 1.0 {
+            all.push(Misread::Degrees);
+        }
+        if self.time != 1.0 {
+            all.push(Misread::Milliseconds);
+        }
+        all
+    }
+
+    /// A row, read so.
+    pub(crate) fn state(&self, raw: &Raw, moments: &Vector3<f64>) -> State {
+        let attitude = raw.attitude.map(|q| {
+            let q = if self.order { Quaternion::new(q.k, q.w, q.i, q.j) } else { q };
+            if self.inverse { q.conjugate() } else { q }
+        });
+        let mut vector = raw.vector * self.spin;
+        match self.hand {
+            Hand::Right => {}
+            Hand::Left => vector = -vector,
+            Hand::One(i) => vector[i] = -vector[i],
+        }
+        let kind = match (self.frame, self.kind) {
+            (false, kind) => kind,
+            (true, Kind::SpinBody) => Kind::SpinWorld,
+            (true, Kind::SpinWorld) => Kind::SpinBody,
+            (true, Kind::MomentumBody) => Kind::MomentumWorld,
+            (true, Kind::MomentumWorld) => Kind::MomentumBody,
+        };
+        let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
+        State { line: raw.line, t: raw.t * self.time, attitude, omega }
+    }
+
+    /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain one does not.
+    pub(crate) fn of(kind: Kind, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let plain = Self::plain(kind);
+        let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
+        if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
+    }
+
+    fn pairs<'a>(
+        &'a self,
+        pairs: &'a [(Raw, Raw, f64)],
+        moments: &'a Vector3<f64>,
+    ) -> impl Iterator<Item = Pair> + Clone + 'a {
+        pairs.iter().map(|(from, to, h)| Pair {
+            from: self.state(from, moments),
+            to: self.state(to, moments),
+            h: h * self.time,
+        })
+    }
+
+    fn by_turns(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let off =
+            |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
+        let plain = off(&self);
+        if plain.is_finite() && plain < 0.05 {
+            return self;
+        }
+        let mut ways = Vec::new();
+        for order in [false, true] {
+            for inverse in [false, true] {
+                for frame in [false, true] {
+                    for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
+                        let turned = Self { order, inverse, frame, hand, ..self };
+                        let way = turned.scaled(pairs, moments);
+                        ways.push((way, off(&way)));
+                    }
+                }
+            }
+        }
+        let least = ways.iter().map(|way| way.1).fold(f64::INFINITY, f64::min);
+        if least > 0.05 || least > 0.2 * plain {
+            return self;
+        }
+        // Some ways turn alike: the fewest mistakes, and the law, decide between them.
+        let worth = |way: &Self| {
+            let (alike, _) = way.law(pairs, moments);
+            let mistakes: f64 = way
+                .mistakes()
+                .iter()
+                .map(|x| if matches!(x, Misread::MirroredComponent(_)) { 1.5 } else { 1.0 })
+                .sum();
+            mistakes - 2.0 * alike
+        };
+        let best = ways
+            .iter()
+            .filter(|way| way.1 <= (3.0 * least).max(1e-6))
+            .min_by(|a, b| worth(&a.0).total_cmp(&worth(&b.0)));
+        best.map_or(self, |way| way.0)
+    }
+
+    /// With the units that make turns and spins alike in size.
+    fn scaled(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let ratio = median(self.pairs(pairs, moments).filter_map(|pair| {
+            let speed = pair.from.omega.norm();
+            if speed > 0.0 { Some(pair.turn()?.norm() / pair.h / speed) } else { None }
+        }));
+        self.with_units(ratio)
+    }
+
+    fn with_units(self, ratio: f64) -> Self {
+        let near = |unit: f64| (ratio / unit - 1.0).abs() < 0.1;
+        if near(1.0_f64.to_radians()) {
+            Self { spin: 1.0_f64.to_radians(), ..self }
+        } else if near(1e-3) {
+            Self { time: 1e-3, ..self }
+        } else {
+            self
+        }
+    }
+
+    /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large beside it.
+    fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {
+        let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
+        for pair in self.pairs(pairs, moments) {
+            let mean = (pair.from.omega + pair.to.omega) / 2.0;
+            let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
+            let rate = (pair.to.omega - pair.from.omega) / pair.h;
+            found += rate.norm_squared();
+            wanted += law.norm_squared();
+            both += rate.dot(&law);
+        }
+        let sizes = (found * wanted).sqrt();
+        if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }
+    }
+
+    /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of the other hand backward.
+    fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let (alike, size) = self.law(pairs, moments);
+        if alike.abs() < 0.98 {
+            return self;
+        }
+        let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
+        Self { hand, ..self }.with_units(size.abs())
+    }
+}

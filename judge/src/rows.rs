@@ -1,0 +1,226 @@
+//! A record, row by row: one line in memory at a time.
+
+use crate::columns::{Clock, Columns, Kind};
+use crate::comment::Told;
+use crate::error::Error;
+use nalgebra::{Quaternion, Vector3};
+use std::io::BufRead;
+
+/// A line longer than this is no row of numbers.
+const LONGEST_LINE: u64 = 1 << 16;
+
+/// A row as it stands in the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Raw {
+    pub line: usize,
+    /// Seconds, or a count of steps times the step.
+    pub t: f64,
+    pub attitude: Option<Quaternion<f64>>,
+    /// As [`Kind`] says; in radians.
+    pub vector: Vector3<f64>,
+    /// The most significant digits that any of its numbers has.
+    pub digits: u32,
+    /// Whether all but the time fit single precision.
+    pub single: bool,
+}
+
+/// Reads a record.
+pub(crate) struct Rows<R> {
+    source: R,
+    line: usize,
+    text: Vec<u8>,
+    pub columns: Columns,
+    pub told: Told,
+    last: Option<f64>,
+    fields: Vec<f64>,
+}
+
+impl<R: BufRead> Rows<R> {
+    /// Reads up to the line of names.
+    pub(crate) fn open(source: R) -> Result<Self, Error> {
+        let mut lines = Lines { source, line: 0, text: Vec::new() };
+        let mut told = Told::default();
+        loop {
+            if !lines.advance()? {
+                return Err(Error::Empty);
+            }
+            let text = text_of(&lines.text, lines.line)?.trim_start_matches('\u{feff}').trim();
+            if let Some(comment) = text.strip_prefix('#') {
+                told.read(comment, lines.line)?;
+            } else if !text.is_empty() {
+                let columns = Columns::of(text, lines.line)?;
+                if matches!(columns.clock, Clock::Steps(_)) && told.step.is_none() {
+                    return Err(Error::Columns {
+                        line: lines.line,
+                        problem: "steps are counted, and how long one is is not told: a comment line `# dt: 0.01`, or a \
+                                  column `t`, is missing"
+                            .into(),
+                    });
+                }
+                let Lines { source, line, text } = lines;
+                return Ok(Self { source, line, text, columns, told, last: None, fields: Vec::new() });
+            }
+        }
+    }
+
+    /// The next row; `None` after the last.
+    pub(crate) fn next(&mut self) -> Result<Option<Raw>, Error> {
+        loop {
+            let text = std::mem::take(&mut self.text);
+            let mut lines = Lines { source: &mut self.source, line: self.line, text };
+            let found = lines.advance()?;
+            (self.line, self.text) = (lines.line, lines.text);
+            if !found {
+                return Ok(None);
+            }
+            let text = text_of(&self.text, self.line)?.trim();
+            if !(text.is_empty() || text.starts_with('#')) {
+                let raw = read(&self.columns, text, self.line, &self.told, &mut self.fields)?;
+                if let Some(last) = self.last
+                    && raw.t <= last
+                {
+                    let (Clock::Time(i) | Clock::Steps(i)) = self.columns.clock;
+                    return Err(Error::Field {
+                        line: self.line,
+                        column: i + 1,
+                        name: self.columns.names[i].clone(),
+                        problem: format!("time does not increase: {} s after {last} s", raw.t),
+                    });
+                }
+                self.last = Some(raw.t);
+                return Ok(Some(raw));
+            }
+        }
+    }
+}
+
+fn read(
+    columns: &Columns,
+    text: &str,
+    line: usize,
+    told: &Told,
+    fields: &mut Vec<f64>,
+) -> Result<Raw, Error> {
+    let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
+    let wanted = |i: usize| {
+        i == clock
+            || columns.vector.contains(&i)
+            || columns.attitude.is_some_and(|places| places.contains(&i))
+    };
+    let (mut digits, mut single) = (0, true);
+    fields.clear();
+    for (i, field) in columns.separator.split(text).enumerate() {
+        let wrong = |problem: String| Error::Field {
+            line,
+            column: i + 1,
+            name: columns.names.get(i).cloned().unwrap_or_default(),
+            problem,
+        };
+        if i >= columns.names.len() {
+            if field.is_empty() && i == columns.names.len() {
+                continue; // a separator at the end of the line
+            }
+            return Err(wrong(format!(
+                "`{field}` is one more field than there are columns ({})",
+                columns.names.len()
+            )));
+        }
+        if !wanted(i) {
+            fields.push(0.0);
+            continue;
+        }
+        if field.is_empty() {
+            return Err(wrong("the field is empty".into()));
+        }
+        let value: f64 = field.parse().map_err(|_| wrong(format!("`{field}` is not a number")))?;
+        if !value.is_finite() {
+            return Err(wrong(format!("the value is {field}: from here on there is no motion")));
+        }
+        if i != clock {
+            digits = digits.max(significant(field));
+            #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is the question")]
+            let rounded = f64::from(value as f32);
+            single &= rounded == value;
+        }
+        fields.push(value);
+    }
+    if fields.len() < columns.names.len() {
+        return Err(Error::Line {
+            line,
+            problem: format!(
+                "there are {} fields for {} columns: `{}` is missing",
+                fields.len(),
+                columns.names.len(),
+                columns.names[fields.len()]
+            ),
+        });
+    }
+    let t = match columns.clock {
+        Clock::Time(i) => fields[i],
+        Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
+    };
+    let [x, y, z] = columns.vector.map(|i| fields[i]);
+    let unit = if columns.degrees { 1.0_f64.to_radians() } else { 1.0 };
+    let attitude = columns.attitude.map(|places| {
+        let [w, x, y, z] = places.map(|i| fields[i]);
+        Quaternion::new(w, x, y, z)
+    });
+    Ok(Raw { line, t, attitude, vector: Vector3::new(x, y, z) * unit, digits, single })
+}
+
+/// How many digits from the first that is not zero, before an exponent.
+fn significant(field: &str) -> u32 {
+    let mut count = 0;
+    for byte in field.bytes() {
+        match byte {
+            b'e' | b'E' => break,
+            b'0' if count == 0 => {}
+            b'0'..=b'9' => count += 1,
+            _ => {}
+        }
+    }
+    count
+}
+
+/// Lines with their numbers.
+struct Lines<R> {
+    source: R,
+    line: usize,
+    text: Vec<u8>,
+}
+
+impl<R: BufRead> Lines<R> {
+    fn advance(&mut self) -> Result<bool, Error> {
+        self.text.clear();
+        self.line += 1;
+        let mut limited = std::io::Read::take(&mut self.source, LONGEST_LINE);
+        let read = limited
+            .read_until(b'\n', &mut self.text)
+            .map_err(|source| Error::Read { line: self.line, source })?;
+        if read as u64 == LONGEST_LINE && self.text.last() != Some(&b'\n') {
+            let problem = format!("the line is longer than {LONGEST_LINE} bytes");
+            return Err(Error::Line { line: self.line, problem });
+        }
+        Ok(read > 0)
+    }
+}
+
+fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {
+    std::str::from_utf8(bytes)
+        .map_err(|_| Error::Line { line, problem: "the line is not text (UTF-8)".into() })
+}
+
+impl Raw {
+    /// The spin in body axes for a file that is right.
+    pub(crate) fn omega(&self, kind: Kind, moments: &Vector3<f64>) -> Vector3<f64> {
+        let mut vector = self.vector;
+        if kind.in_world()
+            && let Some(attitude) = self.attitude
+        {
+            let square = attitude.coords.norm_squared();
+            let rotation = tumbling::attitude::rotation_matrix(&attitude);
+            vector = if square > 0.0 { rotation.tr_mul(&vector) / square } else { vector };
+        }
+        if kind.is_momentum() { vector.component_div(moments) } else { vector }
+    }
+}

@@ -1,0 +1,64 @@
+//! A body at one instant, as the judge takes it, and two of them one step apart.
+
+use nalgebra::{Quaternion, Vector3};
+use tumbling::attitude;
+
+/// One row, understood.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct State {
+    pub line: usize,
+    /// Seconds.
+    pub t: f64,
+    /// Body to world, of any length.
+    pub attitude: Option<Quaternion<f64>>,
+    /// In body axes, rad/s.
+    pub omega: Vector3<f64>,
+}
+
+/// Two rows that follow one another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pair {
+    pub from: State,
+    pub to: State,
+    /// The step between them, s.
+    pub h: f64,
+}
+
+impl Pair {
+    /// The turn between the two as a rotation vector in body axes, rad; of two attitudes the shorter way.
+    pub(crate) fn turn(&self) -> Option<Vector3<f64>> {
+        let (from, to) = (self.from.attitude?, self.to.attitude?);
+        let q = attitude::product(&from.conjugate(), &to);
+        let q = if q.w < 0.0 { -q } else { q };
+        let sine = q.imag().norm();
+        let half = sine.atan2(q.w);
+        Some(if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() })
+    }
+
+    /// How far the turn is from what the spin tells, beside the spin: from the one before, after, or their mean, whichever is the
+    /// nearest. Nothing where a step turns so far that the shorter way need not be the right one.
+    pub(crate) fn inconsistency(&self) -> Option<f64> {
+        let turned = self.turn()? / self.h;
+        let (a, b) = (self.from.omega, self.to.omega);
+        let speed = a.norm().max(b.norm());
+        if speed == 0.0 || speed * self.h > 2.5 {
+            return None;
+        }
+        let mean = (a + b) / 2.0;
+        Some([a, b, mean].iter().map(|omega| (turned - omega).norm()).fold(f64::INFINITY, f64::min) / speed)
+    }
+}
+
+/// The middle one, and the one that 95 in 100 do not exceed.
+pub(crate) fn middle_and_most(mut values: Vec<f64>) -> Option<[f64; 2]> {
+    values.sort_by(f64::total_cmp);
+    let at = |percent: usize| {
+        values.get((values.len() * percent / 100).min(values.len().saturating_sub(1))).copied()
+    };
+    Some([at(50)?, at(95)?])
+}
+
+/// The middle one; infinite if there is none.
+pub(crate) fn median(values: impl Iterator<Item = f64>) -> f64 {
+    middle_and_most(values.collect()).map_or(f64::INFINITY, |x| x[0])
+}

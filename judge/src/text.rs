@@ -1,0 +1,192 @@
+//! A verdict in plain words.
+
+use crate::diagnosis::{Diagnosis, Sure};
+use crate::laws::{Law, LawName};
+use crate::verdict::{Outcome, Verdict};
+use std::fmt;
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(engine) = &self.engine {
+            writeln!(f, "Engine:   {engine}")?;
+        }
+        let [a, b, c] = self.moments.into();
+        writeln!(f, "Body:     moments {a}, {b}, {c} kg m2")?;
+        if let Some(torque) = self.torque {
+            writeln!(f, "Torque:   {}, {}, {} N m, constant in the world", torque.x, torque.y, torque.z)?;
+        }
+        let step = match self.step {
+            Some(step) => format!("steps of {step:.6} s"),
+            None => "steps of various lengths".into(),
+        };
+        writeln!(f, "Record:   {} rows, {}, judged over {:.3} s", self.rows, step, self.duration)?;
+        self.file(f)?;
+        self.physics(f)?;
+        if let Some(diagnosis) = &self.diagnosis {
+            writeln!(f, "\n{diagnosis}")?;
+        }
+        writeln!(f)?;
+        if let Some(law) = self.worst() {
+            writeln!(
+                f,
+                "Overall:  {} (of what the motion keeps, {} is kept worst)",
+                law.growth.name(),
+                law.name.words()
+            )?;
+        }
+        let mut reasons: Vec<String> = Vec::new();
+        let (name, reason) = match self.outcome {
+            Outcome::Passed => ("PASSED", format!("every law is kept within {}", self.threshold)),
+            Outcome::NothingToJudge if self.torque.is_some() => (
+                "NOTHING TO JUDGE",
+                "a torque acts, and the laws judged here are those of a free body. What made the record is told above".into(),
+            ),
+            Outcome::NothingToJudge => (
+                "NOTHING TO JUDGE",
+                "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
+            ),
+            Outcome::Failed => {
+                if !self.misread.is_empty() {
+                    reasons.push("the file is not what its names say".into());
+                }
+                if !self.resets.is_empty() {
+                    reasons.push("the motion does not go through".into());
+                }
+                reasons.extend(self.broken().map(|law| {
+                    format!("{} is off by up to {:.3e} (allowed: {})", law.name.words(), law.most, self.threshold)
+                }));
+                ("FAILED", String::new())
+            }
+        };
+        reasons.extend(self.complaints.iter().cloned());
+        if !reason.is_empty() {
+            reasons.insert(0, reason);
+        }
+        write!(f, "{name}: {}", reasons.join(";\n  "))
+    }
+}
+
+impl Verdict {
+    fn file(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for misread in &self.misread {
+            writeln!(f, "File:     {}.", misread.words())?;
+        }
+        if !self.misread.is_empty() {
+            writeln!(f, "          What follows is of the file with that put right.")?;
+        }
+        for reset in &self.resets {
+            let how = if reset.to_rest { "is put to rest" } else { "is put back to its start" };
+            writeln!(
+                f,
+                "Reset:    line {}, t = {:.4} s: the body {how}. Judged up to there.",
+                reset.line, reset.time
+            )?;
+        }
+        if let Some(gaps) = &self.gaps {
+            writeln!(
+                f,
+                "Gaps:     rows are missing in {} places, the first before line {}; the longest is {:.0} steps",
+                gaps.count, gaps.line, gaps.longest
+            )?;
+        }
+        if self.sign_changes > 0 {
+            writeln!(
+                f,
+                "Signs:    the quaternion changes its sign {} times; the attitude does not",
+                self.sign_changes
+            )?;
+        }
+        Ok(())
+    }
+
+    fn physics(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.laws.is_empty() {
+            writeln!(f, "\n{:22} {:>11} {:>11}   grade", "law", "most", "last")?;
+        }
+        for law in &self.laws {
+            writeln!(f, "{law}")?;
+        }
+        if let Some([first, last]) = self.separatrix {
+            let nearer = (last - 1.0).abs() < (first - 1.0).abs() || (first - 1.0) * (last - 1.0) < 0.0;
+            let moved = self.laws.iter().any(|law| law.name == LawName::Separatrix && law.growth.rank() > 0);
+            let toward = match (moved, nearer) {
+                (false, _) => "",
+                (true, true) => ", toward the separatrix at 1, where a stable spin starts to flip",
+                (true, false) => ", away from the separatrix at 1",
+            };
+            writeln!(f, "2 E I2 / L^2 goes from {first:.6} to {last:.6}{toward}")?;
+        }
+        if let Some(flips) = &self.flips {
+            write!(
+                f,
+                "The spin along the middle axis changes sign {} times (exact: {})",
+                flips.found, flips.exact
+            )?;
+            if let (Some(first), Some(exact)) = (flips.first, flips.first_exact) {
+                write!(
+                    f,
+                    "; the first at {first:.4} s (exact: {exact:.4} s), at most {:.2e} s apart",
+                    flips.apart
+                )?;
+            }
+            writeln!(f)?;
+            if let Some(first) = flips.turned_over {
+                writeln!(f, "The spin that should never turn over does so, first at {first:.4} s")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self.name {
+            LawName::Direction => "direction of L, rad",
+            LawName::Phase => "phase, ways round",
+            name => name.words(),
+        };
+        write!(f, "{name:22} {:>11.3e} {:>11.3e}   {}", self.most, self.last, self.growth)
+    }
+}
+
+impl fmt::Display for Diagnosis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let best = &self.best;
+        let how = match self.sure {
+            Sure::ToRounding => "Every step is made by",
+            Sure::MostSteps => "Most steps, but not all, are made by",
+            Sure::Near => "Most like",
+            Sure::NoneFits => "None of the known rules fits. Nearest is",
+        };
+        writeln!(f, "Diagnosis: {how}: {}", best.rule.name())?;
+        for engine in best.rule.engines() {
+            writeln!(f, "  as in {engine}")?;
+        }
+        writeln!(
+            f,
+            "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
+            self.steps, best.middle, best.most
+        )?;
+        if !self.alike.is_empty() {
+            let named = |rule: &crate::suspects::Rule| match rule.engines() {
+                engines if engines.is_empty() => rule.name(),
+                engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
+            };
+            let names: Vec<String> = self.alike.iter().take(6).map(named).collect();
+            let more = if self.alike.len() > 6 { ", and others" } else { "" };
+            writeln!(f, "  not to be told from it here: {}{more}", names.join("; "))?;
+        }
+        if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
+            writeln!(f, "  next is {}, {ratio:.1e} times as far", second.rule.name())?;
+        }
+        for hint in &self.hints {
+            writeln!(f, "  {hint}")?;
+        }
+        if self.sure == Sure::NoneFits {
+            return f.write_str(
+                "What to do: compare the engine's rule with those of chapter \"Stepping through time\".",
+            );
+        }
+        write!(f, "What to do: {}", best.rule.advice())
+    }
+}

@@ -1,0 +1,400 @@
+//! From a record to a verdict, one row in hand at a time.
+
+use crate::columns::Kind;
+use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
+use crate::error::Error;
+use crate::laws::{FlipCount, Law, LawName, Laws, angle_between};
+use crate::reading::{Misread, Reading};
+use crate::rows::{Raw, Rows};
+use crate::state::{Pair, State};
+use crate::suspects::Subject;
+use nalgebra::Vector3;
+use std::io::BufRead;
+
+/// How many rows are looked at before it is settled how they are meant.
+const PROBE: usize = 2048;
+/// Of those, how many pairs.
+const PROBED: usize = 256;
+
+/// What the judge is to go by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Principal moments, kg m²; they take precedence over what the record says.
+    pub inertia: Option<Vector3<f64>>,
+    /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
+    pub threshold: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { inertia: None, threshold: 0.01 }
+    }
+}
+
+/// The end of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// The file is sound, and every law is kept within the threshold.
+    Passed,
+    /// The file is not sound, or a law is broken.
+    Failed,
+    /// The record has nothing that could be right or wrong.
+    NothingToJudge,
+}
+
+/// A row at which the motion starts anew.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reset {
+    /// Its line in the file.
+    pub line: usize,
+    /// Its time, s.
+    pub time: f64,
+    /// Whether the body was put to rest.
+    pub to_rest: bool,
+}
+
+/// Steps that have no row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gaps {
+    /// How often rows are missing.
+    pub count: u64,
+    /// The first line after such a place.
+    pub line: usize,
+    /// How many steps the longest is.
+    pub longest: f64,
+}
+
+/// A verdict.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// Who made the record, if it says so.
+    pub engine: Option<String>,
+    /// Principal moments, kg m².
+    pub moments: Vector3<f64>,
+    /// A torque constant in the world, N m, that the record tells of.
+    pub torque: Option<Vector3<f64>>,
+    /// Rows.
+    pub rows: u64,
+    /// From the first row to the last that was judged, s.
+    pub duration: f64,
+    /// The step, s; none where it varies.
+    pub step: Option<f64>,
+    /// The rounding of the file's numbers, beside 1.
+    pub rounding: f64,
+    /// Whether it has attitudes.
+    pub has_attitude: bool,
+    /// Mistakes of the file. What follows is of the file with these put right.
+    pub misread: Vec<Misread>,
+    /// Where the motion starts anew; the laws are followed up to the first.
+    pub resets: Vec<Reset>,
+    /// Missing rows.
+    pub gaps: Option<Gaps>,
+    /// Times at which the quaternion changes its sign and not its attitude.
+    pub sign_changes: u64,
+    /// The laws.
+    pub laws: Vec<Law>,
+    /// Flips, for a body that can.
+    pub flips: Option<FlipCount>,
+    /// `2 E I2 / L²` in the first row and in the last, for a body with three different moments.
+    pub separatrix: Option<[f64; 2]>,
+    /// Which rule explains it.
+    pub diagnosis: Option<Diagnosis>,
+    /// What failed and is no law, in words.
+    pub complaints: Vec<String>,
+    /// The most that was allowed.
+    pub threshold: f64,
+    /// The end of it.
+    pub outcome: Outcome,
+}
+
+impl Verdict {
+    /// The conserved law that is kept worst.
+    #[must_use]
+    pub fn worst(&self) -> Option<&Law> {
+        self.laws
+            .iter()
+            .filter(|law| law.name.is_conserved())
+            .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
+    }
+
+    /// The conserved laws that are broken by more than the threshold.
+    pub fn broken(&self) -> impl Iterator<Item = &Law> {
+        self.laws.iter().filter(|law| law.name.is_conserved() && law.most.abs() > self.threshold)
+    }
+}
+
+/// Judges a record.
+///
+/// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`, `qw,qx,qy,qz` (body to world),
+/// `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in
+/// any order, between commas, semicolons, tabs or blanks. Comments before it may tell `inertia: A B C`, `dt: 1/60` and
+/// `torque: X Y Z`.
+///
+/// ```
+/// use tumbling_judge::{Options, Outcome, judge};
+/// // A body without a gyroscopic term: its spin does not move.
+/// let mut record = String::from("# inertia: 1 2 3\nt,wx,wy,wz\n");
+/// for i in 0..100 {
+///     record += &format!("{},0.1,2,0.1\n", 0.1 * f64::from(i));
+/// }
+/// let verdict = judge(record.as_bytes(), &Options::default())?;
+/// assert_eq!(verdict.outcome, Outcome::Failed);
+/// let diagnosis = verdict.diagnosis.unwrap();
+/// assert_eq!(diagnosis.best.rule.name(), "no gyroscopic term");
+/// # Ok::<(), tumbling_judge::Error>(())
+/// ```
+///
+/// # Errors
+/// A record that cannot be read, with line and column; moments that are not known or that no body has.
+pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> {
+    let mut rows = Rows::open(source)?;
+    let mut probe = Vec::new();
+    while probe.len() < PROBE
+        && let Some(raw) = rows.next()?
+    {
+        probe.push(raw);
+    }
+    if probe.is_empty() {
+        return Err(Error::NoRows);
+    }
+    if probe.len() == 1 {
+        return Err(Error::OneRow);
+    }
+    let moments = options.inertia.or(rows.told.inertia).ok_or(Error::NoMoments)?;
+    let torque = rows.told.torque.filter(|torque| *torque != Vector3::zeros());
+    let subject = Subject::new(moments, torque)?;
+    let kind = rows.columns.kind;
+    let clock = Clock::of(&probe);
+    let reading = Reading::of(kind, &clock.pairs(&probe), &moments);
+    let clock = clock.read(reading.time(), rows.told.step);
+    let floor = rounding(&probe);
+    let first = reading.state(&probe[0], &moments);
+    let mut trial = Trial {
+        laws: Laws::new(&moments, &first, floor)?,
+        first,
+        sample: Sample::new(),
+        clock,
+        rows: 0,
+        resets: Vec::new(),
+        gaps: None,
+        last: None,
+    };
+    for raw in &probe {
+        trial.row(&reading.state(raw, &moments))?;
+    }
+    while let Some(raw) = rows.next()? {
+        trial.row(&reading.state(&raw, &moments))?;
+    }
+    Ok(trial.end(&subject, &reading, kind, floor, rows.told.engine, options.threshold))
+}
+
+/// The rounding of numbers that have so many digits, or that single precision holds.
+fn rounding(probe: &[Raw]) -> f64 {
+    let digits = probe.iter().map(|raw| raw.digits).max().unwrap_or(17).min(17);
+    let single = probe.iter().all(|raw| raw.single) && digits > 6;
+    let of_digits = if digits >= 16 { 0.0 } else { 10.0_f64.powi(1 - i32::try_from(digits).unwrap_or(17)) };
+    // Few digits may be all there are: 0.5 has one. A record of such numbers alone does not move.
+    let of_digits = if digits < 4 { 0.0 } else { of_digits };
+    let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
+    f64::EPSILON.max(of_digits).max(of_single)
+}
+
+/// How time goes from row to row.
+#[derive(Debug, Clone, Copy)]
+struct Clock {
+    /// The step; none where it varies.
+    step: Option<f64>,
+}
+
+impl Clock {
+    /// From the times as the file has them.
+    fn of(probe: &[Raw]) -> Self {
+        let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
+        let least = steps.clone().fold(f64::INFINITY, f64::min);
+        let mut count = 0.0;
+        for step in steps {
+            let times = (step / least).round();
+            if (step / least - times).abs() > 0.02 {
+                return Self { step: None };
+            }
+            count += times;
+        }
+        let whole = probe.last().map_or(0.0, |row| row.t) - probe[0].t;
+        Self { step: Some(whole / count) }
+    }
+
+    /// In seconds, and to the digit where the step is told.
+    fn read(self, time: f64, told: Option<f64>) -> Self {
+        let step = self.step.map(|step| step * time);
+        Self { step: step.map(|step| told.filter(|told| (told / step - 1.0).abs() < 0.02).unwrap_or(step)) }
+    }
+
+    /// The step between two times, and how many steps long it is.
+    fn between(&self, from: f64, to: f64) -> (f64, f64) {
+        let Some(step) = self.step else { return (to - from, 1.0) };
+        let times = (to - from) / step;
+        if (times - 1.0).abs() < 0.05 { (step, 1.0) } else { (to - from, times) }
+    }
+
+    /// Rows one step apart, with the step as the file has it.
+    fn pairs(&self, probe: &[Raw]) -> Vec<(Raw, Raw, f64)> {
+        let mut pairs: Vec<_> = probe
+            .windows(2)
+            .filter_map(|rows| {
+                let (h, times) = self.between(rows[0].t, rows[1].t);
+                (times == 1.0).then_some((rows[0], rows[1], h))
+            })
+            .collect();
+        let every = pairs.len().div_ceil(PROBED).max(1);
+        let mut place = 0;
+        pairs.retain(|_| {
+            place += 1;
+            (place - 1) % every == 0
+        });
+        pairs
+    }
+}
+
+/// A trial as far as it has come.
+struct Trial {
+    laws: Laws,
+    first: State,
+    sample: Sample,
+    clock: Clock,
+    rows: u64,
+    resets: Vec<Reset>,
+    gaps: Option<Gaps>,
+    last: Option<State>,
+}
+
+/// No more resets than this are told one by one.
+const RESETS: usize = 16;
+
+impl Trial {
+    fn row(&mut self, state: &State) -> Result<(), Error> {
+        self.rows += 1;
+        let mut steps = 0.0;
+        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
+            let problem = "the quaternion has no length: it is no attitude".into();
+            return Err(Error::Line { line: state.line, problem });
+        }
+        if let Some(last) = self.last.replace(*state) {
+            let (h, times) = self.clock.between(last.t, state.t);
+            steps = times;
+            if times != 1.0 {
+                let gaps = self.gaps.get_or_insert(Gaps { count: 0, line: state.line, longest: 0.0 });
+                gaps.count += 1;
+                gaps.longest = gaps.longest.max(times);
+            }
+            if self.starts_anew(&last, state) && self.resets.len() < RESETS {
+                let to_rest = state.omega == Vector3::zeros();
+                self.resets.push(Reset { line: state.line, time: state.t, to_rest });
+            }
+            if self.resets.is_empty() && times == 1.0 {
+                let pair = Pair { from: last, to: *state, h };
+                self.laws.pair(&pair);
+                self.sample.push(&pair);
+            }
+        }
+        if self.resets.is_empty() {
+            self.laws.push(state, steps)?;
+        }
+        Ok(())
+    }
+
+    /// A body that moves is at rest all of a sudden, or back at the start without a way there.
+    fn starts_anew(&self, last: &State, state: &State) -> bool {
+        let (before, now) = (last.omega.norm(), state.omega.norm());
+        if before > 0.0 && now == 0.0 {
+            return before > 1e-3 * self.first.omega.norm();
+        }
+        let back = (state.omega - self.first.omega).norm() <= 1e-12 * self.first.omega.norm();
+        let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
+            return back && (last.omega - state.omega).norm() > 0.2 * now;
+        };
+        let turned = angle_between(&was, &q);
+        back && angle_between(&first, &q) < 1e-12
+            && turned > 0.2
+            && turned > 1.5 * before.max(now) * (state.t - last.t)
+    }
+
+    fn end(
+        self,
+        subject: &Subject,
+        reading: &Reading,
+        kind: Kind,
+        floor: f64,
+        engine: Option<String>,
+        threshold: f64,
+    ) -> Verdict {
+        let Self { laws, first, sample, clock, rows, resets, gaps, .. } = self;
+        let free = subject.torque.is_none();
+        let still = free && laws.constant && !should_change(subject, sample.pairs(), floor);
+        let diagnosis = if still { None } else { diagnose(subject, &sample, floor, kind.is_momentum()) };
+        let mut kept = laws.kept();
+        if !free {
+            kept.retain(|law| matches!(law.name, LawName::Unit | LawName::Consistency));
+        }
+        let mut complaints = Vec::new();
+        let flips = laws.flips().filter(|_| free);
+        if let Some(t) = flips.as_ref().and_then(|flips| flips.turned_over) {
+            complaints.push(format!(
+                "the spin turns over at {t:.4} s about the axis that it should circle for ever"
+            ));
+        }
+        match flips.as_ref().map(|flips| (flips.found, flips.exact)) {
+            Some((0, wanted)) if wanted > 0 => {
+                complaints.push(format!(
+                    "the spin along the middle axis never changes sign, and should do so {wanted} times"
+                ));
+            }
+            Some((found, 0)) if found > 0 => {
+                complaints.push(format!(
+                    "the spin along the middle axis changes sign {found} times, and should never do so"
+                ));
+            }
+            _ => {}
+        }
+        if sample.seen() == 0 {
+            complaints.push("no two rows are one step apart: no rule can be tried".into());
+        }
+        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > threshold) {
+            let off = 100.0 * law.most;
+            complaints
+                .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
+        }
+        let misread = reading.mistakes();
+        let broken = kept.iter().any(|law| law.name.is_conserved() && law.most.abs() > threshold);
+        let outcome = if !misread.is_empty() || !resets.is_empty() {
+            Outcome::Failed
+        } else if still || !free {
+            Outcome::NothingToJudge
+        } else if broken || !complaints.is_empty() {
+            Outcome::Failed
+        } else {
+            Outcome::Passed
+        };
+        Verdict {
+            engine,
+            moments: subject.moments,
+            torque: subject.torque,
+            rows,
+            duration: laws.last.t - first.t,
+            step: clock.step,
+            rounding: floor,
+            has_attitude: first.attitude.is_some(),
+            misread,
+            resets,
+            gaps,
+            sign_changes: laws.sign_changes,
+            laws: kept,
+            flips,
+            separatrix: laws.separatrix().filter(|_| free),
+            diagnosis,
+            complaints,
+            threshold,
+            outcome,
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! Records made for the judge.
+
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use nalgebra::{Quaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, Motion, System};
+use tumbling_judge::{Options, Verdict, judge};
+
+pub const MOMENTS: Vector3<f64> = Vector3::new(1.0, 2.0, 2.5);
+
+/// A time, an attitude (body to world) and a spin (body axes).
+pub type Row = (f64, Quaternion<f64>, Vector3<f64>);
+
+/// The exact motion, from an attitude that is not the identity.
+pub fn exact(omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
+    let motion = FreeMotion::new(&MOMENTS, &omega).unwrap();
+    let start = nalgebra::UnitQuaternion::from_euler_angles(0.4, -0.3, 1.1);
+    (0..=count)
+        .map(|i| {
+            let t = h * f64::from(i);
+            let now = motion.at(t).unwrap();
+            (t, (start * now.attitude).into_inner(), now.omega)
+        })
+        .collect()
+}
+
+/// A run of a method.
+pub fn stepped(method: Method, omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
+    let system = System::free(&MOMENTS).unwrap();
+    stepped_by(omega, h, count, |motion| method.step(&system, motion, &h).unwrap())
+}
+
+/// A run of any rule for attitude and momentum in body axes.
+pub fn stepped_by(
+    omega: Vector3<f64>,
+    h: f64,
+    count: u32,
+    step: impl Fn(&Motion<f64>) -> Motion<f64>,
+) -> Vec<Row> {
+    let system = System::free(&MOMENTS).unwrap();
+    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let mut rows = Vec::new();
+    for i in 0..=count {
+        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.vector)));
+        motion = step(&motion);
+    }
+    rows
+}
+
+/// A number with 17 significant digits.
+fn number(x: f64) -> String {
+    format!("{x:.16e}")
+}
+
+pub fn csv(rows: &[Row]) -> String {
+    let mut text = String::from("# inertia: 1 2 2.5 kg m2\nt,qw,qx,qy,qz,wx,wy,wz\n");
+    for (t, q, w) in rows {
+        let numbers = [*t, q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(number);
+        let _ = writeln!(text, "{}", numbers.join(","));
+    }
+    text
+}
+
+pub fn judged(text: &str) -> Verdict {
+    judge(text.as_bytes(), &Options::default()).unwrap()
+}

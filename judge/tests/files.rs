@@ -1,0 +1,340 @@
+//! What a file may have wrong: mistakes of meaning, each made on purpose in a good record, and bad input.
+
+mod common;
+
+use common::{MOMENTS, Row, csv, exact, judged, stepped};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::step::Method;
+use tumbling_judge::{Misread, Options, Outcome, judge};
+
+const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
+
+/// Good records: the motion itself, and two engines' rules.
+fn good() -> Vec<Vec<Row>> {
+    vec![
+        exact(SPIN, 0.01, 600),
+        exact(Vector3::new(0.2, 0.3, -6.0), 1.0 / 60.0, 600),
+        stepped(Method::SemiImplicitEuler, SPIN, 0.01, 600),
+        stepped(Method::OneNewton, SPIN, 1.0 / 60.0, 600),
+        stepped(Method::Rescaled, Vector3::new(-2.0, 0.5, 1.0), 1.0 / 30.0, 600),
+    ]
+}
+
+fn altered(rows: &[Row], how: impl Fn(&Row) -> Row) -> Vec<Row> {
+    rows.iter().map(how).collect()
+}
+
+#[test]
+fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
+    for rows in good() {
+        let right = judged(&csv(&rows));
+        assert_eq!(right.misread, []);
+        let rule = right.diagnosis.unwrap().best.rule.method();
+        let conj = |q: &Quaternion<f64>| q.conjugate();
+        let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * w;
+        type Mistake<'a> = (Misread, Box<dyn Fn(&Row) -> Row + 'a>);
+        let mistakes: [Mistake<'_>; 9] = [
+            (Misread::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
+            (Misread::Order, Box::new(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w))),
+            (Misread::Inverse, Box::new(|(t, q, w)| (*t, conj(q), *w))),
+            (Misread::Degrees, Box::new(|(t, q, w)| (*t, *q, w.map(f64::to_degrees)))),
+            (Misread::Milliseconds, Box::new(|(t, q, w)| (t * 1e3, *q, *w))),
+            (Misread::LeftHandedSpin, Box::new(|(t, q, w)| (*t, *q, -w))),
+            (Misread::LeftHanded, Box::new(|(t, q, w)| (*t, conj(q), -w))),
+            (Misread::MirroredComponent(1), Box::new(|(t, q, w)| (*t, *q, Vector3::new(w.x, -w.y, w.z)))),
+            // One component of all, the z: half a turn about it away from the mirrored one above.
+            (
+                Misread::LeftHanded,
+                Box::new(|(t, q, w)| {
+                    (*t, Quaternion::new(q.w, q.i, q.j, -q.k), Vector3::new(w.x, w.y, -w.z))
+                }),
+            ),
+        ];
+        for (misread, how) in mistakes {
+            let verdict = judged(&csv(&altered(&rows, how)));
+            assert_eq!(verdict.misread, [misread]);
+            assert_eq!(verdict.outcome, Outcome::Failed);
+            assert!(verdict.to_string().contains(&misread.words()));
+            let diagnosis = verdict.diagnosis.unwrap();
+            assert_eq!(diagnosis.best.rule.method(), rule, "{misread:?}: {diagnosis}");
+        }
+    }
+}
+
+#[test]
+fn two_mistakes_at_once_are_both_named() {
+    for rows in good() {
+        let both =
+            altered(&rows, |(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), w.map(f64::to_degrees)));
+        assert_eq!(judged(&csv(&both)).misread, [Misread::Order, Misread::Degrees]);
+    }
+}
+
+/// Columns of spin alone.
+fn spins(rows: &[Row]) -> String {
+    let mut text = String::from("# inertia: 1 2 2.5\nt;wx;wy;wz\n");
+    for (t, _, w) in rows {
+        text += &format!("{t:?};{:?};{:?};{:?}\n", w.x, w.y, w.z);
+    }
+    text
+}
+
+#[test]
+fn without_an_attitude_the_law_tells_units_and_hand() {
+    for rows in good() {
+        assert_eq!(judged(&spins(&rows)).misread, []);
+        for (misread, how) in [
+            (Misread::Degrees, &(|(t, q, w): &Row| (*t, *q, w.map(f64::to_degrees))) as &dyn Fn(&Row) -> Row),
+            (Misread::Milliseconds, &|(t, q, w)| (t * 1e3, *q, *w)),
+            (Misread::LeftHandedSpin, &|(t, q, w)| (*t, *q, -w)),
+        ] {
+            assert_eq!(judged(&spins(&altered(&rows, how))).misread, [misread]);
+        }
+    }
+}
+
+#[test]
+fn units_that_the_names_tell_are_no_mistake() {
+    let rows = exact(SPIN, 0.01, 300);
+    let text = csv(&altered(&rows, |(t, q, w)| (*t, *q, w.map(f64::to_degrees))));
+    let verdict = judged(&text.replace("wx,wy,wz", "wx [deg/s],wy [deg/s],wz [deg/s]"));
+    assert_eq!(verdict.misread, []);
+    assert_eq!(verdict.outcome, Outcome::Passed);
+}
+
+#[test]
+fn spin_in_world_axes_and_momentum_in_either_are_judged_alike() {
+    let rows = stepped(Method::SemiImplicitEuler, SPIN, 0.01, 300);
+    let expected = judged(&csv(&rows)).diagnosis.unwrap().best.rule;
+    let world = |q: &Quaternion<f64>, v: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * v;
+    for (names, how) in [
+        ("wxw,wyw,wzw", &(|(t, q, w): &Row| (*t, *q, world(q, w))) as &dyn Fn(&Row) -> Row),
+        ("lx,ly,lz", &|(t, q, w)| (*t, *q, w.component_mul(&MOMENTS))),
+        ("Lx_world,Ly_world,Lz_world", &|(t, q, w)| (*t, *q, world(q, &w.component_mul(&MOMENTS)))),
+    ] {
+        let verdict = judged(&csv(&altered(&rows, how)).replace("wx,wy,wz", names));
+        assert_eq!(verdict.misread, [], "{names}");
+        let diagnosis = verdict.diagnosis.unwrap();
+        assert_eq!(diagnosis.best.rule, expected, "{names}: {diagnosis}");
+    }
+}
+
+#[test]
+fn the_order_of_columns_the_separator_and_comments_do_not_matter() {
+    let rows = stepped(Method::OneNewton, SPIN, 0.01, 200);
+    let expected = judged(&csv(&rows));
+    for (separator, end) in [(",", "\n"), (";", "\r\n"), ("\t", "\n"), ("   ", "\n")] {
+        let mut text = format!("\u{feff}# a run{end}# inertia = (1, 2, 2.5) kg m2{end}{end}");
+        text += &(["note", "wz", "q_z", "Time[s]", "\"qx\"", "wx", "qw", "wy", "qy"].join(separator) + end);
+        for (t, q, w) in &rows {
+            let fields = [w.z, q.k, *t, q.i, w.x, q.w, w.y, q.j].map(|x| format!("{x:?}"));
+            text += &format!("left{separator}{}{end}# between{end}", fields.join(separator));
+        }
+        let verdict = judged(&text);
+        assert_eq!(verdict.laws, expected.laws);
+        assert_eq!(verdict.diagnosis, expected.diagnosis);
+    }
+}
+
+#[test]
+fn a_spin_that_is_constant_and_should_be_is_nothing_to_judge() {
+    for spin in [Vector3::new(0.0, 2.0, 0.0), Vector3::zeros()] {
+        let verdict = judged(&csv(&stepped(Method::SemiImplicitEuler, spin, 0.01, 200)));
+        assert_eq!(verdict.outcome, Outcome::NothingToJudge);
+        assert_eq!(verdict.diagnosis, None);
+        assert!(verdict.to_string().contains("the spin is constant"));
+    }
+    // One that is constant and should not be is judged.
+    assert_eq!(judged(&csv(&stepped(Method::ConstantSpin, SPIN, 0.01, 200))).outcome, Outcome::Failed);
+}
+
+#[test]
+fn missing_rows_are_counted_and_a_varying_step_is_said() {
+    let mut rows = exact(SPIN, 0.01, 300);
+    rows.drain(100..110);
+    rows.remove(50);
+    let verdict = judged(&csv(&rows));
+    let gaps = verdict.gaps.unwrap();
+    assert_eq!((gaps.count, gaps.longest.round()), (2, 11.0));
+    // Two lines before the rows; the first row missing is the 51st.
+    assert_eq!(gaps.line, 53);
+    assert_eq!(verdict.outcome, Outcome::Passed);
+    let motion = tumbling::exact::FreeMotion::new(&MOMENTS, &SPIN).unwrap();
+    let uneven: Vec<Row> = (0..300)
+        .map(|i| {
+            let t = 0.01 * f64::from(i) + 0.003 * f64::from(i).sin();
+            let now = motion.at(t).unwrap();
+            (t, now.attitude.into_inner(), now.omega)
+        })
+        .collect();
+    let verdict = judged(&csv(&uneven));
+    assert_eq!(verdict.step, None);
+    assert_eq!(verdict.outcome, Outcome::Passed);
+}
+
+#[test]
+fn a_motion_that_starts_anew_is_told_where() {
+    let mut rows = exact(SPIN, 0.01, 300);
+    let again = rows.clone();
+    rows.truncate(200);
+    rows.extend(again.iter().take(50).map(|(t, q, w)| (2.0 + t, *q, *w)));
+    let verdict = judged(&csv(&rows));
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    assert_eq!(verdict.resets.len(), 1);
+    assert_eq!(verdict.resets[0].line, 203);
+    assert!(!verdict.resets[0].to_rest);
+}
+
+fn error(text: &str) -> String {
+    judge(text.as_bytes(), &Options::default()).unwrap_err().to_string()
+}
+
+#[test]
+fn bad_input_is_an_error_with_line_and_column() {
+    let head = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,1,2,3\n";
+    let with = |line: &str| error(&format!("{head}{line}\n"));
+    assert_eq!(with("0.1,1,x2,3"), "line 4, column 3 (`wy`): `x2` is not a number");
+    assert_eq!(
+        with("0.1,1,NaN,3"),
+        "line 4, column 3 (`wy`): the value is NaN: from here on there is no motion"
+    );
+    assert!(with("0.1,1,2,1e999").starts_with("line 4, column 4 (`wz`): the value is 1e999"));
+    assert_eq!(with("0.1,1,,3"), "line 4, column 3 (`wy`): the field is empty");
+    assert_eq!(with("0.1,1,2"), "line 4: there are 3 fields for 4 columns: `wz` is missing");
+    assert!(with("0.1,1,2,3,4").starts_with("line 4, column 5 (``): `4` is one more field"));
+    assert_eq!(with("0,1,2,3"), "line 4, column 1 (`t`): time does not increase: 0 s after 0 s");
+    assert!(error("").contains("the file is empty"));
+    assert!(error("# inertia: 1 2 3\n\n").contains("the file is empty"));
+    assert!(error("t,wx,wy,wz\n").contains("no rows"));
+    assert!(error(head).contains("one row"));
+    assert!(error("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("--inertia"));
+    assert!(error("0,1,2,3\n1,1,2,3\n").starts_with("line 1: column names are wanted"));
+    assert!(error("t,wx,wz\n0,1,2\n").starts_with("line 1: the column `wy` is missing"));
+    assert!(error("t,wx,wx,wy,wz\n").starts_with("line 1: there are two columns `wx`"));
+    assert!(error("wx,wy,wz\n0,1,2\n").starts_with("line 1: the column `t` is missing"));
+    assert!(error("t,qw,qx,qy,qz\n").contains("neither spin nor momentum"));
+    assert!(error("t,wxw,wyw,wzw\n").contains("without its attitude"));
+    assert!(error("step,wx,wy,wz\n").contains("how long one is"));
+    assert!(error("# inertia: 1 2 4\nt,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("2 + 1 >= 4"));
+    assert!(error("# inertia: 1 2 3; dt: 0\nt,wx,wy,wz\n").starts_with("line 1: the step is told as 0"));
+    let no_attitude = "# inertia: 1 2 3\nt,wx,wy,wz,qw,qx,qy,qz\n0,1,2,3,1,0,0,0\n1,1,2,3,0,0,0,0\n";
+    assert_eq!(error(no_attitude), "line 4: the quaternion has no length: it is no attitude");
+    let bytes = [head.as_bytes(), &[0xff, 0xfe, b'\n']].concat();
+    let error = judge(&bytes[..], &Options::default()).unwrap_err().to_string();
+    assert_eq!(error, "line 4: the line is not text (UTF-8)");
+    let long = format!("{head}{}", "1".repeat(100_000));
+    assert!(judge(long.as_bytes(), &Options::default()).unwrap_err().to_string().contains("longer than"));
+}
+
+#[test]
+fn numbers_of_few_digits_are_judged_by_their_digits() {
+    let rows = exact(SPIN, 0.01, 600);
+    let mut text = String::from("# inertia: 1 2 2.5; dt: 0.01\nt,qw,qx,qy,qz,wx,wy,wz\n");
+    for (t, q, w) in &rows {
+        text +=
+            &format!("{t:.2},{:.7},{:.7},{:.7},{:.7},{:.7},{:.7},{:.7}\n", q.w, q.i, q.j, q.k, w.x, w.y, w.z);
+    }
+    let verdict = judged(&text);
+    assert_eq!(verdict.outcome, Outcome::Passed);
+    assert!(verdict.rounding > 1e-8 && verdict.rounding < 1e-6);
+    for law in &verdict.laws {
+        assert_eq!(law.growth.rank(), 0, "{law}");
+    }
+    let diagnosis = verdict.diagnosis.unwrap();
+    assert_eq!(diagnosis.best.rule.name(), "the exact motion");
+}
+
+#[test]
+fn the_json_tells_what_the_text_tells() {
+    let verdict = judged(&csv(&stepped(Method::Rescaled, SPIN, 0.05, 600)));
+    let json = verdict.json();
+    assert_eq!(json["outcome"], "failed");
+    assert_eq!(json["diagnosis"]["best"]["rule"], "explicit, rescaled");
+    assert_eq!(json["diagnosis"]["sure"], "to rounding");
+    assert_eq!(json["rows"], 601);
+    let laws = json["laws"].as_array().unwrap();
+    let energy = laws.iter().find(|law| law["law"] == "energy").unwrap();
+    assert!((energy["last"].as_f64().unwrap() - verdict.laws[0].last).abs() == 0.0);
+    // It can be written and read.
+    assert_eq!(serde_json::from_str::<serde_json::Value>(&json.to_string()).unwrap(), json);
+}
+
+#[test]
+fn the_threshold_decides() {
+    let text = csv(&stepped(Method::OneNewton, SPIN, 0.001, 2000));
+    let with = |threshold: f64| {
+        judge(text.as_bytes(), &Options { threshold, ..Options::default() }).unwrap().outcome
+    };
+    assert_eq!(with(1.0), Outcome::Passed);
+    assert_eq!(with(1e-6), Outcome::Failed);
+}
+
+#[test]
+fn no_damage_to_a_file_makes_the_judge_panic() {
+    let good = csv(&stepped(Method::SemiImplicitEuler, SPIN, 0.05, 12)).into_bytes();
+    let mut seed = 1_u64;
+    let mut random = |below: usize| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(seed >> 33).unwrap() % below
+    };
+    let mut refused = 0;
+    for _ in 0..3000 {
+        let mut text = good.clone();
+        for _ in 0..=random(3) {
+            let at = random(text.len());
+            match random(4) {
+                0 => text[at] = b"0123456789eE+-.,;\t \n#NaninfwxyzqtL\xff"[random(35)],
+                1 => drop(text.drain(at..(at + random(40)).min(text.len()))),
+                2 => text.splice(at..at, *b"e30").for_each(drop),
+                _ => text.truncate(at.max(20)),
+            }
+        }
+        match judge(&text[..], &Options::default()) {
+            Ok(verdict) => drop((verdict.to_string(), verdict.json().to_string())),
+            Err(error) => {
+                refused += 1;
+                assert!(!error.to_string().is_empty());
+            }
+        }
+    }
+    assert!(refused > 1000);
+}
+
+#[test]
+fn spins_from_the_slowest_to_the_fastest_that_a_number_holds_are_judged_or_refused() {
+    for scale in [1e-300, 1e-160, 1e-30, 1e30, 1e100, 1e154, 1e300] {
+        let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
+        for (t, _, w) in exact(SPIN, 0.01, 100) {
+            let w = w * scale;
+            text += &format!("{:?},{:?},{:?},{:?}\n", t / scale, w.x, w.y, w.z);
+        }
+        if let Ok(verdict) = judge(text.as_bytes(), &Options::default()) {
+            assert!(!verdict.to_string().is_empty());
+            if (1e-100..1e101).contains(&scale) {
+                assert_eq!(verdict.outcome, Outcome::Passed, "{scale:e}: {verdict}");
+            }
+        } else {
+            assert!(!(1e-100..1e101).contains(&scale), "{scale:e}");
+        }
+    }
+}
+
+#[test]
+fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
+    // The rule of Bullet's multibody, every number rounded to single precision after each step.
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
+    let single = |x: f64| f64::from(x as f32);
+    let system = tumbling::step::System::free(&MOMENTS).unwrap();
+    let rows = common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
+        let end = Method::SemiImplicitEuler.step(&system, motion, &(1.0 / 64.0)).unwrap();
+        let omega = system.omega(&end.vector).map(single);
+        let attitude = Quaternion::from_vector(end.attitude.coords.map(single));
+        tumbling::step::Motion { attitude, vector: system.momentum(&omega) }
+    });
+    let rounded = altered(&rows, |(t, q, w)| (*t, *q, w.map(single)));
+    let verdict = judged(&csv(&rounded));
+    assert!((verdict.rounding - f64::from(f32::EPSILON)).abs() < 1e-12);
+    let diagnosis = verdict.diagnosis.unwrap();
+    assert_eq!(diagnosis.best.rule.method(), Some((Method::SemiImplicitEuler, 1)), "{diagnosis}");
+    assert_eq!(diagnosis.sure, tumbling_judge::Sure::ToRounding, "{diagnosis}");
+}

@@ -1,0 +1,217 @@
+//! The exact motion and the library's own methods, judged.
+
+mod common;
+
+use common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
+use nalgebra::Vector3;
+use tumbling::step::{Engine, Method, Motion, System};
+use tumbling::{Body, Inertia};
+use tumbling_judge::{Growth, LawName, Outcome, Rule, Sure, Verdict};
+
+const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
+
+fn growth(verdict: &Verdict, name: LawName) -> Growth {
+    verdict.laws.iter().find(|law| law.name == name).map_or(Growth::Rounding, |law| law.growth)
+}
+
+#[test]
+fn the_exact_motion_is_kept_to_rounding_in_every_law() {
+    for spin in SPINS {
+        let verdict = judged(&csv(&exact(spin.into(), 0.01, 3000)));
+        for law in &verdict.laws {
+            assert_eq!(law.growth, Growth::Rounding, "{spin:?} {:?} {:e}", law.name, law.most);
+        }
+        assert!(verdict.laws.len() >= 6);
+        assert_eq!(verdict.outcome, Outcome::Passed);
+        let flips = verdict.flips.unwrap();
+        assert_eq!(flips.found, flips.exact);
+        assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::Exact);
+    }
+}
+
+#[test]
+fn every_method_is_graded_as_it_says_of_itself_and_named() {
+    for &method in Method::ALL {
+        let keeps = method.about().keeps;
+        let spin = Vector3::new(1.0, 2.0, 1.5);
+        let verdict = judged(&csv(&stepped(method, spin, 0.05, 1000)));
+        for (law, kept) in [
+            (LawName::Energy, keeps.energy),
+            (LawName::Momentum, keeps.momentum),
+            (LawName::Direction, keeps.direction),
+            (LawName::Unit, keeps.unit),
+        ] {
+            let growth = growth(&verdict, law);
+            // A method of high order may be exact to rounding at this step without a law that says so.
+            let too_good = method.about().order >= 6;
+            assert!(
+                kept == (growth == Growth::Rounding) || !kept && too_good,
+                "{method:?} {law:?}: {growth}"
+            );
+        }
+        let diagnosis = verdict.diagnosis.unwrap();
+        let named = std::iter::once(diagnosis.best.rule).chain(diagnosis.alike.iter().copied());
+        assert!(named.filter_map(|rule| rule.method()).any(|x| x == (method, 1)), "{method:?}: {diagnosis}");
+        assert_eq!(diagnosis.sure, Sure::ToRounding, "{method:?}");
+    }
+}
+
+#[test]
+fn a_tensor_frozen_in_the_world_is_named() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        nalgebra::UnitQuaternion::identity(),
+        &Vector3::new(1.0, 2.0, 1.5),
+    );
+    let run = Engine::Frozen.run(&body.unwrap(), 0.01, 500).unwrap();
+    let rows: Vec<_> = (0_u32..)
+        .zip(&run)
+        .map(|(i, body)| (0.01 * f64::from(i), body.attitude().into_inner(), body.omega_body()))
+        .collect();
+    let verdict = judged(&csv(&rows));
+    let diagnosis = verdict.diagnosis.unwrap();
+    assert!(matches!(diagnosis.best.rule, Rule::FrozenTensor(_)), "{diagnosis}");
+    assert_eq!(diagnosis.sure, Sure::ToRounding);
+    assert_eq!(verdict.outcome, Outcome::Failed);
+}
+
+#[test]
+fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        nalgebra::UnitQuaternion::identity(),
+        &Vector3::new(1.0, 2.0, 1.5),
+    )
+    .unwrap();
+    let run = Engine::MomentumForSpin.run(&body, 0.01, 500).unwrap();
+    // What the engine itself believes in: a momentum that stays, in the world.
+    let momentum = body.momentum_world();
+    let mut text = String::from("# inertia: 1 2 2.5\nt qw qx qy qz lxw lyw lzw\n");
+    for (i, body) in (0_u32..).zip(&run) {
+        let q = body.attitude();
+        let [x, y, z] = momentum.into();
+        text +=
+            &format!("{:?} {:?} {:?} {:?} {:?} {x:?} {y:?} {z:?}\n", 0.01 * f64::from(i), q.w, q.i, q.j, q.k);
+    }
+    let diagnosis = judged(&text).diagnosis.unwrap();
+    // Runge and Kutta's turn is right to 1e-10 here, and the number is the mean of the moments.
+    assert!(
+        matches!(diagnosis.best.rule, Rule::MomentumForSpin(mass) if (mass - 5.5 / 3.0).abs() < 1e-6),
+        "{diagnosis}"
+    );
+    assert!(diagnosis.best.middle < 1e-8 && diagnosis.ratio().unwrap() > 1e4, "{diagnosis}");
+}
+
+#[test]
+fn a_wrong_triple_of_moments_is_named_with_the_moments() {
+    for wrong in [Vector3::new(2.0, 1.0, 2.5), Vector3::new(1.0, 1.7, 2.3)] {
+        for method in [Method::Gauss6, Method::SemiImplicitEuler, Method::OneNewton] {
+            let system = System::free(&wrong).unwrap();
+            let right = System::free(&MOMENTS).unwrap();
+            let spin = Vector3::new(1.0, 2.0, 1.5);
+            let rows = stepped_by(spin, 0.005, 1000, |motion| {
+                let start =
+                    Motion { vector: system.momentum(&right.omega(&motion.vector)), ..motion.clone() };
+                let end = method.step(&system, &start, &0.005).unwrap();
+                Motion { vector: right.momentum(&system.omega(&end.vector)), ..end }
+            });
+            let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
+            let Rule::OtherMoments(found, _) = diagnosis.best.rule else {
+                panic!("{method:?} {wrong}: {diagnosis}")
+            };
+            // A free body tells their ratios.
+            let expected = wrong * (found.sum() / wrong.sum());
+            assert!((found - expected).norm() < 1e-6, "{method:?}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn damping_left_on_is_named_with_its_size() {
+    let system = System::free(&MOMENTS).unwrap();
+    for method in [Method::SemiImplicitEuler, Method::ConstantSpin, Method::OneNewton] {
+        let spin = Vector3::new(1.0, 2.0, 1.5);
+        let rows = stepped_by(spin, 0.01, 1000, |motion| {
+            let mut start = motion.clone();
+            start.vector *= 0.999;
+            method.step(&system, &start, &0.01).unwrap()
+        });
+        let verdict = judged(&csv(&rows));
+        let diagnosis = verdict.diagnosis.as_ref().unwrap();
+        let Rule::Damped(factor, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
+        assert!((factor - 0.999).abs() < 1e-9, "{method:?}: {factor}");
+        assert!(matches!(growth(&verdict, LawName::Energy), Growth::Exponential { rate } if rate < -0.1));
+    }
+}
+
+#[test]
+fn a_cap_on_the_spin_is_named() {
+    let system = System::free(&MOMENTS).unwrap();
+    let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 1000, |motion| {
+        let end = Method::SemiImplicitEuler.step(&system, motion, &0.02).unwrap();
+        let omega = system.omega(&end.vector);
+        let omega = omega * (2.6 / omega.norm()).min(1.0);
+        let q = motion.attitude * tumbling::attitude::turn(&(omega * 0.02));
+        Motion { attitude: q, vector: system.momentum(&omega) }
+    });
+    let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
+    assert!(matches!(diagnosis.best.rule, Rule::Capped(most, _) if (most - 2.6).abs() < 1e-9), "{diagnosis}");
+}
+
+#[test]
+fn a_rule_that_none_knows_is_not_given_a_name() {
+    let system = System::free(&MOMENTS).unwrap();
+    let mut seed = 1_u64;
+    let noise = std::cell::RefCell::new(move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from((seed >> 33) as u32) / f64::from(1_u32 << 31) - 0.5
+    });
+    let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 500, |motion| {
+        let mut end = Method::Gauss6.step(&system, motion, &0.02).unwrap();
+        end.vector = end.vector.map(|x| x + 0.3 * (noise.borrow_mut())());
+        end
+    });
+    let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
+    assert_eq!(diagnosis.sure, Sure::NoneFits, "{diagnosis}");
+    assert!(diagnosis.to_string().contains("None of the known rules fits"));
+}
+
+#[test]
+fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
+    let system = System::free(&MOMENTS).unwrap();
+    let mut judgements = 0;
+    for engine in tumbling::step::PHYSICS_ENGINES {
+        for speed in [0.1, 1.0, 10.0, 30.0] {
+            for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
+                for direction in SPINS {
+                    let omega = Vector3::from(direction).normalize() * speed;
+                    let mut motion = Motion {
+                        attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
+                        vector: system.momentum(&omega),
+                    };
+                    let mut rows = Vec::new();
+                    for i in 0..300 {
+                        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.vector)));
+                        match engine.step(&system, &motion, h) {
+                            Ok(next) if next.vector.norm() < 1e4 * speed => motion = next,
+                            _ => break,
+                        }
+                    }
+                    let verdict = judged(&csv(&rows));
+                    let what = format!("{} {} {omega:?} {h} {}", engine.name, engine.setting, rows.len());
+                    assert_eq!(verdict.misread, [], "{what}");
+                    assert_eq!(verdict.resets, [], "{what}");
+                    let diagnosis = verdict.diagnosis.unwrap();
+                    let mut named =
+                        std::iter::once(diagnosis.best.rule).chain(diagnosis.alike.iter().copied());
+                    assert!(
+                        named.any(|rule| rule.method() == Some((engine.method, engine.parts))),
+                        "{what}: {diagnosis}"
+                    );
+                    judgements += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(judgements, 896);
+}
