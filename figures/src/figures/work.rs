@@ -61,11 +61,12 @@ fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &
     });
     let (mut right, mut wrong) = (Vec::new(), Vec::new());
     for row in ladder {
-        let seconds = row.seconds.or_else(|| match (row.setting, pace) {
+        let by_pace = match (row.setting, pace) {
             #[allow(clippy::cast_precision_loss)]
             (Setting::Steps(steps), Some(pace)) => Some(pace * steps as f64),
             _ => None,
-        });
+        };
+        let seconds = row.seconds.or(by_pace);
         let Some(seconds) = seconds else { continue };
         match ((kind.of)(&row.errors), &row.outcome) {
             (Some(error), Outcome::Right) => right.push((seconds, error.clamp(FLOOR, CEILING))),
@@ -177,10 +178,10 @@ pub(super) fn draw_box() -> Drawing {
     let mut told = Vec::new();
     for error in [1e-2, 1e-8] {
         for (name, group) in contestants(&record.rows) {
-            if group == Group::Peer {
-                if let Some(seconds) = seconds_at(&record.rows, "box", name, kind, error) {
-                    told.push(format!("{name} comes below {error:.0e} in {:.1} ms", seconds * 1e3));
-                }
+            if group == Group::Peer
+                && let Some(seconds) = seconds_at(&record.rows, "box", name, kind, error)
+            {
+                told.push(format!("{name} comes below {error:.0e} in {:.1} ms", seconds * 1e3));
             }
         }
     }
