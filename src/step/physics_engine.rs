@@ -119,16 +119,23 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
     },
     PhysicsEngine {
         name: "Avian",
-        setting: "gyroscopic motion on (default)",
+        setting: "gyroscopic motion on, six substeps (default)",
         method: Method::Rescaled,
+        parts: 6,
         ..UNRECORDED
     },
     PhysicsEngine { name: "Jolt", setting: "gyroscopic force on", method: Method::Rescaled, ..UNRECORDED },
     PhysicsEngine { name: "Jolt", setting: "gyroscopic force off (default)", ..UNRECORDED },
-    PhysicsEngine { name: "Box3D", setting: "default", method: Method::OneNewton, ..UNRECORDED },
+    PhysicsEngine {
+        name: "Box3D",
+        setting: "four substeps",
+        method: Method::OneNewton,
+        parts: 4,
+        ..UNRECORDED
+    },
     PhysicsEngine { name: "PhysX, Unity", setting: "gyroscopic forces off (default)", ..UNRECORDED },
     PhysicsEngine { name: "Godot Physics", setting: "default", ..UNRECORDED },
-    PhysicsEngine { name: "Brax", setting: "default", ..UNRECORDED },
+    PhysicsEngine { name: "Brax", setting: "positional", ..UNRECORDED },
 ];
 
 impl PhysicsEngine {

@@ -283,5 +283,8 @@ pub(super) fn pushes() -> Drawing {
 }
 
 pub(super) fn named() -> Drawing {
-    sheet(&[Chart { name: "named", title: "cases that users met", swept: "number in the list below" }], true)
+    sheet(
+        &[Chart { name: "named", title: "odd bodies, far scales", swept: "number in the list below" }],
+        true,
+    )
 }

@@ -85,7 +85,7 @@ pub(super) fn draw() -> Drawing {
     let bullet = run(engine("Bullet", "multibody")?)?;
     let newton = run(engine("Bullet", "rigid")?)?;
     let rapier = run(engine("Rapier", "")?)?;
-    let rescaled = run(engine("Avian", "")?)?;
+    let rescaled = run(engine("Jolt", "")?)?;
     let without = run(engine("PhysX, Unity", "")?)?;
 
     let canvas = Canvas::new(780);
@@ -113,7 +113,7 @@ pub(super) fn draw() -> Drawing {
     for (y, text) in lines {
         write(&upper, (0.2, y), text, Ink::Wrong);
     }
-    write(&upper, (6.6, 64.0), "rescaled: Avian, Jolt", Ink::Wrong);
+    write(&upper, (6.6, 64.0), "rescaled: Jolt, flag on", Ink::Wrong);
     write(&upper, (12.4, 36.0), "rescaled, in four parts:", Ink::Wrong);
     write(&upper, (12.4, 29.0), "Rapier", Ink::Wrong);
     write(&upper, (8.2, 8.5), "exact; RK4; no gyroscopic term", Ink::Text);

@@ -229,7 +229,7 @@ pub(crate) static ALL: [Figure; 32] = [
     },
     Figure {
         name: "atlas-named",
-        shows: "What becomes of each method on cases that users of engines have met",
+        shows: "What becomes of each method on odd bodies, and on scales far from one",
         chapter: "where-things-break",
         draw: atlas::named,
     },
