@@ -44,10 +44,5 @@ pub fn step(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<
         vector: system.momentum(&drift.omega),
     };
     let end = if system.is_free() { end } else { system.kicked_back(&end, &half) };
-    let size = end.attitude.norm() + end.vector.norm();
-    if size.is_finite() {
-        Ok(end)
-    } else {
-        Err(Error::OutOfRange { what: "the motion after a step", value: size })
-    }
+    end.whole()
 }

@@ -333,3 +333,21 @@ fn a_step_of_many_turns_is_taken_in_parts_in_a_game() {
     let off = off.min((end.attitude.coords + truth.attitude.coords).norm());
     assert!(off < 1e-5, "{off:e}");
 }
+
+#[test]
+fn a_game_steps_spheres_tops_and_bodies_of_any_mass() {
+    let omega = Vector3::new(3.0, 4.0, -5.0);
+    for shape in [[2.0, 2.0, 2.0], [2.0, 2.0, 3.0], [2.0, 3.0, 3.0], [1.0, 2.0, 2.6]] {
+        for mass in [1.0, 1e-150, 1e150] {
+            let moments = Vector3::from(shape) * mass;
+            let system = System::free(&moments).unwrap();
+            let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+            for _ in 0..60 {
+                motion = tumbling::step::game(&system, &motion, 1.0 / 60.0).unwrap();
+            }
+            let truth = tumbling::exact::FreeMotion::new(&moments, &omega).unwrap().at(1.0).unwrap();
+            let off = (motion.attitude.coords - truth.attitude.coords).norm();
+            assert!(off < 1e-8, "{shape:?} {mass:e}: {off:e}");
+        }
+    }
+}

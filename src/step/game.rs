@@ -44,18 +44,7 @@ pub fn game(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<
         return drifted(system, start, h);
     }
     let end = drifted(system, &system.kicked(start, &(0.5 * h)), h)?;
-    whole(system.kicked_back(&end, &(0.5 * h)))
-}
-
-/// The motion, if its numbers are.
-#[inline]
-fn whole(motion: Motion<f64>) -> Result<Motion<f64>, Error> {
-    let size = motion.attitude.coords.sum() + motion.vector.sum();
-    if size.is_finite() {
-        Ok(motion)
-    } else {
-        Err(Error::OutOfRange { what: "the motion after a step", value: size })
-    }
+    system.kicked_back(&end, &(0.5 * h)).whole()
 }
 
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
@@ -66,11 +55,13 @@ fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
     order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
     let [a, b, c] = order.map(|i| moments[i]);
     let [x, y, z] = order.map(|i| omega[i] * omega[i]);
-    // What one component gives up, the other may take.
-    let share = |from: f64, weight: f64, over: f64| if from == 0.0 { 0.0 } else { from * (weight / over) };
-    let first = x + share(y, b * (c - b), a * (c - a));
-    let last = z + share(y, b * (b - a), c * (c - a));
-    let middle = y + share(x, a * (c - a), b * (c - b)).min(share(z, c * (c - a), b * (b - a)));
+    // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows. Of a sphere nothing is given.
+    let share = |from: f64, [weight, over]: [f64; 2], [apart, beside]: [f64; 2]| {
+        if from == 0.0 || apart == 0.0 { 0.0 } else { from * (weight / over) * (apart / beside) }
+    };
+    let first = x + share(y, [b, a], [c - b, c - a]);
+    let last = z + share(y, [b, c], [b - a, c - a]);
+    let middle = y + share(x, [a, b], [c - a, c - b]).min(share(z, [c, b], [c - a, b - a]));
     first + middle + last
 }
 
@@ -90,5 +81,5 @@ fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f
         motion = prepared.step(&motion)?;
     }
     motion.attitude *= 1.0 / motion.attitude.norm();
-    whole(motion)
+    motion.whole()
 }

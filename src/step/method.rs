@@ -231,12 +231,7 @@ impl Method {
             Self::MeanSpinRungeKutta4 => runge_kutta::mean_spin(system, start, h),
             Self::TurnedRungeKutta4 => runge_kutta::corrected(system, start, h),
         };
-        let size = end.attitude.coords.iter().chain(&end.vector).map(Analytic::size).sum::<f64>();
-        if size.is_finite() {
-            Ok(end)
-        } else {
-            Err(Error::OutOfRange { what: "the motion after a step", value: size })
-        }
+        end.whole()
     }
 }
 

@@ -1,7 +1,8 @@
 //! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
 
 use super::method::{About, Keeps};
-use crate::scalar::Field;
+use crate::error::Error;
+use crate::scalar::{Analytic, Field};
 use nalgebra::{Quaternion, Vector3};
 
 pub(super) const ABOUT: About =
@@ -27,6 +28,18 @@ impl<T: Field> Motion<T> {
                 self.attitude.coords.zip_map(&other.attitude.coords, |x, y| along(&x, y)),
             ),
             vector: self.vector.zip_map(&other.vector, |x, y| along(&x, y)),
+        }
+    }
+}
+
+impl<T: Analytic> Motion<T> {
+    /// The motion, if all its numbers are finite.
+    pub(crate) fn whole(self) -> Result<Self, Error> {
+        let size = self.attitude.coords.iter().chain(&self.vector).map(Analytic::size).sum::<f64>();
+        if size.is_finite() {
+            Ok(self)
+        } else {
+            Err(Error::OutOfRange { what: "the motion after a step", value: size })
         }
     }
 }
