@@ -8,14 +8,14 @@
 //! The first prints ratios of times; the second runs one piece of work 1000 times inside a function whose
 //! instructions are counted. Under `cargo test` it does nothing but make sure that it runs.
 
+mod ratios;
+
 use nalgebra::{Quaternion, Vector3};
+use ratios::Work;
 use std::hint::black_box;
-use std::time::Instant;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Motion, rk4};
 use tumbling::{attitude, euler};
-
-type Work = (&'static str, Box<dyn FnMut(u32)>);
 
 fn works() -> Vec<Work> {
     let moments = Vector3::new(0.8333, 1.0833, 0.4167);
@@ -111,45 +111,6 @@ fn plain_step(y: &mut [f64; 7], ratios: &[f64; 3], h: f64) {
     *y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
 }
 
-/// The least of several measurements, ns for one.
-fn time_of(work: &mut dyn FnMut(u32)) -> f64 {
-    let count = 20_000;
-    (0..25)
-        .map(|_| {
-            let start = Instant::now();
-            (0..count).for_each(&mut *work);
-            start.elapsed().as_secs_f64() * 1e9 / f64::from(count)
-        })
-        .fold(f64::INFINITY, f64::min)
-}
-
-#[inline(never)]
-fn counted_here(work: &mut dyn FnMut(u32)) {
-    (0..1000).for_each(work);
-}
-
 fn main() {
-    let arguments: Vec<String> = std::env::args().collect();
-    let mut works = works();
-    if let Some(at) = arguments.iter().position(|a| a == "count") {
-        let wanted = arguments.get(at + 1).map_or("", String::as_str);
-        for (name, work) in &mut works {
-            if *name == wanted {
-                counted_here(work);
-            }
-        }
-    } else if arguments.iter().any(|a| a == "--bench") {
-        let mut unit = 0.0;
-        for (name, work) in &mut works {
-            let time = time_of(work);
-            if unit == 0.0 {
-                unit = time;
-            }
-            println!("{name:36} {time:8.1} ns {:7.2} steps", time / unit);
-        }
-    } else {
-        for (_, work) in &mut works {
-            work(1);
-        }
-    }
+    ratios::run(works(), "steps");
 }

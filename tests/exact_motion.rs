@@ -237,17 +237,7 @@ proptest! {
     fn the_angles_to_the_momentum_bound_the_whole_motion_and_are_reached(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
         let motion = FreeMotion::new(&m, &omega).unwrap();
-        for axis in 0..3 {
-            let [least, most] = motion.angles_to_momentum(axis).unwrap();
-            let mut seen = [f64::INFINITY, 0.0_f64];
-            for w in motion.polhode(2000).unwrap() {
-                let momentum = m.component_mul(&w);
-                let angle = (momentum[axis] / momentum.norm()).acos();
-                seen = [seen[0].min(angle), seen[1].max(angle)];
-            }
-            prop_assert!(seen[0] > least - 1e-7 && seen[1] < most + 1e-7, "{seen:?} {least} {most}");
-            prop_assert!(seen[0] < least + 0.02 && seen[1] > most - 0.02, "{seen:?} {least} {most}");
-        }
+        angles_bound_the_motion(&m, &motion)?;
     }
 
     #[test]

@@ -210,6 +210,17 @@ fn time_of(k: u64, steps: u64, end: f64) -> f64 {
     end * (k as f64 / steps as f64)
 }
 
+/// The closed form at the story's end.
+fn asked(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+    let there = exact.at(black_box(story.end))?;
+    if let Some(watch) = watch {
+        watch.told(exact.flips(0.0, story.end)?.count());
+    }
+    let vector = story.system.moments().component_mul(&there.omega);
+    let motion = Motion { attitude: there.attitude.into_inner(), vector };
+    Ok(Ended { motion, steps: 1, evaluations: None })
+}
+
 /// The exact motion: prepared from moments and spin, asked once.
 #[derive(Debug, Clone, Copy)]
 pub struct Exact;
@@ -239,16 +250,7 @@ impl Contestant for Exact {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.vector);
         let exact = FreeMotion::new(moments, &omega)?;
-        let there = exact.at(black_box(story.end))?;
-        if let Some(watch) = watch {
-            watch.told(exact.flips(0.0, story.end)?.count());
-        }
-        let vector = moments.component_mul(&there.omega);
-        Ok(Ended {
-            motion: Motion { attitude: there.attitude.into_inner(), vector },
-            steps: 1,
-            evaluations: None,
-        })
+        asked(&exact, story, watch)
     }
 }
 
@@ -284,13 +286,7 @@ impl Contestant for Prepared {
             *kept = Some((story.name, FreeMotion::new(story.system.moments(), &omega)?));
         }
         let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };
-        let there = exact.at(black_box(story.end))?;
-        if let Some(watch) = watch {
-            watch.told(exact.flips(0.0, story.end)?.count());
-        }
-        let vector = story.system.moments().component_mul(&there.omega);
-        let motion = Motion { attitude: there.attitude.into_inner(), vector };
-        Ok(Ended { motion, steps: 1, evaluations: None })
+        asked(exact, story, watch)
     }
 }
 
