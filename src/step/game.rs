@@ -70,7 +70,10 @@ fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
 fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
     let inverse = system.inverse();
     // Energy and momentum stay, and so does this: the parts do not change on the way.
-    let turn = fastest(system, &system.omega(&start.vector)).sqrt() * h.abs();
+    let omega = system.omega(&start.vector);
+    // No more than the energy allows about the smallest moment: cheap, and enough for most.
+    let rough = (start.vector.dot(&omega) * inverse.max()).sqrt() * h.abs();
+    let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.abs() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
