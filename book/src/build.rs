@@ -1,26 +1,27 @@
 //! Building the pages.
 
 use crate::preprocess::Preprocess;
+use crate::share::{self, Site};
 use crate::{log, paths, say};
 use mdbook_driver::MDBook;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Builds the book into `book/html/`.
+/// Builds the book into `book/html/`, to stand at `site` if that is known.
 ///
 /// # Errors
 /// What mdBook or our preprocessor found wrong. A warning counts as wrong, and so does a page with a
 /// directive left in it that mdBook was to replace.
-pub(crate) fn build() -> Result<(), String> {
+pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
     let start = Instant::now();
-    let pages = build_into(None)?;
+    let pages = build_into(None, site)?;
     say!("Built {pages} pages in {:.1} s: {}", start.elapsed().as_secs_f64(), paths::pages().display());
     Ok(())
 }
 
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
-fn build_into(destination: Option<&Path>) -> Result<usize, String> {
+fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, String> {
     let (built, complaints) = log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
         let mut book = MDBook::load(paths::book())?;
         if let Some(folder) = destination {
@@ -38,6 +39,7 @@ fn build_into(destination: Option<&Path>) -> Result<usize, String> {
     }
     // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
     let _ = fs::remove_file(folder.join("lib.rs"));
+    share::tell(paths::book(), &folder, site)?;
     left_directives(&folder)
 }
 
@@ -67,11 +69,19 @@ mod tests {
     #[test]
     fn the_book_builds_without_a_complaint() {
         let folder = tempfile::TempDir::new().unwrap();
-        let pages = build_into(Some(folder.path())).unwrap();
+        let site = Site::parse("https://example.org/book/").unwrap();
+        let pages = build_into(Some(folder.path()), Some(&site)).unwrap();
         let chapters = include_str!("../chapters/SUMMARY.md").matches("](").count();
         // Besides the chapters: the first once more as index, the table of contents, the whole book
         // for printing, and the page for addresses that lead nowhere.
         assert_eq!(pages, chapters + 4);
+
+        let page = fs::read_to_string(folder.path().join("two-arrows.html")).unwrap();
+        assert!(page.contains("class=\"turning\"") && page.contains("rel=\"canonical\""));
+        let map = fs::read_to_string(folder.path().join("sitemap.xml")).unwrap();
+        assert_eq!(map.matches("<loc>").count(), chapters);
+        assert!(map.contains("<loc>https://example.org/book/two-arrows.html</loc>"), "{map}");
+        assert!(folder.path().join("preview.png").is_file());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What was asked for on the command line, and carrying it out.
 
+use crate::share::Site;
 use crate::{build, complain, draw, guard, judge, measure, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
@@ -18,6 +19,7 @@ Draws the figures of the book and builds its pages.
                                                figures that are not what would be drawn
     cargo run --release -- list                name, chapter and subject of each figure
     cargo run --release -- build               build the book from the figures as they are
+         --site URL                            for pages that will stand there: full addresses, sitemap.xml
     cargo run --release -- check [DIR]         say what number or equation of the chapters (in DIR, else
                                                the book's own) nothing holds: exit 1; 2 where something
                                                cannot be read
@@ -65,7 +67,7 @@ pub(crate) enum Asked {
     Everything,
     Help,
     List,
-    Build,
+    Build { site: Option<Site> },
     Figures { names: Vec<&'static Figure>, check: bool },
     Check { folder: Option<PathBuf>, how: Checking },
     Judge { file: PathBuf, json: bool, options: tumbling_judge::Options },
@@ -79,7 +81,7 @@ pub(crate) enum Asked {
 
 const COMMANDS: [&str; 9] =
     ["figures", "check", "list", "build", "judge", "measure", "atlas", "help", "preprocess"];
-const OPTIONS: [&str; 10] = [
+const OPTIONS: [&str; 11] = [
     "--help",
     "--check",
     "--list",
@@ -90,6 +92,7 @@ const OPTIONS: [&str; 10] = [
     "--inertia",
     "--threshold",
     "--json",
+    "--site",
 ];
 
 /// Reads the arguments that follow the program's name.
@@ -104,6 +107,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut how = Checking::Offences;
     let (mut quick, mut peers, mut long) = (false, false, None);
     let (mut inertia, mut threshold, mut json) = (None, None, false);
+    let mut site = None;
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
             Short('h') | Long("help") => return Ok(Asked::Help),
@@ -123,6 +127,10 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Long("threshold") => {
                 let value = parser.value().map_err(|e| e.to_string())?;
                 threshold = Some(judge::threshold(&value.to_string_lossy())?);
+            }
+            Long("site") => {
+                let value = parser.value().map_err(|e| e.to_string())?;
+                site = Some(Site::parse(&value.to_string_lossy())?);
             }
             Value(word) => words.push(word.to_string_lossy().into_owned()),
             Long(unknown) => {
@@ -147,6 +155,9 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     }
     if (json || inertia.is_some() || threshold.is_some()) && command.as_deref() != Some("judge") {
         return Err("`--inertia`, `--threshold` and `--json` go with `judge`.".into());
+    }
+    if site.is_some() && command.as_deref() != Some("build") {
+        return Err("`--site` goes with `build`.".into());
     }
     match command.as_deref() {
         None => Ok(Asked::Everything),
@@ -186,7 +197,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Some(extra) => Err(format!("`{word}` takes no further word, but got `{extra}`.")),
             None => Ok(match word {
                 "list" => Asked::List,
-                "build" => Asked::Build,
+                "build" => Asked::Build { site },
                 "atlas" => Asked::Atlas,
                 _ => Asked::Help,
             }),
@@ -245,7 +256,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
         Asked::Count { contestant, times } => measure::count(&contestant, times)?,
-        Asked::Build => build::build()?,
+        Asked::Build { site } => build::build(site.as_ref())?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
         // mdBook asks by the exit code alone, and a no is no error.
         Asked::Supports { renderer } => {
@@ -254,7 +265,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         Asked::Everything => {
             let start = Instant::now();
             draw::draw(&registry().iter().collect::<Vec<_>>(), &paths::figures())?;
-            build::build()?;
+            build::build(None)?;
             say!("All done in {:.1} s. Open", start.elapsed().as_secs_f64());
             say!("{}", paths::pages().join("index.html").display());
         }
@@ -333,7 +344,15 @@ mod tests {
     #[test]
     fn commands_are_understood() {
         assert!(matches!(parsed(&[]), Ok(Asked::Everything)));
-        assert!(matches!(parsed(&["build"]), Ok(Asked::Build)));
+        assert!(matches!(parsed(&["build"]), Ok(Asked::Build { site: None })));
+        assert!(matches!(
+            parsed(&["build", "--site", "https://example.org/"]),
+            Ok(Asked::Build { site: Some(_) })
+        ));
+        assert!(
+            parsed(&["build", "--site", "example.org"]).is_err()
+                && parsed(&["--site", "https://a/", "list"]).is_err()
+        );
         assert!(matches!(parsed(&["list"]), Ok(Asked::List)));
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");

@@ -9,7 +9,9 @@ mod log;
 mod measure;
 mod nearest;
 mod paths;
+mod places;
 mod preprocess;
+mod share;
 
 use std::process::ExitCode;
 

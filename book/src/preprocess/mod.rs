@@ -9,6 +9,7 @@ mod figure;
 mod maths;
 pub(crate) mod protocol;
 mod svg;
+mod turning;
 
 use edits::Edits;
 use mdbook_preprocessor::book::{Book, BookItem};
@@ -59,6 +60,7 @@ impl Preprocessor for Preprocess {
                 Err(more) => faults.extend(more),
             }
         });
+        faults.extend(turning::add(&mut book, &context.root));
         if faults.is_empty() {
             figure::lay_out(&shown, &folders.chapters.join("figures")).map_err(Error::msg)?;
             Ok(book)

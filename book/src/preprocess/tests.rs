@@ -242,3 +242,24 @@ fn the_protocol_takes_a_book_and_gives_it_back_changed() {
     assert!(supports("html") && !supports("markdown"));
     assert!(protocol::answer("no JSON".as_bytes(), Vec::new()).is_err());
 }
+
+#[test]
+fn each_page_ends_with_its_neighbours_and_what_they_are_about() {
+    let repository = with_drawing(ARROWS);
+    let root = repository.path().join("book");
+    fs::create_dir_all(&root).unwrap();
+    let sentences = "x = 'First.'\ny = 'Then & there.'\nz = 'Last.'\n";
+    fs::write(root.join("pages.toml"), sentences).unwrap();
+    let three = [("x.md", "one"), ("y.md", "two"), ("z.md", "three")];
+    let book = Preprocess.run(&context(&root), book_of(&three)).unwrap();
+    let pages: Vec<&str> = book.chapters().map(|chapter| chapter.content.as_str()).collect();
+    assert!(
+        !pages[0].contains("Before") && pages[0].contains("<a href=\"y.html\">y.md</a> Then &amp; there.")
+    );
+    assert!(pages[1].contains("x.html") && pages[1].contains("z.html"), "{}", pages[1]);
+    assert!(pages[2].contains("y.html") && !pages[2].contains("Next"));
+
+    fs::write(root.join("pages.toml"), sentences.replace("y =", "w =")).unwrap();
+    let faults = Preprocess.run(&context(&root), book_of(&three)).unwrap_err().to_string();
+    assert!(faults.contains("no sentence for `y`") && faults.contains("`w`, which is no page"), "{faults}");
+}

@@ -1,0 +1,66 @@
+//! The foot of each page: the chapter before and the one after, each with a sentence.
+
+use crate::places::{Sentences, escaped};
+use mdbook_preprocessor::book::{Book, BookItem};
+use std::path::{Path, PathBuf};
+
+/// Adds the foot to every chapter of a book that has sentences for its pages; returns what was wrong.
+pub(super) fn add(book: &mut Book, root: &Path) -> Vec<String> {
+    let sentences = match Sentences::read(root) {
+        Ok(Some(sentences)) => sentences,
+        Ok(None) => return Vec::new(),
+        Err(what) => return vec![what],
+    };
+    let mut faults = Vec::new();
+    let mut told = Vec::new();
+    for item in book.iter() {
+        if let BookItem::Chapter(chapter) = item
+            && let Some(path) = &chapter.source_path
+        {
+            match sentences.of(path) {
+                Ok(sentence) => told.push((path.clone(), chapter.name.clone(), sentence.to_owned())),
+                Err(what) => faults.push(what),
+            }
+        }
+    }
+    for page in sentences.pages() {
+        if !told.iter().any(|(path, ..)| path.file_stem().is_some_and(|name| name == page)) {
+            faults.push(format!("book/pages.toml has a sentence for `{page}`, which is no page"));
+        }
+    }
+    if !faults.is_empty() {
+        return faults;
+    }
+    book.for_each_mut(|item| {
+        if let BookItem::Chapter(chapter) = item
+            && let Some(path) = &chapter.source_path
+            && let Some(at) = told.iter().position(|(other, ..)| other == path)
+        {
+            let before = at.checked_sub(1).and_then(|at| told.get(at));
+            chapter.content.push_str(&foot(before, told.get(at + 1)));
+        }
+    });
+    Vec::new()
+}
+
+type Told = (PathBuf, String, String);
+
+fn foot(before: Option<&Told>, after: Option<&Told>) -> String {
+    let mut html = String::from("\n\n<nav class=\"turning\" aria-label=\"Chapters before and after\">\n");
+    for (way, told) in [("Before", before), ("Next", after)] {
+        if let Some((path, name, sentence)) = told {
+            html.push_str(&format!(
+                "<p class=\"turning-{}\"><span>{way}</span> <a href=\"{}\">{}</a> {}</p>\n",
+                way.to_lowercase(),
+                page(path),
+                escaped(name),
+                escaped(sentence),
+            ));
+        }
+    }
+    html + "</nav>\n"
+}
+
+fn page(path: &Path) -> String {
+    path.with_extension("html").to_string_lossy().into_owned()
+}

@@ -1,0 +1,132 @@
+//! What others are told of a page: its description, how it looks when shared, and the map of the site.
+
+use crate::places::{Sentences, escaped};
+use std::fs;
+use std::path::Path;
+
+/// The picture shown where a page is shared, beside the pages.
+const PREVIEW: &str = "preview.png";
+
+/// Where the pages will stand, with a `/` at its end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Site(String);
+
+impl Site {
+    /// From an address as typed.
+    ///
+    /// # Errors
+    /// It is no address of a site.
+    pub(crate) fn parse(address: &str) -> Result<Self, String> {
+        let host = address.strip_prefix("https://").or_else(|| address.strip_prefix("http://"));
+        let plain = |host: &str| {
+            !host.is_empty() && !host.contains(|c: char| c.is_whitespace() || "\"<>&?#".contains(c))
+        };
+        if !host.is_some_and(plain) {
+            return Err(format!(
+                "`--site` takes the address of a site, as in https://example.org/tumbling/, but got `{address}`."
+            ));
+        }
+        Ok(Self(format!("{}/", address.trim_end_matches('/'))))
+    }
+}
+
+/// Gives each page its own description and what a shared link shows; with a site's address also the full addresses
+/// and `sitemap.xml`. Only what is built here has this: mdBook alone gives every page the book's description.
+///
+/// # Errors
+/// A page that cannot be read or written, or is not as expected.
+pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(), String> {
+    let Some(sentences) = Sentences::read(book)? else {
+        return Ok(());
+    };
+    let mut map = String::new();
+    for name in sentences.pages() {
+        let sentence = sentences.of(Path::new(name))?;
+        // The first chapter is the index as well; the index is the one to be found.
+        let file = pages.join(format!("{name}.html"));
+        let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+        let index = name == "introduction";
+        let address = if index { String::new() } else { format!("{name}.html") };
+        let told = with_head(&html, sentence, &address, site)
+            .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
+        let write =
+            |file: &Path| fs::write(file, &told).map_err(|e| format!("cannot write {}: {e}", file.display()));
+        write(&file)?;
+        if index {
+            write(&pages.join("index.html"))?;
+        }
+        if let Some(Site(root)) = site {
+            map.push_str(&format!("<url><loc>{root}{address}</loc></url>\n"));
+        }
+    }
+    let file = pages.join("sitemap.xml");
+    if site.is_some() {
+        let text = format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n{map}</urlset>\n"
+        );
+        fs::write(&file, text).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+    }
+    Ok(())
+}
+
+/// The page with its own description; nothing if it has none to replace.
+fn with_head(html: &str, sentence: &str, address: &str, site: Option<&Site>) -> Option<String> {
+    let title = between(html, "<title>", "</title>")?;
+    let old = between(html, "<meta name=\"description\" content=\"", "\">")?;
+    let sentence = escaped(sentence);
+    let mut head = format!(
+        "{sentence}\">\n        <meta property=\"og:type\" content=\"article\">\n        <meta property=\"og:title\" \
+         content=\"{title}\">\n        <meta property=\"og:description\" content=\"{sentence}"
+    );
+    if let Some(Site(root)) = site {
+        head.push_str(&format!(
+            "\">\n        <link rel=\"canonical\" href=\"{root}{address}\">\n        <meta property=\"og:url\" \
+             content=\"{root}{address}\">\n        <meta property=\"og:image\" content=\"{root}{PREVIEW}\">\n        \
+             <meta name=\"twitter:card\" content=\"summary_large_image"
+        ));
+    }
+    Some(html.replacen(&format!("content=\"{old}\">"), &format!("content=\"{head}\">"), 1))
+}
+
+fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> {
+    let start = text.find(before)? + before.len();
+    Some(&text[start..start + text[start..].find(after)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str =
+        "<head><title>Axes - Tumbling</title><meta name=\"description\" content=\"The book.\"></head>";
+
+    #[test]
+    fn a_page_tells_its_own_sentence() {
+        let told = with_head(PAGE, "Three \"quiet\" axes.", "axes.html", None).unwrap();
+        assert!(told.contains("name=\"description\" content=\"Three &quot;quiet&quot; axes.\">"), "{told}");
+        assert!(
+            told.contains("og:title\" content=\"Axes - Tumbling\">") && !told.contains("The book."),
+            "{told}"
+        );
+        assert!(!told.contains("canonical"));
+        assert_eq!(with_head("<head></head>", "A.", "a.html", None), None);
+    }
+
+    #[test]
+    fn a_page_of_a_site_knows_its_full_address() {
+        let site = Site::parse("https://example.org/book").unwrap();
+        let told = with_head(PAGE, "Axes.", "axes.html", Some(&site)).unwrap();
+        assert!(told.contains("rel=\"canonical\" href=\"https://example.org/book/axes.html\">"), "{told}");
+        assert!(told.contains("og:image\" content=\"https://example.org/book/preview.png\">"), "{told}");
+        assert!(told.ends_with("content=\"summary_large_image\"></head>"), "{told}");
+    }
+
+    #[test]
+    fn what_is_no_address_is_refused() {
+        for wrong in
+            ["", "example.org", "https://", "https://a b/", "ftp://a/", "https://a/?x", "https://a/\">"]
+        {
+            assert!(Site::parse(wrong).is_err(), "{wrong}");
+        }
+    }
+}
