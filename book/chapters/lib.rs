@@ -65,6 +65,10 @@ mod where_things_break {}
 mod proofs {}
 
 #[cfg(doctest)]
+#[doc = include_str!("library.md")]
+mod library {}
+
+#[cfg(doctest)]
 #[doc = include_str!("notation.md")]
 mod notation {}
 

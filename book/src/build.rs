@@ -2,7 +2,7 @@
 
 use crate::preprocess::Preprocess;
 use crate::share::{self, Site};
-use crate::{log, paths, say};
+use crate::{docs, log, paths, say};
 use mdbook_driver::MDBook;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,6 +16,9 @@ use std::time::Instant;
 pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
     let start = Instant::now();
     let pages = build_into(None, site)?;
+    if !docs::lay_beside(&paths::pages())? {
+        say!("Without the library's documentation: `cargo run --release` makes that too.");
+    }
     say!("Built {pages} pages in {:.1} s: {}", start.elapsed().as_secs_f64(), paths::pages().display());
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! What was asked for on the command line, and carrying it out.
 
 use crate::share::Site;
-use crate::{build, complain, draw, guard, judge, measure, nearest, paths, preprocess, say};
+use crate::{build, complain, docs, draw, guard, judge, measure, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -13,7 +13,8 @@ use tumbling_figures::{Figure, registry};
 const HELP: &str = "\
 Draws the figures of the book and builds its pages.
 
-    cargo run --release                        draw every figure, build the book
+    cargo run --release                        draw every figure, build the book and the
+                                               library's documentation beside it
     cargo run --release -- figures [NAME...]   draw every figure, or those named
     cargo run --release -- figures --check     draw nothing; fail and name the committed
                                                figures that are not what would be drawn
@@ -265,6 +266,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         Asked::Everything => {
             let start = Instant::now();
             draw::draw(&registry().iter().collect::<Vec<_>>(), &paths::figures())?;
+            docs::make()?;
             build::build(None)?;
             say!("All done in {:.1} s. Open", start.elapsed().as_secs_f64());
             say!("{}", paths::pages().join("index.html").display());

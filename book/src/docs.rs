@@ -1,0 +1,94 @@
+//! The library's documentation, made by rustdoc and laid beside the pages, where the chapters link to it.
+
+use crate::paths;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The folder beside the pages.
+const FOLDER: &str = "api";
+
+/// Has rustdoc write it.
+///
+/// # Errors
+/// Cargo could not be run, or did not get through; it has said why.
+pub(crate) fn make() -> Result<(), String> {
+    let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["doc", "--quiet", "--no-deps", "-p", "tumbling", "--manifest-path"])
+        .arg(paths::repository().join("Cargo.toml"))
+        .status()
+        .map_err(|e| format!("cannot run cargo for the library's documentation: {e}"))?;
+    if status.success() { Ok(()) } else { Err("the library's documentation was not made".into()) }
+}
+
+/// Copies what was made last beside the pages, and says whether there was any.
+///
+/// # Errors
+/// A file that cannot be copied.
+pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
+    // The library's own pages, what they load, and the sources they lead to: other crates' pages are not ours to show.
+    let Some(made) = made().filter(|made| made.join("tumbling/index.html").is_file()) else {
+        return Ok(false);
+    };
+    for entry in fs::read_dir(&made).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let others = name.to_string_lossy().starts_with("tumbling_");
+        if !others {
+            copy(&entry.path(), &pages.join(FOLDER).join(&name))?;
+        }
+    }
+    Ok(true)
+}
+
+/// Where cargo puts documentation: beside the folder of this program's profile.
+fn made() -> Option<PathBuf> {
+    let program = std::env::current_exe().ok()?;
+    let target = program.ancestors().find(|folder| folder.join("doc").is_dir())?;
+    Some(target.join("doc"))
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), String> {
+    let cannot = |e: std::io::Error| format!("cannot copy {} to {}: {e}", from.display(), to.display());
+    if from.is_dir() {
+        fs::create_dir_all(to).map_err(cannot)?;
+        for entry in fs::read_dir(from).map_err(cannot)? {
+            let entry = entry.map_err(cannot)?;
+            copy(&entry.path(), &to.join(entry.file_name()))?;
+        }
+    } else {
+        if let Some(folder) = to.parent() {
+            fs::create_dir_all(folder).map_err(cannot)?;
+        }
+        fs::copy(from, to).map_err(cannot)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_room_of_the_library_is_on_its_page() {
+        let root = paths::repository();
+        let library = fs::read_to_string(root.join("src/lib.rs")).unwrap();
+        let page = fs::read_to_string(paths::chapters().join("library.md")).unwrap();
+        let rooms: Vec<&str> =
+            library.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
+        assert!(rooms.len() > 10);
+        for room in rooms {
+            let link = format!("({FOLDER}/tumbling/{room}/index.html)");
+            assert!(page.contains(&link), "the chapter library.md does not link to {link}");
+        }
+    }
+
+    #[test]
+    fn a_folder_is_copied_with_all_below_it() {
+        let folder = tempfile::TempDir::new().unwrap();
+        let [from, to] = ["from", "to"].map(|name| folder.path().join(name));
+        fs::create_dir_all(from.join("a/b")).unwrap();
+        fs::write(from.join("a/b/c"), "text").unwrap();
+        copy(&from, &to).unwrap();
+        assert_eq!(fs::read_to_string(to.join("a/b/c")).unwrap(), "text");
+    }
+}
