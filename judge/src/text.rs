@@ -20,6 +20,13 @@ impl fmt::Display for Verdict {
             None => "steps of various lengths".into(),
         };
         writeln!(f, "Record:   {} rows, {}, judged over {:.3} s", self.rows, step, self.duration)?;
+        if let Some(fit) = &self.fit {
+            writeln!(
+                f,
+                "Start:    fitted to the first {} rows, {:.1e} rad/s from the first one; {:.1e} rad/s are left",
+                fit.rows, fit.moved, fit.left
+            )?;
+        }
         self.file(f)?;
         self.physics(f)?;
         if let Some(diagnosis) = &self.diagnosis {
@@ -36,7 +43,7 @@ impl fmt::Display for Verdict {
         }
         let mut reasons: Vec<String> = Vec::new();
         let (name, reason) = match self.outcome {
-            Outcome::Passed => ("PASSED", format!("every law is kept within {}", self.threshold)),
+            Outcome::Passed => ("PASSED", self.within()),
             Outcome::NothingToJudge if self.torque.is_some() => (
                 "NOTHING TO JUDGE",
                 "a torque acts, and the laws judged here are those of a free body. What made the record is told above".into(),
@@ -53,7 +60,8 @@ impl fmt::Display for Verdict {
                     reasons.push("the motion does not go through".into());
                 }
                 reasons.extend(self.broken().map(|law| {
-                    format!("{} is off by up to {:.3e} (allowed: {})", law.name.words(), law.most, self.threshold)
+                    let allowed = self.options.allowed(law.name).unwrap_or(f64::INFINITY);
+                    format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
                 }));
                 ("FAILED", String::new())
             }
@@ -67,6 +75,17 @@ impl fmt::Display for Verdict {
 }
 
 impl Verdict {
+    /// What every law is kept within.
+    fn within(&self) -> String {
+        let mut text = format!("every law is kept within {}", self.options.threshold);
+        for (name, most) in LawName::ALL.iter().zip(self.options.thresholds) {
+            if let Some(most) = most {
+                text += &format!(", {} within {most}", name.words());
+            }
+        }
+        text
+    }
+
     fn file(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for misread in &self.misread {
             writeln!(f, "File:     {}.", misread.words())?;

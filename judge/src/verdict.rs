@@ -3,13 +3,16 @@
 use crate::columns::Kind;
 use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
 use crate::error::Error;
-use crate::laws::{FlipCount, Law, LawName, Laws, angle_between};
+use crate::fit::{self, Fit};
+use crate::laws::{FlipCount, Law, LawName, Laws, angle_between, turned};
+use crate::points::Point;
 use crate::reading::{Misread, Reading};
 use crate::rows::{Raw, Rows};
 use crate::state::{Pair, State};
 use crate::suspects::Subject;
 use nalgebra::Vector3;
 use std::io::BufRead;
+use tumbling::exact::FreeMotion;
 
 /// How many rows are looked at before it is settled how they are meant.
 const PROBE: usize = 2048;
@@ -23,11 +26,33 @@ pub struct Options {
     pub inertia: Option<Vector3<f64>>,
     /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
     pub threshold: f64,
+    /// Other limits for some laws, the last of a law's own taken; one of phase (ways round) or of consistency is held too then.
+    pub thresholds: [Option<f64>; 7],
+    /// To start from the exact motion that comes nearest to so many rows, and not from the first alone.
+    pub fit: Option<usize>,
+}
+
+impl Options {
+    /// What is allowed of a law; nothing where it is not held to anything.
+    #[must_use]
+    pub fn allowed(&self, law: LawName) -> Option<f64> {
+        let own = LawName::ALL.iter().position(|name| *name == law).and_then(|i| self.thresholds[i]);
+        own.or_else(|| law.is_conserved().then_some(self.threshold))
+    }
+
+    /// With a limit of its own for a law.
+    #[must_use]
+    pub fn with(mut self, law: LawName, threshold: f64) -> Self {
+        if let Some(i) = LawName::ALL.iter().position(|name| *name == law) {
+            self.thresholds[i] = Some(threshold);
+        }
+        self
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inertia: None, threshold: 0.01 }
+        Self { inertia: None, threshold: 0.01, thresholds: [None; 7], fit: None }
     }
 }
 
@@ -102,8 +127,12 @@ pub struct Verdict {
     pub diagnosis: Option<Diagnosis>,
     /// What failed and is no law, in words.
     pub complaints: Vec<String>,
-    /// The most that was allowed.
-    pub threshold: f64,
+    /// What was allowed.
+    pub options: Options,
+    /// How the start was fitted, if it was.
+    pub fit: Option<Fit>,
+    /// The run in at most 256 points, to draw it by.
+    pub curve: Vec<Point>,
     /// The end of it.
     pub outcome: Outcome,
 }
@@ -118,9 +147,11 @@ impl Verdict {
             .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
     }
 
-    /// The conserved laws that are broken by more than the threshold.
+    /// The laws that are broken by more than is allowed.
     pub fn broken(&self) -> impl Iterator<Item = &Law> {
-        self.laws.iter().filter(|law| law.name.is_conserved() && law.most.abs() > self.threshold)
+        self.laws
+            .iter()
+            .filter(|law| self.options.allowed(law.name).is_some_and(|most| law.most.abs() > most))
     }
 }
 
@@ -169,9 +200,24 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     let reading = Reading::of(kind, &clock.pairs(&probe), &moments);
     let clock = clock.read(reading.time(), rows.told.step);
     let floor = rounding(&probe);
-    let first = reading.state(&probe[0], &moments);
+    let mut first = reading.state(&probe[0], &moments);
+    let (mut direction, mut fitted) = (None, None);
+    if let Some(count) = options.fit {
+        if count > probe.len() {
+            let problem = match probe.len() {
+                PROBE => format!("more than {PROBE} are not held in memory"),
+                there => format!("the record has {there}. Give a smaller number, `--fit N`"),
+            };
+            return Err(Error::Fit { rows: count, problem });
+        }
+        let rows: Vec<State> = probe[..count].iter().map(|raw| reading.state(raw, &moments)).collect();
+        let (omega, how) = fit::start(&moments, &rows)?;
+        first.omega = omega;
+        direction = momentum_of(&rows, &moments, &omega)?;
+        fitted = Some(how);
+    }
     let mut trial = Trial {
-        laws: Laws::new(&moments, &first, floor)?,
+        laws: Laws::new(&moments, &first, direction, floor)?,
         first,
         sample: Sample::new(),
         clock,
@@ -186,7 +232,25 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     while let Some(raw) = rows.next()? {
         trial.row(&reading.state(&raw, &moments))?;
     }
-    Ok(trial.end(&subject, &reading, kind, floor, rows.told.engine, options.threshold))
+    let mut verdict = trial.end(&subject, &reading, kind, floor, rows.told.engine, options);
+    verdict.fit = fitted;
+    Ok(verdict)
+}
+
+/// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without attitudes.
+fn momentum_of(
+    rows: &[State],
+    moments: &Vector3<f64>,
+    omega: &Vector3<f64>,
+) -> Result<Option<Vector3<f64>>, tumbling::Error> {
+    let Some(first) = rows.first() else { return Ok(None) };
+    let motion = FreeMotion::new(moments, omega)?;
+    let mut sum = Vector3::zeros();
+    for row in rows {
+        let Some(q) = row.attitude else { return Ok(None) };
+        sum += turned(&q, &moments.component_mul(&motion.omega(row.t - first.t)?)) / q.norm_squared();
+    }
+    Ok(Some(sum))
 }
 
 /// The rounding of numbers that have so many digits, or that single precision holds.
@@ -326,7 +390,7 @@ impl Trial {
         kind: Kind,
         floor: f64,
         engine: Option<String>,
-        threshold: f64,
+        options: &Options,
     ) -> Verdict {
         let Self { laws, first, sample, clock, rows, resets, gaps, .. } = self;
         let free = subject.torque.is_none();
@@ -359,13 +423,15 @@ impl Trial {
         if sample.seen() == 0 {
             complaints.push("no two rows are one step apart: no rule can be tried".into());
         }
-        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > threshold) {
+        let consistent = options.allowed(LawName::Consistency).unwrap_or(options.threshold);
+        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent) {
             let off = 100.0 * law.most;
             complaints
                 .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
         }
         let misread = reading.mistakes();
-        let broken = kept.iter().any(|law| law.name.is_conserved() && law.most.abs() > threshold);
+        let broken =
+            kept.iter().any(|law| options.allowed(law.name).is_some_and(|most| law.most.abs() > most));
         let outcome = if !misread.is_empty() || !resets.is_empty() {
             Outcome::Failed
         } else if still || !free {
@@ -393,7 +459,9 @@ impl Trial {
             separatrix: laws.separatrix().filter(|_| free),
             diagnosis,
             complaints,
-            threshold,
+            options: *options,
+            fit: None,
+            curve: laws.points.into_all(),
             outcome,
         }
     }
