@@ -34,7 +34,7 @@ impl Verdict {
         let resets: Vec<Value> = self
             .resets
             .iter()
-            .map(|reset| json!({"line": reset.line, "time": reset.time, "to_rest": reset.to_rest}))
+            .map(|reset| json!({"line": reset.line, "time": reset.time, "to_rest": reset.to_rest, "to_start": reset.to_start}))
             .collect();
         json!({
             "outcome": match self.outcome {

@@ -14,6 +14,7 @@ mod curve;
 mod diagnosis;
 mod error;
 mod fit;
+mod fitted;
 mod json;
 mod laws;
 mod points;

@@ -21,8 +21,18 @@ pub enum Misread {
     Inverse,
     /// Spins are in degrees a second.
     Degrees,
+    /// Spins are in revolutions a minute.
+    RevolutionsPerMinute,
+    /// Spins are in revolutions a second.
+    Revolutions,
     /// Time is in milliseconds.
     Milliseconds,
+    /// Time is in microseconds.
+    Microseconds,
+    /// Time is in nanoseconds.
+    Nanoseconds,
+    /// Time is in minutes.
+    Minutes,
     /// The spin turns by the left hand, the attitude (if there is one) by the right.
     LeftHandedSpin,
     /// All of it is mirrored along an axis.
@@ -42,7 +52,12 @@ impl Misread {
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
             Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
             Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
+            Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
+            Self::Revolutions => "the spin is in revolutions a second: write radians a second".into(),
             Self::Milliseconds => "the time is in milliseconds: write seconds".into(),
+            Self::Microseconds => "the time is in microseconds: write seconds".into(),
+            Self::Nanoseconds => "the time is in nanoseconds: write seconds".into(),
+            Self::Minutes => "the time is in minutes: write seconds".into(),
             Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
             Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, \
                                  the opposite sign"
@@ -53,6 +68,21 @@ impl Misread {
         }
     }
 }
+
+/// Units of spins, in rad/s, that are taken for it.
+const SPINS: [(Misread, f64); 3] = [
+    (Misread::Degrees, std::f64::consts::PI / 180.0),
+    (Misread::RevolutionsPerMinute, std::f64::consts::PI / 30.0),
+    (Misread::Revolutions, std::f64::consts::TAU),
+];
+
+/// Units of time, in s, that are taken for it.
+const TIMES: [(Misread, f64); 4] = [
+    (Misread::Milliseconds, 1e-3),
+    (Misread::Microseconds, 1e-6),
+    (Misread::Nanoseconds, 1e-9),
+    (Misread::Minutes, 60.0),
+];
 
 /// A way to take the numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,12 +136,8 @@ impl Reading {
         if self.frame {
             all.push(Misread::Frame);
         }
-        if self.spin != 1.0 {
-            all.push(Misread::Degrees);
-        }
-        if self.time != 1.0 {
-            all.push(Misread::Milliseconds);
-        }
+        all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
+        all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
         all
     }
 
@@ -190,10 +216,13 @@ impl Reading {
                 .sum();
             mistakes - 2.0 * alike
         };
+        // How far the turns are from the spins weighs too, but less: what is left of a right reading is the step's own error, and of a
+        // wrong one, of a spin about one axis, it may by chance be less.
+        let worth = |way: &(Self, f64)| worth(&way.0) + 0.5 * (way.1 / least.max(1e-6)).max(1.0).log10();
         let best = ways
             .iter()
-            .filter(|way| way.1 <= (3.0 * least).max(1e-6))
-            .min_by(|a, b| worth(&a.0).total_cmp(&worth(&b.0)));
+            .filter(|way| way.1 <= 0.05 && way.1 <= 0.2 * plain)
+            .min_by(|a, b| worth(a).total_cmp(&worth(b)));
         best.map_or(self, |way| way.0)
     }
 
@@ -207,13 +236,11 @@ impl Reading {
     }
 
     fn with_units(self, ratio: f64) -> Self {
-        let near = |unit: f64| (ratio / unit - 1.0).abs() < 0.1;
-        if near(1.0_f64.to_radians()) {
-            Self { spin: 1.0_f64.to_radians(), ..self }
-        } else if near(1e-3) {
-            Self { time: 1e-3, ..self }
-        } else {
-            self
+        let near = |unit: &&(Misread, f64)| (ratio / unit.1 - 1.0).abs() < 0.1;
+        match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < 0.1)) {
+            (Some(unit), _) => Self { spin: unit.1, ..self },
+            (None, Some(unit)) => Self { time: unit.1, ..self },
+            (None, None) => self,
         }
     }
 

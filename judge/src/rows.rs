@@ -132,7 +132,7 @@ fn read(
         if field.is_empty() {
             return Err(wrong("the field is empty".into()));
         }
-        let value: f64 = field.parse().map_err(|_| wrong(format!("`{field}` is not a number")))?;
+        let value: f64 = field.parse().map_err(|_| wrong(no_number(field)))?;
         if !value.is_finite() {
             return Err(wrong(format!("the value is {field}: from here on there is no motion")));
         }
@@ -166,6 +166,23 @@ fn read(
         Quaternion::new(w, x, y, z)
     });
     Ok(Raw { line, t, attitude, vector: Vector3::new(x, y, z) * unit, digits, single })
+}
+
+/// What is wrong with a field that is no number.
+fn no_number(field: &str) -> String {
+    let mut shown: String =
+        field.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    if shown.len() < field.len() && field.chars().nth(40).is_some() {
+        shown.push('…');
+    }
+    let why = if field.contains('\u{2212}') {
+        ": its minus sign is not the hyphen `-` that programs read"
+    } else if field.contains(',') && field.replacen(',', ".", 1).parse::<f64>().is_ok() {
+        ": write a decimal point, not a comma"
+    } else {
+        ""
+    };
+    format!("`{shown}` is not a number{why}")
 }
 
 /// How many digits from the first that is not zero, before an exponent.
@@ -206,8 +223,18 @@ impl<R: BufRead> Lines<R> {
 }
 
 fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {
-    std::str::from_utf8(bytes)
-        .map_err(|_| Error::Line { line, problem: "the line is not text (UTF-8)".into() })
+    let wrong = |problem: &str| Error::Line { line, problem: problem.into() };
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) if !text.contains('\0') => text,
+        _ if line == 1 && (bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff])) => {
+            return Err(wrong("the file is in UTF-16: save it in UTF-8"));
+        }
+        _ => return Err(wrong("the line is not text (UTF-8)")),
+    };
+    if text.trim_end().contains('\r') {
+        return Err(wrong("there are carriage returns within the line: end lines by a line feed"));
+    }
+    Ok(text)
 }
 
 impl Raw {

@@ -25,8 +25,18 @@ pub enum Rule {
     OtherMoments(Vector3<f64>, Base),
     /// A rule, and the spin lessened by this factor in each step: after the rule, or before.
     Damped(f64, Base, When),
+    /// A rule, and the spin about each axis of the body lessened by a factor of its own in each step.
+    DampedByAxis(Vector3<f64>, Base, When),
     /// A rule, and no spin beyond this, rad/s.
     Capped(f64, Base),
+    /// A rule, and no turn where a step would turn by this or less, rad.
+    SmallTurn(f64, Base),
+    /// A rule, and each component of the spin in body axes that is no greater than this, rad/s, put to zero.
+    Zeroed(f64, Base),
+    /// A rule for the spin, and so many times the turn that it says.
+    OtherTurn(f64, Base),
+    /// A rule, and steps so many times as long as the record says.
+    OtherStep(f64, Base),
 }
 
 /// Of what order the frozen tensor's spin is stepped.
@@ -216,6 +226,27 @@ impl Subject {
             Rule::Damped(factor, base, When::Before) => {
                 self.based(*base, &State { omega: from.omega * *factor, ..*from }, h)
             }
+            Rule::DampedByAxis(factors, base, When::After) => {
+                let omega = self.based(*base, from, h)?.1.component_mul(factors);
+                Ok((turned(&omega), omega))
+            }
+            Rule::DampedByAxis(factors, base, When::Before) => {
+                self.based(*base, &State { omega: from.omega.component_mul(factors), ..*from }, h)
+            }
+            Rule::SmallTurn(angle, base) => {
+                let (q, omega) = self.based(*base, from, h)?;
+                Ok((if omega.norm() * h <= *angle { start } else { q }, omega))
+            }
+            Rule::Zeroed(least, base) => {
+                let (q, omega) = self.based(*base, from, h)?;
+                let kept = omega.map(|x| if x.abs() <= *least { 0.0 } else { x });
+                Ok((if kept == omega { q } else { turned(&kept) }, kept))
+            }
+            Rule::OtherTurn(factor, base) => {
+                let omega = self.based(*base, from, h)?.1;
+                Ok((turned(&(omega * *factor)), omega))
+            }
+            Rule::OtherStep(factor, base) => self.based(*base, from, h * *factor),
             Rule::Capped(most, base) => {
                 let (q, omega) = self.based(*base, from, h)?;
                 let speed = omega.norm();

@@ -94,7 +94,11 @@ impl Verdict {
             writeln!(f, "          What follows is of the file with that put right.")?;
         }
         for reset in &self.resets {
-            let how = if reset.to_rest { "is put to rest" } else { "is put back to its start" };
+            let how = match (reset.to_rest, reset.to_start) {
+                (true, _) => "is put to rest (a reset, or put to sleep)",
+                (false, true) => "is put back to its start",
+                (false, false) => "jumps to another motion (a reset, a push or a collision)",
+            };
             writeln!(
                 f,
                 "Reset:    line {}, t = {:.4} s: the body {how}. Judged up to there.",
