@@ -10,7 +10,8 @@ pub(crate) struct Columns {
     pub clock: Clock,
     /// w, x, y, z.
     pub attitude: Option<[usize; 4]>,
-    pub vector: [usize; 3],
+    /// None where attitudes are all there is.
+    pub vector: Option<[usize; 3]>,
     pub kind: Kind,
     /// The header says that the spin is in degrees a second.
     pub degrees: bool,
@@ -38,6 +39,8 @@ pub(crate) enum Kind {
     SpinWorld,
     MomentumBody,
     MomentumWorld,
+    /// None: attitudes alone.
+    Attitude,
 }
 
 impl Kind {
@@ -190,8 +193,14 @@ impl Columns {
                 }
             }
         }
-        let Some((kind, vector)) = vector else {
-            return Err(wrong(format!("neither spin nor momentum is there to be judged; {known}")));
+        let (kind, vector) = match vector {
+            Some((kind, places)) => (kind, Some(places)),
+            None if attitude.is_some() => (Kind::Attitude, None),
+            None => {
+                return Err(wrong(format!(
+                    "neither spin nor momentum nor attitude is there to be judged; {known}"
+                )));
+            }
         };
         if kind.in_world() && attitude.is_none() {
             return Err(wrong(
@@ -199,7 +208,8 @@ impl Columns {
                     .into(),
             ));
         }
-        let degrees = !kind.is_momentum() && plain[vector[0]].1.starts_with("deg");
+        let degrees =
+            !kind.is_momentum() && vector.is_some_and(|places| plain[places[0]].1.starts_with("deg"));
         Ok(Self { names, separator, clock, attitude, vector, kind, degrees })
     }
 }

@@ -10,6 +10,9 @@ use tumbling::euler;
 /// How much of the record is tried, at most, evenly through it.
 const PAIRS: usize = 2048;
 
+/// The same where the record tells no spin.
+const SOUGHT: usize = 256;
+
 /// Pairs of rows from all of a record of any length.
 #[derive(Debug)]
 pub(crate) struct Sample {
@@ -119,7 +122,11 @@ pub(crate) fn diagnose(
     floor: f64,
     of_momentum: bool,
 ) -> Option<Diagnosis> {
-    let pairs = sample.pairs();
+    // Of attitudes alone each rule's spin has to be sought first, step by step: fewer steps do.
+    let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
+    let every = if sought { sample.pairs().len().div_ceil(SOUGHT).max(1) } else { 1 };
+    let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
+    let pairs = pairs.as_slice();
     let explained = |rule: Rule| -> Option<Explanation> {
         let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
         middle_and_most(residuals).map(|[middle, most]| Explanation { rule, middle, most })
@@ -213,7 +220,7 @@ mod tests {
     fn a_sample_is_no_larger_however_long_the_record_and_from_all_of_it() {
         let mut sample = Sample::new();
         for line in 0..1_000_000 {
-            let state = State { line, t: 0.0, attitude: None, omega: Vector3::zeros() };
+            let state = State { line, t: 0.0, attitude: None, omega: Vector3::zeros(), ahead: None };
             sample.push(&Pair { from: state, to: state, h: 1.0 });
             assert!(sample.pairs().len() <= PAIRS);
         }

@@ -11,6 +11,7 @@ mod advice;
 mod columns;
 mod comment;
 mod curve;
+mod derived;
 mod diagnosis;
 mod error;
 mod fit;

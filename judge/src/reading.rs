@@ -159,9 +159,10 @@ impl Reading {
             (true, Kind::SpinWorld) => Kind::SpinBody,
             (true, Kind::MomentumBody) => Kind::MomentumWorld,
             (true, Kind::MomentumWorld) => Kind::MomentumBody,
+            (true, Kind::Attitude) => Kind::Attitude,
         };
         let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
-        State { line: raw.line, t: raw.t * self.time, attitude, omega }
+        State { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 
     /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain one does not.
@@ -169,6 +170,35 @@ impl Reading {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
         if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
+    }
+
+    /// Of attitudes alone the law tells the order and the sense: three rows, each a step after the other, have two turns, whose change is the
+    /// gyroscopic one.
+    pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
+        let plain = Self::plain(Kind::Attitude);
+        let alike = |reading: &Self| {
+            let pairs: Vec<Pair> = triples
+                .iter()
+                .filter_map(|triple| {
+                    let [a, b, c] = triple.map(|(raw, _)| reading.state(&raw, moments));
+                    let h = triple[2].1;
+                    let spin = |from: State, to: State| Some(Pair { from, to, h }.turn()? / h);
+                    let (first, second) = (spin(a, b)?, spin(b, c)?);
+                    Some(Pair { from: State { omega: first, ..a }, to: State { omega: second, ..b }, h })
+                })
+                .collect();
+            law(pairs.into_iter(), moments).0
+        };
+        if alike(&plain) > 0.8 {
+            return plain;
+        }
+        let others = [(true, false), (false, true), (true, true)];
+        let best = others
+            .map(|(order, inverse)| Self { order, inverse, ..plain })
+            .into_iter()
+            .map(|way| (way, alike(&way)))
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        best.filter(|way| way.1 > 0.98).map_or(plain, |way| way.0)
     }
 
     fn pairs<'a>(
@@ -244,19 +274,8 @@ impl Reading {
         }
     }
 
-    /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large beside it.
     fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {
-        let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
-        for pair in self.pairs(pairs, moments) {
-            let mean = (pair.from.omega + pair.to.omega) / 2.0;
-            let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
-            let rate = (pair.to.omega - pair.from.omega) / pair.h;
-            found += rate.norm_squared();
-            wanted += law.norm_squared();
-            both += rate.dot(&law);
-        }
-        let sizes = (found * wanted).sqrt();
-        if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }
+        law(self.pairs(pairs, moments), moments)
     }
 
     /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of the other hand backward.
@@ -268,4 +287,19 @@ impl Reading {
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
         Self { hand, ..self }.with_units(size.abs())
     }
+}
+
+/// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large beside it.
+fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
+    let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
+    for pair in pairs {
+        let mean = (pair.from.omega + pair.to.omega) / 2.0;
+        let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
+        let rate = (pair.to.omega - pair.from.omega) / pair.h;
+        found += rate.norm_squared();
+        wanted += law.norm_squared();
+        both += rate.dot(&law);
+    }
+    let sizes = (found * wanted).sqrt();
+    if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }
 }

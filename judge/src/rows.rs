@@ -104,7 +104,7 @@ fn read(
     let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
     let wanted = |i: usize| {
         i == clock
-            || columns.vector.contains(&i)
+            || columns.vector.is_some_and(|places| places.contains(&i))
             || columns.attitude.is_some_and(|places| places.contains(&i))
     };
     let (mut digits, mut single) = (0, true);
@@ -159,7 +159,7 @@ fn read(
         Clock::Time(i) => fields[i],
         Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
     };
-    let [x, y, z] = columns.vector.map(|i| fields[i]);
+    let [x, y, z] = columns.vector.map_or([0.0; 3], |places| places.map(|i| fields[i]));
     let unit = if columns.degrees { 1.0_f64.to_radians() } else { 1.0 };
     let attitude = columns.attitude.map(|places| {
         let [w, x, y, z] = places.map(|i| fields[i]);

@@ -264,9 +264,36 @@ impl Subject {
         self.after(rule, &pair.from, pair.h).ok().map(|end| end.1)
     }
 
+    /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that it takes for that is the
+    /// rule's own. In rad, beside the angle turned.
+    fn residual_of_turns(&self, rule: &Rule, pair: &Pair, ahead: &Quaternion<f64>) -> Option<f64> {
+        let middle = pair.to.attitude?;
+        let mut omega = pair.from.omega;
+        let mut least = f64::INFINITY;
+        let mut after = None;
+        for _ in 0..60 {
+            let (q, spin) = self.after(rule, &State { omega, ..pair.from }, pair.h).ok()?;
+            let left = Pair { from: State { attitude: Some(q), ..pair.to }, ..*pair }.turn()?;
+            let size = left.norm();
+            if size >= least || size.is_nan() {
+                break;
+            }
+            (least, after) = (size, Some(spin));
+            omega += left / pair.h;
+        }
+        let turn = pair.from.omega.norm() * pair.h;
+        let (q, _) =
+            self.after(rule, &State { attitude: Some(middle), omega: after?, ..pair.to }, pair.h).ok()?;
+        let off = (crate::laws::angle_between(&q, ahead) + least) / turn;
+        off.is_finite().then_some(off)
+    }
+
     /// How far a rule's step is from the recorded one: of the spin beside the larger of its values before and after, of the
     /// attitude in rad, beside the angle turned where that is over 1. Infinite where the rule takes no such step.
     pub(crate) fn residual(&self, rule: &Rule, pair: &Pair) -> f64 {
+        if let Some((_, ahead)) = pair.to.ahead {
+            return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
+        }
         let Ok((q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
         let speed = pair.to.omega.norm().max(pair.from.omega.norm()).max(f64::MIN_POSITIVE);
         let spin = (omega - pair.to.omega).norm() / speed;

@@ -112,6 +112,19 @@ impl Verdict {
                 gaps.count, gaps.line, gaps.longest
             )?;
         }
+        if !self.untold.is_empty() {
+            let names: Vec<&str> = self.untold.iter().map(|law| law.words()).collect();
+            writeln!(
+                f,
+                "Not told: {} (the file has no {})",
+                names.join(", "),
+                if self.has_attitude {
+                    "spin: it is made from the turns between the attitudes, by the exact motion"
+                } else {
+                    "attitude"
+                }
+            )?;
+        }
         if self.sign_changes > 0 {
             writeln!(
                 f,

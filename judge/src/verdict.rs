@@ -1,6 +1,7 @@
 //! From a record to a verdict, one row in hand at a time.
 
 use crate::columns::Kind;
+use crate::derived::{Derived, Deriver};
 use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
 use crate::error::Error;
 use crate::fit::{self, Fit};
@@ -8,7 +9,7 @@ use crate::laws::{FlipCount, Law, LawName, Laws, angle_between, turned};
 use crate::points::Point;
 use crate::reading::{Misread, Reading};
 use crate::rows::{Raw, Rows};
-use crate::state::{Pair, State};
+use crate::state::{Pair, State, median};
 use crate::suspects::Subject;
 use nalgebra::Vector3;
 use std::io::BufRead;
@@ -114,6 +115,8 @@ pub struct Verdict {
     pub has_attitude: bool,
     /// Mistakes of the file. What follows is of the file with these put right.
     pub misread: Vec<Misread>,
+    /// Laws of which the file does not tell: no attitude, or no spin.
+    pub untold: Vec<LawName>,
     /// Where the motion starts anew; the laws are followed up to the first.
     pub resets: Vec<Reset>,
     /// Missing rows.
@@ -162,6 +165,7 @@ impl Verdict {
 ///
 /// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`, `qw,qx,qy,qz` (body to world),
 /// `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in
+/// or attitudes alone, from whose turns the spin is told then; in
 /// any order, between commas, semicolons, tabs or blanks. Comments before it may tell `inertia: A B C`, `dt: 1/60` and
 /// `torque: X Y Z`.
 ///
@@ -200,23 +204,54 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     let subject = Subject::new(moments, torque)?;
     let kind = rows.columns.kind;
     let clock = Clock::of(&probe);
-    let reading = Reading::of(kind, &clock.pairs(&probe), &moments);
+    let reading = match kind {
+        Kind::Attitude => Reading::of_attitudes(&clock.triples(&probe), &moments),
+        _ => Reading::of(kind, &clock.pairs(&probe), &moments),
+    };
     let clock = clock.read(reading.time(), rows.told.step);
-    let floor = rounding(&probe);
-    let mut first = reading.state(&probe[0], &moments);
+    let mut floor = rounding(&probe);
+    let mut feed = Feed { told: kind != Kind::Attitude, moments, clock, deriver: Deriver::default() };
+    let mut states = Vec::new();
+    let mut stopped = None;
+    for raw in &probe {
+        match feed.push(&reading.state(raw, &moments))? {
+            Derived::Known(state) => states.push(state),
+            Derived::Unknown => {}
+            Derived::TooFar { line, turn } => {
+                stopped = Some((line, turn));
+                break;
+            }
+        }
+    }
+    let Some(mut first) = states.first().copied() else {
+        return Err(match stopped {
+            Some((line, turn)) => Error::Line { line, problem: too_far(turn) },
+            None => Error::OneRow,
+        });
+    };
+    if kind == Kind::Attitude {
+        // A rounding of the attitudes is so much more beside the turn that makes a spin.
+        let turn = median(states.iter().filter_map(|state| {
+            let (_, ahead) = state.ahead?;
+            Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
+        }));
+        if turn.is_finite() && turn > 0.0 {
+            floor *= 4.0 / turn.min(1.0);
+        }
+    }
     let (mut direction, mut fitted) = (None, None);
     if let Some(count) = options.fit {
-        if count > probe.len() {
+        if count > states.len() {
             let problem = match probe.len() {
                 PROBE => format!("more than {PROBE} are not held in memory"),
                 there => format!("the record has {there}. Give a smaller number, `--fit N`"),
             };
             return Err(Error::Fit { rows: count, problem });
         }
-        let rows: Vec<State> = probe[..count].iter().map(|raw| reading.state(raw, &moments)).collect();
-        let (omega, how) = fit::start(&moments, &rows)?;
+        let rows = &states[..count];
+        let (omega, how) = fit::start(&moments, rows)?;
         first.omega = omega;
-        direction = momentum_of(&rows, &moments, &omega)?;
+        direction = momentum_of(rows, &moments, &omega)?;
         fitted = Some(how);
     }
     let mut trial = Trial {
@@ -232,12 +267,24 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         torque,
         off: 0.0,
         steps: 0,
+        told: kind != Kind::Attitude,
+        stopped: None,
     };
-    for raw in &probe {
-        trial.row(&reading.state(raw, &moments))?;
+    trial.rows = probe.len() as u64;
+    for state in &states {
+        trial.row(state)?;
     }
+    trial.stopped = stopped;
     while let Some(raw) = rows.next()? {
-        trial.row(&reading.state(&raw, &moments))?;
+        trial.rows += 1;
+        if trial.stopped.is_some() {
+            continue;
+        }
+        match feed.push(&reading.state(&raw, &moments))? {
+            Derived::Known(state) => trial.row(&state)?,
+            Derived::Unknown => {}
+            Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
+        }
     }
     let mut verdict = trial.end(&subject, &reading, kind, floor, rows.told.engine, options);
     verdict.fit = fitted;
@@ -269,6 +316,15 @@ fn rounding(probe: &[Raw]) -> f64 {
     let of_digits = if digits < 4 { 0.0 } else { of_digits };
     let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
     f64::EPSILON.max(of_digits).max(of_single)
+}
+
+/// What a record without attitudes, or of attitudes alone, does not tell.
+fn untold(attitude: bool, kind: Kind) -> Vec<LawName> {
+    match (attitude, kind) {
+        (false, _) => vec![LawName::Direction, LawName::Unit, LawName::Consistency],
+        (true, Kind::Attitude) => vec![LawName::Consistency],
+        _ => Vec::new(),
+    }
 }
 
 fn times(count: u64) -> String {
@@ -312,6 +368,17 @@ impl Clock {
         if (times - 1.0).abs() < 0.05 { (step, 1.0) } else { (to - from, times) }
     }
 
+    /// Three rows, each one step after the other, with the step as the file has it.
+    fn triples(&self, probe: &[Raw]) -> Vec<[(Raw, f64); 3]> {
+        let every = probe.len().div_ceil(PROBED).max(1);
+        let three = probe.windows(3).step_by(every).filter_map(|rows| {
+            let (h, times) = self.between(rows[0].t, rows[1].t);
+            let (next, more) = self.between(rows[1].t, rows[2].t);
+            (times == 1.0 && more == 1.0).then_some([(rows[0], 0.0), (rows[1], h), (rows[2], next)])
+        });
+        three.collect()
+    }
+
     /// Rows one step apart, with the step as the file has it.
     fn pairs(&self, probe: &[Raw]) -> Vec<(Raw, Raw, f64)> {
         let mut pairs: Vec<_> = probe
@@ -331,6 +398,35 @@ impl Clock {
     }
 }
 
+/// Rows, with spins where the record tells none.
+struct Feed {
+    told: bool,
+    moments: Vector3<f64>,
+    clock: Clock,
+    deriver: Deriver,
+}
+
+impl Feed {
+    fn push(&mut self, state: &State) -> Result<Derived, Error> {
+        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
+            let problem = "the quaternion has no length: it is no attitude".into();
+            return Err(Error::Line { line: state.line, problem });
+        }
+        if self.told {
+            return Ok(Derived::Known(*state));
+        }
+        let (h, times) = self.deriver.last().map_or((0.0, 1.0), |last| self.clock.between(last, state.t));
+        Ok(self.deriver.push(&self.moments, state, h, times))
+    }
+}
+
+fn too_far(turn: f64) -> String {
+    format!(
+        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not tell a turn from one that goes the other \
+         way round. Record the spin, or shorter steps"
+    )
+}
+
 /// A trial as far as it has come.
 struct Trial {
     laws: Laws,
@@ -346,6 +442,10 @@ struct Trial {
     /// The most that a step was off the law, and how many steps there were.
     off: f64,
     steps: u64,
+    /// Whether the record tells spins.
+    told: bool,
+    /// At which line the attitude turns too far to tell which way, and by how much, rad.
+    stopped: Option<(usize, f64)>,
 }
 
 /// No more resets than this are told one by one.
@@ -353,12 +453,7 @@ const RESETS: usize = 16;
 
 impl Trial {
     fn row(&mut self, state: &State) -> Result<(), Error> {
-        self.rows += 1;
         let mut steps = 0.0;
-        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
-            let problem = "the quaternion has no length: it is no attitude".into();
-            return Err(Error::Line { line: state.line, problem });
-        }
         if let Some(last) = self.last.replace(*state) {
             let (h, times) = self.clock.between(last.t, state.t);
             steps = times;
@@ -372,12 +467,17 @@ impl Trial {
             if (to_start || jumps) && self.resets.len() < RESETS {
                 let to_rest = state.omega == Vector3::zeros();
                 let to_start = to_start && !to_rest;
-                self.resets.push(Reset { line: state.line, time: state.t, to_rest, to_start });
+                let line = state.ahead.map_or(state.line, |(line, _)| line);
+                self.resets.push(Reset { line, time: state.t, to_rest, to_start });
             }
             if self.resets.is_empty() && times == 1.0 {
                 let pair = Pair { from: last, to: *state, h };
-                self.laws.pair(&pair);
-                self.sample.push(&pair);
+                if self.told {
+                    self.laws.pair(&pair);
+                }
+                if self.told || state.ahead.is_some() {
+                    self.sample.push(&pair);
+                }
             }
         }
         if self.resets.is_empty() {
@@ -390,7 +490,8 @@ impl Trial {
     /// be: the law itself changes the spin by no more than the angle turned.
     fn jumps(&mut self, pair: &Pair) -> bool {
         let (from, to) = (pair.from.omega, pair.to.omega);
-        let speed = from.norm().max(to.norm());
+        // Of attitudes alone a spin that is out of all proportion is what is to be found.
+        let speed = if self.told { from.norm().max(to.norm()) } else { from.norm() };
         let mean = (from + to) / 2.0;
         let rate = euler::angular_acceleration(&self.moments, &mean, &self.torque(pair));
         let spin = (to - from - rate * pair.h).norm() / speed;
@@ -446,7 +547,7 @@ impl Trial {
         engine: Option<String>,
         options: &Options,
     ) -> Verdict {
-        let Self { laws, first, sample, clock, rows, resets, gaps, .. } = self;
+        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, .. } = self;
         let free = subject.torque.is_none();
         let still = free && laws.constant && !should_change(subject, sample.pairs(), floor);
         let diagnosis = if still { None } else { diagnose(subject, &sample, floor, kind.is_momentum()) };
@@ -475,6 +576,9 @@ impl Trial {
                 ));
             }
             _ => {}
+        }
+        if let Some((line, turn)) = stopped {
+            complaints.push(format!("line {line}: {}. Judged up to there", too_far(turn)));
         }
         if sample.seen() == 0 {
             complaints.push("no two rows are one step apart: no rule can be tried".into());
@@ -507,6 +611,7 @@ impl Trial {
             rounding: floor,
             has_attitude: first.attitude.is_some(),
             misread,
+            untold: untold(first.attitude.is_some(), kind),
             resets,
             gaps,
             sign_changes: laws.sign_changes,

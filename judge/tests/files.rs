@@ -212,7 +212,7 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert!(error("t,wx,wz\n0,1,2\n").starts_with("line 1: the column `wy` is missing"));
     assert!(error("t,wx,wx,wy,wz\n").starts_with("line 1: there are two columns `wx`"));
     assert!(error("wx,wy,wz\n0,1,2\n").starts_with("line 1: the column `t` is missing"));
-    assert!(error("t,qw,qx,qy,qz\n").contains("neither spin nor momentum"));
+    assert!(error("t,x\n").contains("neither spin nor momentum nor attitude"));
     assert!(error("t,wxw,wyw,wzw\n").contains("without its attitude"));
     assert!(error("step,wx,wy,wz\n").contains("how long one is"));
     assert!(error("# inertia: 1 2 4\nt,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("2 + 1 >= 4"));
