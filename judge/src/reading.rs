@@ -15,8 +15,10 @@ use tumbling::euler;
 pub enum Misread {
     /// What is named in body axes is in the world's, or the other way round.
     Frame,
-    /// The attitude is x, y, z, w.
+    /// The attitude is x, y, z, w; of attitudes alone this is not to be told from [`ScalarFirst`](Self::ScalarFirst).
     Order,
+    /// The attitude is w, x, y, z under the names x, y, z, w.
+    ScalarFirst,
     /// The attitude takes the world to the body.
     Inverse,
     /// Spins are in degrees a second.
@@ -50,6 +52,7 @@ impl Misread {
                             the other way round. Name the columns `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body"
                 .into(),
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
+            Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
             Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
             Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
             Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
@@ -88,13 +91,21 @@ const TIMES: [(Misread, f64); 4] = [
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reading {
     kind: Kind,
-    order: bool,
+    order: Order,
     inverse: bool,
     frame: bool,
     hand: Hand,
     /// What a spin is to be multiplied by, and a time.
     spin: f64,
     time: f64,
+}
+
+/// Where the scalar of a quaternion stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Order {
+    AsNamed,
+    Last,
+    First,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,7 +118,15 @@ enum Hand {
 impl Reading {
     /// As the names say.
     pub(crate) const fn plain(kind: Kind) -> Self {
-        Self { kind, order: false, inverse: false, frame: false, hand: Hand::Right, spin: 1.0, time: 1.0 }
+        Self {
+            kind,
+            order: Order::AsNamed,
+            inverse: false,
+            frame: false,
+            hand: Hand::Right,
+            spin: 1.0,
+            time: 1.0,
+        }
     }
 
     pub(crate) const fn time(&self) -> f64 {
@@ -117,8 +136,10 @@ impl Reading {
     /// What it takes for wrong.
     pub(crate) fn mistakes(&self) -> Vec<Misread> {
         let mut all = Vec::new();
-        if self.order {
-            all.push(Misread::Order);
+        match self.order {
+            Order::AsNamed => {}
+            Order::Last => all.push(Misread::Order),
+            Order::First => all.push(Misread::ScalarFirst),
         }
         match (self.inverse, self.hand) {
             (true, Hand::Left) => all.push(Misread::LeftHanded),
@@ -144,7 +165,11 @@ impl Reading {
     /// A row, read so.
     pub(crate) fn state(&self, raw: &Raw, moments: &Vector3<f64>) -> State {
         let attitude = raw.attitude.map(|q| {
-            let q = if self.order { Quaternion::new(q.k, q.w, q.i, q.j) } else { q };
+            let q = match self.order {
+                Order::AsNamed => q,
+                Order::Last => Quaternion::new(q.k, q.w, q.i, q.j),
+                Order::First => Quaternion::new(q.i, q.j, q.k, q.w),
+            };
             if self.inverse { q.conjugate() } else { q }
         });
         let mut vector = raw.vector * self.spin;
@@ -192,12 +217,15 @@ impl Reading {
         if alike(&plain) > 0.8 {
             return plain;
         }
-        let others = [(true, false), (false, true), (true, true)];
+        let orders = [Order::Last, Order::First];
+        let [last, first] = orders.map(|order| (order, false));
+        let others = [last, first, (Order::AsNamed, true), (Order::Last, true), (Order::First, true)];
         let best = others
             .map(|(order, inverse)| Self { order, inverse, ..plain })
             .into_iter()
             .map(|way| (way, alike(&way)))
-            .max_by(|a, b| a.1.total_cmp(&b.1));
+            // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the commoner one is named.
+            .reduce(|best, way| if way.1 > best.1 + 1e-3 { way } else { best });
         best.filter(|way| way.1 > 0.98).map_or(plain, |way| way.0)
     }
 
@@ -221,7 +249,7 @@ impl Reading {
             return self;
         }
         let mut ways = Vec::new();
-        for order in [false, true] {
+        for order in [Order::AsNamed, Order::Last, Order::First] {
             for inverse in [false, true] {
                 for frame in [false, true] {
                     for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {

@@ -121,7 +121,8 @@ fn read(
                 continue; // a separator at the end of the line
             }
             return Err(wrong(format!(
-                "`{field}` is one more field than there are columns ({})",
+                "`{}` is one more field than there are columns ({})",
+                shown(field),
                 columns.names.len()
             )));
         }
@@ -134,7 +135,7 @@ fn read(
         }
         let value: f64 = field.parse().map_err(|_| wrong(no_number(field)))?;
         if !value.is_finite() {
-            return Err(wrong(format!("the value is {field}: from here on there is no motion")));
+            return Err(wrong(format!("the value is {}: from here on there is no motion", shown(field))));
         }
         if i != clock {
             digits = digits.max(significant(field));
@@ -168,13 +169,19 @@ fn read(
     Ok(Raw { line, t, attitude, vector: Vector3::new(x, y, z) * unit, digits, single })
 }
 
-/// What is wrong with a field that is no number.
-fn no_number(field: &str) -> String {
+/// A field as an error shows it: not all of a long one.
+fn shown(field: &str) -> String {
     let mut shown: String =
         field.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    if shown.len() < field.len() && field.chars().nth(40).is_some() {
+    if field.chars().nth(40).is_some() {
         shown.push('…');
     }
+    shown
+}
+
+/// What is wrong with a field that is no number.
+fn no_number(field: &str) -> String {
+    let shown = shown(field);
     let why = if field.contains('\u{2212}') {
         ": its minus sign is not the hyphen `-` that programs read"
     } else if field.contains(',') && field.replacen(',', ".", 1).parse::<f64>().is_ok() {

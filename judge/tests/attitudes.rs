@@ -64,6 +64,10 @@ fn the_order_and_the_sense_of_attitudes_alone_are_told_by_the_law() {
         let order: Vec<Row> =
             rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w)).collect();
         assert_eq!(judged(&attitudes(&order)).misread, [Misread::Order]);
+        let first: Vec<Row> =
+            rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w)).collect();
+        // Not to be told from the other: the one is the other's mirror image.
+        assert_eq!(judged(&attitudes(&first)).misread, [Misread::Order]);
         let inverse: Vec<Row> = rows.iter().map(|(t, q, w)| (*t, q.conjugate(), *w)).collect();
         assert_eq!(judged(&attitudes(&inverse)).misread, [Misread::Inverse]);
         assert_eq!(judged(&attitudes(&rows)).misread, []);

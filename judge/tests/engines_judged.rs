@@ -141,8 +141,9 @@ type Alter = fn([f64; 8]) -> [f64; 8];
 #[test]
 fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
     use tumbling_judge::Misread;
-    let mistakes: [(Misread, Alter); 4] = [
+    let mistakes: [(Misread, Alter); 5] = [
         (Misread::Order, |[t, w, x, y, z, a, b, c]| [t, x, y, z, w, a, b, c]),
+        (Misread::ScalarFirst, |[t, w, x, y, z, a, b, c]| [t, z, w, x, y, a, b, c]),
         (Misread::Inverse, |[t, w, x, y, z, a, b, c]| [t, w, -x, -y, -z, a, b, c]),
         (Misread::Degrees, |[t, w, x, y, z, a, b, c]| {
             [t, w, x, y, z, a.to_degrees(), b.to_degrees(), c.to_degrees()]

@@ -33,9 +33,15 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
         let conj = |q: &Quaternion<f64>| q.conjugate();
         let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * w;
         type Mistake<'a> = (Misread, Box<dyn Fn(&Row) -> Row + 'a>);
-        let mistakes: [Mistake<'_>; 9] = [
+        let mistakes: [Mistake<'_>; 12] = [
             (Misread::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
             (Misread::Order, Box::new(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w))),
+            (Misread::ScalarFirst, Box::new(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w))),
+            (
+                Misread::RevolutionsPerMinute,
+                Box::new(|(t, q, w)| (*t, *q, w * (30.0 / std::f64::consts::PI))),
+            ),
+            (Misread::Microseconds, Box::new(|(t, q, w)| (t * 1e6, *q, *w))),
             (Misread::Inverse, Box::new(|(t, q, w)| (*t, conj(q), *w))),
             (Misread::Degrees, Box::new(|(t, q, w)| (*t, *q, w.map(f64::to_degrees)))),
             (Misread::Milliseconds, Box::new(|(t, q, w)| (t * 1e3, *q, *w))),
