@@ -134,7 +134,7 @@ fn ticks(from: f64, to: f64) -> Vec<(f64, String)> {
     let mut number = (from / step).ceil();
     while number * step <= to + 1e-9 * step && all.len() < 12 {
         let value = number * step;
-        let small = step < 1e-4 || step >= 1e5;
+        let small = !(1e-4..1e5).contains(&step);
         let text = if value == 0.0 {
             "0".into()
         } else if small {
