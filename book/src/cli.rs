@@ -33,6 +33,11 @@ Draws the figures of the book and builds its pages.
                                                FILE may be - for the standard input
          --inertia A,B,C                       principal moments, where no comment `# inertia: A B C` tells
          --threshold X                         the most error allowed of a law (0.01 if not given)
+         --threshold LAW=X,LAW=X               of energy, momentum, direction, unit, separatrix; and of phase and
+                                               consistency, which are held to nothing otherwise
+         --fit [N]                             start from the motion nearest to the first N rows (64 if not given)
+                                               and not from the first alone: for records of few digits
+         --svg OUT                             draw the verdict into the file OUT
          --json                                the verdict as JSON
     cargo run --release -- measure             run every method against the exact motion, some minutes;
                                                renews measure/record/, from which figures are drawn
@@ -71,7 +76,7 @@ pub(crate) enum Asked {
     Build { site: Option<Site> },
     Figures { names: Vec<&'static Figure>, check: bool },
     Check { folder: Option<PathBuf>, how: Checking },
-    Judge { file: PathBuf, json: bool, options: tumbling_judge::Options },
+    Judge { file: PathBuf, json: bool, svg: Option<PathBuf>, options: Box<tumbling_judge::Options> },
     Measure { quick: bool, peers: bool },
     Atlas,
     Longest { method: String },
@@ -82,7 +87,7 @@ pub(crate) enum Asked {
 
 const COMMANDS: [&str; 9] =
     ["figures", "check", "list", "build", "judge", "measure", "atlas", "help", "preprocess"];
-const OPTIONS: [&str; 11] = [
+const OPTIONS: [&str; 13] = [
     "--help",
     "--check",
     "--list",
@@ -94,6 +99,8 @@ const OPTIONS: [&str; 11] = [
     "--threshold",
     "--json",
     "--site",
+    "--svg",
+    "--fit",
 ];
 
 /// Reads the arguments that follow the program's name.
@@ -107,7 +114,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut check = false;
     let mut how = Checking::Offences;
     let (mut quick, mut peers, mut long) = (false, false, None);
-    let (mut inertia, mut threshold, mut json) = (None, None, false);
+    let (mut options, mut json, mut svg) = (tumbling_judge::Options::default(), false, None);
     let mut site = None;
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
@@ -123,11 +130,28 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Long("json") => json = true,
             Long("inertia") => {
                 let value = parser.value().map_err(|e| e.to_string())?;
-                inertia = Some(judge::moments(&value.to_string_lossy())?);
+                options.inertia = Some(judge::moments(&value.to_string_lossy())?);
             }
             Long("threshold") => {
                 let value = parser.value().map_err(|e| e.to_string())?;
-                threshold = Some(judge::threshold(&value.to_string_lossy())?);
+                judge::threshold(&value.to_string_lossy(), &mut options)?;
+            }
+            Long("svg") => svg = Some(PathBuf::from(parser.value().map_err(|e| e.to_string())?)),
+            // Its number may be left out: a word that is no number is the file.
+            Long("fit") => {
+                options.fit = Some(match parser.optional_value() {
+                    Some(rows) => judge::fit(&rows.to_string_lossy())?,
+                    None => {
+                        let mut rest = parser.raw_args().map_err(|e| e.to_string())?;
+                        let number = |word: &std::ffi::OsStr| {
+                            word.to_str().is_some_and(|x| x.bytes().all(|c| c.is_ascii_digit()))
+                        };
+                        match rest.next_if(number) {
+                            Some(rows) => judge::fit(&rows.to_string_lossy())?,
+                            None => judge::FITTED,
+                        }
+                    }
+                });
             }
             Long("site") => {
                 let value = parser.value().map_err(|e| e.to_string())?;
@@ -154,8 +178,9 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     if (quick || peers || long.is_some()) && command.as_deref() != Some("measure") {
         return Err("`--quick`, `--peers` and `--long` go with `measure`.".into());
     }
-    if (json || inertia.is_some() || threshold.is_some()) && command.as_deref() != Some("judge") {
-        return Err("`--inertia`, `--threshold` and `--json` go with `judge`.".into());
+    let judging = json || svg.is_some() || options != tumbling_judge::Options::default();
+    if judging && command.as_deref() != Some("judge") {
+        return Err("`--inertia`, `--threshold`, `--fit`, `--svg` and `--json` go with `judge`.".into());
     }
     if site.is_some() && command.as_deref() != Some("build") {
         return Err("`--site` goes with `build`.".into());
@@ -164,12 +189,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
         None => Ok(Asked::Everything),
         Some("judge") => match rest.as_slice() {
             [] => Err("`judge` takes a file of comma-separated values, or - for the standard input.".into()),
-            [file] => {
-                let usual = tumbling_judge::Options::default();
-                let options =
-                    tumbling_judge::Options { inertia, threshold: threshold.unwrap_or(usual.threshold) };
-                Ok(Asked::Judge { file: file.into(), json, options })
-            }
+            [file] => Ok(Asked::Judge { file: file.into(), json, svg, options: Box::new(options) }),
             [_, extra, ..] => Err(format!("`judge` takes one file, but got `{extra}` besides.")),
         },
         Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
@@ -252,7 +272,9 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
                 }
             });
         }
-        Asked::Judge { file, json, options } => return Ok(judge::judge(&file, &options, json)),
+        Asked::Judge { file, json, svg, options } => {
+            return Ok(judge::judge(&file, &options, json, svg.as_deref()));
+        }
         Asked::Measure { quick, peers } => measure::measure(quick, peers)?,
         Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
@@ -338,6 +360,7 @@ fn listing(all: &[Figure]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tumbling_judge::LawName;
 
     fn parsed(words: &[&str]) -> Result<Asked, String> {
         parse(words.iter().map(OsString::from))
@@ -370,13 +393,27 @@ mod tests {
         );
         assert!(matches!(
             parsed(&["judge", "run.csv"]),
-            Ok(Asked::Judge { json: false, options, .. }) if options == tumbling_judge::Options::default()
+            Ok(Asked::Judge { json: false, options, .. }) if *options == tumbling_judge::Options::default()
         ));
         assert!(matches!(
             parsed(&["judge", "-", "--inertia", "1,2,2.5", "--threshold=1e-6", "--json"]),
             Ok(Asked::Judge { json: true, options, .. })
                 if options.threshold == 1e-6 && options.inertia.is_some_and(|moments| moments.z == 2.5)
         ));
+        for (words, rows) in [
+            (&["judge", "run.csv", "--fit"][..], 64),
+            (&["judge", "--fit", "run.csv"], 64),
+            (&["judge", "--fit", "9", "run.csv"], 9),
+            (&["judge", "--fit=9", "run.csv"], 9),
+        ] {
+            let Ok(Asked::Judge { file, options, .. }) = parsed(words) else { panic!("{words:?}") };
+            assert_eq!((file, options.fit), (PathBuf::from("run.csv"), Some(rows)), "{words:?}");
+        }
+        let words = ["judge", "x", "--threshold", "0.5,energy=1e-6, phase = 2", "--svg", "out.svg"];
+        let Ok(Asked::Judge { options, svg, .. }) = parsed(&words) else { panic!() };
+        assert_eq!(svg, Some(PathBuf::from("out.svg")));
+        let allowed = [LawName::Energy, LawName::Momentum, LawName::Phase].map(|law| options.allowed(law));
+        assert_eq!(allowed, [Some(1e-6), Some(0.5), Some(2.0)]);
         assert!(matches!(parsed(&["figures", "--check"]), Ok(Asked::Figures { check: true, .. })));
         assert!(matches!(parsed(&["check"]), Ok(Asked::Check { folder: None, how: Checking::Offences })));
         assert!(matches!(
@@ -415,6 +452,12 @@ mod tests {
         assert!(parsed(&["judge", "a", "--inertia", "1,2"]).unwrap_err().contains("three numbers"));
         assert!(parsed(&["judge", "a", "--inertia", "1,x,2"]).unwrap_err().contains("three numbers"));
         assert!(parsed(&["judge", "a", "--threshold", "-1"]).unwrap_err().contains("above zero"));
+        let answer = parsed(&["judge", "a", "--threshold", "enrgy=1"]).unwrap_err();
+        assert!(answer.starts_with("`--threshold` knows no law `enrgy`. Did you mean `energy`?"), "{answer}");
+        assert!(parsed(&["judge", "a", "--threshold", "energy="]).unwrap_err().contains("above zero"));
+        assert!(parsed(&["judge", "a", "--fit", "1"]).unwrap_err().contains("two at least"));
+        assert!(parsed(&["judge", "a", "--fit=x"]).unwrap_err().contains("two at least"));
+        assert!(parsed(&["build", "--svg", "x"]).unwrap_err().contains("`judge`"));
         assert!(parsed(&["figures", "--mutants"]).unwrap_err().contains("`check`"));
     }
 }

@@ -1,12 +1,12 @@
 //! The command `judge`: an engine's record in, a verdict out.
 
-use crate::{complain, say};
+use crate::{complain, nearest, say};
 use nalgebra::Vector3;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 use std::process::ExitCode;
-use tumbling_judge::{Error, Options, Outcome, Verdict};
+use tumbling_judge::{Error, LawName, Options, Outcome, Verdict};
 
 /// The moments of `--inertia A,B,C`.
 pub(crate) fn moments(text: &str) -> Result<Vector3<f64>, String> {
@@ -17,18 +17,53 @@ pub(crate) fn moments(text: &str) -> Result<Vector3<f64>, String> {
     }
 }
 
-/// The error of `--threshold X`.
-pub(crate) fn threshold(text: &str) -> Result<f64, String> {
+/// The limits of `--threshold X` or `--threshold LAW=X,LAW=X`.
+pub(crate) fn threshold(text: &str, options: &mut Options) -> Result<(), String> {
+    for part in text.split(',').map(str::trim) {
+        let (law, number) = match part.split_once('=') {
+            Some((law, number)) => (Some(law.trim()), number.trim()),
+            None => (None, part),
+        };
+        let value = match number.parse() {
+            Ok(value) if value > 0.0 && f64::is_finite(value) => value,
+            _ => return Err(format!("`--threshold` takes a number above zero, but got `{number}`.")),
+        };
+        match law {
+            None => options.threshold = value,
+            Some(key) => {
+                let keys = LawName::ALL.map(LawName::key);
+                let law = LawName::ALL.into_iter().find(|law| law.key() == key).ok_or_else(|| {
+                    let near = nearest::perhaps(key, keys);
+                    format!("`--threshold` knows no law `{key}`.{near} There are {}.", keys.join(", "))
+                })?;
+                *options = options.with(law, value);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// How many rows `--fit` takes where it does not say.
+pub(crate) const FITTED: usize = 64;
+
+/// The rows of `--fit N`.
+pub(crate) fn fit(text: &str) -> Result<usize, String> {
     match text.parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
-        _ => Err(format!("`--threshold` takes a number above zero, but got `{text}`.")),
+        Ok(rows) if rows >= 2 => Ok(rows),
+        _ => Err(format!("`--fit` takes a number of rows, two at least, but got `{text}`.")),
     }
 }
 
 /// Judges a file and tells the verdict.
-pub(crate) fn judge(file: &Path, options: &Options, json: bool) -> ExitCode {
+pub(crate) fn judge(file: &Path, options: &Options, json: bool, svg: Option<&Path>) -> ExitCode {
     match judged(file, options) {
         Ok(verdict) => {
+            if let Some(out) = svg
+                && let Err(wrong) = draw(&verdict, out)
+            {
+                complain!("error: {}: {wrong}", out.display());
+                return ExitCode::from(2);
+            }
             if json {
                 say!("{:#}", verdict.json());
             } else {
@@ -41,6 +76,10 @@ pub(crate) fn judge(file: &Path, options: &Options, json: bool) -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+fn draw(verdict: &Verdict, out: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    Ok(std::fs::write(out, tumbling_figures::verdict(verdict)?)?)
 }
 
 fn judged(file: &Path, options: &Options) -> Result<Verdict, Error> {

@@ -11,6 +11,9 @@ mod draw;
 mod figures;
 mod ink;
 mod motion;
+mod verdict;
+
+pub use verdict::verdict;
 
 /// One figure of the book.
 #[derive(Debug, Clone, Copy)]

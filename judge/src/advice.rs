@@ -47,6 +47,32 @@ impl Rule {
                     base.name()
                 )
             }
+            Self::DampedByAxis(factors, base, when) => {
+                let when = if *when == When::Before { "before" } else { "after" };
+                let [x, y, z] = factors.map(|x| 1.0 - x).into();
+                format!(
+                    "damping by axis ({x:.3e}, {y:.3e} and {z:.3e} of the spin about the body's axes each step, {when} the rule), {}",
+                    base.name()
+                )
+            }
+            Self::SmallTurn(angle, base) => {
+                format!(
+                    "a threshold for small rotations (no turn of {angle:.3e} rad or less), {}",
+                    base.name()
+                )
+            }
+            Self::Zeroed(least, base) => {
+                format!(
+                    "small spins put to zero (a component of {least:.3e} rad/s or less about an axis of the body), {}",
+                    base.name()
+                )
+            }
+            Self::OtherTurn(factor, base) => {
+                format!("a turn {factor:.4} times what the spin says, {}", base.name())
+            }
+            Self::OtherStep(factor, base) => {
+                format!("steps {factor:.4} times as long as the record says, {}", base.name())
+            }
             Self::Capped(most, base) => format!("a cap on the spin ({most:.4} rad/s), {}", base.name()),
         }
     }
@@ -93,6 +119,26 @@ impl Rule {
                 "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal frame \
                  that is left out, or a shape that replaces the moments set. A free body tells their ratios, never their \
                  common scale. Chapter \"Principal axes\"."
+            }
+            Self::DampedByAxis(..) => {
+                "Damping takes spin in each step, about each axis of the body by a factor of its own: set the engine's angular damping to \
+                 0 about all of them. Chapter \"Stepping through time\"."
+            }
+            Self::SmallTurn(..) => {
+                "A slow body, or one with short steps, stands still while it has spin: turn by small angles too (the sine of a small \
+                 angle over the angle is 1, and no division is needed). Chapter \"Stepping through time\"."
+            }
+            Self::Zeroed(..) => {
+                "A flip starts from a small spin across the axis, and this takes it away: the body spins on about its middle axis for \
+                 ever. Take the threshold out, or let the body sleep as a whole. Chapter \"Stepping through time\"."
+            }
+            Self::OtherTurn(..) => {
+                "The attitude does not turn by the spin times the step: look for the half in q' = q w / 2, for a turn made twice, or for \
+                 a unit. Chapter \"Stepping through time\"."
+            }
+            Self::OtherStep(..) => {
+                "The engine's step is not the one that the times tell: look for substeps that are not recorded, for steps recorded twice, \
+                 or for a time scale. Chapter \"Stepping through time\"."
             }
             Self::Damped(..) => {
                 "Damping takes spin in each step: set the engine's angular damping to 0. Chapter \"Stepping through time\"."

@@ -10,7 +10,8 @@ pub(crate) struct Columns {
     pub clock: Clock,
     /// w, x, y, z.
     pub attitude: Option<[usize; 4]>,
-    pub vector: [usize; 3],
+    /// None where attitudes are all there is.
+    pub vector: Option<[usize; 3]>,
     pub kind: Kind,
     /// The header says that the spin is in degrees a second.
     pub degrees: bool,
@@ -38,6 +39,8 @@ pub(crate) enum Kind {
     SpinWorld,
     MomentumBody,
     MomentumWorld,
+    /// None: attitudes alone.
+    Attitude,
 }
 
 impl Kind {
@@ -116,7 +119,11 @@ impl Columns {
     pub(crate) fn of(line: &str, number: usize) -> Result<Self, Error> {
         let wrong = |problem: String| Error::Columns { line: number, problem };
         let separator = Separator::of(line);
-        let names: Vec<String> = separator.split(line).map(str::to_string).collect();
+        let mut names: Vec<String> = separator.split(line).map(str::to_string).collect();
+        // A separator at the end of the line.
+        if names.len() > 1 && names.last().is_some_and(String::is_empty) {
+            names.pop();
+        }
         let plain: Vec<(String, String)> = names.iter().map(|name| plain(name)).collect();
         let known = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); \
                      lx,ly,lz (momentum in body axes) or lxw,lyw,lzw (in world axes)";
@@ -132,7 +139,17 @@ impl Columns {
             }
         };
         let any = |wanted: &[&str]| -> Result<Option<usize>, Error> {
-            wanted.iter().map(|name| at(name)).find(|found| !matches!(found, Ok(None))).unwrap_or(Ok(None))
+            let mut found = None;
+            for name in wanted {
+                if let Some(i) = at(name)? {
+                    if let Some(before) = found {
+                        let before: &String = &names[before];
+                        return Err(wrong(format!("`{before}` and `{}` both tell the time", names[i])));
+                    }
+                    found = Some(i);
+                }
+            }
+            Ok(found)
         };
         // All, none, or an error that names what is missing.
         let whole = |prefix: &str, axes: &[&str], suffix: &str| -> Result<Option<Vec<usize>>, Error> {
@@ -154,21 +171,36 @@ impl Columns {
         let mut attitude = None;
         for (prefix, suffix) in ATTITUDE {
             if let Some(places) = whole(prefix, &["w", "x", "y", "z"], suffix)? {
-                attitude = attitude.or_else(|| <[usize; 4]>::try_from(places).ok());
+                if attitude.is_some() {
+                    return Err(wrong("there are two sets of columns for the attitude".into()));
+                }
+                attitude = <[usize; 4]>::try_from(places).ok();
             }
         }
         let mut vector = None;
         for (kind, ways) in VECTORS {
             for (prefix, suffix) in ways {
-                if vector.is_none()
-                    && let Some(places) = whole(prefix, &["x", "y", "z"], suffix)?
-                {
-                    vector = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places));
+                let Some(places) = whole(prefix, &["x", "y", "z"], suffix)? else { continue };
+                match vector {
+                    Some((before, _)) if before == kind => {
+                        let name = &names[places[0]];
+                        return Err(wrong(format!(
+                            "there are two sets of columns for one vector, `{name}` among them"
+                        )));
+                    }
+                    Some(_) => {}
+                    None => vector = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places)),
                 }
             }
         }
-        let Some((kind, vector)) = vector else {
-            return Err(wrong(format!("neither spin nor momentum is there to be judged; {known}")));
+        let (kind, vector) = match vector {
+            Some((kind, places)) => (kind, Some(places)),
+            None if attitude.is_some() => (Kind::Attitude, None),
+            None => {
+                return Err(wrong(format!(
+                    "neither spin nor momentum nor attitude is there to be judged; {known}"
+                )));
+            }
         };
         if kind.in_world() && attitude.is_none() {
             return Err(wrong(
@@ -176,7 +208,8 @@ impl Columns {
                     .into(),
             ));
         }
-        let degrees = !kind.is_momentum() && plain[vector[0]].1.starts_with("deg");
+        let degrees =
+            !kind.is_momentum() && vector.is_some_and(|places| plain[places[0]].1.starts_with("deg"));
         Ok(Self { names, separator, clock, attitude, vector, kind, degrees })
     }
 }

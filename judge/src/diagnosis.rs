@@ -1,15 +1,17 @@
 //! Which rule made a record: each suspect takes each row one step further, and is held against the next row.
 
+use crate::fitted::{compound, momentum_for_spin};
 use crate::laws::ordered;
-use crate::state::{Pair, median, middle_and_most};
-use crate::suspects::{Base, Rule, Subject, When, simple};
+use crate::state::{Pair, middle_and_most};
+use crate::suspects::{Rule, Subject, simple};
 use nalgebra::Vector3;
 use tumbling::euler;
 
 /// How much of the record is tried, at most, evenly through it.
 const PAIRS: usize = 2048;
-/// Of those, for what has to be fitted.
-const FITTED: usize = 96;
+
+/// The same where the record tells no spin.
+const SOUGHT: usize = 256;
 
 /// Pairs of rows from all of a record of any length.
 #[derive(Debug)]
@@ -120,7 +122,11 @@ pub(crate) fn diagnose(
     floor: f64,
     of_momentum: bool,
 ) -> Option<Diagnosis> {
-    let pairs = sample.pairs();
+    // Of attitudes alone each rule's spin has to be sought first, step by step: fewer steps do.
+    let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
+    let every = if sought { sample.pairs().len().div_ceil(SOUGHT).max(1) } else { 1 };
+    let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
+    let pairs = pairs.as_slice();
     let explained = |rule: Rule| -> Option<Explanation> {
         let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
         middle_and_most(residuals).map(|[middle, most]| Explanation { rule, middle, most })
@@ -162,138 +168,10 @@ pub(crate) fn diagnose(
     } else {
         Sure::NoneFits
     };
-    Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints: hints(pairs, floor) })
+    Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints: hints(subject, pairs, floor) })
 }
 
-/// The number that takes the momentum to the turn.
-fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rule> {
-    let mass = median(pairs.iter().filter_map(|pair| {
-        let turn = pair.turn()?.norm();
-        if turn > 0.0 { Some(subject.system.momentum(&pair.from.omega).norm() * pair.h / turn) } else { None }
-    }));
-    (mass.is_finite() && mass > 0.0).then_some(Rule::MomentumForSpin(mass))
-}
-
-/// Suspects with a number in them, which is fitted first.
-fn compound(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
-    let few: Vec<Pair> = pairs.iter().step_by(pairs.len().div_ceil(FITTED).max(1)).copied().collect();
-    let mut all = Vec::new();
-    let mut triples = permuted(&subject.moments);
-    triples.extend(from_rates(&few, &subject.moments));
-    for base in Base::all() {
-        all.extend(triples.iter().map(|&moments| Rule::OtherMoments(moments, base)));
-        all.extend(fitted(subject, &few, base, &triples));
-        for when in [When::After, When::Before] {
-            all.extend(damped(subject, &few, base, when));
-        }
-        all.extend(capped(pairs).map(|most| Rule::Capped(most, base)));
-    }
-    all
-}
-
-/// The moments in every other order.
-fn permuted(moments: &Vector3<f64>) -> Vec<Vector3<f64>> {
-    let orders = [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-    orders
-        .map(|order| Vector3::from(order.map(|i| moments[i])))
-        .into_iter()
-        .filter(|x| x != moments)
-        .collect()
-}
-
-/// The triple that the changes of spin tell, each component's on its own, scaled to the sum of `told`.
-fn from_rates(pairs: &[Pair], told: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let (mut over, mut under) = (Vector3::zeros(), Vector3::zeros());
-    for pair in pairs {
-        let mean = (pair.from.omega + pair.to.omega) / 2.0;
-        let speed = mean.norm_squared();
-        let rate = (pair.to.omega - pair.from.omega) / pair.h;
-        for i in 0..3 {
-            let product = mean[(i + 1) % 3] * mean[(i + 2) % 3] / speed;
-            if product.is_finite() {
-                over[i] += rate[i] / speed * product;
-                under[i] += product * product;
-            }
-        }
-    }
-    // w1' = a w2 w3 with a = (I2 - I3) / I1, and so on round: two of them tell the ratios.
-    let rates: Vector3<f64> = over.component_div(&under);
-    let second = (1.0 + rates.x) / (1.0 - rates.y);
-    scaled(Vector3::new(1.0, second, 1.0 + rates.y * second), told)
-}
-
-fn scaled(moments: Vector3<f64>, told: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let moments = moments * (told.sum() / moments.sum());
-    Subject::new(moments, None).is_ok().then_some(moments)
-}
-
-/// Gauss and Newton's way to the ratios of the moments with which the base makes the spins of the record.
-fn fitted(subject: &Subject, pairs: &[Pair], base: Base, starts: &[Vector3<f64>]) -> Option<Rule> {
-    let misses = |moments: &Vector3<f64>| -> Option<Vec<Vector3<f64>>> {
-        pairs
-            .iter()
-            .map(|pair| {
-                let end = subject.spin_after(&Rule::OtherMoments(*moments, base), pair)?;
-                Some((end - pair.to.omega) / pair.to.omega.norm().max(f64::MIN_POSITIVE))
-            })
-            .collect()
-    };
-    let size = |misses: &[Vector3<f64>]| misses.iter().map(Vector3::norm_squared).sum::<f64>();
-    let best = starts.iter().filter_map(|start| misses(start).map(|found| (*start, size(&found))));
-    let (mut moments, mut least) = best.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    for _ in 0..12 {
-        let here = misses(&moments)?;
-        let jolt = 1e-6;
-        let along = |i: usize| -> Option<Vec<Vector3<f64>>> {
-            let mut other = moments;
-            other[i] *= 1.0 + jolt;
-            Some(misses(&other)?.iter().zip(&here).map(|(a, b)| (a - b) / jolt).collect())
-        };
-        let (a, b) = (along(1)?, along(2)?);
-        let dot =
-            |x: &[Vector3<f64>], y: &[Vector3<f64>]| x.iter().zip(y).map(|(x, y)| x.dot(y)).sum::<f64>();
-        let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
-        let (ha, hb) = (dot(&a, &here), dot(&b, &here));
-        let determinant = aa * bb - ab * ab;
-        let step = [(hb * ab - ha * bb) / determinant, (ha * ab - hb * aa) / determinant];
-        let next = Vector3::new(moments.x, moments.y * step[0].exp(), moments.z * step[1].exp());
-        let Some(next) = scaled(next, &subject.moments) else { break };
-        let Some(now) = misses(&next).map(|found| size(&found)) else { break };
-        if now >= least {
-            break;
-        }
-        (moments, least) = (next, now);
-    }
-    Some(Rule::OtherMoments(moments, base))
-}
-
-/// The factor by which each step lessens the spin that the base makes.
-fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> Option<Rule> {
-    let mut factor = 1.0;
-    for _ in 0..6 {
-        let more = median(pairs.iter().filter_map(|pair| {
-            let end = subject.spin_after(&Rule::Damped(factor, base, when), pair)?;
-            Some(pair.to.omega.dot(&end) / end.norm_squared())
-        }));
-        if !more.is_finite() {
-            return None;
-        }
-        factor *= more;
-        if (more - 1.0).abs() < 1e-15 || when == When::After {
-            break;
-        }
-    }
-    (factor > 0.0 && factor < 1.0 - 1e-9).then_some(Rule::Damped(factor, base, when))
-}
-
-/// The greatest spin, if many rows have it.
-fn capped(pairs: &[Pair]) -> Option<f64> {
-    let most = pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
-    let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - 1e-9)).count();
-    (most > 0.0 && there >= 4 && there * 10 >= pairs.len()).then_some(most)
-}
-
-fn hints(pairs: &[Pair], floor: f64) -> Vec<String> {
+fn hints(subject: &Subject, pairs: &[Pair], floor: f64) -> Vec<String> {
     let mut hints = Vec::new();
     let still = pairs.iter().filter(|pair| {
         pair.turn().is_some_and(|turn| turn == Vector3::zeros())
@@ -306,6 +184,18 @@ fn hints(pairs: &[Pair], floor: f64) -> Vec<String> {
             "In {} of the steps tried the attitude stands still while the body spins: turns up to {most:.1e} rad are dropped \
              (a threshold for small rotations, or sleeping).",
             angles.len()
+        ));
+    }
+    let held = pairs.iter().filter(|pair| {
+        let mean = (pair.from.omega + pair.to.omega) / 2.0;
+        let law = euler::angular_acceleration(&subject.moments, &mean, &Vector3::zeros()) * pair.h;
+        (0..3).any(|i| pair.to.omega[i] == 0.0 && law[i].abs() > 100.0 * floor * mean.norm())
+    });
+    let held = held.count();
+    if held > 0 && subject.torque.is_none() {
+        hints.push(format!(
+            "In {held} of the steps tried a component of the spin is zero to the last digit, where the law moves it: a threshold for \
+             small spins may hold it there."
         ));
     }
     hints
@@ -330,7 +220,7 @@ mod tests {
     fn a_sample_is_no_larger_however_long_the_record_and_from_all_of_it() {
         let mut sample = Sample::new();
         for line in 0..1_000_000 {
-            let state = State { line, t: 0.0, attitude: None, omega: Vector3::zeros() };
+            let state = State { line, t: 0.0, attitude: None, omega: Vector3::zeros(), ahead: None };
             sample.push(&Pair { from: state, to: state, h: 1.0 });
             assert!(sample.pairs().len() <= PAIRS);
         }

@@ -48,6 +48,13 @@ pub enum Error {
     Body(tumbling::Error),
     /// Neither a header nor the caller tells the moments.
     NoMoments,
+    /// No start could be fitted to the first rows.
+    Fit {
+        /// How many rows were to be fitted.
+        rows: usize,
+        /// Why not.
+        problem: String,
+    },
 }
 
 impl fmt::Display for Error {
@@ -65,6 +72,7 @@ impl fmt::Display for Error {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")
             }
             Self::Body(error) => write!(f, "{error}"),
+            Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
             Self::NoMoments => f.write_str(
                 "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`",
             ),

@@ -2,11 +2,20 @@
 
 use crate::curve::Growth;
 use crate::diagnosis::{Diagnosis, Explanation, Sure};
+use crate::laws::LawName;
+use crate::points::Point;
 use crate::verdict::{Outcome, Verdict};
-use serde_json::{Value, json};
+use nalgebra::Vector3;
+use serde_json::{Map, Value, json};
 
 impl Verdict {
     /// All of it as one JSON object.
+    ///
+    /// `curve` is the run in at most 256 points, to draw it by: an array for each of `time` (s), `energy` and `momentum` (errors as
+    /// shares), `direction` (rad; null without attitudes), `phase` (ways round; null where there is no way round), and three arrays,
+    /// one for each body axis, for `spin` and `exact` (rad/s). A point stands for a stretch of equally many rows: the spins are those of its
+    /// first row, the errors the largest of them in size, and `spin_least`, `spin_greatest`, `exact_least` and `exact_greatest` what the spins
+    /// in it reach. `flips.times` has the times of the first 512 flips. What is not finite is null.
     #[must_use]
     pub fn json(&self) -> Value {
         let laws: Vec<Value> = self
@@ -25,7 +34,7 @@ impl Verdict {
         let resets: Vec<Value> = self
             .resets
             .iter()
-            .map(|reset| json!({"line": reset.line, "time": reset.time, "to_rest": reset.to_rest}))
+            .map(|reset| json!({"line": reset.line, "time": reset.time, "to_rest": reset.to_rest, "to_start": reset.to_start}))
             .collect();
         json!({
             "outcome": match self.outcome {
@@ -34,7 +43,9 @@ impl Verdict {
                 Outcome::NothingToJudge => "nothing to judge",
             },
             "grade": self.worst().map(|law| law.growth.name()),
-            "threshold": self.threshold,
+            "threshold": self.options.threshold,
+            "thresholds": thresholds(self),
+            "fit": self.fit.map(|fit| json!({"rows": fit.rows, "left": fit.left, "moved": fit.moved})),
             "engine": self.engine,
             "moments": self.moments.as_slice(),
             "torque": self.torque.as_ref().map(|torque| torque.as_slice().to_vec()),
@@ -43,6 +54,7 @@ impl Verdict {
             "step": self.step,
             "rounding": self.rounding,
             "misread": self.misread.iter().map(|x| x.words()).collect::<Vec<_>>(),
+            "untold": self.untold.iter().map(|law| law.key()).collect::<Vec<_>>(),
             "resets": resets,
             "gaps": self.gaps.map(|gaps| json!({"count": gaps.count, "line": gaps.line, "longest": gaps.longest})),
             "sign_changes": self.sign_changes,
@@ -54,12 +66,41 @@ impl Verdict {
                 "first_exact": flips.first_exact,
                 "apart": flips.apart,
                 "turned_over": flips.turned_over,
+                "times": flips.times,
             })),
             "separatrix": self.separatrix,
             "complaints": self.complaints,
             "diagnosis": self.diagnosis.as_ref().map(diagnosis),
+            "curve": curve(&self.curve),
         })
     }
+}
+
+/// The limits that laws have of their own.
+fn thresholds(verdict: &Verdict) -> Value {
+    let own = LawName::ALL.iter().zip(verdict.options.thresholds);
+    own.filter_map(|(name, most)| Some((name.key().to_string(), json!(most?)))).collect::<Map<_, _>>().into()
+}
+
+/// One array for each quantity, and one for each of three components.
+fn curve(points: &[Point]) -> Value {
+    let each = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<f64>>>();
+    let three = |of: fn(&Point) -> &Vector3<f64>| {
+        [0, 1, 2].map(|i| points.iter().map(|point| of(point)[i]).collect::<Vec<f64>>())
+    };
+    json!({
+        "time": each(|point| Some(point.time)),
+        "energy": each(|point| Some(point.energy)),
+        "momentum": each(|point| Some(point.momentum)),
+        "direction": each(|point| point.direction),
+        "phase": each(|point| point.phase),
+        "spin": three(|point| &point.spin),
+        "spin_least": three(|point| &point.spin_range[0]),
+        "spin_greatest": three(|point| &point.spin_range[1]),
+        "exact": three(|point| &point.exact),
+        "exact_least": three(|point| &point.exact_range[0]),
+        "exact_greatest": three(|point| &point.exact_range[1]),
+    })
 }
 
 fn rate(growth: Growth) -> Option<f64> {

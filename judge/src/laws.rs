@@ -1,6 +1,7 @@
 //! The laws of free motion, each held against the rows as they come.
 
 use crate::curve::{Curve, Growth};
+use crate::points::{Point, Points};
 use crate::state::{Pair, State};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
@@ -28,6 +29,17 @@ pub enum LawName {
 }
 
 impl LawName {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Energy,
+        Self::Momentum,
+        Self::Direction,
+        Self::Unit,
+        Self::Separatrix,
+        Self::Phase,
+        Self::Consistency,
+    ];
+
     /// In plain words.
     #[must_use]
     pub const fn words(self) -> &'static str {
@@ -89,6 +101,8 @@ pub struct FlipCount {
     pub first_exact: Option<f64>,
     /// The greatest difference in time between flips of the same number, s.
     pub apart: f64,
+    /// The times of the first 512 in the record, s from its start.
+    pub times: Vec<f64>,
     /// When the spin along the axis that it circles first changes sign, s from the start. In the exact motion it never does.
     pub turned_over: Option<f64>,
 }
@@ -105,6 +119,7 @@ pub(crate) struct Laws {
     /// The axis the spin circles, and the two others in right-handed order.
     circled: Option<[usize; 3]>,
     curves: [(LawName, Curve); 7],
+    pub points: Points,
     lag: f64,
     flips: Flips,
     speed: f64,
@@ -119,25 +134,23 @@ pub(crate) struct Laws {
     pub sign_changes: u64,
 }
 
+/// Of how many flips the times are kept.
+const FLIPS_TOLD: usize = 512;
+
 struct Flips {
     exact: Box<dyn Iterator<Item = f64>>,
     count: FlipCount,
     last: Option<(f64, f64)>,
 }
 
-const NAMES: [LawName; 7] = [
-    LawName::Energy,
-    LawName::Momentum,
-    LawName::Direction,
-    LawName::Unit,
-    LawName::Separatrix,
-    LawName::Phase,
-    LawName::Consistency,
-];
-
 impl Laws {
     /// From the first row; `floor` is the rounding of the numbers, beside 1.
-    pub(crate) fn new(moments: &Vector3<f64>, first: &State, floor: f64) -> Result<Self, tumbling::Error> {
+    pub(crate) fn new(
+        moments: &Vector3<f64>,
+        first: &State,
+        direction: Option<Vector3<f64>>,
+        floor: f64,
+    ) -> Result<Self, tumbling::Error> {
         let exact = FreeMotion::new(moments, &first.omega)?;
         let middle = matches!(exact.regime(), Regime::Circulating { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
@@ -159,10 +172,11 @@ impl Laws {
             exact,
             energy: observe::energy(&first.omega, &angular),
             momentum: angular.norm(),
-            direction: first.attitude.map(|q| turned(&q, &angular)),
+            direction: direction.or_else(|| first.attitude.map(|q| turned(&q, &angular))),
             middle,
             circled: circled.map(|axis| [axis, (axis + 1) % 3, (axis + 2) % 3]),
-            curves: NAMES.map(|name| (name, Curve::new())),
+            curves: LawName::ALL.map(|name| (name, Curve::new())),
+            points: Points::new(),
             lag: 0.0,
             flips: Flips {
                 exact: exact_flips,
@@ -170,6 +184,7 @@ impl Laws {
                     found: 0,
                     exact: 0,
                     first: None,
+                    times: Vec::new(),
                     first_exact: None,
                     apart: 0.0,
                     turned_over: None,
@@ -207,11 +222,14 @@ impl Laws {
             |energy: f64, momentum: f64| 2.0 * energy / momentum * (self.moments[middle] / momentum);
         let error = separatrix(energy, momentum) - separatrix(self.energy, self.momentum);
         self.put(LawName::Separatrix, t, error);
+        let mut turned_away = None;
         if let Some(q) = state.attitude {
             self.put(LawName::Unit, t, q.norm() - 1.0);
             if let Some(first) = self.direction {
                 let now = turned(&q, &angular);
-                self.put(LawName::Direction, t, first.cross(&now).norm().atan2(first.dot(&now)));
+                let angle = first.cross(&now).norm().atan2(first.dot(&now));
+                turned_away = Some(angle);
+                self.put(LawName::Direction, t, angle);
             }
             if self.last.attitude.is_some_and(|last| last.coords.dot(&q.coords) < 0.0) {
                 self.sign_changes += 1;
@@ -224,6 +242,17 @@ impl Laws {
             self.lag += (step - step.round()) * TAU;
             self.put(LawName::Phase, t, self.lag / TAU);
         }
+        self.points.push(&Point {
+            time: t,
+            energy: energy / self.energy - 1.0,
+            momentum: momentum / self.momentum - 1.0,
+            direction: turned_away,
+            phase: self.circled.map(|_| self.lag / TAU),
+            spin: state.omega,
+            exact: wanted,
+            spin_range: [state.omega; 2],
+            exact_range: [wanted; 2],
+        });
         let speed = state.omega.norm();
         self.speed = self.speed.max(speed);
         self.constant &=
@@ -276,6 +305,9 @@ impl Laws {
             let when = t0 * (1.0 - share) + t * share;
             flips.count.found += 1;
             flips.count.first = flips.count.first.or(Some(when));
+            if flips.count.times.len() < FLIPS_TOLD {
+                flips.count.times.push(when);
+            }
             if let Some(exact) = flips.exact.next() {
                 flips.count.apart = flips.count.apart.max((when - exact).abs());
             }
@@ -347,7 +379,7 @@ pub(crate) fn ordered(moments: &Vector3<f64>) -> [usize; 3] {
     order
 }
 
-fn turned(q: &nalgebra::Quaternion<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+pub(crate) fn turned(q: &nalgebra::Quaternion<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
     attitude::rotation_matrix(q) * vector
 }
 

@@ -15,14 +15,26 @@ use tumbling::euler;
 pub enum Misread {
     /// What is named in body axes is in the world's, or the other way round.
     Frame,
-    /// The attitude is x, y, z, w.
+    /// The attitude is x, y, z, w; of attitudes alone this is not to be told from [`ScalarFirst`](Self::ScalarFirst).
     Order,
+    /// The attitude is w, x, y, z under the names x, y, z, w.
+    ScalarFirst,
     /// The attitude takes the world to the body.
     Inverse,
     /// Spins are in degrees a second.
     Degrees,
+    /// Spins are in revolutions a minute.
+    RevolutionsPerMinute,
+    /// Spins are in revolutions a second.
+    Revolutions,
     /// Time is in milliseconds.
     Milliseconds,
+    /// Time is in microseconds.
+    Microseconds,
+    /// Time is in nanoseconds.
+    Nanoseconds,
+    /// Time is in minutes.
+    Minutes,
     /// The spin turns by the left hand, the attitude (if there is one) by the right.
     LeftHandedSpin,
     /// All of it is mirrored along an axis.
@@ -40,9 +52,15 @@ impl Misread {
                             the other way round. Name the columns `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body"
                 .into(),
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
+            Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
             Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
             Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
+            Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
+            Self::Revolutions => "the spin is in revolutions a second: write radians a second".into(),
             Self::Milliseconds => "the time is in milliseconds: write seconds".into(),
+            Self::Microseconds => "the time is in microseconds: write seconds".into(),
+            Self::Nanoseconds => "the time is in nanoseconds: write seconds".into(),
+            Self::Minutes => "the time is in minutes: write seconds".into(),
             Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
             Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, \
                                  the opposite sign"
@@ -54,17 +72,40 @@ impl Misread {
     }
 }
 
+/// Units of spins, in rad/s, that are taken for it.
+const SPINS: [(Misread, f64); 3] = [
+    (Misread::Degrees, std::f64::consts::PI / 180.0),
+    (Misread::RevolutionsPerMinute, std::f64::consts::PI / 30.0),
+    (Misread::Revolutions, std::f64::consts::TAU),
+];
+
+/// Units of time, in s, that are taken for it.
+const TIMES: [(Misread, f64); 4] = [
+    (Misread::Milliseconds, 1e-3),
+    (Misread::Microseconds, 1e-6),
+    (Misread::Nanoseconds, 1e-9),
+    (Misread::Minutes, 60.0),
+];
+
 /// A way to take the numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reading {
     kind: Kind,
-    order: bool,
+    order: Order,
     inverse: bool,
     frame: bool,
     hand: Hand,
     /// What a spin is to be multiplied by, and a time.
     spin: f64,
     time: f64,
+}
+
+/// Where the scalar of a quaternion stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Order {
+    AsNamed,
+    Last,
+    First,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +118,15 @@ enum Hand {
 impl Reading {
     /// As the names say.
     pub(crate) const fn plain(kind: Kind) -> Self {
-        Self { kind, order: false, inverse: false, frame: false, hand: Hand::Right, spin: 1.0, time: 1.0 }
+        Self {
+            kind,
+            order: Order::AsNamed,
+            inverse: false,
+            frame: false,
+            hand: Hand::Right,
+            spin: 1.0,
+            time: 1.0,
+        }
     }
 
     pub(crate) const fn time(&self) -> f64 {
@@ -87,8 +136,10 @@ impl Reading {
     /// What it takes for wrong.
     pub(crate) fn mistakes(&self) -> Vec<Misread> {
         let mut all = Vec::new();
-        if self.order {
-            all.push(Misread::Order);
+        match self.order {
+            Order::AsNamed => {}
+            Order::Last => all.push(Misread::Order),
+            Order::First => all.push(Misread::ScalarFirst),
         }
         match (self.inverse, self.hand) {
             (true, Hand::Left) => all.push(Misread::LeftHanded),
@@ -106,19 +157,19 @@ impl Reading {
         if self.frame {
             all.push(Misread::Frame);
         }
-        if self.spin != 1.0 {
-            all.push(Misread::Degrees);
-        }
-        if self.time != 1.0 {
-            all.push(Misread::Milliseconds);
-        }
+        all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
+        all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
         all
     }
 
     /// A row, read so.
     pub(crate) fn state(&self, raw: &Raw, moments: &Vector3<f64>) -> State {
         let attitude = raw.attitude.map(|q| {
-            let q = if self.order { Quaternion::new(q.k, q.w, q.i, q.j) } else { q };
+            let q = match self.order {
+                Order::AsNamed => q,
+                Order::Last => Quaternion::new(q.k, q.w, q.i, q.j),
+                Order::First => Quaternion::new(q.i, q.j, q.k, q.w),
+            };
             if self.inverse { q.conjugate() } else { q }
         });
         let mut vector = raw.vector * self.spin;
@@ -133,9 +184,10 @@ impl Reading {
             (true, Kind::SpinWorld) => Kind::SpinBody,
             (true, Kind::MomentumBody) => Kind::MomentumWorld,
             (true, Kind::MomentumWorld) => Kind::MomentumBody,
+            (true, Kind::Attitude) => Kind::Attitude,
         };
         let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
-        State { line: raw.line, t: raw.t * self.time, attitude, omega }
+        State { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 
     /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain one does not.
@@ -143,6 +195,38 @@ impl Reading {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
         if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
+    }
+
+    /// Of attitudes alone the law tells the order and the sense: three rows, each a step after the other, have two turns, whose change is the
+    /// gyroscopic one.
+    pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
+        let plain = Self::plain(Kind::Attitude);
+        let alike = |reading: &Self| {
+            let pairs: Vec<Pair> = triples
+                .iter()
+                .filter_map(|triple| {
+                    let [a, b, c] = triple.map(|(raw, _)| reading.state(&raw, moments));
+                    let h = triple[2].1;
+                    let spin = |from: State, to: State| Some(Pair { from, to, h }.turn()? / h);
+                    let (first, second) = (spin(a, b)?, spin(b, c)?);
+                    Some(Pair { from: State { omega: first, ..a }, to: State { omega: second, ..b }, h })
+                })
+                .collect();
+            law(pairs.into_iter(), moments).0
+        };
+        if alike(&plain) > 0.8 {
+            return plain;
+        }
+        let orders = [Order::Last, Order::First];
+        let [last, first] = orders.map(|order| (order, false));
+        let others = [last, first, (Order::AsNamed, true), (Order::Last, true), (Order::First, true)];
+        let best = others
+            .map(|(order, inverse)| Self { order, inverse, ..plain })
+            .into_iter()
+            .map(|way| (way, alike(&way)))
+            // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the commoner one is named.
+            .reduce(|best, way| if way.1 > best.1 + 1e-3 { way } else { best });
+        best.filter(|way| way.1 > 0.98).map_or(plain, |way| way.0)
     }
 
     fn pairs<'a>(
@@ -165,7 +249,7 @@ impl Reading {
             return self;
         }
         let mut ways = Vec::new();
-        for order in [false, true] {
+        for order in [Order::AsNamed, Order::Last, Order::First] {
             for inverse in [false, true] {
                 for frame in [false, true] {
                     for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
@@ -190,10 +274,13 @@ impl Reading {
                 .sum();
             mistakes - 2.0 * alike
         };
+        // How far the turns are from the spins weighs too, but less: what is left of a right reading is the step's own error, and of a
+        // wrong one, of a spin about one axis, it may by chance be less.
+        let worth = |way: &(Self, f64)| worth(&way.0) + 0.5 * (way.1 / least.max(1e-6)).max(1.0).log10();
         let best = ways
             .iter()
-            .filter(|way| way.1 <= (3.0 * least).max(1e-6))
-            .min_by(|a, b| worth(&a.0).total_cmp(&worth(&b.0)));
+            .filter(|way| way.1 <= 0.05 && way.1 <= 0.2 * plain)
+            .min_by(|a, b| worth(a).total_cmp(&worth(b)));
         best.map_or(self, |way| way.0)
     }
 
@@ -207,29 +294,16 @@ impl Reading {
     }
 
     fn with_units(self, ratio: f64) -> Self {
-        let near = |unit: f64| (ratio / unit - 1.0).abs() < 0.1;
-        if near(1.0_f64.to_radians()) {
-            Self { spin: 1.0_f64.to_radians(), ..self }
-        } else if near(1e-3) {
-            Self { time: 1e-3, ..self }
-        } else {
-            self
+        let near = |unit: &&(Misread, f64)| (ratio / unit.1 - 1.0).abs() < 0.1;
+        match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < 0.1)) {
+            (Some(unit), _) => Self { spin: unit.1, ..self },
+            (None, Some(unit)) => Self { time: unit.1, ..self },
+            (None, None) => self,
         }
     }
 
-    /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large beside it.
     fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {
-        let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
-        for pair in self.pairs(pairs, moments) {
-            let mean = (pair.from.omega + pair.to.omega) / 2.0;
-            let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
-            let rate = (pair.to.omega - pair.from.omega) / pair.h;
-            found += rate.norm_squared();
-            wanted += law.norm_squared();
-            both += rate.dot(&law);
-        }
-        let sizes = (found * wanted).sqrt();
-        if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }
+        law(self.pairs(pairs, moments), moments)
     }
 
     /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of the other hand backward.
@@ -241,4 +315,19 @@ impl Reading {
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
         Self { hand, ..self }.with_units(size.abs())
     }
+}
+
+/// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large beside it.
+fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
+    let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
+    for pair in pairs {
+        let mean = (pair.from.omega + pair.to.omega) / 2.0;
+        let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
+        let rate = (pair.to.omega - pair.from.omega) / pair.h;
+        found += rate.norm_squared();
+        wanted += law.norm_squared();
+        both += rate.dot(&law);
+    }
+    let sizes = (found * wanted).sqrt();
+    if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }
 }

@@ -104,7 +104,7 @@ fn read(
     let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
     let wanted = |i: usize| {
         i == clock
-            || columns.vector.contains(&i)
+            || columns.vector.is_some_and(|places| places.contains(&i))
             || columns.attitude.is_some_and(|places| places.contains(&i))
     };
     let (mut digits, mut single) = (0, true);
@@ -121,7 +121,8 @@ fn read(
                 continue; // a separator at the end of the line
             }
             return Err(wrong(format!(
-                "`{field}` is one more field than there are columns ({})",
+                "`{}` is one more field than there are columns ({})",
+                shown(field),
                 columns.names.len()
             )));
         }
@@ -132,9 +133,9 @@ fn read(
         if field.is_empty() {
             return Err(wrong("the field is empty".into()));
         }
-        let value: f64 = field.parse().map_err(|_| wrong(format!("`{field}` is not a number")))?;
+        let value: f64 = field.parse().map_err(|_| wrong(no_number(field)))?;
         if !value.is_finite() {
-            return Err(wrong(format!("the value is {field}: from here on there is no motion")));
+            return Err(wrong(format!("the value is {}: from here on there is no motion", shown(field))));
         }
         if i != clock {
             digits = digits.max(significant(field));
@@ -159,13 +160,36 @@ fn read(
         Clock::Time(i) => fields[i],
         Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
     };
-    let [x, y, z] = columns.vector.map(|i| fields[i]);
+    let [x, y, z] = columns.vector.map_or([0.0; 3], |places| places.map(|i| fields[i]));
     let unit = if columns.degrees { 1.0_f64.to_radians() } else { 1.0 };
     let attitude = columns.attitude.map(|places| {
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
     Ok(Raw { line, t, attitude, vector: Vector3::new(x, y, z) * unit, digits, single })
+}
+
+/// A field as an error shows it: not all of a long one.
+fn shown(field: &str) -> String {
+    let mut shown: String =
+        field.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    if field.chars().nth(40).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+/// What is wrong with a field that is no number.
+fn no_number(field: &str) -> String {
+    let shown = shown(field);
+    let why = if field.contains('\u{2212}') {
+        ": its minus sign is not the hyphen `-` that programs read"
+    } else if field.contains(',') && field.replacen(',', ".", 1).parse::<f64>().is_ok() {
+        ": write a decimal point, not a comma"
+    } else {
+        ""
+    };
+    format!("`{shown}` is not a number{why}")
 }
 
 /// How many digits from the first that is not zero, before an exponent.
@@ -206,8 +230,18 @@ impl<R: BufRead> Lines<R> {
 }
 
 fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {
-    std::str::from_utf8(bytes)
-        .map_err(|_| Error::Line { line, problem: "the line is not text (UTF-8)".into() })
+    let wrong = |problem: &str| Error::Line { line, problem: problem.into() };
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) if !text.contains('\0') => text,
+        _ if line == 1 && (bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff])) => {
+            return Err(wrong("the file is in UTF-16: save it in UTF-8"));
+        }
+        _ => return Err(wrong("the line is not text (UTF-8)")),
+    };
+    if text.trim_end().contains('\r') {
+        return Err(wrong("there are carriage returns within the line: end lines by a line feed"));
+    }
+    Ok(text)
 }
 
 impl Raw {

@@ -13,6 +13,8 @@ pub(crate) struct State {
     pub attitude: Option<Quaternion<f64>>,
     /// In body axes, rad/s.
     pub omega: Vector3<f64>,
+    /// In a record of attitudes alone the next row's line and attitude, if it is one step later.
+    pub ahead: Option<(usize, Quaternion<f64>)>,
 }
 
 /// Two rows that follow one another.

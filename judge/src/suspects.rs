@@ -25,8 +25,18 @@ pub enum Rule {
     OtherMoments(Vector3<f64>, Base),
     /// A rule, and the spin lessened by this factor in each step: after the rule, or before.
     Damped(f64, Base, When),
+    /// A rule, and the spin about each axis of the body lessened by a factor of its own in each step.
+    DampedByAxis(Vector3<f64>, Base, When),
     /// A rule, and no spin beyond this, rad/s.
     Capped(f64, Base),
+    /// A rule, and no turn where a step would turn by this or less, rad.
+    SmallTurn(f64, Base),
+    /// A rule, and each component of the spin in body axes that is no greater than this, rad/s, put to zero.
+    Zeroed(f64, Base),
+    /// A rule for the spin, and so many times the turn that it says.
+    OtherTurn(f64, Base),
+    /// A rule, and steps so many times as long as the record says.
+    OtherStep(f64, Base),
 }
 
 /// Of what order the frozen tensor's spin is stepped.
@@ -216,6 +226,27 @@ impl Subject {
             Rule::Damped(factor, base, When::Before) => {
                 self.based(*base, &State { omega: from.omega * *factor, ..*from }, h)
             }
+            Rule::DampedByAxis(factors, base, When::After) => {
+                let omega = self.based(*base, from, h)?.1.component_mul(factors);
+                Ok((turned(&omega), omega))
+            }
+            Rule::DampedByAxis(factors, base, When::Before) => {
+                self.based(*base, &State { omega: from.omega.component_mul(factors), ..*from }, h)
+            }
+            Rule::SmallTurn(angle, base) => {
+                let (q, omega) = self.based(*base, from, h)?;
+                Ok((if omega.norm() * h <= *angle { start } else { q }, omega))
+            }
+            Rule::Zeroed(least, base) => {
+                let (q, omega) = self.based(*base, from, h)?;
+                let kept = omega.map(|x| if x.abs() <= *least { 0.0 } else { x });
+                Ok((if kept == omega { q } else { turned(&kept) }, kept))
+            }
+            Rule::OtherTurn(factor, base) => {
+                let omega = self.based(*base, from, h)?.1;
+                Ok((turned(&(omega * *factor)), omega))
+            }
+            Rule::OtherStep(factor, base) => self.based(*base, from, h * *factor),
             Rule::Capped(most, base) => {
                 let (q, omega) = self.based(*base, from, h)?;
                 let speed = omega.norm();
@@ -233,9 +264,36 @@ impl Subject {
         self.after(rule, &pair.from, pair.h).ok().map(|end| end.1)
     }
 
+    /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that it takes for that is the
+    /// rule's own. In rad, beside the angle turned.
+    fn residual_of_turns(&self, rule: &Rule, pair: &Pair, ahead: &Quaternion<f64>) -> Option<f64> {
+        let middle = pair.to.attitude?;
+        let mut omega = pair.from.omega;
+        let mut least = f64::INFINITY;
+        let mut after = None;
+        for _ in 0..60 {
+            let (q, spin) = self.after(rule, &State { omega, ..pair.from }, pair.h).ok()?;
+            let left = Pair { from: State { attitude: Some(q), ..pair.to }, ..*pair }.turn()?;
+            let size = left.norm();
+            if size >= least || size.is_nan() {
+                break;
+            }
+            (least, after) = (size, Some(spin));
+            omega += left / pair.h;
+        }
+        let turn = pair.from.omega.norm() * pair.h;
+        let (q, _) =
+            self.after(rule, &State { attitude: Some(middle), omega: after?, ..pair.to }, pair.h).ok()?;
+        let off = (crate::laws::angle_between(&q, ahead) + least) / turn;
+        off.is_finite().then_some(off)
+    }
+
     /// How far a rule's step is from the recorded one: of the spin beside the larger of its values before and after, of the
     /// attitude in rad, beside the angle turned where that is over 1. Infinite where the rule takes no such step.
     pub(crate) fn residual(&self, rule: &Rule, pair: &Pair) -> f64 {
+        if let Some((_, ahead)) = pair.to.ahead {
+            return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
+        }
         let Ok((q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
         let speed = pair.to.omega.norm().max(pair.from.omega.norm()).max(f64::MIN_POSITIVE);
         let spin = (omega - pair.to.omega).norm() / speed;

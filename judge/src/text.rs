@@ -20,6 +20,13 @@ impl fmt::Display for Verdict {
             None => "steps of various lengths".into(),
         };
         writeln!(f, "Record:   {} rows, {}, judged over {:.3} s", self.rows, step, self.duration)?;
+        if let Some(fit) = &self.fit {
+            writeln!(
+                f,
+                "Start:    fitted to the first {} rows, {:.1e} rad/s from the first one; {:.1e} rad/s are left",
+                fit.rows, fit.moved, fit.left
+            )?;
+        }
         self.file(f)?;
         self.physics(f)?;
         if let Some(diagnosis) = &self.diagnosis {
@@ -36,7 +43,7 @@ impl fmt::Display for Verdict {
         }
         let mut reasons: Vec<String> = Vec::new();
         let (name, reason) = match self.outcome {
-            Outcome::Passed => ("PASSED", format!("every law is kept within {}", self.threshold)),
+            Outcome::Passed => ("PASSED", self.within()),
             Outcome::NothingToJudge if self.torque.is_some() => (
                 "NOTHING TO JUDGE",
                 "a torque acts, and the laws judged here are those of a free body. What made the record is told above".into(),
@@ -53,7 +60,8 @@ impl fmt::Display for Verdict {
                     reasons.push("the motion does not go through".into());
                 }
                 reasons.extend(self.broken().map(|law| {
-                    format!("{} is off by up to {:.3e} (allowed: {})", law.name.words(), law.most, self.threshold)
+                    let allowed = self.options.allowed(law.name).unwrap_or(f64::INFINITY);
+                    format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
                 }));
                 ("FAILED", String::new())
             }
@@ -67,6 +75,17 @@ impl fmt::Display for Verdict {
 }
 
 impl Verdict {
+    /// What every law is kept within.
+    fn within(&self) -> String {
+        let mut text = format!("every law is kept within {}", self.options.threshold);
+        for (name, most) in LawName::ALL.iter().zip(self.options.thresholds) {
+            if let Some(most) = most {
+                text += &format!(", {} within {most}", name.words());
+            }
+        }
+        text
+    }
+
     fn file(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for misread in &self.misread {
             writeln!(f, "File:     {}.", misread.words())?;
@@ -75,7 +94,11 @@ impl Verdict {
             writeln!(f, "          What follows is of the file with that put right.")?;
         }
         for reset in &self.resets {
-            let how = if reset.to_rest { "is put to rest" } else { "is put back to its start" };
+            let how = match (reset.to_rest, reset.to_start) {
+                (true, _) => "is put to rest (a reset, or put to sleep)",
+                (false, true) => "is put back to its start",
+                (false, false) => "jumps to another motion (a reset, a push or a collision)",
+            };
             writeln!(
                 f,
                 "Reset:    line {}, t = {:.4} s: the body {how}. Judged up to there.",
@@ -87,6 +110,19 @@ impl Verdict {
                 f,
                 "Gaps:     rows are missing in {} places, the first before line {}; the longest is {:.0} steps",
                 gaps.count, gaps.line, gaps.longest
+            )?;
+        }
+        if !self.untold.is_empty() {
+            let names: Vec<&str> = self.untold.iter().map(|law| law.words()).collect();
+            writeln!(
+                f,
+                "Not told: {} (the file has no {})",
+                names.join(", "),
+                if self.has_attitude {
+                    "spin: it is made from the turns between the attitudes, by the exact motion"
+                } else {
+                    "attitude"
+                }
             )?;
         }
         if self.sign_changes > 0 {

@@ -1,15 +1,20 @@
 //! From a record to a verdict, one row in hand at a time.
 
 use crate::columns::Kind;
+use crate::derived::{Derived, Deriver};
 use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
 use crate::error::Error;
-use crate::laws::{FlipCount, Law, LawName, Laws, angle_between};
+use crate::fit::{self, Fit};
+use crate::laws::{FlipCount, Law, LawName, Laws, angle_between, turned};
+use crate::points::Point;
 use crate::reading::{Misread, Reading};
 use crate::rows::{Raw, Rows};
-use crate::state::{Pair, State};
+use crate::state::{Pair, State, median};
 use crate::suspects::Subject;
 use nalgebra::Vector3;
 use std::io::BufRead;
+use tumbling::euler;
+use tumbling::exact::FreeMotion;
 
 /// How many rows are looked at before it is settled how they are meant.
 const PROBE: usize = 2048;
@@ -23,11 +28,33 @@ pub struct Options {
     pub inertia: Option<Vector3<f64>>,
     /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
     pub threshold: f64,
+    /// Other limits for some laws, the last of a law's own taken; one of phase (ways round) or of consistency is held too then.
+    pub thresholds: [Option<f64>; 7],
+    /// To start from the exact motion that comes nearest to so many rows, and not from the first alone.
+    pub fit: Option<usize>,
+}
+
+impl Options {
+    /// What is allowed of a law; nothing where it is not held to anything.
+    #[must_use]
+    pub fn allowed(&self, law: LawName) -> Option<f64> {
+        let own = LawName::ALL.iter().position(|name| *name == law).and_then(|i| self.thresholds[i]);
+        own.or_else(|| law.is_conserved().then_some(self.threshold))
+    }
+
+    /// With a limit of its own for a law.
+    #[must_use]
+    pub fn with(mut self, law: LawName, threshold: f64) -> Self {
+        if let Some(i) = LawName::ALL.iter().position(|name| *name == law) {
+            self.thresholds[i] = Some(threshold);
+        }
+        self
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inertia: None, threshold: 0.01 }
+        Self { inertia: None, threshold: 0.01, thresholds: [None; 7], fit: None }
     }
 }
 
@@ -52,6 +79,8 @@ pub struct Reset {
     pub time: f64,
     /// Whether the body was put to rest.
     pub to_rest: bool,
+    /// Whether it was put back to its start.
+    pub to_start: bool,
 }
 
 /// Steps that have no row.
@@ -86,6 +115,8 @@ pub struct Verdict {
     pub has_attitude: bool,
     /// Mistakes of the file. What follows is of the file with these put right.
     pub misread: Vec<Misread>,
+    /// Laws of which the file does not tell: no attitude, or no spin.
+    pub untold: Vec<LawName>,
     /// Where the motion starts anew; the laws are followed up to the first.
     pub resets: Vec<Reset>,
     /// Missing rows.
@@ -102,8 +133,12 @@ pub struct Verdict {
     pub diagnosis: Option<Diagnosis>,
     /// What failed and is no law, in words.
     pub complaints: Vec<String>,
-    /// The most that was allowed.
-    pub threshold: f64,
+    /// What was allowed.
+    pub options: Options,
+    /// How the start was fitted, if it was.
+    pub fit: Option<Fit>,
+    /// The run in at most 256 points, to draw it by.
+    pub curve: Vec<Point>,
     /// The end of it.
     pub outcome: Outcome,
 }
@@ -118,9 +153,11 @@ impl Verdict {
             .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
     }
 
-    /// The conserved laws that are broken by more than the threshold.
+    /// The laws that are broken by more than is allowed.
     pub fn broken(&self) -> impl Iterator<Item = &Law> {
-        self.laws.iter().filter(|law| law.name.is_conserved() && law.most.abs() > self.threshold)
+        self.laws
+            .iter()
+            .filter(|law| self.options.allowed(law.name).is_some_and(|most| law.most.abs() > most))
     }
 }
 
@@ -128,6 +165,7 @@ impl Verdict {
 ///
 /// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`, `qw,qx,qy,qz` (body to world),
 /// `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in
+/// or attitudes alone, from whose turns the spin is told then; in
 /// any order, between commas, semicolons, tabs or blanks. Comments before it may tell `inertia: A B C`, `dt: 1/60` and
 /// `torque: X Y Z`.
 ///
@@ -166,12 +204,58 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     let subject = Subject::new(moments, torque)?;
     let kind = rows.columns.kind;
     let clock = Clock::of(&probe);
-    let reading = Reading::of(kind, &clock.pairs(&probe), &moments);
+    let reading = match kind {
+        Kind::Attitude => Reading::of_attitudes(&clock.triples(&probe), &moments),
+        _ => Reading::of(kind, &clock.pairs(&probe), &moments),
+    };
     let clock = clock.read(reading.time(), rows.told.step);
-    let floor = rounding(&probe);
-    let first = reading.state(&probe[0], &moments);
+    let mut floor = rounding(&probe);
+    let mut feed = Feed { told: kind != Kind::Attitude, moments, clock, deriver: Deriver::default() };
+    let mut states = Vec::new();
+    let mut stopped = None;
+    for raw in &probe {
+        match feed.push(&reading.state(raw, &moments))? {
+            Derived::Known(state) => states.push(state),
+            Derived::Unknown => {}
+            Derived::TooFar { line, turn } => {
+                stopped = Some((line, turn));
+                break;
+            }
+        }
+    }
+    let Some(mut first) = states.first().copied() else {
+        return Err(match stopped {
+            Some((line, turn)) => Error::Line { line, problem: too_far(turn) },
+            None => Error::OneRow,
+        });
+    };
+    if kind == Kind::Attitude {
+        // A rounding of the attitudes is so much more beside the turn that makes a spin.
+        let turn = median(states.iter().filter_map(|state| {
+            let (_, ahead) = state.ahead?;
+            Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
+        }));
+        if turn.is_finite() && turn > 0.0 {
+            floor *= 4.0 / turn.min(1.0);
+        }
+    }
+    let (mut direction, mut fitted) = (None, None);
+    if let Some(count) = options.fit {
+        if count > states.len() {
+            let problem = match probe.len() {
+                PROBE => format!("more than {PROBE} are not held in memory"),
+                there => format!("the record has {there}. Give a smaller number, `--fit N`"),
+            };
+            return Err(Error::Fit { rows: count, problem });
+        }
+        let rows = &states[..count];
+        let (omega, how) = fit::start(&moments, rows)?;
+        first.omega = omega;
+        direction = momentum_of(rows, &moments, &omega)?;
+        fitted = Some(how);
+    }
     let mut trial = Trial {
-        laws: Laws::new(&moments, &first, floor)?,
+        laws: Laws::new(&moments, &first, direction, floor)?,
         first,
         sample: Sample::new(),
         clock,
@@ -179,14 +263,48 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         resets: Vec::new(),
         gaps: None,
         last: None,
+        moments,
+        torque,
+        off: 0.0,
+        steps: 0,
+        told: kind != Kind::Attitude,
+        stopped: None,
     };
-    for raw in &probe {
-        trial.row(&reading.state(raw, &moments))?;
+    trial.rows = probe.len() as u64;
+    for state in &states {
+        trial.row(state)?;
     }
+    trial.stopped = stopped;
     while let Some(raw) = rows.next()? {
-        trial.row(&reading.state(&raw, &moments))?;
+        trial.rows += 1;
+        if trial.stopped.is_some() {
+            continue;
+        }
+        match feed.push(&reading.state(&raw, &moments))? {
+            Derived::Known(state) => trial.row(&state)?,
+            Derived::Unknown => {}
+            Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
+        }
     }
-    Ok(trial.end(&subject, &reading, kind, floor, rows.told.engine, options.threshold))
+    let mut verdict = trial.end(&subject, &reading, kind, floor, rows.told.engine, options);
+    verdict.fit = fitted;
+    Ok(verdict)
+}
+
+/// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without attitudes.
+fn momentum_of(
+    rows: &[State],
+    moments: &Vector3<f64>,
+    omega: &Vector3<f64>,
+) -> Result<Option<Vector3<f64>>, tumbling::Error> {
+    let Some(first) = rows.first() else { return Ok(None) };
+    let motion = FreeMotion::new(moments, omega)?;
+    let mut sum = Vector3::zeros();
+    for row in rows {
+        let Some(q) = row.attitude else { return Ok(None) };
+        sum += turned(&q, &moments.component_mul(&motion.omega(row.t - first.t)?)) / q.norm_squared();
+    }
+    Ok(Some(sum))
 }
 
 /// The rounding of numbers that have so many digits, or that single precision holds.
@@ -198,6 +316,19 @@ fn rounding(probe: &[Raw]) -> f64 {
     let of_digits = if digits < 4 { 0.0 } else { of_digits };
     let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
     f64::EPSILON.max(of_digits).max(of_single)
+}
+
+/// What a record without attitudes, or of attitudes alone, does not tell.
+fn untold(attitude: bool, kind: Kind) -> Vec<LawName> {
+    match (attitude, kind) {
+        (false, _) => vec![LawName::Direction, LawName::Unit, LawName::Consistency],
+        (true, Kind::Attitude) => vec![LawName::Consistency],
+        _ => Vec::new(),
+    }
+}
+
+fn times(count: u64) -> String {
+    if count == 1 { "once".into() } else { format!("{count} times") }
 }
 
 /// How time goes from row to row.
@@ -237,6 +368,17 @@ impl Clock {
         if (times - 1.0).abs() < 0.05 { (step, 1.0) } else { (to - from, times) }
     }
 
+    /// Three rows, each one step after the other, with the step as the file has it.
+    fn triples(&self, probe: &[Raw]) -> Vec<[(Raw, f64); 3]> {
+        let every = probe.len().div_ceil(PROBED).max(1);
+        let three = probe.windows(3).step_by(every).filter_map(|rows| {
+            let (h, times) = self.between(rows[0].t, rows[1].t);
+            let (next, more) = self.between(rows[1].t, rows[2].t);
+            (times == 1.0 && more == 1.0).then_some([(rows[0], 0.0), (rows[1], h), (rows[2], next)])
+        });
+        three.collect()
+    }
+
     /// Rows one step apart, with the step as the file has it.
     fn pairs(&self, probe: &[Raw]) -> Vec<(Raw, Raw, f64)> {
         let mut pairs: Vec<_> = probe
@@ -256,6 +398,35 @@ impl Clock {
     }
 }
 
+/// Rows, with spins where the record tells none.
+struct Feed {
+    told: bool,
+    moments: Vector3<f64>,
+    clock: Clock,
+    deriver: Deriver,
+}
+
+impl Feed {
+    fn push(&mut self, state: &State) -> Result<Derived, Error> {
+        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
+            let problem = "the quaternion has no length: it is no attitude".into();
+            return Err(Error::Line { line: state.line, problem });
+        }
+        if self.told {
+            return Ok(Derived::Known(*state));
+        }
+        let (h, times) = self.deriver.last().map_or((0.0, 1.0), |last| self.clock.between(last, state.t));
+        Ok(self.deriver.push(&self.moments, state, h, times))
+    }
+}
+
+fn too_far(turn: f64) -> String {
+    format!(
+        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not tell a turn from one that goes the other \
+         way round. Record the spin, or shorter steps"
+    )
+}
+
 /// A trial as far as it has come.
 struct Trial {
     laws: Laws,
@@ -266,6 +437,15 @@ struct Trial {
     resets: Vec<Reset>,
     gaps: Option<Gaps>,
     last: Option<State>,
+    moments: Vector3<f64>,
+    torque: Option<Vector3<f64>>,
+    /// The most that a step was off the law, and how many steps there were.
+    off: f64,
+    steps: u64,
+    /// Whether the record tells spins.
+    told: bool,
+    /// At which line the attitude turns too far to tell which way, and by how much, rad.
+    stopped: Option<(usize, f64)>,
 }
 
 /// No more resets than this are told one by one.
@@ -273,12 +453,7 @@ const RESETS: usize = 16;
 
 impl Trial {
     fn row(&mut self, state: &State) -> Result<(), Error> {
-        self.rows += 1;
         let mut steps = 0.0;
-        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
-            let problem = "the quaternion has no length: it is no attitude".into();
-            return Err(Error::Line { line: state.line, problem });
-        }
         if let Some(last) = self.last.replace(*state) {
             let (h, times) = self.clock.between(last.t, state.t);
             steps = times;
@@ -287,20 +462,64 @@ impl Trial {
                 gaps.count += 1;
                 gaps.longest = gaps.longest.max(times);
             }
-            if self.starts_anew(&last, state) && self.resets.len() < RESETS {
+            let to_start = self.starts_anew(&last, state);
+            let jumps = times == 1.0 && self.jumps(&Pair { from: last, to: *state, h });
+            if (to_start || jumps) && self.resets.len() < RESETS {
                 let to_rest = state.omega == Vector3::zeros();
-                self.resets.push(Reset { line: state.line, time: state.t, to_rest });
+                let to_start = to_start && !to_rest;
+                let line = state.ahead.map_or(state.line, |(line, _)| line);
+                self.resets.push(Reset { line, time: state.t, to_rest, to_start });
             }
             if self.resets.is_empty() && times == 1.0 {
                 let pair = Pair { from: last, to: *state, h };
-                self.laws.pair(&pair);
-                self.sample.push(&pair);
+                if self.told {
+                    self.laws.pair(&pair);
+                }
+                if self.told || state.ahead.is_some() {
+                    self.sample.push(&pair);
+                }
             }
         }
         if self.resets.is_empty() {
             self.laws.push(state, steps)?;
         }
         Ok(())
+    }
+
+    /// A step that is a hundred times as far from the law as the steps before it were, and farther than a rule's error in one step can
+    /// be: the law itself changes the spin by no more than the angle turned.
+    fn jumps(&mut self, pair: &Pair) -> bool {
+        let (from, to) = (pair.from.omega, pair.to.omega);
+        // Of attitudes alone a spin that is out of all proportion is what is to be found.
+        let speed = if self.told { from.norm().max(to.norm()) } else { from.norm() };
+        let mean = (from + to) / 2.0;
+        let rate = euler::angular_acceleration(&self.moments, &mean, &self.torque(pair));
+        let spin = (to - from - rate * pair.h).norm() / speed;
+        let turn = match (pair.turn(), speed * pair.h < 1.0) {
+            (Some(turn), true) => (turn - mean * pair.h).norm(),
+            _ => 0.0,
+        };
+        let off = spin.max(turn);
+        if !off.is_finite() {
+            return false;
+        }
+        let jumps = self.steps > 8 && off > 0.2 && off > 3.0 * speed * pair.h && off > 100.0 * self.off;
+        if !jumps {
+            // Forgotten slowly, so that a rule that goes astray now and then is known to.
+            self.off = off.max(0.98 * self.off);
+            self.steps += 1;
+        }
+        jumps
+    }
+
+    /// The torque in body axes, for a mean over the step.
+    fn torque(&self, pair: &Pair) -> Vector3<f64> {
+        match (self.torque, pair.from.attitude) {
+            (Some(torque), Some(q)) => {
+                tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
+            }
+            _ => Vector3::zeros(),
+        }
     }
 
     /// A body that moves is at rest all of a sudden, or back at the start without a way there.
@@ -326,9 +545,9 @@ impl Trial {
         kind: Kind,
         floor: f64,
         engine: Option<String>,
-        threshold: f64,
+        options: &Options,
     ) -> Verdict {
-        let Self { laws, first, sample, clock, rows, resets, gaps, .. } = self;
+        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, .. } = self;
         let free = subject.torque.is_none();
         let still = free && laws.constant && !should_change(subject, sample.pairs(), floor);
         let diagnosis = if still { None } else { diagnose(subject, &sample, floor, kind.is_momentum()) };
@@ -346,26 +565,33 @@ impl Trial {
         match flips.as_ref().map(|flips| (flips.found, flips.exact)) {
             Some((0, wanted)) if wanted > 0 => {
                 complaints.push(format!(
-                    "the spin along the middle axis never changes sign, and should do so {wanted} times"
+                    "the spin along the middle axis never changes sign, and should do so {}",
+                    times(wanted)
                 ));
             }
             Some((found, 0)) if found > 0 => {
                 complaints.push(format!(
-                    "the spin along the middle axis changes sign {found} times, and should never do so"
+                    "the spin along the middle axis changes sign {}, and should never do so",
+                    times(found)
                 ));
             }
             _ => {}
         }
+        if let Some((line, turn)) = stopped {
+            complaints.push(format!("line {line}: {}. Judged up to there", too_far(turn)));
+        }
         if sample.seen() == 0 {
             complaints.push("no two rows are one step apart: no rule can be tried".into());
         }
-        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > threshold) {
+        let consistent = options.allowed(LawName::Consistency).unwrap_or(options.threshold);
+        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent) {
             let off = 100.0 * law.most;
             complaints
                 .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
         }
         let misread = reading.mistakes();
-        let broken = kept.iter().any(|law| law.name.is_conserved() && law.most.abs() > threshold);
+        let broken =
+            kept.iter().any(|law| options.allowed(law.name).is_some_and(|most| law.most.abs() > most));
         let outcome = if !misread.is_empty() || !resets.is_empty() {
             Outcome::Failed
         } else if still || !free {
@@ -385,6 +611,7 @@ impl Trial {
             rounding: floor,
             has_attitude: first.attitude.is_some(),
             misread,
+            untold: untold(first.attitude.is_some(), kind),
             resets,
             gaps,
             sign_changes: laws.sign_changes,
@@ -393,7 +620,9 @@ impl Trial {
             separatrix: laws.separatrix().filter(|_| free),
             diagnosis,
             complaints,
-            threshold,
+            options: *options,
+            fit: None,
+            curve: laws.points.into_all(),
             outcome,
         }
     }

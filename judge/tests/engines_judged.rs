@@ -133,3 +133,47 @@ fn rules_that_make_the_same_steps_are_named_together() {
         }
     }
 }
+
+/// The fields of a row, altered: time, quaternion, spin.
+type Alter = fn([f64; 8]) -> [f64; 8];
+
+// Mistakes made on purpose in the records of real engines, which have gaps and go about one axis for long.
+#[test]
+fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
+    use tumbling_judge::Misread;
+    let mistakes: [(Misread, Alter); 5] = [
+        (Misread::Order, |[t, w, x, y, z, a, b, c]| [t, x, y, z, w, a, b, c]),
+        (Misread::ScalarFirst, |[t, w, x, y, z, a, b, c]| [t, z, w, x, y, a, b, c]),
+        (Misread::Inverse, |[t, w, x, y, z, a, b, c]| [t, w, -x, -y, -z, a, b, c]),
+        (Misread::Degrees, |[t, w, x, y, z, a, b, c]| {
+            [t, w, x, y, z, a.to_degrees(), b.to_degrees(), c.to_degrees()]
+        }),
+        (Misread::LeftHandedSpin, |[t, w, x, y, z, a, b, c]| [t, w, x, y, z, -a, -b, -c]),
+    ];
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines");
+    let mut tried = 0;
+    for (name, right) in records() {
+        let (engine, story) = name.split_once("--").unwrap();
+        if !["box-middle", "middle", "major", "minor"].contains(&story) || engine.ends_with("-1e9") {
+            continue;
+        }
+        let text = std::fs::read_to_string(folder.join(format!("{name}.csv"))).unwrap();
+        let rule = right.diagnosis.unwrap().best.rule.method();
+        for (misread, alter) in mistakes {
+            let line = |line: &str| {
+                let numbers: Vec<f64> = line.split(',').filter_map(|x| x.parse().ok()).collect();
+                match <[f64; 8]>::try_from(numbers) {
+                    Ok(numbers) => alter(numbers).map(|x| format!("{x:?}")).join(","),
+                    Err(_) => line.to_string(),
+                }
+            };
+            let wrong = text.lines().map(line).collect::<Vec<_>>().join("\n");
+            let verdict = judge(wrong.as_bytes(), &Options::default()).unwrap();
+            assert_eq!(verdict.misread, [misread], "{name}");
+            let diagnosis = verdict.diagnosis.unwrap();
+            assert_eq!(diagnosis.best.rule.method(), rule, "{name}, {misread:?}: {diagnosis}");
+            tried += 1;
+        }
+    }
+    assert_eq!(tried, 28 * mistakes.len());
+}

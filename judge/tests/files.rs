@@ -33,9 +33,15 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
         let conj = |q: &Quaternion<f64>| q.conjugate();
         let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * w;
         type Mistake<'a> = (Misread, Box<dyn Fn(&Row) -> Row + 'a>);
-        let mistakes: [Mistake<'_>; 9] = [
+        let mistakes: [Mistake<'_>; 12] = [
             (Misread::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
             (Misread::Order, Box::new(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w))),
+            (Misread::ScalarFirst, Box::new(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w))),
+            (
+                Misread::RevolutionsPerMinute,
+                Box::new(|(t, q, w)| (*t, *q, w * (30.0 / std::f64::consts::PI))),
+            ),
+            (Misread::Microseconds, Box::new(|(t, q, w)| (t * 1e6, *q, *w))),
             (Misread::Inverse, Box::new(|(t, q, w)| (*t, conj(q), *w))),
             (Misread::Degrees, Box::new(|(t, q, w)| (*t, *q, w.map(f64::to_degrees)))),
             (Misread::Milliseconds, Box::new(|(t, q, w)| (t * 1e3, *q, *w))),
@@ -212,7 +218,7 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert!(error("t,wx,wz\n0,1,2\n").starts_with("line 1: the column `wy` is missing"));
     assert!(error("t,wx,wx,wy,wz\n").starts_with("line 1: there are two columns `wx`"));
     assert!(error("wx,wy,wz\n0,1,2\n").starts_with("line 1: the column `t` is missing"));
-    assert!(error("t,qw,qx,qy,qz\n").contains("neither spin nor momentum"));
+    assert!(error("t,x\n").contains("neither spin nor momentum nor attitude"));
     assert!(error("t,wxw,wyw,wzw\n").contains("without its attitude"));
     assert!(error("step,wx,wy,wz\n").contains("how long one is"));
     assert!(error("# inertia: 1 2 4\nt,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("2 + 1 >= 4"));

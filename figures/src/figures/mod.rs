@@ -266,7 +266,7 @@ fn ink_of(axis: Axis) -> Ink {
 }
 
 /// A power of ten as an axis shows it.
-fn power_of_ten(exponent: i32) -> String {
+pub(crate) fn power_of_ten(exponent: i32) -> String {
     match exponent {
         0 => "1".into(),
         1 => "10".into(),

@@ -1,0 +1,78 @@
+//! Spins that a record does not tell, from the turns between its attitudes.
+
+use crate::state::{Pair, State};
+use nalgebra::Vector3;
+use tumbling::exact::FreeMotion;
+
+/// A turn from row to row beyond this, rad, may as well go the other way round.
+pub(crate) const FARTHEST: f64 = 2.0;
+
+/// The spin at the first of two attitudes with which the exact motion comes to the second, by the shorter way: Newton's method with the
+/// motion's own derivatives. `None` where the attitudes are too far apart to tell.
+pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> {
+    let whole = pair.turn()?;
+    if whole.norm() > FARTHEST {
+        return None;
+    }
+    let to = pair.to.attitude?;
+    let from = pair.from.attitude?;
+    let mut omega = whole / pair.h;
+    let mut least = f64::INFINITY;
+    for _ in 0..20 {
+        let motion = FreeMotion::new(moments, &omega).ok()?;
+        let got = from * motion.attitude(pair.h).ok()?.into_inner();
+        // What is left of the turn, in the axes of the first attitude.
+        let left = Pair {
+            from: State { attitude: Some(got), ..pair.to },
+            to: State { attitude: Some(to), ..pair.to },
+            h: pair.h,
+        };
+        let left = motion.attitude(pair.h).ok()? * left.turn()?;
+        let size = left.norm();
+        if size >= least || size == 0.0 {
+            break;
+        }
+        least = size;
+        let change = motion.sensitivity(pair.h).ok()?.turn_by_omega.lu().solve(&left)?;
+        omega += change;
+    }
+    (least <= 1e-6 && omega.iter().all(|x| x.is_finite())).then_some(omega)
+}
+
+/// A row with the spin that it does not tell, or why it has none.
+pub(crate) enum Derived {
+    /// Its spin is known.
+    Known(State),
+    /// There is no row before or after that tells it.
+    Unknown,
+    /// The attitude turns by so much up to this line, rad.
+    TooFar { line: usize, turn: f64 },
+}
+
+/// Rows in, rows with spins out: each as soon as the next one is there.
+#[derive(Debug, Default)]
+pub(crate) struct Deriver {
+    waiting: Option<State>,
+}
+
+impl Deriver {
+    /// One more row, so many steps and seconds after the last.
+    pub(crate) fn push(&mut self, moments: &Vector3<f64>, state: &State, h: f64, times: f64) -> Derived {
+        let Some(from) = self.waiting.replace(*state) else { return Derived::Unknown };
+        let pair = Pair { from, to: *state, h };
+        let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
+        match spin(moments, &pair) {
+            Some(omega) => Derived::Known(State { omega, ahead, ..from }),
+            None if times == 1.0 => {
+                let turn = pair.turn().map_or(f64::NAN, |turn| turn.norm());
+                Derived::TooFar { line: state.line, turn }
+            }
+            None => Derived::Unknown,
+        }
+    }
+
+    /// The time of the row that waits.
+    pub(crate) fn last(&self) -> Option<f64> {
+        self.waiting.map(|state| state.t)
+    }
+}

@@ -1,0 +1,90 @@
+//! Records of attitudes alone.
+
+mod common;
+
+use common::{Row, exact, judged, stepped};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::step::Method;
+use tumbling_judge::{LawName, Misread, Options, Outcome, Rule, judge};
+
+const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
+
+fn attitudes(rows: &[Row]) -> String {
+    let mut text = String::from("# inertia: 1 2 2.5\nt,qw,qx,qy,qz\n");
+    for (t, q, _) in rows {
+        text += &format!("{t:?},{:.16e},{:.16e},{:.16e},{:.16e}\n", q.w, q.i, q.j, q.k);
+    }
+    text
+}
+
+#[test]
+fn the_exact_motion_by_its_attitudes_alone_is_kept_to_rounding_in_every_law_that_they_tell() {
+    for spin in SPINS {
+        for h in [1.0 / 30.0, 1.0 / 240.0] {
+            let verdict = judged(&attitudes(&exact(spin.into(), h, 1500)));
+            assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
+            assert_eq!(verdict.untold, [LawName::Consistency]);
+            for law in &verdict.laws {
+                assert_eq!(law.growth.rank(), 0, "{spin:?} {h}: {law}");
+                assert!(law.most < 1e-6, "{law}");
+            }
+            let names: Vec<LawName> = verdict.laws.iter().map(|law| law.name).collect();
+            assert_eq!(names, &LawName::ALL[..6]);
+            assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::Exact);
+            assert!((verdict.curve[0].spin - Vector3::from(spin)).norm() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn rules_are_named_by_the_attitudes_that_they_make() {
+    for method in [
+        Method::ConstantSpin,
+        Method::SemiImplicitEuler,
+        Method::Rescaled,
+        Method::OneNewton,
+        Method::ExplicitEuler,
+        Method::Buss,
+    ] {
+        let text = attitudes(&stepped(method, Vector3::new(1.0, 2.0, 1.5), 1.0 / 60.0, 800));
+        let verdict = judged(&text);
+        let diagnosis = verdict.diagnosis.as_ref().unwrap();
+        let mut named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);
+        assert!(named.any(|rule| rule.method() == Some((method, 1))), "{method:?}: {verdict}");
+        if method != Method::Buss {
+            assert_eq!(verdict.outcome, Outcome::Failed, "{method:?}");
+        }
+    }
+}
+
+#[test]
+fn the_order_and_the_sense_of_attitudes_alone_are_told_by_the_law() {
+    for spin in [SPINS[0], SPINS[3]] {
+        let rows = exact(spin.into(), 0.02, 800);
+        let order: Vec<Row> =
+            rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w)).collect();
+        assert_eq!(judged(&attitudes(&order)).misread, [Misread::Order]);
+        let first: Vec<Row> =
+            rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w)).collect();
+        // Not to be told from the other: the one is the other's mirror image.
+        assert_eq!(judged(&attitudes(&first)).misread, [Misread::Order]);
+        let inverse: Vec<Row> = rows.iter().map(|(t, q, w)| (*t, q.conjugate(), *w)).collect();
+        assert_eq!(judged(&attitudes(&inverse)).misread, [Misread::Inverse]);
+        assert_eq!(judged(&attitudes(&rows)).misread, []);
+    }
+}
+
+#[test]
+fn steps_near_half_a_turn_are_refused_in_plain_words() {
+    let text = attitudes(&exact(Vector3::new(1.0, 2.0, 1.5), 0.9, 100));
+    let error = judge(text.as_bytes(), &Options::default()).unwrap_err().to_string();
+    assert!(error.starts_with("line 4: the attitude turns by") && error.contains("shorter steps"), "{error}");
+    // A run that gets there is judged as far as it can be told.
+    let mut rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.02, 400);
+    let flipped = rows[300].1 * Quaternion::new(0.0, 1.0, 0.0, 0.0);
+    rows[300].1 = flipped;
+    let verdict = judged(&attitudes(&rows));
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    assert!(verdict.complaints.iter().any(|x| x.starts_with("line 303: the attitude turns")), "{verdict}");
+    assert!((verdict.duration - 298.0 * 0.02).abs() < 1e-9, "{}", verdict.duration);
+}

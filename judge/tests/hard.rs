@@ -1,0 +1,165 @@
+//! Input that is not what it should be, and records of real-looking engines: every body, spin, step, rounding and naming.
+
+mod common;
+
+use common::{exact, judged};
+use nalgebra::{Quaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::attitude::rotation_matrix;
+use tumbling::step::{Method, Motion, System};
+use tumbling_judge::{Options, Outcome, judge};
+
+fn error(text: impl AsRef<[u8]>) -> String {
+    judge(text.as_ref(), &Options::default()).unwrap_err().to_string()
+}
+
+const HEAD: &str = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,1,2,3\n";
+
+#[test]
+fn what_spreadsheets_and_locales_make_of_a_record_is_named() {
+    let with = |line: &str| error(format!("{HEAD}{line}\n"));
+    assert_eq!(
+        with("0.1,1,\u{2212}2,3"),
+        "line 4, column 3 (`wy`): `\u{2212}2` is not a number: its minus sign is not the hyphen `-` that programs read"
+    );
+    let decimal = "# inertia: 1 2 2.5\nt;wx;wy;wz\n0;1;2;3\n0,1;1;2;3\n";
+    assert_eq!(
+        error(decimal),
+        "line 4, column 1 (`t`): `0,1` is not a number: write a decimal point, not a comma"
+    );
+    let wide: Vec<u8> = [0xff, 0xfe].into_iter().chain(HEAD.bytes().flat_map(|byte| [byte, 0])).collect();
+    assert_eq!(error(wide), "line 1: the file is in UTF-16: save it in UTF-8");
+    let old = HEAD.replace('\n', "\r");
+    assert!(error(old).starts_with("line 1: there are carriage returns within the line"));
+    let garbage: Vec<u8> = (0..4000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
+    assert!(error(garbage).starts_with("line 1"));
+    assert_eq!(error("t,wx\0,wy,wz\n"), "line 1: the line is not text (UTF-8)");
+    let huge = with(&format!("0.1,1,{},3", "x".repeat(5000)));
+    assert!(huge.starts_with("line 4, column 3 (`wy`): `xxx") && huge.len() < 200, "{huge}");
+    let digits = with(&format!("0.1,1,{},3", "9".repeat(5000)));
+    assert!(digits.starts_with("line 4, column 3 (`wy`): the value is 9") && digits.len() < 200, "{digits}");
+}
+
+#[test]
+fn columns_that_say_a_thing_twice_are_refused() {
+    assert_eq!(error("t,time,wx,wy,wz\n"), "line 1: `t` and `time` both tell the time");
+    assert!(error("t,wx,wy,wz,omega_x,omega_y,omega_z\n").contains("two sets of columns for one vector"));
+    assert!(
+        error("t,qw,qx,qy,qz,quat_w,quat_x,quat_y,quat_z,wx,wy,wz\n")
+            .contains("two sets of columns for the attitude")
+    );
+    assert!(error("t,wx,wy,wz,wy\n").contains("there are two columns `wy`"));
+    assert!(error("t,qw,qx,qy,wx,wy,wz\n").contains("the column `qz` is missing"));
+}
+
+#[test]
+fn separators_at_the_ends_of_lines_and_any_line_end_do_no_harm() {
+    let mut plain = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
+    for (t, _, w) in exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 50) {
+        writeln!(plain, "{t:?},{:?},{:?},{:?}", w.x, w.y, w.z).unwrap();
+    }
+    let expected = judged(&plain);
+    for text in [
+        plain.replace('\n', ",\n").replacen(",\n", "\n", 1),
+        plain.replace("wz\n", "wz,\n"),
+        plain.replace('\n', "\r\n"),
+        format!("\u{feff}{plain}"),
+        plain.trim_end().to_string(),
+        plain.replace(',', " ; "),
+        plain.replace('\n', "\n\n"),
+    ] {
+        assert_eq!(judged(&text).laws, expected.laws, "{}", &text[..60]);
+    }
+}
+
+#[test]
+fn two_rows_are_judged_and_one_or_none_are_an_error() {
+    assert!(error("# inertia: 1 2 2.5\nt,wx,wy,wz\n").contains("no rows"));
+    assert!(error(HEAD).contains("one row"));
+    let rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 1);
+    assert_eq!(judged(&common::csv(&rows)).outcome, Outcome::Passed);
+    let attitudes = "# inertia: 1 2 2.5\nt,qw,qx,qy,qz\n0,1,0,0,0\n";
+    assert!(error(attitudes).contains("one row"));
+    // Attitudes alone need a third row for anything to be held against.
+    let verdict = judge(format!("{attitudes}0.1,0.99,0.1,0.05,0.02\n").as_bytes(), &Options::default());
+    assert!(verdict.is_ok_and(|verdict| verdict.outcome != Outcome::Passed));
+}
+
+const BODIES: [[f64; 3]; 4] = [[1.0, 2.0, 3.0], [3.0, 1.0, 2.5], [0.02, 0.013, 0.03], [40.0, 41.0, 7.0]];
+
+/// A record as engines write them: single precision or not, spin in body or world axes, names in some order.
+fn record(
+    method: Method,
+    moments: &Vector3<f64>,
+    omega: Vector3<f64>,
+    h: f64,
+    single: bool,
+    style: usize,
+) -> String {
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
+    let round = |x: f64| if single { f64::from(x as f32) } else { x };
+    let system = System::free(moments).unwrap();
+    let mut motion = Motion {
+        attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
+        vector: system.momentum(&omega),
+    };
+    let names = [
+        "t,qx,qy,qz,qw,wx,wy,wz",
+        "wx_world;wy_world;wz_world;time;quat_w;quat_x;quat_y;quat_z",
+        "t qw qx qy qz Lx_world Ly_world Lz_world",
+    ];
+    let mut text = format!("# inertia: {:?} {:?} {:?}\n{}\n", moments.x, moments.y, moments.z, names[style]);
+    for i in 0..400 {
+        let (q, omega) = (motion.attitude.coords.map(round), system.omega(&motion.vector).map(round));
+        let q = Quaternion::from_vector(q);
+        motion = Motion { attitude: q, vector: system.momentum(&omega) };
+        let t = h * f64::from(i);
+        let world = rotation_matrix(&q) * omega / q.norm_squared();
+        let momentum = rotation_matrix(&q) * motion.vector / q.norm_squared();
+        let (fields, separator) = match style {
+            0 => ([t, q.i, q.j, q.k, q.w, omega.x, omega.y, omega.z], ","),
+            1 => ([world.x, world.y, world.z, t, q.w, q.i, q.j, q.k], ";"),
+            _ => ([t, q.w, q.i, q.j, q.k, momentum.x, momentum.y, momentum.z], " "),
+        };
+        let written = |x: f64| if single { format!("{:?}", round(x) as f32) } else { format!("{x:?}") };
+        let time = usize::from(style == 1) * 3;
+        let fields: Vec<String> = fields
+            .iter()
+            .enumerate()
+            .map(|(k, x)| if k == time { format!("{x:?}") } else { written(*x) })
+            .collect();
+        writeln!(text, "{}", fields.join(separator)).unwrap();
+        match method.step(&system, &motion, &h) {
+            Ok(next) if next.vector.norm() < 1e3 * motion.vector.norm().max(1.0) => motion = next,
+            _ => break,
+        }
+    }
+    text
+}
+
+#[test]
+fn rules_are_named_whatever_the_body_the_spin_the_step_the_rounding_and_the_names() {
+    let methods = [Method::ConstantSpin, Method::SemiImplicitEuler, Method::Rescaled, Method::OneNewton];
+    let (mut tried, mut wrong) = (0, Vec::new());
+    for (i, moments) in BODIES.iter().map(|x| Vector3::from(*x)).enumerate() {
+        for (j, speed) in [0.1, 1.0, 8.0, 30.0].into_iter().enumerate() {
+            for (k, h) in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 1000.0].into_iter().enumerate() {
+                for single in [false, true] {
+                    let method = methods[(i + j + k) % 4];
+                    let omega = Vector3::new(0.3, 1.0, 0.4).normalize() * speed;
+                    let verdict = judged(&record(method, &moments, omega, h, single, (i + 2 * j + k) % 3));
+                    let about = format!("{method:?} {moments:?} {speed} {h} single: {single}");
+                    assert_eq!(verdict.misread, [], "{about}");
+                    assert_eq!(verdict.resets, [], "{about}");
+                    let diagnosis = verdict.diagnosis.as_ref().unwrap();
+                    let mut named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);
+                    if !named.any(|rule| rule.method() == Some((method, 1))) {
+                        wrong.push(format!("{about}\n{diagnosis}"));
+                    }
+                    tried += 1;
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {tried}:\n{}", wrong.len(), wrong.join("\n"));
+}

@@ -1,0 +1,150 @@
+//! Mistakes of an engine, each made on purpose in a good rule, and named.
+
+mod common;
+
+use common::{MOMENTS, Row, csv, exact, judged, stepped_by};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::attitude::turn;
+use tumbling::step::{Method, Motion, System};
+use tumbling_judge::{Diagnosis, Outcome, Rule, Sure};
+
+const H: f64 = 1.0 / 60.0;
+const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
+const METHODS: [Method; 3] = [Method::SemiImplicitEuler, Method::ConstantSpin, Method::OneNewton];
+
+/// A run of a method whose step's outcome (attitude before, after, spin after) is altered.
+fn altered(
+    method: Method,
+    spin: Vector3<f64>,
+    count: u32,
+    how: impl Fn(&Quaternion<f64>, Quaternion<f64>, Vector3<f64>) -> (Quaternion<f64>, Vector3<f64>),
+) -> Vec<Row> {
+    let system = System::free(&MOMENTS).unwrap();
+    stepped_by(spin, H, count, |motion| {
+        let end = method.step(&system, motion, &H).unwrap();
+        let (attitude, omega) = how(&motion.attitude, end.attitude, system.omega(&end.vector));
+        Motion { attitude, vector: system.momentum(&omega) }
+    })
+}
+
+fn diagnosed(rows: &[Row]) -> Diagnosis {
+    let verdict = judged(&csv(rows));
+    assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+    let diagnosis = verdict.diagnosis.unwrap();
+    assert!(matches!(diagnosis.sure, Sure::ToRounding), "{diagnosis}");
+    diagnosis
+}
+
+#[test]
+fn a_threshold_for_small_rotations_is_named() {
+    // Damped down to where a step turns by less than 0.02 rad, and so stands still from there on; or slow from the start.
+    for method in METHODS {
+        let rows = altered(method, SPIN * 0.6, 600, |start, q, omega| {
+            (if omega.norm() * H <= 0.02 { *start } else { q }, omega)
+        });
+        if rows.iter().all(|row| row.2.norm() * H > 0.02)
+            || rows.iter().skip(1).all(|row| row.2.norm() * H <= 0.02)
+        {
+            continue;
+        }
+        let diagnosis = diagnosed(&rows);
+        assert!(matches!(diagnosis.best.rule, Rule::SmallTurn(..)), "{diagnosis}");
+    }
+    let rows = altered(Method::OneNewton, SPIN * 0.3, 600, |start, _, omega| (*start, omega));
+    let diagnosis = diagnosed(&rows);
+    let Rule::SmallTurn(angle, _) = diagnosis.best.rule else { panic!("{diagnosis}") };
+    let expected = rows[1..].iter().map(|row| row.2.norm() * H).fold(0.0, f64::max);
+    assert!((angle - expected).abs() < 0.01 * expected, "{angle} {expected}");
+}
+
+#[test]
+fn small_spins_put_to_zero_are_named() {
+    let clamp = |omega: Vector3<f64>| omega.map(|x| if x.abs() <= 0.05 { 0.0 } else { x });
+    for method in [Method::SemiImplicitEuler, Method::OneNewton] {
+        // Where a component goes through zero it is held there.
+        let rows = altered(method, SPIN, 600, |start, _, omega| {
+            let kept = clamp(omega);
+            (start * turn(&(kept * H)), kept)
+        });
+        let diagnosis = diagnosed(&rows);
+        let Rule::Zeroed(least, _) = diagnosis.best.rule else { panic!("{diagnosis}") };
+        assert!(least <= 0.05 && least > 0.01, "{least}");
+        // About the middle axis, with a push too small to get over the threshold, it looks like no gyroscopic term at all.
+        let rows = altered(method, Vector3::new(0.0, 3.0, 0.1), 400, |start, _, omega| {
+            let kept = clamp(omega);
+            (start * turn(&(kept * H)), kept)
+        });
+        let diagnosis = diagnosed(&rows);
+        assert!(diagnosis.hints.iter().any(|hint| hint.contains("small spins")), "{diagnosis}");
+    }
+}
+
+#[test]
+fn damping_by_axis_is_named_with_its_sizes() {
+    let factors = Vector3::new(0.999, 0.99, 1.0);
+    for method in METHODS {
+        let rows = altered(method, SPIN, 400, |start, _, omega| {
+            let omega = omega.component_mul(&factors);
+            (start * turn(&(omega * H)), omega)
+        });
+        let diagnosis = diagnosed(&rows);
+        let Rule::DampedByAxis(found, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
+        assert!((found - factors).norm() < 1e-9, "{found}");
+        let system = System::free(&MOMENTS).unwrap();
+        let rows = stepped_by(SPIN, H, 400, |motion| {
+            let omega = system.omega(&motion.vector).component_mul(&factors);
+            method.step(&system, &Motion { vector: system.momentum(&omega), ..motion.clone() }, &H).unwrap()
+        });
+        let diagnosis = diagnosed(&rows);
+        let Rule::DampedByAxis(found, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
+        assert!((found - factors).norm() < 1e-9, "{found}");
+    }
+}
+
+#[test]
+fn a_turn_without_its_half_is_named_with_the_factor() {
+    for factor in [0.5, 2.0] {
+        for method in METHODS {
+            let rows =
+                altered(method, SPIN, 400, |start, _, omega| (start * turn(&(omega * H * factor)), omega));
+            let diagnosis = diagnosed(&rows);
+            let Rule::OtherTurn(found, _) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
+            assert_eq!(found, factor);
+        }
+    }
+}
+
+#[test]
+fn steps_of_another_length_than_told_are_named_with_the_factor() {
+    let system = System::free(&MOMENTS).unwrap();
+    for factor in [0.5, 2.0, 1.2] {
+        for method in [Method::SemiImplicitEuler, Method::OneNewton] {
+            let rows =
+                stepped_by(SPIN, H, 400, |motion| method.step(&system, motion, &(H * factor)).unwrap());
+            let diagnosis = diagnosed(&rows);
+            // A body at a standstill of the turn has no other clock: the exact motion's is told by its base.
+            let Rule::OtherStep(found, _) = diagnosis.best.rule else {
+                panic!("{method:?} {factor}: {diagnosis}")
+            };
+            assert_eq!(found, factor);
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_jumps_is_told_where_and_judged_up_to_there() {
+    let mut rows = exact(SPIN, H, 300);
+    let other = exact(Vector3::new(-2.0, 0.4, 1.0), H, 300);
+    rows.truncate(200);
+    rows.extend(other.iter().skip(200).copied());
+    let verdict = judged(&csv(&rows));
+    assert_eq!(verdict.resets.len(), 1);
+    // Two lines above the rows, and the 201st row is the first of the other motion.
+    assert_eq!(verdict.resets[0].line, 203);
+    assert!(!verdict.resets[0].to_rest && !verdict.resets[0].to_start);
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::Exact);
+    for law in &verdict.laws {
+        assert_eq!(law.growth.rank(), 0, "{law}");
+    }
+}
