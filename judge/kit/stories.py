@@ -202,7 +202,7 @@ def two(x, most):
 
 
 def story(name, tests, moments, spin, attitude, seconds):
-    asked = [t / 10 for t in sorted({1, 10 * seconds // 60, 10 * seconds // 10, 10 * seconds // 3, 10 * seconds * 2 // 3, 10 * seconds})]
+    asked = [t / 10 for t in sorted({1, 10 * seconds // 60, 10 * seconds // 10, 10 * seconds // 3, 10 * seconds * 2 // 3, 10 * seconds} - {0})]
     exact = [round(10 * t) * ONE // 10 for t in asked]
     distinct = len(set(moments)) == 3
     middle = sorted(range(3), key=lambda i: moments[i])[1] if distinct else None

@@ -76,7 +76,6 @@ fn errors(answer: &Answer, spin: &Vector3<f64>, q: &Quaternion<f64>) -> [f64; 2]
 
 #[test]
 fn the_exact_motion_gives_every_answer_of_the_kit_as_well_as_rounded_inputs_allow() {
-    let mut worst = 0.0_f64;
     for story in kit().1 {
         let motion = FreeMotion::new(&story.moments, &story.spin).unwrap();
         for answer in &story.answers {
@@ -86,12 +85,10 @@ fn the_exact_motion_gives_every_answer_of_the_kit_as_well_as_rounded_inputs_allo
             for (error, allowed) in errors(answer, &now.omega, &q).into_iter().zip(allowed) {
                 // The inputs' rounding, and that of the answer as it is written and compared.
                 let share = error / (allowed + 4.0 * f64::EPSILON);
-                worst = worst.max(share);
                 assert!(share < 2.0, "{} at {}: {error:e}, allowed {allowed:e}", story.name, answer.t);
             }
         }
     }
-    println!("worst share {worst}");
 }
 
 #[test]
@@ -120,7 +117,7 @@ fn the_kit_s_flips_are_those_of_the_exact_motion() {
 }
 
 #[test]
-fn every_story_keeps_its_own_energy_momentum_and_direction() {
+fn each_story_keeps_its_own_energy_momentum_and_direction() {
     for story in kit().1 {
         let energy = story.json["energy"].as_f64().unwrap();
         let momentum = story.json["momentum"].as_f64().unwrap();
@@ -168,7 +165,7 @@ fn the_stories_cover_the_spins_and_their_times_fall_on_every_step() {
 #[test]
 fn the_implicit_midpoint_does_what_the_kit_asks_of_a_step() {
     let (steps, stories) = kit();
-    let (mut held, mut worst) = (0, 0.0_f64);
+    let mut held = 0;
     for story in &stories {
         let system = System::free(&story.moments).unwrap();
         // The finest step takes longest, and asks nothing else.
@@ -186,12 +183,11 @@ fn the_implicit_midpoint_does_what_the_kit_asks_of_a_step() {
                 for (error, allowed) in found.into_iter().zip(answer.within[step].as_array().unwrap()) {
                     let Some(allowed) = allowed.as_f64() else { continue };
                     held += 1;
-                    worst = worst.max(error / allowed);
-                    println!("{:5.2} {} {step} {} {error:e} {allowed:e}", error / allowed, story.name, answer.t);
+                    assert!(error <= allowed, "{} {step} at {}: {error:e}", story.name, answer.t);
                 }
             }
         }
     }
-    println!("held {held}, worst {worst}");
-    assert!(worst <= 1.0, "{worst}");
+    // Of twice 132 answers at three steps most can be asked for.
+    assert!(held > 600, "{held}");
 }

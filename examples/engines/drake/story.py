@@ -38,10 +38,10 @@ def run(story, step, integrator, accuracy):
     # Drake takes the spin in world axes.
     spin = pose.rotation().multiply(story["spin"])
     plant.SetFreeBodySpatialVelocity(context=context, body=body, V_JpJc=SpatialVelocity(spin, [0, 0, 0]))
-    simulator.Initialize()
     for n in range(round(story["duration"] / h) + 1):
-        # A discrete plant changes at the start of each step: half a step before its time it has its new state.
-        simulator.AdvanceTo(max(0, n - 0.5) * h if integrator == "discrete" else n * h)
+        if n:
+            # A discrete plant changes at the start of each step: half a step before its time it has its new state.
+            simulator.AdvanceTo((n - 0.5 if integrator == "discrete" else n) * h)
         pose = plant.EvalBodyPoseInWorld(context, body)
         spin = plant.EvalBodySpatialVelocityInWorld(context, body).rotational()
         q = pose.rotation().ToQuaternion()
