@@ -61,6 +61,10 @@ mod error_against_run_time {}
 mod where_things_break {}
 
 #[cfg(doctest)]
+#[doc = include_str!("test-your-engine.md")]
+mod test_your_engine {}
+
+#[cfg(doctest)]
 #[doc = include_str!("proofs.md")]
 mod proofs {}
 

@@ -177,3 +177,38 @@ fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
     }
     assert_eq!(tried, 28 * mistakes.len());
 }
+
+/// Every record's verdict, as the figures read it: outcome, rule, and each law's grade with its greatest error and its last.
+fn table() -> String {
+    let mut text = String::from("record\toutcome\tlaw\tgrade\tmost\tlast\n");
+    for (name, verdict) in records() {
+        let outcome = match verdict.outcome {
+            Outcome::Passed => "passed",
+            Outcome::NothingToJudge => "nothing to judge",
+            _ if verdict.resets.is_empty() => "failed",
+            _ => "put to rest",
+        };
+        for law in &verdict.laws {
+            let (law, grade, most, last) = (law.name.key(), law.growth.name(), law.most, law.last);
+            text += &format!("{name}\t{outcome}\t{law}\t{grade}\t{most:.0e}\t{last:.0e}\n");
+        }
+    }
+    text
+}
+
+#[test]
+fn the_verdicts_that_the_figures_read_are_those_of_the_judge() {
+    let (committed, now) = (include_str!("../../tests/data/engines/judged.tsv"), table());
+    // Errors of a rounding or so are a machine's own.
+    let of = |text: &str| -> Vec<String> {
+        let lines = text.lines().map(|line| {
+            let mut fields: Vec<&str> = line.split('\t').collect();
+            if fields.get(3) == Some(&"kept to rounding") {
+                fields.truncate(4);
+            }
+            fields.join("\t")
+        });
+        lines.collect()
+    };
+    assert!(of(committed) == of(&now), "tests/data/engines/judged.tsv should be:\n{now}");
+}

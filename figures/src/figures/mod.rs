@@ -19,6 +19,7 @@ mod flip_strip;
 mod flip_time;
 mod flip_time_deep;
 mod gap_curve;
+mod judged;
 mod moments_gallery;
 mod moments_map;
 mod polhode;
@@ -40,7 +41,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 32] = [
+pub(crate) static ALL: [Figure; 34] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -232,6 +233,18 @@ pub(crate) static ALL: [Figure; 32] = [
         shows: "What becomes of each method on odd bodies, and on scales far from one",
         chapter: "where-things-break",
         draw: atlas::named,
+    },
+    Figure {
+        name: "judged-grades",
+        shows: "How recorded engines keep each law, story by story",
+        chapter: "test-your-engine",
+        draw: judged::grades,
+    },
+    Figure {
+        name: "judged-energy",
+        shows: "Energy of free bodies in recorded engines, beside the exact motion",
+        chapter: "test-your-engine",
+        draw: judged::energies,
     },
 ];
 
