@@ -217,7 +217,12 @@ fn a_widget_that_is_wrong_says_how() {
     let wrong = |text: &str| shown(text).unwrap_err();
     let missing = wrong("a\n\n{{#widget none}}\n");
     assert!(missing.starts_with("book/chapters/x.md:3: there is no widget `none`"), "{missing}");
-    for text in ["See {{#widget dial}} here.\n", "- {{#widget dial}}\n", "> {{#widget dial}}\n", "{{#widget ../dial}}\n"] {
+    for text in [
+        "See {{#widget dial}} here.\n",
+        "- {{#widget dial}}\n",
+        "> {{#widget dial}}\n",
+        "{{#widget ../dial}}\n",
+    ] {
         assert!(wrong(text).contains("paragraph of its own"), "{text}");
     }
     let twice = wrong("{{#widget dial}}\n\n{{#widget dial}}\n");

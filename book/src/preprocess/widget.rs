@@ -152,9 +152,14 @@ mod tests {
     #[test]
     fn bytes_become_the_letters_of_the_standard() {
         // The test vectors of RFC 4648, section 10.
-        for (bytes, letters) in
-            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")]
-        {
+        for (bytes, letters) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+        ] {
             assert_eq!(base64(bytes.as_bytes()), letters);
         }
         assert_eq!(base64(&[0xfb, 0xff, 0xbf]), "+/+/");
@@ -163,7 +168,9 @@ mod tests {
     #[test]
     fn only_a_plain_name_is_a_directive() {
         assert_eq!(directive("{{#widget two-arrows}}\n"), Some("two-arrows"));
-        for none in ["{{#widget}}", "{{#widget ../x}}", "{{#widget a}} and more", "{{#include a}}", "widget a"] {
+        for none in
+            ["{{#widget}}", "{{#widget ../x}}", "{{#widget a}} and more", "{{#include a}}", "widget a"]
+        {
             assert_eq!(directive(none), None, "{none}");
         }
     }

@@ -110,7 +110,7 @@ tumblingLive.widget("judge", async (stage, from) => {
         put(place, "p", `${outcome}: ${name}`, `live-outcome ${verdict.outcome === "failed" ? "live-failed" : ""}`);
         const step = verdict.step ? `steps of ${short(verdict.step)} s` : "steps of various lengths";
         put(place, "p", `${verdict.rows} rows, ${step}, judged over ${short(verdict.duration)} s; ` +
-            `moments ${verdict.moments.map(short).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);
+            `moments ${verdict.moments.map((moment) => Number(moment.toPrecision(6))).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);
 
         const resets = verdict.resets.map(({ line, time, to_rest }) =>
             `line ${line}, at ${short(time)} s: the body is put ${to_rest ? "to rest" : "back to its start"}; judged up to there`);

@@ -61,9 +61,11 @@ globalThis.tumblingLive ??= (() => {
     /** A number of any size in few digits. */
     function short(number) {
         const size = Math.abs(number);
-        if (size === 0 || (size >= 0.01 && size < 1e5)) return fixed(number, size >= 100 ? 1 : 3);
+        if (size === 0) return "0";
+        if (size >= 0.01 && size < 1e5) return fixed(number, size >= 100 ? 1 : 3);
         const [digits, power] = number.toExponential(2).split("e");
-        return `${digits} · 10^${power.replace("+", "")}`.replaceAll("-", "−");
+        const raised = Array.from(power.replace("+", ""), (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("");
+        return `${digits} · 10${raised}`.replace("-", "−");
     }
 
     /** An element of a drawing. */

@@ -79,16 +79,18 @@ tumblingLive.widget("two-arrows", async (stage) => {
     });
     for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => { held = null; });
 
-    function change() {
+    /** Shows what the module answers now; returns it in words. */
+    function show() {
         const { from, to, gap, axes } = asked();
         const [ours, theirs, between] = [from, to, gap].map((angle) => `${fixed(angle, 1)}°`);
         shown("spin").textContent = ours;
         shown("momentum").textContent = theirs;
         shown("gap").textContent = between;
         spin.setAttribute("aria-valuetext", `spin ${ours} from axis ${axes[0]}, momentum ${theirs}, gap ${between}`);
-        say(`Spin ${ours} from axis ${axes[0]}, the lighter. Momentum ${theirs}. Gap ${between}.`);
         redraw();
+        return `Spin ${ours} from axis ${axes[0]}, the lighter. Momentum ${theirs}. Gap ${between}.`;
     }
+    const change = () => say(show());
     for (const control of [spin, body, between]) control.addEventListener("input", change);
-    change();
+    show();
 });

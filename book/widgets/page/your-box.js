@@ -11,11 +11,11 @@ tumblingLive.widget("your-box", async (stage) => {
     const say = sayer(stage);
     let found = null;
 
-    /** A place in the box, in its own axes, as seen from a little to the right and above. */
+    /** A place in the box, in its own axes, as seen from before it, a little to the right and above: x right, y away, z up. */
     const [turn, tilt] = [0.55, 0.4];
     const seen = ([x, y, z]) => [
-        Math.cos(turn) * x - Math.sin(turn) * y,
-        -Math.cos(tilt) * z - Math.sin(tilt) * (-Math.sin(turn) * x - Math.cos(turn) * y),
+        Math.cos(turn) * x + Math.sin(turn) * y,
+        Math.sin(tilt) * (Math.sin(turn) * x - Math.cos(turn) * y) - Math.cos(tilt) * z,
     ];
 
     const redraw = drawing(svg, (width) => Math.round(Math.min(0.72 * width, 360)), (width, height) => {
@@ -51,7 +51,8 @@ tumblingLive.widget("your-box", async (stage) => {
         draw("text", svg, { class: "live-momentum", x: tip[0] - 14 * aside, y: tip[1] - 4, "text-anchor": "middle" }, "L");
     });
 
-    function change() {
+    /** Shows what the module answers now; returns it in words. */
+    function show() {
         found = box.answer(0, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
         wrong.hidden = found !== null;
         wrong.textContent = found ? "" : `${box.words()}.`;
@@ -68,9 +69,9 @@ tumblingLive.widget("your-box", async (stage) => {
             const which = moments[circled] === Math.max(...moments) ? "largest" : "smallest";
             return `the spin circles the axis ${["x", "y", "z"][circled]}, of the ${which} moment, for ever`;
         });
-        if (found) say(`Moments ${three(0)}. Momentum ${three(3)}. Gap ${fixed(found[6], 1)}°.`);
         redraw();
+        return found ? `Moments ${three(0)}. Momentum ${three(3)}. Gap ${fixed(found[6], 1)}°.` : ""; // what is wrong is said by itself
     }
-    for (const field of fields) field.addEventListener("input", change);
-    change();
+    for (const field of fields) field.addEventListener("input", () => say(show()));
+    show();
 });

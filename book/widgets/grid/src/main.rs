@@ -11,7 +11,11 @@ use std::path::Path;
 fn main() -> io::Result<()> {
     let mut out = io::BufWriter::new(io::stdout().lock());
     let row = Numbers::new();
-    let mut ask = |module: &str, answer: fn(u32, &Numbers) -> usize, what: u32, asked: &[f64], text: Option<&exchange::Text>| {
+    let mut ask = |module: &str,
+                   answer: fn(u32, &Numbers) -> usize,
+                   what: u32,
+                   asked: &[f64],
+                   text: Option<&exchange::Text>| {
         row.fill(asked);
         let count = answer(what, &row);
         let found: Vec<f64> = (0..count).map(|i| row.get(i)).collect();
@@ -42,7 +46,8 @@ fn main() -> io::Result<()> {
     for (i, a) in edges.into_iter().enumerate() {
         for (j, b) in edges.into_iter().enumerate() {
             let c = edges[(3 * i + 7 * j + 4) % edges.len()];
-            for spin in [[1.0, 1.0, 0.0], [0.0, 0.0, -2.5], [1.0, 0.01, 0.01], [0.0; 3], [1e-160, 3e160, 0.1]] {
+            for spin in [[1.0, 1.0, 0.0], [0.0, 0.0, -2.5], [1.0, 0.01, 0.01], [0.0; 3], [1e-160, 3e160, 0.1]]
+            {
                 let mass = if i + j == 9 { 0.0 } else { 0.1 + j as f64 };
                 let asked = [a, b, c, mass, spin[0], spin[1], spin[2]];
                 ask("your-box", widget_your_box::answer, 0, &asked, Some(&widget_your_box::WHY))?;

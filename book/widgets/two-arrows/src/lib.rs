@@ -87,9 +87,16 @@ mod tests {
                     omega[found[9] as usize] = along;
                     omega[found[10] as usize] = up;
                     let momentum = inertia.momentum(&omega);
-                    assert_eq!([momentum[found[9] as usize], momentum[found[10] as usize]], [found[3], found[4]]);
+                    assert_eq!(
+                        [momentum[found[9] as usize], momentum[found[10] as usize]],
+                        [found[3], found[4]]
+                    );
                     let gap = inertia.gap(&omega).unwrap().to_degrees();
-                    assert!((gap - found[2]).abs() < 1e-12, "body {which}, {between}, {degrees}: {gap} {}", found[2]);
+                    assert!(
+                        (gap - found[2]).abs() < 1e-12,
+                        "body {which}, {between}, {degrees}: {gap} {}",
+                        found[2]
+                    );
                     assert!(found[5] <= found[6]);
                 }
             }
