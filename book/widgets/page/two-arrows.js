@@ -37,7 +37,8 @@ tumblingLive.widget("two-arrows", async (stage) => {
         });
         line("live-axis", [0.03 * width, centre[1]], [0.97 * width, centre[1]]);
         line("live-axis", [centre[0], 0.97 * height], [centre[0], 0.03 * height]);
-        draw("text", svg, { x: 0.97 * width, y: centre[1] + 18, "text-anchor": "end" }, `axis ${now.axes[0]}: ${short(now.light)} kg m²`);
+        draw("text", svg, { x: 0.97 * width, y: centre[1] + 18, "text-anchor": "end" }, `axis ${now.axes[0]}:`);
+        draw("text", svg, { x: 0.97 * width, y: centre[1] + 36, "text-anchor": "end" }, `${short(now.light)} kg m²`);
         draw("text", svg, { x: centre[0] - 8, y: 0.03 * height + 12, "text-anchor": "end" }, `axis ${now.axes[1]}:`);
         draw("text", svg, { x: centre[0] - 8, y: 0.03 * height + 30, "text-anchor": "end" }, `${short(now.heavy)} kg m²`);
 
