@@ -2,13 +2,16 @@
 // would stumble over: a request to any other place, a word on the console, a page that scrolls
 // sideways, a control the keyboard cannot reach, a rule of accessibility broken.
 //
-//     node check.mjs [PAGES] [--shots DIR]
+//     node check.mjs [PAGES] [--shots DIR] [--live]
+//
+// With --live it looks at the widgets alone.
 
 import { readFile, readdir, mkdir } from "node:fs/promises";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL, fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { live } from "./live.mjs";
 import { keyboard, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
 
@@ -19,6 +22,7 @@ const HERE = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
 const at = words.indexOf("--shots");
 const shots = at >= 0 ? path.resolve(words.splice(at, 2)[1]) : null;
+const onlyLive = words.includes("--live") && words.splice(words.indexOf("--live"), 1).length > 0;
 const folder = path.resolve(words[0] ?? path.join(HERE, "../../book/html"));
 const names = (await readdir(folder)).filter((name) => name.endsWith(".html")).sort();
 const pages = names.filter((name) => name !== "toc.html"); // that one is a frame of the others
@@ -49,7 +53,7 @@ async function open(base, options = {}) {
   const tell = (what) => fault(page.url().replace(base, ""), what);
   page.on("request", (request) => {
     const url = request.url();
-    if (!url.startsWith(base) && !url.startsWith("data:")) tell(`asks for ${url}`);
+    if (!url.startsWith(base) && !/^(data|blob):/.test(url)) tell(`asks for ${url}`);
   });
   page.on("requestfailed", (request) => {
     const why = request.failure()?.errorText;
@@ -131,7 +135,7 @@ function drawingColours() {
 }
 
 let looks = 0;
-for (const name of pages) {
+for (const name of onlyLive ? [] : pages) {
   for (const base of Object.values(bases)) {
     const page = await open(base);
     await page.goto(base + name);
@@ -161,11 +165,13 @@ for (const name of pages) {
   }
 }
 
-for (const base of Object.values(bases)) {
+const widgets = await live({ open, bases, folder, pages, axe, fault, shots });
+
+for (const base of onlyLive ? [] : Object.values(bases)) {
   await keyboard(await open(base), base, fault);
   await search(await open(base), base, fault);
 }
-await withoutScripts(open, bases.file, pages, fault);
+if (!onlyLive) await withoutScripts(open, bases.file, pages, fault);
 
 await browser.close();
 server.close();
@@ -174,4 +180,4 @@ if (faults.size > 0) {
   console.error(`browser: ${faults.size} faults`);
   process.exit(1);
 }
-console.log(`browser: ${pages.length} pages from disk and from a server, ${looks} looks, no fault`);
+console.log(`browser: ${pages.length} pages from disk and from a server, ${looks} looks, ${widgets} widgets tried, no fault`);

@@ -1,7 +1,7 @@
-//! Turns what chapters write into what pages show: TeX into MathML, figures into inline SVG.
+//! Turns what chapters write into what pages show: TeX into MathML, figures into inline SVG, widgets into their places.
 //!
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold
-//! maths or a figure: code, and whatever else looks like them, stays as written.
+//! maths, a figure or a widget: code, and whatever else looks like them, stays as written.
 
 mod check;
 mod edits;
@@ -10,6 +10,7 @@ mod maths;
 pub(crate) mod protocol;
 mod svg;
 mod turning;
+mod widget;
 
 use edits::Edits;
 use mdbook_preprocessor::book::{Book, BookItem};
@@ -44,8 +45,9 @@ impl Preprocessor for Preprocess {
         let folders = Folders {
             chapters: context.root.join(&context.config.book.src),
             figures: context.root.join("../figures"),
+            widgets: context.root.join("widgets"),
         };
-        let mut shown = figure::Shown::new();
+        let mut seen = Seen::default();
         let mut faults = Vec::new();
         book.for_each_mut(|item| {
             let BookItem::Chapter(chapter) = item else {
@@ -55,14 +57,15 @@ impl Preprocessor for Preprocess {
                 return;
             };
             let source = Source { path: &path, text: &chapter.content };
-            match chapter_as_shown(&source, &maths, &folders, &mut shown) {
+            match chapter_as_shown(&source, &maths, &folders, &mut seen) {
                 Ok(text) => chapter.content = text,
                 Err(more) => faults.extend(more),
             }
         });
         faults.extend(turning::add(&mut book, &context.root));
         if faults.is_empty() {
-            figure::lay_out(&shown, &folders.chapters.join("figures")).map_err(Error::msg)?;
+            figure::lay_out(&seen.figures, &folders.chapters.join("figures")).map_err(Error::msg)?;
+            widget::lay_out(&seen.widgets, &folders).map_err(Error::msg)?;
             Ok(book)
         } else {
             Err(Error::msg(faults.join("\n")))
@@ -70,10 +73,18 @@ impl Preprocessor for Preprocess {
     }
 }
 
-/// Where chapters and drawings are.
+/// Where chapters, drawings and widgets are.
 struct Folders {
     chapters: PathBuf,
     figures: PathBuf,
+    widgets: PathBuf,
+}
+
+/// What the chapters have shown so far.
+#[derive(Default)]
+struct Seen {
+    figures: figure::Shown,
+    widgets: widget::Placed,
 }
 
 /// A chapter as written.
@@ -107,22 +118,23 @@ pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
     Parser::new_ext(text, options).into_offset_iter().collect()
 }
 
-/// The chapter's text with maths and figures replaced; or all that is wrong with it.
+/// The chapter's text with maths, figures and widgets replaced; or all that is wrong with it.
 fn chapter_as_shown(
     source: &Source<'_>,
     maths: &maths::Maths,
     folders: &Folders,
-    shown: &mut figure::Shown,
+    seen: &mut Seen,
 ) -> std::result::Result<String, Vec<String>> {
     let pieces = pieces(source.text);
     let mut edits = Edits::default();
     let mut faults = check::faults(source, &pieces);
     faults.extend(maths.replace(source, &pieces, &mut edits));
-    faults.extend(figure::replace(source, &pieces, folders, shown, &mut edits));
+    faults.extend(figure::replace(source, &pieces, folders, &mut seen.figures, &mut edits));
+    faults.extend(widget::replace(source, &pieces, folders, &mut seen.widgets, &mut edits));
     if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
 }
 
-/// What is wrong with this chapter as Markdown and TeX, each with its line; figures are not looked for.
+/// What is wrong with this chapter as Markdown and TeX, each with its line; figures and widgets are not looked for.
 pub(crate) fn unreadable(path: &Path, text: &str) -> Vec<String> {
     let source = Source { path, text };
     let pieces = pieces(text);

@@ -8,10 +8,19 @@ use tempfile::TempDir;
 /// A repository with this drawing as `figures/arrows.svg`, and nothing else.
 fn with_drawing(svg: &str) -> TempDir {
     let repository = TempDir::new().unwrap();
-    for folder in ["book/chapters", "figures"] {
+    for folder in ["book/chapters", "book/widgets/page", "book/widgets/built", "figures"] {
         fs::create_dir_all(repository.path().join(folder)).unwrap();
     }
     fs::write(repository.path().join("figures/arrows.svg"), svg).unwrap();
+    let widgets = repository.path().join("book/widgets");
+    for (file, text) in [
+        ("page/dial.html", "<p>A dial.</p>\n\n<div class=\"live-stage\"></div>\n"),
+        ("page/dial.js", "dial"),
+        ("page/live.js", "live"),
+        ("built/dial.wasm", "foo"),
+    ] {
+        fs::write(widgets.join(file), text).unwrap();
+    }
     repository
 }
 
@@ -24,9 +33,10 @@ fn shown_with(svg: &str, text: &str) -> std::result::Result<String, String> {
     let folders = Folders {
         chapters: repository.path().join("book/chapters"),
         figures: repository.path().join("figures"),
+        widgets: repository.path().join("book/widgets"),
     };
     let source = Source { path: Path::new("x.md"), text };
-    chapter_as_shown(&source, &maths::Maths::new(), &folders, &mut figure::Shown::new())
+    chapter_as_shown(&source, &maths::Maths::new(), &folders, &mut Seen::default())
         .map_err(|faults| faults.join("\n"))
 }
 
@@ -190,6 +200,47 @@ fn a_drawing_without_a_title_is_known_by_the_words_of_the_chapter() {
 fn other_images_and_links_stay() {
     let text = "![A](picture.png) and [the figure](#fig-arrows), [svg](../../figures/arrows.svg)\n";
     assert_eq!(shown(text).unwrap(), text);
+}
+
+#[test]
+fn a_widget_becomes_a_place_in_the_page() {
+    let out = shown("a\n\n{{#widget dial}}\n\nb\n").unwrap();
+    let html = "<div class=\"live\" id=\"live-dial\" data-live=\"dial\" data-from=\"widgets/\">\n<p>A dial.</p>\n\
+                <div class=\"live-stage\"></div>\n</div>\n<script src=\"widgets/live.js\" defer></script>\n\n";
+    assert_eq!(out, format!("a\n\n{html}\nb\n"));
+    let code = "```text\n{{#widget dial}}\n```\n";
+    assert_eq!(shown(code).unwrap(), code);
+}
+
+#[test]
+fn a_widget_that_is_wrong_says_how() {
+    let wrong = |text: &str| shown(text).unwrap_err();
+    let missing = wrong("a\n\n{{#widget none}}\n");
+    assert!(missing.starts_with("book/chapters/x.md:3: there is no widget `none`"), "{missing}");
+    for text in [
+        "See {{#widget dial}} here.\n",
+        "- {{#widget dial}}\n",
+        "> {{#widget dial}}\n",
+        "{{#widget ../dial}}\n",
+    ] {
+        assert!(wrong(text).contains("paragraph of its own"), "{text}");
+    }
+    let twice = wrong("{{#widget dial}}\n\n{{#widget dial}}\n");
+    assert!(twice.contains("stands already in x.md"), "{twice}");
+}
+
+#[test]
+fn what_widgets_need_is_laid_beside_the_chapters_and_nothing_else() {
+    let repository = with_drawing(ARROWS);
+    let root = repository.path().join("book");
+    let copies = root.join("chapters/widgets");
+    fs::create_dir_all(&copies).unwrap();
+    fs::write(copies.join("old.js"), "old").unwrap();
+    Preprocess.run(&context(&root), book_of(&[("x.md", "{{#widget dial}}\n")])).unwrap();
+    let laid = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
+    assert_eq!([laid("live.js"), laid("dial.js")], ["live", "dial"]);
+    assert_eq!(laid("dial.wasm.js"), "tumblingLive.carry(\"dial\", \"Zm9v\");\n");
+    assert!(!copies.join("old.js").exists());
 }
 
 /// A book of these chapters.

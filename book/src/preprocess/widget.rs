@@ -1,0 +1,177 @@
+//! Widgets: `{{#widget NAME}}` becomes a place in the page that comes to life where there is JavaScript.
+//!
+//! What stands there without it, and what its controls are, says `widgets/page/NAME.html`; `widgets/README.md` tells
+//! the rest. As a page may be read from a disk, where nothing may be fetched, modules travel as text in scripts.
+
+use super::edits::Edits;
+use super::{Folders, Piece, Source};
+use pulldown_cmark::{Event, Tag};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// How a directive begins.
+const OPENING: &str = "{{#widget";
+
+/// Files that a widget takes along besides its module: the widget, the file's name for it, and where it stands.
+const CARRIED: [(&str, &str, &str); 1] =
+    [("judge", "example", "tests/data/engines/bullet-3.2.7-rigid--fast.csv")];
+
+/// The widgets that the book has so far, and where.
+pub(super) type Placed = BTreeMap<String, PathBuf>;
+
+/// Replaces the directives of a chapter; returns what was wrong.
+pub(super) fn replace(
+    source: &Source<'_>,
+    pieces: &[Piece<'_>],
+    folders: &Folders,
+    placed: &mut Placed,
+    edits: &mut Edits,
+) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut depth = 0_usize;
+    let mut in_code = false;
+    let mut done = 0; // up to where a directive has been seen to
+    for (event, range) in pieces {
+        match event {
+            Event::Start(Tag::Paragraph) if depth == 0 => {
+                if let Some(name) = directive(&source.text[range.clone()]) {
+                    match place(source, name, folders, placed) {
+                        Ok(html) => edits.replace(range.clone(), html),
+                        Err(what) => faults.push(source.fault(range.start, what)),
+                    }
+                    done = range.end;
+                }
+            }
+            Event::Start(Tag::CodeBlock(_)) => in_code = true,
+            Event::End(pulldown_cmark::TagEnd::CodeBlock) => in_code = false,
+            Event::Text(_) if !in_code && range.start >= done => {
+                if let Some(at) = source.text[range.clone()].find(OPENING) {
+                    let what = "a widget stands in a paragraph of its own, in no list and no quote: `{{#widget NAME}}`";
+                    faults.push(source.fault(range.start + at, what));
+                }
+            }
+            _ => {}
+        }
+        match event {
+            Event::Start(_) => depth += 1,
+            Event::End(_) => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+    }
+    faults
+}
+
+/// The name in a paragraph that is a directive and nothing else.
+fn directive(paragraph: &str) -> Option<&str> {
+    let name = paragraph.trim().strip_prefix(OPENING)?.strip_suffix("}}")?.trim();
+    (!name.is_empty() && name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-')).then_some(name)
+}
+
+/// What stands in the page for a widget, with no blank line in it: that would end the HTML.
+fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed) -> Result<String, String> {
+    if let Some(earlier) = placed.get(name) {
+        return Err(format!("the widget `{name}` stands already in {}: one is enough", earlier.display()));
+    }
+    let still = folders.widgets.join(format!("page/{name}.html"));
+    let html = fs::read_to_string(&still)
+        .map_err(|e| format!("there is no widget `{name}`: {} cannot be read ({e})", still.display()))?;
+    let lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let up = "../".repeat(source.path.components().count().saturating_sub(1));
+    placed.insert(name.to_owned(), source.path.to_owned());
+    Ok(format!(
+        "<div class=\"live\" id=\"live-{name}\" data-live=\"{name}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
+         <script src=\"{up}widgets/live.js\" defer></script>\n\n",
+        lines.join("\n")
+    ))
+}
+
+/// Lays the scripts and modules of these widgets beside the chapters, whence mdBook copies them to the pages.
+pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> {
+    let to = folders.chapters.join("widgets");
+    let mut files = BTreeMap::new();
+    if !placed.is_empty() {
+        files.insert("live.js".to_owned(), read(&folders.widgets.join("page/live.js"))?);
+    }
+    for name in placed.keys() {
+        let script = format!("{name}.js");
+        files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+        let module = read(&folders.widgets.join(format!("built/{name}.wasm")))?;
+        files.insert(format!("{name}.wasm.js"), carrier(name, &module));
+        for (_, what, file) in CARRIED.iter().filter(|(of, ..)| of == name) {
+            let carried = read(&folders.widgets.join("../..").join(file))?;
+            files.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));
+        }
+    }
+    if !files.is_empty() {
+        fs::create_dir_all(&to).map_err(|e| format!("cannot make {}: {e}", to.display()))?;
+    }
+    for (name, bytes) in &files {
+        let file = to.join(name);
+        // Written only when it changes, so that a watching `mdbook serve` comes to rest.
+        if !fs::read(&file).is_ok_and(|old| old == *bytes) {
+            fs::write(&file, bytes).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        }
+    }
+    for entry in fs::read_dir(&to).into_iter().flatten().flatten() {
+        if entry.file_name().to_str().is_none_or(|file| !files.contains_key(file)) {
+            let _ = fs::remove_file(entry.path()); // of an earlier edition
+        }
+    }
+    Ok(())
+}
+
+fn read(file: &Path) -> Result<Vec<u8>, String> {
+    fs::read(file).map_err(|e| format!("cannot read {}: {e}", file.display()))
+}
+
+/// A script that hands these bytes to the page.
+fn carrier(name: &str, bytes: &[u8]) -> Vec<u8> {
+    format!("tumblingLive.carry(\"{name}\", \"{}\");\n", base64(bytes)).into_bytes()
+}
+
+/// Bytes as text, three in four letters (RFC 4648).
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let at = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
+        let bits = at(0) << 16 | at(1) << 8 | at(2);
+        for place in 0..4 {
+            let letter = LETTERS[(bits >> (18 - 6 * place) & 63) as usize];
+            out.push(if place <= three.len() { char::from(letter) } else { '=' });
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_become_the_letters_of_the_standard() {
+        // The test vectors of RFC 4648, section 10.
+        for (bytes, letters) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+        ] {
+            assert_eq!(base64(bytes.as_bytes()), letters);
+        }
+        assert_eq!(base64(&[0xfb, 0xff, 0xbf]), "+/+/");
+    }
+
+    #[test]
+    fn only_a_plain_name_is_a_directive() {
+        assert_eq!(directive("{{#widget two-arrows}}\n"), Some("two-arrows"));
+        for none in
+            ["{{#widget}}", "{{#widget ../x}}", "{{#widget a}} and more", "{{#include a}}", "widget a"]
+        {
+            assert_eq!(directive(none), None, "{none}");
+        }
+    }
+}

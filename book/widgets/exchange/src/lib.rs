@@ -1,0 +1,196 @@
+//! What a module and its page share: one row of numbers, and one text.
+//!
+//! The page writes what it asks into the numbers, calls `answer`, and reads the answer from where its question was.
+//! WebAssembly passes no lists; with a row at a known address none need be passed. The row is made of atomic
+//! integers, which may be changed from outside at any time without a word of unsafe code, and which cost nothing where
+//! there is one thread.
+//!
+//! A module is a function from numbers to numbers, and one line that names it to the page:
+//!
+//! ```
+//! use exchange::Numbers;
+//! /// The sum of two numbers; the answer is one number.
+//! pub fn answer(_what: u32, row: &Numbers) -> usize {
+//!     row.set(0, row.get(0) + row.get(1));
+//!     1
+//! }
+//! exchange::page!(answer);
+//!
+//! let row = Numbers::new();
+//! row.fill(&[2.0, 3.0]);
+//! assert_eq!(answer(0, &row), 1);
+//! assert_eq!(row.get(0), 5.0);
+//! ```
+//!
+//! [`page!`] makes exports for WebAssembly alone: elsewhere the module is a library like any other, and the grid calls
+//! the same `answer`.
+
+use std::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
+
+/// How many numbers a row holds.
+pub const ROOM: usize = 4096;
+
+/// The row of numbers.
+pub struct Numbers([AtomicU64; ROOM]);
+
+impl Numbers {
+    /// All zero.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self([const { AtomicU64::new(0) }; ROOM])
+    }
+
+    /// The number at this place; NaN where there is none.
+    #[must_use]
+    pub fn get(&self, place: usize) -> f64 {
+        self.0.get(place).map_or(f64::NAN, |bits| f64::from_bits(bits.load(Relaxed)))
+    }
+
+    /// The `N` numbers from this place on.
+    #[must_use]
+    pub fn take<const N: usize>(&self, from: usize) -> [f64; N] {
+        std::array::from_fn(|i| self.get(from + i))
+    }
+
+    /// Writes a number to this place, if there is one.
+    pub fn set(&self, place: usize, number: f64) {
+        if let Some(bits) = self.0.get(place) {
+            bits.store(number.to_bits(), Relaxed);
+        }
+    }
+
+    /// Writes these from the start; returns how many there are.
+    pub fn fill(&self, numbers: &[f64]) -> usize {
+        for (place, &number) in numbers.iter().enumerate() {
+            self.set(place, number);
+        }
+        numbers.len()
+    }
+
+    /// Where the row begins in the module's memory.
+    #[must_use]
+    pub fn address(&self) -> usize {
+        self.0.as_ptr().addr()
+    }
+}
+
+impl Default for Numbers {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A text from the module to its page.
+pub struct Text(Mutex<String>);
+
+impl Text {
+    /// Empty.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(Mutex::new(String::new()))
+    }
+
+    /// Puts this text there.
+    pub fn say(&self, text: String) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = text;
+    }
+
+    /// What was last put there.
+    #[must_use]
+    pub fn said(&self) -> String {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Where the text begins in the module's memory, and how many bytes of UTF-8 it is.
+    #[must_use]
+    pub fn place(&self) -> (usize, usize) {
+        let text = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        (text.as_ptr().addr(), text.len())
+    }
+}
+
+impl Default for Text {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Bytes from the page to the module, a piece at a time.
+pub struct Piece([AtomicU8; Self::ROOM]);
+
+impl Piece {
+    /// How many bytes a piece can have.
+    pub const ROOM: usize = 1 << 16;
+
+    /// Empty.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self([const { AtomicU8::new(0) }; Self::ROOM])
+    }
+
+    /// Copies the first bytes out, as many as there is room for on either side.
+    pub fn copy_to(&self, room: &mut [u8]) {
+        for (to, from) in room.iter_mut().zip(&self.0) {
+            *to = from.load(Relaxed);
+        }
+    }
+
+    /// Where the piece begins in the module's memory.
+    #[must_use]
+    pub fn address(&self) -> usize {
+        self.0.as_ptr().addr()
+    }
+}
+
+impl Default for Piece {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Names a module's `answer` to its page; a module that also has words names its [`Text`] besides.
+///
+/// `answer` takes what is asked for and the row, and returns how many numbers the answer has. None: the question
+/// has no answer; the text, if the module has one, says why.
+#[macro_export]
+macro_rules! page {
+    ($answer:path) => {
+        #[cfg(target_arch = "wasm32")]
+        #[allow(unsafe_code, missing_docs)] // a page finds a function by its name alone
+        mod page {
+            use super::*;
+
+            static ROW: $crate::Numbers = $crate::Numbers::new();
+
+            #[unsafe(export_name = "numbers")]
+            extern "C" fn the_numbers() -> usize {
+                ROW.address()
+            }
+
+            #[unsafe(export_name = "answer")]
+            extern "C" fn an_answer(what: u32) -> usize {
+                $answer(what, &ROW)
+            }
+        }
+    };
+    ($answer:path, $text:path) => {
+        $crate::page!($answer);
+
+        #[cfg(target_arch = "wasm32")]
+        #[allow(unsafe_code, missing_docs)]
+        mod words {
+            use super::*;
+
+            #[unsafe(export_name = "text")]
+            extern "C" fn start_of_text() -> usize {
+                $text.place().0
+            }
+
+            #[unsafe(export_name = "text_length")]
+            extern "C" fn length_of_text() -> usize {
+                $text.place().1
+            }
+        }
+    };
+}

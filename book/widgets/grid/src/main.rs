@@ -1,0 +1,104 @@
+//! Prints, as lines of JSON, what the functions of the widgets answer natively, bit for bit. `grid.mjs` asks the built
+//! modules the same.
+
+mod maths;
+
+use exchange::Numbers;
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+fn main() -> io::Result<()> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let row = Numbers::new();
+    let mut ask = |module: &str,
+                   answer: fn(u32, &Numbers) -> usize,
+                   what: u32,
+                   asked: &[f64],
+                   text: Option<&exchange::Text>| {
+        row.fill(asked);
+        let count = answer(what, &row);
+        let found: Vec<f64> = (0..count).map(|i| row.get(i)).collect();
+        let said = text.filter(|_| count == 0).map_or_else(|| "null".into(), |text| quoted(&text.said()));
+        writeln!(
+            out,
+            "{{\"module\":\"{module}\",\"what\":{what},\"asked\":[{}],\"found\":[{}],\"said\":{said}}}",
+            bits(asked),
+            bits(&found)
+        )
+    };
+
+    for body in 0..6 {
+        for between in 0..3 {
+            for degrees in -4..=188 {
+                let (up, along) = (0.5 * f64::from(degrees)).to_radians().sin_cos();
+                let asked = [f64::from(body), f64::from(between), along, up];
+                ask("two-arrows", widget_two_arrows::answer, 0, &asked, None)?;
+            }
+        }
+    }
+    for odd in [f64::NAN, f64::INFINITY, -1e300, 1e-300, 0.0] {
+        ask("two-arrows", widget_two_arrows::answer, 0, &[0.0, 0.0, odd, 1.0], None)?;
+        ask("two-arrows", widget_two_arrows::answer, 0, &[odd, odd, odd, odd], None)?;
+    }
+
+    let edges = [1e-200, 0.02, 1.0, 2.0, 3.0, 17.3, 1e100, 0.0, -1.0, f64::NAN];
+    for (i, a) in edges.into_iter().enumerate() {
+        for (j, b) in edges.into_iter().enumerate() {
+            let c = edges[(3 * i + 7 * j + 4) % edges.len()];
+            for spin in [[1.0, 1.0, 0.0], [0.0, 0.0, -2.5], [1.0, 0.01, 0.01], [0.0; 3], [1e-160, 3e160, 0.1]]
+            {
+                let mass = if i + j == 9 { 0.0 } else { 0.1 + j as f64 };
+                let asked = [a, b, c, mass, spin[0], spin[1], spin[2]];
+                ask("your-box", widget_your_box::answer, 0, &asked, Some(&widget_your_box::WHY))?;
+            }
+        }
+    }
+
+    for argument in std::env::args_os().skip(1) {
+        record(&mut out, Path::new(&argument))?;
+    }
+    out.flush()
+}
+
+/// A record as a file, judged by what it says and by other moments.
+fn record(out: &mut impl io::Write, file: &Path) -> io::Result<()> {
+    let bytes = std::fs::read(file)?;
+    let row = Numbers::new();
+    for asked in [[0.0, 0.0, 0.0, 0.0, 0.01], [1.0, 1.0, 2.0, 2.5, 0.01], [1.0, 1.0, 2.0, 3.5, 1e-9]] {
+        row.fill(&asked);
+        let count = widget_judge::judged(bytes.as_slice(), &row);
+        let said = quoted(&widget_judge::VERDICT.said());
+        let file = quoted(&file.display().to_string());
+        writeln!(
+            out,
+            "{{\"module\":\"judge\",\"what\":0,\"file\":{file},\"asked\":[{}],\"count\":{count},\"said\":{said}}}",
+            bits(&asked)
+        )?;
+    }
+    Ok(())
+}
+
+/// Numbers by their bits; all NaN are one.
+fn bits(numbers: &[f64]) -> String {
+    let words: Vec<String> = numbers
+        .iter()
+        .map(|x| if x.is_nan() { "\"nan\"".into() } else { format!("\"{:016x}\"", x.to_bits()) })
+        .collect();
+    words.join(",")
+}
+
+/// A text between quotation marks, as JSON has it.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            c if c < ' ' => {
+                let _ = write!(out, "\\u{:04x}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out + "\""
+}

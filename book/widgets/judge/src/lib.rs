@@ -1,0 +1,71 @@
+//! The judge of engines on a page: a record comes in by pieces, a verdict goes out as text.
+
+use exchange::{Numbers, Text};
+use nalgebra::Vector3;
+use std::io::BufRead;
+use tumbling_judge::{Options, judge};
+
+/// The verdict, or why there is none.
+pub static VERDICT: Text = Text::new();
+
+/// Judges a record.
+///
+/// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments, kg m², and the
+/// most that a law may be broken by.
+///
+/// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and each law's name and growth
+/// in words; the answer is 1. For a
+/// record that cannot be judged, the text says why; the answer is 0.
+pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
+    let [given, a, b, c, threshold] = row.take(0);
+    let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
+    match judge(record, &Options { inertia, threshold }) {
+        Ok(verdict) => {
+            let mut json = verdict.json();
+            json["words"] = verdict.to_string().into();
+            for (law, told) in verdict.laws.iter().zip(json["laws"].as_array_mut().into_iter().flatten()) {
+                told["words"] = law.name.words().into();
+                told["growth"] = law.growth.to_string().into();
+            }
+            VERDICT.say(json.to_string());
+            1
+        }
+        Err(why) => {
+            VERDICT.say(why.to_string());
+            0
+        }
+    }
+}
+
+/// A record that the page holds, asked for by pieces.
+#[cfg(target_arch = "wasm32")]
+mod record {
+    use exchange::{Numbers, Piece};
+    use std::io::{BufReader, Read, Result};
+
+    static PIECE: Piece = Piece::new();
+
+    #[allow(unsafe_code)] // what the page lends must be declared so; calling it is safe
+    #[link(wasm_import_module = "page")]
+    unsafe extern "C" {
+        /// Writes the record's next bytes, this many at most, to this address; returns how many. None are left: 0.
+        safe fn more(address: usize, room: usize) -> usize;
+    }
+
+    struct Record;
+
+    impl Read for Record {
+        fn read(&mut self, room: &mut [u8]) -> Result<usize> {
+            let wanted = room.len().min(Piece::ROOM);
+            let got = more(PIECE.address(), wanted).min(wanted);
+            PIECE.copy_to(&mut room[..got]);
+            Ok(got)
+        }
+    }
+
+    pub(super) fn answer(_what: u32, row: &Numbers) -> usize {
+        super::judged(BufReader::with_capacity(Piece::ROOM, Record), row)
+    }
+}
+
+exchange::page!(record::answer, VERDICT);

@@ -1,0 +1,167 @@
+// Brings the widgets of a page to life: each when it comes into view, with its own script and module and no others.
+// A plain script that loads plain scripts, since a page read from a disk may load nothing else.
+"use strict";
+
+globalThis.tumblingLive ??= (() => {
+    const carried = new Map(); // files that came as text, by name
+    const makers = new Map(); // what makes a widget live, by name
+    const loading = new Map(); // scripts asked for, by address
+
+    function load(address) {
+        if (!loading.has(address)) {
+            loading.set(address, new Promise((done, failed) => {
+                const script = document.createElement("script");
+                script.src = address;
+                script.onload = done;
+                script.onerror = () => failed(new Error(`cannot load ${address}`));
+                document.head.append(script);
+            }));
+        }
+        return loading.get(address);
+    }
+
+    /** The bytes of a carried file. */
+    function bytes(name) {
+        return Uint8Array.from(atob(carried.get(name)), (letter) => letter.charCodeAt(0));
+    }
+
+    /** A module, ready to be asked: see exchange/src/lib.rs for the other side. */
+    async function module(name) {
+        const { exports } = (await WebAssembly.instantiate(bytes(name), {})).instance;
+        return {
+            /** The numbers answered, or null: then `words` says why. */
+            answer(what, ...asked) {
+                new Float64Array(exports.memory.buffer, exports.numbers(), asked.length).set(asked);
+                const count = exports.answer(what);
+                return count === 0 ? null : new Float64Array(exports.memory.buffer, exports.numbers(), count).slice();
+            },
+            words() {
+                const text = new Uint8Array(exports.memory.buffer, exports.text(), exports.text_length());
+                return new TextDecoder().decode(text);
+            },
+        };
+    }
+
+    /** A number as Rust prints it with so many decimals: ties go to the even digit. The minus is a true one. */
+    function fixed(number, decimals) {
+        if (!Number.isFinite(number) || Math.abs(number) >= 1e15) return String(number).replace("-", "−");
+        const exact = Math.abs(number).toFixed(100);
+        let digits = exact.slice(0, exact.indexOf(".") + 1 + decimals);
+        const rest = exact.slice(exact.indexOf(".") + 1 + decimals);
+        const half = `5${"0".repeat(rest.length - 1)}`;
+        if (rest > half || (rest === half && "13579".includes(digits.replace(".", "").at(-1)))) {
+            const up = BigInt(digits.replace(".", "")) + 1n;
+            const text = String(up).padStart(decimals + 1, "0");
+            digits = `${text.slice(0, text.length - decimals)}.${text.slice(text.length - decimals)}`;
+        }
+        digits = digits.replace(/\.$/, "");
+        return number < 0 && /[1-9]/.test(digits) ? `−${digits}` : digits;
+    }
+
+    /** A number of any size in few digits. */
+    function short(number) {
+        const size = Math.abs(number);
+        if (size === 0) return "0";
+        if (size >= 0.01 && size < 1e5) return fixed(number, size >= 100 ? 1 : 3);
+        const [digits, power] = number.toExponential(2).split("e");
+        const raised = Array.from(power.replace("+", ""), (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("");
+        return `${digits} · 10${raised}`.replace("-", "−");
+    }
+
+    /** An element of a drawing. */
+    function draw(kind, parent, attributes, text) {
+        const element = document.createElementNS("http://www.w3.org/2000/svg", kind);
+        for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+        if (text !== undefined) element.textContent = text;
+        parent.append(element);
+        return element;
+    }
+
+    /** An arrow from one place to another; one too short for its head is all head. */
+    function arrow(parent, [x, y], [toX, toY], name, width) {
+        const length = Math.hypot(toX - x, toY - y);
+        const [ux, uy] = length > 0 ? [(toX - x) / length, (toY - y) / length] : [1, 0];
+        const head = 3.4 * width;
+        const [tipX, tipY] = length < head ? [x + head * ux, y + head * uy] : [toX, toY];
+        const [baseX, baseY] = [tipX - head * ux, tipY - head * uy];
+        const [sideX, sideY] = [-1.3 * width * uy, 1.3 * width * ux];
+        draw("path", parent, {
+            class: `live-arrow ${name}`,
+            d: `M${x} ${y}L${baseX} ${baseY}`,
+            "stroke-width": width,
+        });
+        draw("path", parent, {
+            class: `live-head ${name}`,
+            d: `M${tipX} ${tipY}L${baseX + sideX} ${baseY + sideY}L${baseX - sideX} ${baseY - sideY}z`,
+        });
+        return [tipX, tipY];
+    }
+
+    /** Has a drawing redrawn, in the page's own pixels, when its width changes. Returns what redraws it. */
+    function drawing(svg, height, redraw) {
+        let width = 0;
+        const again = () => {
+            if (width === 0) return;
+            const high = height(width);
+            svg.setAttribute("viewBox", `0 0 ${width} ${high}`);
+            svg.style.height = `${high}px`;
+            svg.replaceChildren();
+            redraw(width, high);
+        };
+        new ResizeObserver(() => {
+            if (svg.clientWidth !== width) {
+                width = svg.clientWidth;
+                again();
+            }
+        }).observe(svg);
+        return again;
+    }
+
+    /** Says a text to those who do not see it, once nothing has changed for a while. */
+    function sayer(stage) {
+        const place = stage.querySelector(".live-said");
+        let later = 0;
+        return (text) => {
+            clearTimeout(later);
+            later = setTimeout(() => { place.textContent = text; }, 700);
+        };
+    }
+
+    async function enliven(box) {
+        const { live: name, from } = box.dataset;
+        const stage = box.querySelector(".live-stage");
+        try {
+            await Promise.all([load(`${from}${name}.js`), load(`${from}${name}.wasm.js`)]);
+            await makers.get(name)(stage, from);
+            stage.inert = false;
+            box.dataset.state = "live";
+        } catch (why) {
+            box.classList.remove("live-on"); // what stands there without scripts stands there again
+            box.dataset.state = `failed: ${why.message}`;
+        }
+    }
+
+    const seen = new IntersectionObserver((entries) => {
+        for (const { isIntersecting, target } of entries) {
+            if (isIntersecting) {
+                seen.unobserve(target);
+                enliven(target);
+            }
+        }
+    }, { rootMargin: "200px 0px" });
+
+    // The whole book for printing keeps still.
+    const boxes = /\/print\.html$/.test(location.pathname) ? [] : document.querySelectorAll("[data-live]");
+    for (const box of boxes) {
+        box.classList.add("live-on");
+        box.querySelector(".live-stage").inert = true;
+        box.addEventListener("keydown", (event) => event.stopPropagation()); // mdBook turns pages by keys
+        seen.observe(box);
+    }
+
+    return {
+        carry: (name, text) => carried.set(name, text),
+        widget: (name, maker) => makers.set(name, maker),
+        load, bytes, module, fixed, short, draw, arrow, drawing, sayer,
+    };
+})();

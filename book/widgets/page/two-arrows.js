@@ -1,0 +1,97 @@
+// Two arrows: the reader turns the spin; the module says where the momentum goes.
+"use strict";
+
+tumblingLive.widget("two-arrows", async (stage) => {
+    const { module, fixed, short, draw, arrow, drawing, sayer } = tumblingLive;
+    const arrows = await module("two-arrows");
+    const svg = stage.querySelector("svg");
+    const [spin, body, between] = ["spin", "body", "between"].map((id) => stage.querySelector(`#two-arrows-${id}`));
+    const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
+    const say = sayer(stage);
+    const names = ["x", "y", "z"];
+
+    /** What the module answers now, by name. */
+    function asked() {
+        const angle = (Number(spin.value) * Math.PI) / 180;
+        const found = arrows.answer(0, Number(body.value), Number(between.value), Math.cos(angle), Math.sin(angle));
+        const [from, to, gap, along, up, light, heavy, wide, high, lightAxis, heavyAxis] = found;
+        return { from, to, gap, along, up, light, heavy, wide, high, axes: [names[lightAxis], names[heavyAxis]] };
+    }
+
+    const redraw = drawing(svg, (width) => Math.round(Math.min(0.75 * width, 400)), (width, height) => {
+        const now = asked();
+        const centre = [0.36 * width, 0.7 * height];
+        const reach = Math.min(0.6 * height, 0.5 * width);
+        const at = (degrees, far) => {
+            const angle = (degrees * Math.PI) / 180;
+            return [centre[0] + far * Math.cos(angle), centre[1] - far * Math.sin(angle)];
+        };
+        const line = (name, ...ends) => draw("path", svg, { class: name, d: `M${ends.map((p) => p.join(" ")).join("L")}` });
+
+        // The body, as one sees it who looks along the third axis.
+        const scale = Math.min(0.56 * width / now.wide, 0.52 * height / now.high);
+        const [halfWide, halfHigh] = [0.5 * scale * now.wide, Math.max(0.5 * scale * now.high, 1.5)];
+        draw("rect", svg, {
+            class: "live-body", x: centre[0] - halfWide, y: centre[1] - halfHigh, width: 2 * halfWide, height: 2 * halfHigh,
+            rx: body.value === "5" ? halfWide : 2,
+        });
+        line("live-axis", [0.03 * width, centre[1]], [0.97 * width, centre[1]]);
+        line("live-axis", [centre[0], 0.97 * height], [centre[0], 0.03 * height]);
+        draw("text", svg, { x: 0.97 * width, y: centre[1] + 18, "text-anchor": "end" }, `axis ${now.axes[0]}:`);
+        draw("text", svg, { x: 0.97 * width, y: centre[1] + 36, "text-anchor": "end" }, `${short(now.light)} kg m²`);
+        draw("text", svg, { x: centre[0] - 8, y: 0.03 * height + 12, "text-anchor": "end" }, `axis ${now.axes[1]}:`);
+        draw("text", svg, { x: centre[0] - 8, y: 0.03 * height + 30, "text-anchor": "end" }, `${short(now.heavy)} kg m²`);
+
+        // The gap, as an arc between the arrows, and the angle of the spin.
+        const arc = (from, to, radius, name) => draw("path", svg, {
+            class: name, d: `M${at(from, radius).join(" ")}A${radius} ${radius} 0 0 0 ${at(to, radius).join(" ")}`,
+        });
+        if (now.from > 0) arc(0, now.from, 0.28 * reach, "live-arc live-omega");
+        if (now.gap > 0) arc(now.from, now.to, 0.66 * reach, "live-arc");
+
+        const omega = at(now.from, reach);
+        const momentum = at(now.to, (reach * Math.hypot(now.along, now.up)) / now.heavy);
+        const tip = arrow(svg, centre, momentum, "live-momentum", 6);
+        arrow(svg, centre, omega, "live-omega", 3.5);
+        draw("circle", svg, { class: "live-point", cx: centre[0], cy: centre[1], r: 4 });
+
+        draw("text", svg, { class: "live-omega", x: omega[0] + 8, y: omega[1] + (now.from > 60 ? -2 : 10) }, "ω");
+        draw("text", svg, { class: "live-momentum", x: tip[0] + (now.gap > 12 ? -4 : -14), y: tip[1] - 8, "text-anchor": "end" }, "L");
+        if (now.gap >= 8) {
+            const label = at((now.from + now.to) / 2, 0.66 * reach + 22);
+            draw("text", svg, { class: "live-strong", x: label[0], y: label[1] + 5, "text-anchor": "middle" }, `${fixed(now.gap, 1)}°`);
+        }
+        const handle = draw("circle", svg, { class: "live-handle", cx: omega[0], cy: omega[1], r: 16 });
+        handle.addEventListener("pointerdown", (event) => {
+            event.preventDefault();
+            svg.setPointerCapture(event.pointerId);
+            held = centre;
+        });
+    });
+
+    // The blue arrow can be dragged too; what it does it does by the slider.
+    let held = null;
+    svg.addEventListener("pointermove", (event) => {
+        if (!held) return;
+        const box = svg.getBoundingClientRect();
+        const angle = Math.atan2(held[1] - (event.clientY - box.top), event.clientX - box.left - held[0]) * 180 / Math.PI;
+        spin.value = angle < -90 ? 90 : angle; // the slider keeps it within its ends
+        change();
+    });
+    for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => { held = null; });
+
+    /** Shows what the module answers now; returns it in words. */
+    function show() {
+        const { from, to, gap, axes } = asked();
+        const [ours, theirs, between] = [from, to, gap].map((angle) => `${fixed(angle, 1)}°`);
+        shown("spin").textContent = ours;
+        shown("momentum").textContent = theirs;
+        shown("gap").textContent = between;
+        spin.setAttribute("aria-valuetext", `spin ${ours} from axis ${axes[0]}, momentum ${theirs}, gap ${between}`);
+        redraw();
+        return `Spin ${ours} from axis ${axes[0]}, the lighter. Momentum ${theirs}. Gap ${between}.`;
+    }
+    const change = () => say(show());
+    for (const control of [spin, body, between]) control.addEventListener("input", change);
+    show();
+});

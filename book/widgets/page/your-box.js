@@ -1,0 +1,77 @@
+// Your box: edges, mass and spin in; moments, momentum and gap out, or the library's own words on why not.
+"use strict";
+
+tumblingLive.widget("your-box", async (stage) => {
+    const { module, fixed, short, draw, arrow, drawing, sayer } = tumblingLive;
+    const box = await module("your-box");
+    const svg = stage.querySelector("svg");
+    const fields = ["a", "b", "c", "m", "x", "y", "z"].map((id) => stage.querySelector(`#your-box-${id}`));
+    const wrong = stage.querySelector(".live-wrong");
+    const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
+    const say = sayer(stage);
+    let found = null;
+
+    /** A place in the box, in its own axes, as seen from before it, a little to the right and above: x right, y away, z up. */
+    const [turn, tilt] = [0.55, 0.4];
+    const seen = ([x, y, z]) => [
+        Math.cos(turn) * x + Math.sin(turn) * y,
+        Math.sin(tilt) * (Math.sin(turn) * x - Math.cos(turn) * y) - Math.cos(tilt) * z,
+    ];
+
+    const redraw = drawing(svg, (width) => Math.round(Math.min(0.72 * width, 360)), (width, height) => {
+        if (!found) return;
+        const values = fields.map((field) => Number(field.value));
+        const largest = Math.max(...values.slice(0, 3));
+        const half = values.slice(0, 3).map((edge) => edge / largest);
+        const scale = 0.3 * height;
+        const at = (place) => seen(place).map((far, i) => [width, height][i] / 2 + scale * far);
+        const corner = (bits) => half.map((far, i) => (bits >> i & 1 ? far : -far));
+        // Away from the eye lies the corner of low x, high y and low z: its three edges are hidden.
+        for (let from = 0; from < 8; from += 1) {
+            for (const bit of [1, 2, 4]) {
+                if (from & bit) continue;
+                const hidden = [from, from | bit].includes(0b010);
+                const ends = [from, from | bit].map((bits) => at(corner(bits)).join(" "));
+                draw("path", svg, { class: hidden ? "live-edge live-hidden" : "live-edge", d: `M${ends.join("L")}` });
+            }
+        }
+        ["x", "y", "z"].forEach((name, i) => {
+            const [near, far] = [half[i], half[i] + 0.28].map((x) => at([0, 1, 2].map((j) => (j === i ? x : 0))));
+            draw("path", svg, { class: "live-axis", d: `M${near.join(" ")}L${far.join(" ")}` });
+            draw("text", svg, { x: far[0], y: far[1] + 5, "text-anchor": "middle" }, name);
+        });
+        const length = (vector) => Math.hypot(...vector);
+        const along = (vector) => at(vector.map((x) => (1.5 * x) / length(vector)));
+        const [spin, momentum] = [values.slice(4), Array.from(found.slice(3, 6))];
+        const centre = [width / 2, height / 2];
+        const tip = arrow(svg, centre, along(momentum), "live-momentum", 6);
+        const end = arrow(svg, centre, along(spin), "live-omega", 3.5);
+        const aside = end[0] >= tip[0] ? 1 : -1;
+        draw("text", svg, { class: "live-omega", x: end[0] + 14 * aside, y: end[1] + 4, "text-anchor": "middle" }, "ω");
+        draw("text", svg, { class: "live-momentum", x: tip[0] - 14 * aside, y: tip[1] - 4, "text-anchor": "middle" }, "L");
+    });
+
+    /** Shows what the module answers now; returns it in words. */
+    function show() {
+        found = box.answer(0, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
+        wrong.hidden = found !== null;
+        wrong.textContent = found ? "" : `${box.words()}.`;
+        const put = (what, text) => { shown(what).textContent = found ? text() : "none"; };
+        const three = (from) => Array.from(found.slice(from, from + 3), short).join(", ");
+        put("moments", () => three(0));
+        put("momentum", () => three(3));
+        put("gap", () => `${fixed(found[6], 1)}°`);
+        put("circled", () => {
+            const circled = found[7];
+            if (circled === 3) return "the spin runs along the edge between two ways of moving";
+            if (circled === 4) return "two moments are equal: the spin turns evenly about the third axis";
+            const moments = found.slice(0, 3);
+            const which = moments[circled] === Math.max(...moments) ? "largest" : "smallest";
+            return `the spin circles the axis ${["x", "y", "z"][circled]}, of the ${which} moment, for ever`;
+        });
+        redraw();
+        return found ? `Moments ${three(0)}. Momentum ${three(3)}. Gap ${fixed(found[6], 1)}°.` : ""; // what is wrong is said by itself
+    }
+    for (const field of fields) field.addEventListener("input", () => say(show()));
+    show();
+});

@@ -1,0 +1,30 @@
+// Prints what the built modules weigh, and fails if they weigh too much. Before compression; what a page takes is a
+// third more, since a module travels as text.
+//
+//     node sizes.mjs FOLDER MODULE...
+
+import { readFileSync, statSync } from "node:fs";
+import path from "node:path";
+import { gzipSync } from "node:zlib";
+
+const MOST = { "two-arrows": 8_000 };
+const MOST_TOGETHER = 150_000; // without the judge, which reads files of any kind and size
+const [folder, ...names] = process.argv.slice(2);
+
+let together = 0;
+console.log("| module | bytes | compressed |\n|---|---:|---:|");
+for (const name of names) {
+  const file = path.join(folder, `${name}.wasm`);
+  const { size } = statSync(file);
+  console.log(`| ${name} | ${size} | ${gzipSync(readFileSync(file)).length} |`);
+  if (name !== "judge") together += size;
+  if (size > (MOST[name] ?? Infinity)) {
+    console.error(`${file}: ${size} bytes are more than ${MOST[name]}`);
+    process.exitCode = 1;
+  }
+}
+console.log(`| all but the judge | ${together} | |`);
+if (together > MOST_TOGETHER) {
+  console.error(`${together} bytes are more than ${MOST_TOGETHER}`);
+  process.exitCode = 1;
+}

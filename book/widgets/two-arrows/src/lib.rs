@@ -1,0 +1,118 @@
+//! Two arrows: a spin turned from one principal axis of a body to another, and the momentum that leaves it on the way.
+
+use exchange::Numbers;
+use nalgebra::Vector3;
+use tumbling::solid::{ball_moment, cuboid_moments, cylinder_moments, plate_moments};
+
+/// The moments of a body, kg m², and its size along its axes, m. The bodies are those of the book.
+fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
+    let cuboid = |size: [f64; 3], mass: f64| (cuboid_moments(&mass, &size[0], &size[1], &size[2]), size);
+    match which as u32 {
+        0 => (plate_moments(&1.0, &2.0, &1.0), [2.0, 1.0, 0.0]),
+        1 => cuboid([2.0, 1.0, 3.0], 1.0),
+        2 => cuboid([0.129, 0.020, 0.198], 0.340),
+        3 => cuboid([0.0716, 0.0078, 0.1476], 0.171),
+        4 => (cylinder_moments(&0.005, &0.0035, &0.18), [0.007, 0.007, 0.18]),
+        _ => (Vector3::repeat(ball_moment(&1.0, &0.5)), [1.0; 3]),
+    }
+}
+
+/// Of the row it takes: which body (the plate, the box, the book, the phone, a pencil, a ball); between which two of its
+/// principal axes (0 the smallest and the middle moment, 1 the middle and the largest, 2 the smallest and the largest);
+/// and the spin along the lighter and along the heavier of them, rad/s, neither below zero.
+///
+/// It answers with the angles of spin and momentum from the lighter axis and the gap, degrees; the momentum along the two axes, kg m²/s;
+/// the two moments, kg m²; the body's size along the two, m; and which body axes the two are, 0, 1 or 2.
+pub fn answer(_what: u32, row: &Numbers) -> usize {
+    let [which, between, along, up] = row.take(0);
+    row.fill(&arrows(which, between as u32, [along, up]))
+}
+
+/// The momentum of a spin along principal axes is each component times its own moment. These moments need no check, nor is
+/// the gap small where a widget shows it: `tests` below hold both to the library's checked way.
+fn arrows(which: f64, between: u32, spin: [f64; 2]) -> [f64; 11] {
+    let (moments, size) = body(which);
+    let [least, middle, most] = ordered(moments.into());
+    let axes = match between {
+        0 => [least, middle],
+        1 => [middle, most],
+        _ => [least, most],
+    };
+    let of = |values: [f64; 3]| axes.map(|axis| values.get(axis).copied().unwrap_or(0.0));
+    let [moments, size] = [of(moments.into()), of(size)];
+    let momentum = [moments[0] * spin[0], moments[1] * spin[1]];
+    let angle = |[along, up]: [f64; 2]| up.atan2(along).to_degrees();
+    let [from, to] = [angle(spin), angle(momentum)];
+    [
+        from,
+        to,
+        (to - from).abs(),
+        momentum[0],
+        momentum[1],
+        moments[0],
+        moments[1],
+        size[0],
+        size[1],
+        axes[0] as f64,
+        axes[1] as f64,
+    ]
+}
+
+/// The axes of the smallest, the middle and the largest moment. Of equal ones the earlier comes first.
+fn ordered([x, y, z]: [f64; 3]) -> [usize; 3] {
+    let place = |earlier: bool, other: bool| usize::from(earlier) + usize::from(other);
+    let places = [place(y < x, z < x), place(x <= y, z < y), place(x <= z, y <= z)];
+    let who = |place: usize| places.iter().position(|&p| p == place).unwrap_or(0);
+    [who(0), who(1), who(2)]
+}
+
+exchange::page!(answer);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumbling::solid::{Cuboid, Solid, ThinPlate};
+    use tumbling::{Inertia, bodies};
+
+    #[test]
+    fn the_arrows_are_those_of_the_checked_library() {
+        for which in 0..6 {
+            for between in 0..3 {
+                for degrees in 0..=90 {
+                    let (up, along) = f64::from(degrees).to_radians().sin_cos();
+                    let found = arrows(f64::from(which), between, [along, up]);
+                    let [x, y, z] = body(f64::from(which)).0.into();
+                    let inertia = Inertia::from_moments(x, y, z).unwrap();
+                    let mut omega = Vector3::zeros();
+                    omega[found[9] as usize] = along;
+                    omega[found[10] as usize] = up;
+                    let momentum = inertia.momentum(&omega);
+                    assert_eq!(
+                        [momentum[found[9] as usize], momentum[found[10] as usize]],
+                        [found[3], found[4]]
+                    );
+                    let gap = inertia.gap(&omega).unwrap().to_degrees();
+                    assert!(
+                        (gap - found[2]).abs() < 1e-12,
+                        "body {which}, {between}, {degrees}: {gap} {}",
+                        found[2]
+                    );
+                    assert!(found[5] <= found[6]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_bodies_are_those_of_the_book() {
+        let same = |which: f64, properties: tumbling::MassProperties| {
+            let [ours, theirs] = [body(which).0, properties.inertia().matrix().diagonal()];
+            assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
+        };
+        same(0.0, ThinPlate::new(2.0, 1.0).unwrap().with_mass(1.0).unwrap());
+        same(1.0, Cuboid::new(2.0, 1.0, 3.0).unwrap().with_mass(1.0).unwrap());
+        same(1.0, bodies::the_box().unwrap());
+        same(2.0, bodies::book().unwrap());
+        same(3.0, bodies::phone().unwrap());
+    }
+}
