@@ -23,6 +23,7 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
+mod batch;
 mod circulating;
 mod elementary;
 mod flips;
@@ -31,6 +32,7 @@ mod klein;
 mod regime;
 mod sensitivity;
 
+pub use batch::{Batch, Spins};
 pub use flips::Flips;
 pub use regime::Regime;
 pub use sensitivity::Sensitivity;
@@ -192,11 +194,10 @@ impl FreeMotion {
     /// A time that is not finite.
     pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        if t == 0.0 {
-            return Ok(self.mount.as_ref().map_or(self.start, |mount| mount.omega));
+        if time == 0.0 {
+            return Ok(self.first().omega);
         }
-        let omega = self.omega_along(time);
-        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+        Ok(self.in_body(self.omega_along(time)))
     }
 
     /// The spin along the principal axes.
@@ -215,7 +216,10 @@ impl FreeMotion {
     /// A time that is not finite.
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        Ok(self.in_world(t, self.turned(time).into_inner()))
+        if time == 0.0 {
+            return Ok(self.first().attitude);
+        }
+        Ok(self.in_world(self.turned(time).into_inner()))
     }
 
     /// The attitude of the principal axes, from where they are at the start.
@@ -238,12 +242,11 @@ impl FreeMotion {
             return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
         };
         let time = finite("the time", t)? * self.clock;
-        if t == 0.0 {
-            return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
+        if time == 0.0 {
+            return Ok(self.first());
         }
         let (omega, turned) = motion.at(time);
-        let omega = self.mount.as_ref().map_or(omega, |mount| mount.frame * omega);
-        Ok(Instant { omega, attitude: self.in_world(t, turned) })
+        Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
     }
 
     /// Spin and attitude at each of `times`: to the bit those of [`at`](Self::at), at the same cost for each.
@@ -262,16 +265,26 @@ impl FreeMotion {
         Ok(instants)
     }
 
-    fn in_world(&self, t: f64, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
-        let turned = UnitQuaternion::new_unchecked(turned);
+    /// The start, as it was given.
+    fn first(&self) -> Instant {
         match &self.mount {
-            None => turned,
-            Some(mount) if t == 0.0 => mount.attitude,
-            Some(mount) => {
-                let whole = mount.world * turned * mount.frame.inverse();
-                UnitQuaternion::new_unchecked(klein::unit(whole.into_inner()))
-            }
+            None => Instant { omega: self.start, attitude: UnitQuaternion::identity() },
+            Some(mount) => Instant { omega: mount.omega, attitude: mount.attitude },
         }
+    }
+
+    /// The spin in body axes, from that along the principal axes.
+    fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
+        self.mount
+            .as_ref()
+            .map_or(omega, |mount| klein::rotated(real_first(&mount.frame), omega.into()).into())
+    }
+
+    fn in_world(&self, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
+        let Some(mount) = &self.mount else { return UnitQuaternion::new_unchecked(turned) };
+        let turned = klein::product(real_first(&mount.world), [turned.w, turned.i, turned.j, turned.k]);
+        let whole = klein::product(turned, real_first(&mount.frame.inverse()));
+        UnitQuaternion::new_unchecked(klein::quaternion(klein::unit(whole)))
     }
 
     /// The principal moments, kg m², in the order in which they were given.
@@ -346,4 +359,8 @@ impl FreeMotion {
         let value = times_power_of_two(time, -self.exponent);
         if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
     }
+}
+
+fn real_first(q: &UnitQuaternion<f64>) -> [f64; 4] {
+    [q.w, q.i, q.j, q.k]
 }
