@@ -76,6 +76,20 @@ struct Mount {
     omega: Vector3<f64>,
 }
 
+impl Mount {
+    // Not inlined: most motions have none, and the way without one is the shorter for it.
+    #[inline(never)]
+    fn spin(&self, omega: Vector3<f64>) -> Vector3<f64> {
+        klein::rotated(real_first(&self.frame), omega.into()).into()
+    }
+
+    #[inline(never)]
+    fn attitude(&self, turned: Quaternion<f64>) -> Quaternion<f64> {
+        let turned = klein::product(real_first(&self.world), [turned.w, turned.i, turned.j, turned.k]);
+        klein::quaternion(klein::unit(klein::product(turned, real_first(&self.frame.inverse()))))
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(clippy::large_enum_variant)] // a box would cost every instant a detour, and the motion its `Copy`
 enum Law {
@@ -266,6 +280,7 @@ impl FreeMotion {
     }
 
     /// The start, as it was given.
+    #[cold]
     fn first(&self) -> Instant {
         match &self.mount {
             None => Instant { omega: self.start, attitude: UnitQuaternion::identity() },
@@ -274,17 +289,14 @@ impl FreeMotion {
     }
 
     /// The spin in body axes, from that along the principal axes.
+    #[inline(always)]
     fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
-        self.mount
-            .as_ref()
-            .map_or(omega, |mount| klein::rotated(real_first(&mount.frame), omega.into()).into())
+        self.mount.as_ref().map_or(omega, |mount| mount.spin(omega))
     }
 
+    #[inline(always)]
     fn in_world(&self, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
-        let Some(mount) = &self.mount else { return UnitQuaternion::new_unchecked(turned) };
-        let turned = klein::product(real_first(&mount.world), [turned.w, turned.i, turned.j, turned.k]);
-        let whole = klein::product(turned, real_first(&mount.frame.inverse()));
-        UnitQuaternion::new_unchecked(klein::quaternion(klein::unit(whole)))
+        UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.attitude(turned)))
     }
 
     /// The principal moments, kg m², in the order in which they were given.

@@ -276,24 +276,19 @@ impl Elliptic {
 
     #[inline(always)]
     fn spin(&self, [sn, cn, dn]: [f64; 3]) -> Vector3<f64> {
-        let [x, m, c] = self.axes;
-        let mut omega = Vector3::zeros();
         let unscaled = |k: usize, w: f64| self.grand[k] * w * self.unscale[k][0] * self.unscale[k][1];
-        omega[x] = unscaled(0, cn);
-        omega[m] = unscaled(1, sn);
-        omega[c] = unscaled(2, dn);
-        omega
+        let [across, middle, around] = [unscaled(0, cn), unscaled(1, sn), unscaled(2, dn)];
+        let [x, m, c] = self.axes;
+        let cyclic = m == (x + 1) % 3;
+        let (next, last) = if cyclic { (across, middle) } else { (middle, across) };
+        arranged(c, [around, next, last]).into()
     }
 
     /// The turn since the start, from its parts along the circled axis and the next two.
     #[inline(always)]
     fn turn(&self, [real, i, j, k]: [f64; 4]) -> Quaternion<f64> {
-        let axis = self.axes[2];
-        let mut vector = [0.0; 3];
-        vector[axis] = i;
-        vector[(axis + 1) % 3] = j;
-        vector[(axis + 2) % 3] = k;
-        klein::quaternion(klein::unit([real, vector[0], vector[1], vector[2]]))
+        let [x, y, z] = arranged(self.axes[2], [i, j, k]);
+        klein::quaternion(klein::unit([real, x, y, z]))
     }
 
     /// The spin at scaled time `time`.
@@ -415,6 +410,17 @@ impl Form {
             Self::Hyperbolic { pair, way, .. } => way.at(0.0).pair(pair),
         };
         raw.scaled(1.0 / raw.length())
+    }
+}
+
+/// In the order of the body, from that which begins with axis number `axis`.
+#[inline(always)]
+fn arranged(axis: usize, [first, second, third]: [f64; 3]) -> [f64; 3] {
+    // Not by an index: what goes through memory one by one is slow to come back together.
+    match axis {
+        0 => [first, second, third],
+        1 => [third, first, second],
+        _ => [second, third, first],
     }
 }
 
