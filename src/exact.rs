@@ -202,6 +202,32 @@ impl FreeMotion {
         Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..motion })
     }
 
+    /// The same motion from this attitude (body to world) at time 0.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::exact::FreeMotion;
+    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 2.5), &Vector3::new(0.5, -1.0, 0.2))?;
+    /// let start = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    /// let turned = motion.facing(&start)?;
+    /// assert_eq!(turned.attitude(0.0)?, start);
+    /// assert!(turned.attitude(7.0)?.angle_to(&(start * motion.attitude(7.0)?)) < 1e-15);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An attitude whose length is not 1 to a billionth, or that is not finite.
+    pub fn facing(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+        let attitude = crate::attitude::checked(attitude)?;
+        let (frame, omega) = match &self.mount {
+            Some(mount) => (mount.frame, mount.omega),
+            // As it is already.
+            None if attitude == UnitQuaternion::identity() => return Ok(self),
+            None => (UnitQuaternion::identity(), self.start),
+        };
+        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..self })
+    }
+
     /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
     ///
     /// # Errors
