@@ -4,14 +4,15 @@
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
+use crate::scalar::Lane;
 use crate::scale::times_power_of_two;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Double {
-    hi: f64,
-    lo: f64,
+pub(crate) struct Double<T = f64> {
+    hi: T,
+    lo: T,
 }
 
 impl Double {
@@ -19,27 +20,6 @@ impl Double {
     pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// The circle's constant to 107 bits.
     pub(crate) const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
-
-    /// The nearest `f64`.
-    pub(crate) fn value(self) -> f64 {
-        self.hi
-    }
-
-    /// What the nearest `f64` leaves out.
-    pub(crate) fn rest(self) -> f64 {
-        self.lo
-    }
-
-    /// `a + b` without error.
-    pub(crate) fn sum(a: f64, b: f64) -> Self {
-        two_sum(a, b)
-    }
-
-    /// `a b` without error (but for underflow).
-    pub(crate) fn product(a: f64, b: f64) -> Self {
-        let hi = a * b;
-        Self { hi, lo: a.mul_add(b, -hi) }
-    }
 
     /// The square root of a number that is not negative, to about 104 bits.
     pub(crate) fn sqrt(self) -> Self {
@@ -59,27 +39,69 @@ impl Double {
     pub(crate) fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
     }
+}
+
+impl<T: Lane> Double<T> {
+    /// From a number and what its rounding lost.
+    pub(crate) fn parts(hi: T, lo: T) -> Self {
+        Self { hi, lo }
+    }
+
+    /// The nearest single number.
+    #[inline(always)]
+    pub(crate) fn value(self) -> T {
+        self.hi
+    }
+
+    /// What the nearest single number leaves out.
+    #[inline(always)]
+    pub(crate) fn rest(self) -> T {
+        self.lo
+    }
+
+    /// `a + b` without error.
+    #[inline(always)]
+    pub(crate) fn sum(a: T, b: T) -> Self {
+        two_sum(a, b)
+    }
+
+    /// `a b` without error (but for underflow).
+    #[inline(always)]
+    pub(crate) fn product(a: T, b: T) -> Self {
+        let hi = a * b;
+        Self { hi, lo: a.left_off(b, hi) }
+    }
 
     /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the work.
+    #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let sum = two_sum(self.hi, other.hi);
         Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
     }
 
     /// With both parts multiplied by 1 or -1.
-    pub(crate) fn signed(self, sign: f64) -> Self {
+    #[inline(always)]
+    pub(crate) fn signed(self, sign: T) -> Self {
         Self { hi: self.hi * sign, lo: self.lo * sign }
     }
 
-    /// The nearest integer, and what is left: at most a half, in one `f64` that has all its digits.
+    /// `yes` where the mask says so, `no` elsewhere.
+    #[inline(always)]
+    pub(crate) fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { hi: T::choose(mask, yes.hi, no.hi), lo: T::choose(mask, yes.lo, no.lo) }
+    }
+
+    /// The nearest integer, and what is left: at most a half, in one number that has all its digits.
     ///
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
-    pub(crate) fn split(self) -> (f64, f64) {
-        let whole = self.hi.round_ties_even();
+    #[inline(always)]
+    pub(crate) fn split(self) -> (T, T) {
+        let whole = self.hi.whole();
         let left = (self.hi - whole) + self.lo;
         // The low part can carry it just past the half.
-        let more = left.round_ties_even();
-        if left.is_finite() { (whole + more, left - more) } else { (0.0, 0.0) }
+        let more = left.whole();
+        let finite = left.size().below(T::of(f64::INFINITY));
+        (T::choose(finite, whole + more, T::of(0.0)), T::choose(finite, left - more, T::of(0.0)))
     }
 }
 
@@ -90,7 +112,8 @@ impl From<f64> for Double {
 }
 
 /// `a + b` without error.
-fn two_sum(a: f64, b: f64) -> Double {
+#[inline(always)]
+fn two_sum<T: Lane>(a: T, b: T) -> Double<T> {
     let hi = a + b;
     let part = hi - a;
     let lo = (a - (hi - part)) + (b - part);
@@ -98,13 +121,15 @@ fn two_sum(a: f64, b: f64) -> Double {
 }
 
 /// `a + b` without error, where `|a| >= |b|` or `a` is zero.
-fn quick_two_sum(a: f64, b: f64) -> Double {
+#[inline(always)]
+fn quick_two_sum<T: Lane>(a: T, b: T) -> Double<T> {
     let hi = a + b;
     Double { hi, lo: b - (hi - a) }
 }
 
-impl Add for Double {
+impl<T: Lane> Add for Double<T> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let high = two_sum(self.hi, other.hi);
         let low = two_sum(self.lo, other.lo);
@@ -113,34 +138,35 @@ impl Add for Double {
     }
 }
 
-impl Neg for Double {
+impl<T: Lane> Neg for Double<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 }
 
-impl Sub for Double {
+impl<T: Lane> Sub for Double<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Double {
+impl<T: Lane> Mul for Double<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let hi = self.hi * other.hi;
-        let lo = self.hi.mul_add(other.hi, -hi);
+        let lo = self.hi.left_off(other.hi, hi);
         quick_two_sum(hi, lo + (self.hi * other.lo + self.lo * other.hi))
     }
 }
 
-impl Mul<f64> for Double {
+impl<T: Lane> Mul<T> for Double<T> {
     type Output = Self;
-    fn mul(self, other: f64) -> Self {
+    #[inline(always)]
+    fn mul(self, other: T) -> Self {
         let hi = self.hi * other;
-        quick_two_sum(hi, self.hi.mul_add(other, -hi) + self.lo * other)
+        quick_two_sum(hi, self.hi.left_off(other, hi) + self.lo * other)
     }
 }
 

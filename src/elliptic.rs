@@ -34,6 +34,12 @@ pub struct Values {
     pub dn: f64,
 }
 
+impl Values {
+    fn of([sn, cn, dn]: [f64; 3]) -> Self {
+        Self { sn, cn, dn }
+    }
+}
+
 /// Carlson's `R_F(x, y, z)`, half the integral of `1/sqrt((t+x)(t+y)(t+z))` over positive `t` [Car95](crate::references).
 ///
 /// ```

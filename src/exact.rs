@@ -23,6 +23,7 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
+mod batch;
 mod circulating;
 mod elementary;
 mod flips;
@@ -31,6 +32,7 @@ mod klein;
 mod regime;
 mod sensitivity;
 
+pub use batch::{Batch, Spins};
 pub use flips::Flips;
 pub use regime::Regime;
 pub use sensitivity::Sensitivity;
@@ -72,6 +74,20 @@ struct Mount {
     world: UnitQuaternion<f64>,
     attitude: UnitQuaternion<f64>,
     omega: Vector3<f64>,
+}
+
+impl Mount {
+    // Not inlined: most motions have none, and the way without one is the shorter for it.
+    #[inline(never)]
+    fn spin(&self, omega: Vector3<f64>) -> Vector3<f64> {
+        klein::rotated(real_first(&self.frame), omega.into()).into()
+    }
+
+    #[inline(never)]
+    fn attitude(&self, turned: Quaternion<f64>) -> Quaternion<f64> {
+        let turned = klein::product(real_first(&self.world), [turned.w, turned.i, turned.j, turned.k]);
+        klein::quaternion(klein::unit(klein::product(turned, real_first(&self.frame.inverse()))))
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -186,17 +202,42 @@ impl FreeMotion {
         Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..motion })
     }
 
+    /// The same motion from this attitude (body to world) at time 0.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::exact::FreeMotion;
+    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 2.5), &Vector3::new(0.5, -1.0, 0.2))?;
+    /// let start = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    /// let turned = motion.facing(&start)?;
+    /// assert_eq!(turned.attitude(0.0)?, start);
+    /// assert!(turned.attitude(7.0)?.angle_to(&(start * motion.attitude(7.0)?)) < 1e-15);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An attitude whose length is not 1 to a billionth, or that is not finite.
+    pub fn facing(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+        let attitude = crate::attitude::checked(attitude)?;
+        let (frame, omega) = match &self.mount {
+            Some(mount) => (mount.frame, mount.omega),
+            // As it is already.
+            None if attitude == UnitQuaternion::identity() => return Ok(self),
+            None => (UnitQuaternion::identity(), self.start),
+        };
+        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..self })
+    }
+
     /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
     ///
     /// # Errors
     /// A time that is not finite.
     pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        if t == 0.0 {
-            return Ok(self.mount.as_ref().map_or(self.start, |mount| mount.omega));
+        if time == 0.0 {
+            return Ok(self.first().omega);
         }
-        let omega = self.omega_along(time);
-        Ok(self.mount.as_ref().map_or(omega, |mount| mount.frame * omega))
+        Ok(self.in_body(self.omega_along(time)))
     }
 
     /// The spin along the principal axes.
@@ -215,7 +256,10 @@ impl FreeMotion {
     /// A time that is not finite.
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
-        Ok(self.in_world(t, self.turned(time).into_inner()))
+        if time == 0.0 {
+            return Ok(self.first().attitude);
+        }
+        Ok(self.in_world(self.turned(time).into_inner()))
     }
 
     /// The attitude of the principal axes, from where they are at the start.
@@ -238,12 +282,11 @@ impl FreeMotion {
             return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
         };
         let time = finite("the time", t)? * self.clock;
-        if t == 0.0 {
-            return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
+        if time == 0.0 {
+            return Ok(self.first());
         }
         let (omega, turned) = motion.at(time);
-        let omega = self.mount.as_ref().map_or(omega, |mount| mount.frame * omega);
-        Ok(Instant { omega, attitude: self.in_world(t, turned) })
+        Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
     }
 
     /// Spin and attitude at each of `times`: to the bit those of [`at`](Self::at), at the same cost for each.
@@ -262,16 +305,24 @@ impl FreeMotion {
         Ok(instants)
     }
 
-    fn in_world(&self, t: f64, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
-        let turned = UnitQuaternion::new_unchecked(turned);
+    /// The start, as it was given.
+    #[cold]
+    fn first(&self) -> Instant {
         match &self.mount {
-            None => turned,
-            Some(mount) if t == 0.0 => mount.attitude,
-            Some(mount) => {
-                let whole = mount.world * turned * mount.frame.inverse();
-                UnitQuaternion::new_unchecked(klein::unit(whole.into_inner()))
-            }
+            None => Instant { omega: self.start, attitude: UnitQuaternion::identity() },
+            Some(mount) => Instant { omega: mount.omega, attitude: mount.attitude },
         }
+    }
+
+    /// The spin in body axes, from that along the principal axes.
+    #[inline(always)]
+    fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
+        self.mount.as_ref().map_or(omega, |mount| mount.spin(omega))
+    }
+
+    #[inline(always)]
+    fn in_world(&self, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
+        UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.attitude(turned)))
     }
 
     /// The principal moments, kg m², in the order in which they were given.
@@ -346,4 +397,8 @@ impl FreeMotion {
         let value = times_power_of_two(time, -self.exponent);
         if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
     }
+}
+
+fn real_first(q: &UnitQuaternion<f64>) -> [f64; 4] {
+    [q.w, q.i, q.j, q.k]
 }

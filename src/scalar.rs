@@ -3,7 +3,13 @@
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials
 //! and over [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64`
 //! and `f32`, exact rationals, dual numbers, or the counting number [`Counted`](crate::counted::Counted).
-//! Whatever branches on a size or takes a root is written for `f64` alone, elsewhere.
+//! Whatever branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64` side
+//! by side.
+
+mod lane;
+
+pub use lane::Lane;
+pub(crate) use lane::gathered;
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{One, Zero};

@@ -83,19 +83,19 @@ pub struct Long {
 }
 
 /// A number as the record has it.
-fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     format!("{x:.3e}")
 }
 
-fn optional(x: Option<f64>) -> String {
+pub(crate) fn optional(x: Option<f64>) -> String {
     x.map_or_else(String::new, number)
 }
 
-fn parsed<T: FromStr>(field: &str) -> Result<T, Wrong> {
+pub(crate) fn parsed<T: FromStr>(field: &str) -> Result<T, Wrong> {
     field.parse().map_err(|_| format!("`{field}` cannot be read"))
 }
 
-fn perhaps<T: FromStr>(field: &str) -> Result<Option<T>, Wrong> {
+pub(crate) fn perhaps<T: FromStr>(field: &str) -> Result<Option<T>, Wrong> {
     if field.is_empty() { Ok(None) } else { parsed(field).map(Some) }
 }
 

@@ -2,39 +2,43 @@
 //! imaginary transformation.
 
 use super::Values;
+use crate::scalar::{Lane, gathered};
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the root of `E` beside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Decay {
+pub(crate) struct Decay<T = f64> {
     /// `exp(-x)`.
-    pub(crate) root: f64,
+    pub(crate) root: T,
     /// `exp(-2x)`.
-    square: f64,
+    square: T,
     /// `1 - exp(-2x)`, small where `x` is.
-    gap: f64,
+    gap: T,
     /// The root of the complementary nome over `exp(-x)`: this exponential seen from the other end of the way.
-    pub(crate) rising: f64,
+    pub(crate) rising: T,
 }
 
-impl Decay {
+impl<T: Lane> Decay<T> {
     /// Of `x = main + rest >= 0`, with the root of the complementary nome.
-    pub(crate) fn new(main: f64, rest: f64, nome_root: f64) -> Self {
+    #[inline(always)]
+    pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         // Beyond 700 the exponential is nothing beside any f64; so far out the rest can be large, and says nothing.
-        let (main, rest) = if main < 700.0 { (main, rest) } else { (700.0, 0.0) };
+        let within = main.below(T::of(700.0));
+        let (main, rest) = (T::choose(within, main, T::of(700.0)), T::choose(within, rest, T::of(0.0)));
         let (power, change) = exp_parts(-main, -rest);
         let root = power + power * change;
         // exp(-x) - 1, exact in its small digits where the power of two is 1.
         let less = (power - 1.0) + power * change;
-        Self { root, square: root * root, gap: -less * (2.0 + less), rising: nome_root / root }
+        Self { root, square: root * root, gap: -less * (less + 2.0), rising: nome_root / root }
     }
 }
 
 /// `exp(x + rest) = power (1 + change)` with a power of two and `|change| <= 0.42`, for `|x| <= 700`.
-fn exp_parts(x: f64, rest: f64) -> (f64, f64) {
+#[inline(always)]
+fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
     // The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.
     const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
     const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-    let twos = (x * std::f64::consts::LOG2_E).round_ties_even();
+    let twos = (x * std::f64::consts::LOG2_E).whole();
     let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW);
     // The series of exp(r) - 1 - r, over r²: what is left out is below 1e-17 of it for |r| <= 0.35.
     let a = const {
@@ -47,20 +51,19 @@ fn exp_parts(x: f64, rest: f64) -> (f64, f64) {
         a
     };
     let (r2, r4) = (r * r, (r * r) * (r * r));
-    let four = |k: usize| (a[k] + a[k + 1] * r) + r2 * (a[k + 2] + a[k + 3] * r);
+    let four = |k: usize| (r * a[k + 1] + a[k]) + r2 * (r * a[k + 3] + a[k + 2]);
     let series = four(0) + r4 * (four(4) + r4 * four(8));
-    let power = f64::from_bits(((twos as i64 + 1023) as u64) << 52);
-    (power, r + r2 * series)
+    (twos.power_of_two(), r + r2 * series)
 }
 
 /// The sums for a complementary nome `p` of at most 0.02, that is the direct nome above 0.08.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Hyperbolic {
+pub(crate) struct Hyperbolic<T = f64> {
     /// Powers of `p`: the second, the fourth, the first.
-    powers: [f64; 3],
+    powers: [T; 3],
     /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
-    near: [f64; 3],
-    far: [f64; 3],
+    near: [T; 3],
+    far: [T; 3],
 }
 
 impl Hyperbolic {
@@ -82,38 +85,53 @@ impl Hyperbolic {
         }
     }
 
+    /// The three functions where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if
+    /// `far`, what is left of it to the quarter period, so that the small ones keep their digits there.
+    pub(crate) fn at(&self, x: &Decay, far: bool) -> Values {
+        Values::of(self.values(x, far))
+    }
+}
+
+impl<T: Lane> Hyperbolic<T> {
+    /// Those of many, side by side.
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Hyperbolic) -> Self {
+        Self {
+            powers: [0, 1, 2].map(|n| gathered(from, |s| of(s).powers[n])),
+            near: [0, 1, 2].map(|n| gathered(from, |s| of(s).near[n])),
+            far: [0, 1, 2].map(|n| gathered(from, |s| of(s).far[n])),
+        }
+    }
+
     /// The four sums without their first exponential: those of the odd multiples, alternating (a hyperbolic
     /// sine) and not (a cosine), then those of the even multiples, alternating and not.
-    fn sums(&self, x: &Decay) -> [f64; 4] {
+    #[inline(always)]
+    fn sums(&self, x: &Decay<T>) -> [T; 4] {
         let [p2, p4, p] = self.powers;
         let (e, gap, growing) = (x.square, x.gap, x.rising * x.rising);
         let square = e * e;
         // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵).
         let (b, c) = (p * growing, p4 * growing * growing);
         let (cube, fifth) = (e * square, e * square * square);
-        let sine = gap - b * gap * (1.0 + e + square) + c * (1.0 - fifth);
-        let cosine = (1.0 + e) + b * (1.0 + cube) + c * (1.0 + fifth);
+        let sine = gap - b * gap * (e + 1.0 + square) + c * (-fifth + 1.0);
+        let cosine = (e + 1.0) + b * (cube + 1.0) + c * (fifth + 1.0);
         // p cosh 2x = growing (1 + E²)/2 and so on; p⁴ cosh 4x, p⁹ cosh 6x.
         let first = growing + p * e;
         let second = p2 * (growing * growing + p2 * square);
         let third = p4 * p2 * (growing * growing * growing + p2 * p * cube);
-        let (even, odd) = (1.0 + second, first + third);
+        let (even, odd) = (second + 1.0, first + third);
         [sine, cosine, even - odd, even + odd]
     }
 
-    /// The three functions where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if
-    /// `far`, what is left of it to the quarter period, so that the small ones keep their digits there.
-    pub(crate) fn at(&self, x: &Decay, far: bool) -> Values {
+    /// `sn`, `cn`, `dn`, as [`at`](Hyperbolic::at).
+    #[inline(always)]
+    pub(crate) fn values(&self, x: &Decay<T>, far: T::Mask) -> [T; 3] {
         let [sine, cosine, alternating, plain] = self.sums(x);
-        let [s, c, d] = if far { self.far } else { self.near };
-        let (rise, fall) = if far { (x.root, 0.5) } else { (1.0, 2.0 * x.root) };
-        let (first, second, third, under) = if far {
-            (alternating, sine, cosine, plain * x.root)
-        } else {
-            (sine, alternating, plain, cosine)
-        };
-        let over = 1.0 / under;
+        let [s, c, d] = [0, 1, 2].map(|n| T::choose(far, self.far[n], self.near[n]));
+        let (rise, fall) = (T::choose(far, x.root, T::of(1.0)), T::choose(far, T::of(0.5), x.root * 2.0));
+        let (first, second) = (T::choose(far, alternating, sine), T::choose(far, sine, alternating));
+        let (third, under) = (T::choose(far, cosine, plain), T::choose(far, plain * x.root, cosine));
+        let over = T::of(1.0) / under;
         let fall = fall * over;
-        Values { sn: s * first * (rise * over), cn: c * second * fall, dn: d * third * fall }
+        [s * first * (rise * over), c * second * fall, d * third * fall]
     }
 }

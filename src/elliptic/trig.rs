@@ -1,28 +1,34 @@
 //! Sine and cosine of an angle given in turns: no division by the circle's constant to lose digits in.
 
 use crate::double::Double;
+use crate::scalar::Lane;
 use std::f64::consts::TAU;
 
 /// Sine and cosine of `turns` whole turns.
 ///
 /// Whole and quarter turns are taken off first, exactly, so that a phase of 1e9 turns costs what a small one
 /// does, and what is left keeps all its digits.
-pub(crate) fn sin_cos_of_turns(turns: Double) -> (f64, f64) {
+#[inline(always)]
+pub(crate) fn sin_cos_of_turns<T: Lane>(turns: Double<T>) -> (T, T) {
     let (_, part) = turns.split();
-    let quarters = (4.0 * part).round_ties_even();
-    let angle = TAU * (part - 0.25 * quarters);
+    let quarters = (part * 4.0).whole();
+    let angle = (part - quarters * 0.25) * TAU;
     let (sin, cos) = near_zero(angle);
-    match quarters as i32 {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        -1 => (-cos, sin),
-        _ => (-sin, -cos),
-    }
+    // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below zero.
+    let size = quarters.size();
+    let odd = (size - 1.0).size().below(T::of(0.5));
+    let (s, c) = (T::choose(odd, cos, sin), T::choose(odd, sin, cos));
+    let opposite = T::of(1.5).below(size);
+    let sin_sign = T::choose(quarters.below(T::of(-0.5)), T::of(-1.0), T::of(1.0));
+    let cos_sign = T::choose(T::of(0.5).below(quarters), T::of(-1.0), T::of(1.0));
+    let half = T::of(-1.0);
+    (T::choose(opposite, half, sin_sign) * s, T::choose(opposite, half, cos_sign) * c)
 }
 
 /// Both by their own series, for angles up to an eighth of a turn: the first term left out is below 1e-17
 /// of the sum.
-fn near_zero(x: f64) -> (f64, f64) {
+#[inline(always)]
+fn near_zero<T: Lane>(x: T) -> (T, T) {
     const fn inverse_factorial(n: u32) -> f64 {
         let (mut product, mut i) = (1.0, 2);
         while i <= n {
@@ -55,15 +61,15 @@ fn near_zero(x: f64) -> (f64, f64) {
     let (y2, y4) = (y * y, (y * y) * (y * y));
     // Pairs, then pairs of pairs: the processor works on them side by side.
     let series = |a: &[f64; 8]| {
-        let low = (a[0] + a[1] * y) + y2 * (a[2] + a[3] * y);
-        let high = (a[4] + a[5] * y) + y2 * (a[6] + a[7] * y);
+        let low = (y * a[1] + a[0]) + y2 * (y * a[3] + a[2]);
+        let high = (y * a[5] + a[4]) + y2 * (y * a[7] + a[6]);
         low + y4 * high
     };
     let sin = x + x * y * series(&S);
-    let half = 0.5 * y;
-    let near = 1.0 - half;
+    let half = y * 0.5;
+    let near = -half + 1.0;
     // What the subtraction rounded off goes back in.
-    let cos = near + (((1.0 - near) - half) + y2 * series(&C));
+    let cos = near + (((-near + 1.0) - half) + y2 * series(&C));
     (sin, cos)
 }
 

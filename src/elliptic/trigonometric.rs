@@ -1,17 +1,18 @@
 //! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
 
 use super::Values;
+use crate::scalar::{Lane, gathered};
 
 /// The sums for a nome of at most 0.09: four terms each reach rounding. Written as polynomials in
 /// `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Trigonometric {
+pub(crate) struct Trigonometric<T = f64> {
     /// `theta_3, theta_4 = even ± odd`.
-    outer: [f64; 4],
+    outer: [T; 4],
     /// `theta_2 / (2 q^(1/4) cos z)` and `theta_1 / (2 q^(1/4) sin z) = even ± odd`.
-    inner: [f64; 4],
+    inner: [T; 4],
     /// What makes `sn`, `cn` and `dn` of the quotients by `theta_4`.
-    factors: [f64; 3],
+    factors: [T; 3],
 }
 
 impl Trigonometric {
@@ -26,8 +27,25 @@ impl Trigonometric {
         sums
     }
 
+    /// The three functions from sine and cosine of `z`, the argument with the half period stretched to pi.
+    pub(crate) fn at(&self, sin: f64, cos: f64) -> Values {
+        Values::of(self.values(sin, cos))
+    }
+}
+
+impl<T: Lane> Trigonometric<T> {
+    /// Those of many, side by side.
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Trigonometric) -> Self {
+        Self {
+            outer: [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).outer[n])),
+            inner: [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).inner[n])),
+            factors: [0, 1, 2].map(|n| gathered(from, |s| of(s).factors[n])),
+        }
+    }
+
     /// `theta_3`, `theta_4`, and `theta_2`, `theta_1` without their first factors, from `cos 2z`.
-    fn thetas(&self, c: f64) -> [f64; 4] {
+    #[inline(always)]
+    fn thetas(&self, c: T) -> [T; 4] {
         let square = c * c;
         let [a, b, d, e] = self.outer;
         let (even, odd) = (a + b * square, c * (d + e * square));
@@ -36,11 +54,12 @@ impl Trigonometric {
         [even + odd, even - odd, inner_even + inner_odd, inner_even - inner_odd]
     }
 
-    /// The three functions from sine and cosine of `z`, the argument with the half period stretched to pi.
-    pub(crate) fn at(&self, sin: f64, cos: f64) -> Values {
+    /// `sn`, `cn`, `dn` from sine and cosine of `z`.
+    #[inline(always)]
+    pub(crate) fn values(&self, sin: T, cos: T) -> [T; 3] {
         let [third, fourth, second, first] = self.thetas((cos - sin) * (cos + sin));
         let [s, c, d] = self.factors;
-        let over = 1.0 / fourth;
-        Values { sn: s * (sin * first) * over, cn: c * (cos * second) * over, dn: d * third * over }
+        let over = T::of(1.0) / fourth;
+        [s * (sin * first) * over, c * (cos * second) * over, d * third * over]
     }
 }

@@ -1,20 +1,25 @@
 //! The motion of a body with three different moments, about its largest or smallest axis or between.
 
+mod abreast;
 mod neighbours;
+mod way;
 
+pub(super) use abreast::{Going, Lingering, LingeringTurn, Waving, WavingTurn};
 pub(super) use neighbours::Halves;
 
 use super::Regime;
 use super::flips::Clock;
-use super::klein::{HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
+use super::klein::{self, HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
 use crate::double::Double;
-use crate::elliptic::{self, Decay, Hyperbolic, TURNING_RATIO, Trigonometric};
+use crate::elliptic::{self, Hyperbolic, TURNING_RATIO, Trigonometric};
 use crate::error::Error;
 use crate::invariants::Asymmetric;
 use crate::principal::Axis;
+use crate::scalar::Lane;
 use crate::scale::times_power_of_two;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
+use way::Way;
 
 /// All that an instant needs, in units where the largest spin is near 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +28,9 @@ pub(crate) struct Elliptic {
     axes: [usize; 3],
     /// Amplitudes of the spin along them, with their signs.
     amplitudes: [f64; 3],
-    /// Two powers of two each that take the three components to rad/s; together one would not do.
+    /// The same in rad/s where that is well within the range of `f64`, and otherwise with two powers of two each
+    /// that take the three components to rad/s; together one would not do.
+    grand: [f64; 3],
     unscale: [[f64; 2]; 3],
     /// The largest component that the spin ever has, rad/s.
     greatest: f64,
@@ -33,6 +40,10 @@ pub(crate) struct Elliptic {
     drift: Double,
     constants: Constants,
 }
+
+/// Up to this power of two the spin's components come out in one product with their amplitudes, with all digits: the rest of
+/// the exponent's range is room for what is small beside the largest.
+const ONE_PRODUCT: i32 = 600;
 
 /// What belongs to the whole motion rather than to an instant, in the same units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,80 +82,6 @@ enum Form {
         /// Turns of the common phase at each half turn of Jacobi's argument.
         step: f64,
     },
-}
-
-/// Where Jacobi's argument stands, folded between the two saddles.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Way {
-    start: Double,
-    /// Half turns per unit of time, or on the separatrix, where there are none, the argument itself.
-    rate: Double,
-    /// From flip to saddle, and from flip to flip: infinite on the separatrix.
-    quarter: Double,
-    half: Double,
-    /// `pi/(2K')`.
-    stretch: f64,
-    /// The root of the complementary nome: `exp(-x)` at the saddle.
-    nome_root: f64,
-    /// Sign of the start after folding.
-    turn: f64,
-}
-
-/// A place on the way: `exp(-x)` in full, from the nearer end.
-struct Place {
-    decay: Decay,
-    far: bool,
-    side: f64,
-    turn: f64,
-    halves: f64,
-}
-
-impl Way {
-    fn at(&self, time: f64) -> Place {
-        let run = self.rate * time;
-        let infinite = self.quarter.value().is_infinite();
-        let (mut halves, mut u) = if infinite {
-            // Past the end of the range the spin has long come to rest on the middle axis: any place far out will do.
-            let end = Double::from(1e300_f64.copysign(self.rate.value()) * 1_f64.copysign(time));
-            (0.0, if run.value().abs() < 1e300 { run.plus(self.start) } else { end })
-        } else {
-            let (halves, left) = run.split();
-            (halves, (self.half * left).plus(self.start))
-        };
-        if u.value().abs() > self.quarter.value() {
-            let side = 1.0_f64.copysign(u.value());
-            u = u.plus(self.half.signed(-side));
-            halves += side;
-        }
-        let side = 1.0_f64.copysign(u.value());
-        let size = u.signed(side);
-        let far = size.value() > 0.5 * self.quarter.value();
-        let from_end = if far { self.quarter.plus(size.signed(-1.0)) } else { size };
-        let odd = halves - 2.0 * (0.5 * halves).round_ties_even() != 0.0;
-        // Rounding may leave it a hair beyond the saddle.
-        let x = from_end.value().max(0.0) * self.stretch;
-        Place {
-            decay: Decay::new(x, from_end.rest() * self.stretch, self.nome_root),
-            far,
-            side,
-            turn: if odd { -self.turn } else { self.turn },
-            halves,
-        }
-    }
-}
-
-impl Place {
-    /// The attitude's two numbers here.
-    fn pair(&self, pair: &HyperbolicPair) -> Pair {
-        let ends = [self.decay.root, self.decay.rising];
-        let [falling, rising] = if self.far { [ends[1], ends[0]] } else { ends };
-        pair.raw(falling, rising, self.side, self.turn)
-    }
-
-    fn spin(&self, spin: &Hyperbolic) -> elliptic::Values {
-        let values = spin.at(&self.decay, self.far);
-        elliptic::Values { sn: self.turn * self.side * values.sn, cn: self.turn * values.cn, dn: values.dn }
-    }
 }
 
 impl Elliptic {
@@ -248,16 +185,19 @@ impl Elliptic {
         form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
         let (start, argument) = (form.start(), form.argument());
         let lifts = [shift + lift, lift, shift];
+        let within = lifts == [0; 3] && motion.clock.abs() <= ONE_PRODUCT;
+        let grand = amplitudes.map(|x| if within { times_power_of_two(x, motion.clock) } else { x });
         let unscale = lifts.map(|up| {
-            let total = motion.clock - up;
+            let total = if within { 0 } else { motion.clock - up };
             let part = if total < -900 { 600 } else { 0 };
             [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)]
         });
-        let grand = |amplitude: Double, up: i32| times_power_of_two(amplitude.value(), motion.clock - up);
-        let greatest = grand(amplitude_x, lift).max(grand(amplitude_m, lift)).max(grand(amplitude_c, 0));
+        let top = |amplitude: Double, up: i32| times_power_of_two(amplitude.value(), motion.clock - up);
+        let greatest = top(amplitude_x, lift).max(top(amplitude_m, lift)).max(top(amplitude_c, 0));
         Ok(Self {
             axes: [x, m, c],
             amplitudes,
+            grand,
             unscale,
             greatest,
             form,
@@ -334,14 +274,21 @@ impl Elliptic {
         Some((4.0 * PI * (self.drift.value() * half + step)).abs())
     }
 
-    fn spin(&self, values: &elliptic::Values) -> Vector3<f64> {
+    #[inline(always)]
+    fn spin(&self, [sn, cn, dn]: [f64; 3]) -> Vector3<f64> {
+        let unscaled = |k: usize, w: f64| self.grand[k] * w * self.unscale[k][0] * self.unscale[k][1];
+        let [across, middle, around] = [unscaled(0, cn), unscaled(1, sn), unscaled(2, dn)];
         let [x, m, c] = self.axes;
-        let mut omega = Vector3::zeros();
-        let unscaled = |k: usize, w: f64| self.amplitudes[k] * w * self.unscale[k][0] * self.unscale[k][1];
-        omega[x] = unscaled(0, values.cn);
-        omega[m] = unscaled(1, values.sn);
-        omega[c] = unscaled(2, values.dn);
-        omega
+        let cyclic = m == (x + 1) % 3;
+        let (next, last) = if cyclic { (across, middle) } else { (middle, across) };
+        arranged(c, [around, next, last]).into()
+    }
+
+    /// The turn since the start, from its parts along the circled axis and the next two.
+    #[inline(always)]
+    fn turn(&self, [real, i, j, k]: [f64; 4]) -> Quaternion<f64> {
+        let [x, y, z] = arranged(self.axes[2], [i, j, k]);
+        klein::quaternion(klein::unit([real, x, y, z]))
     }
 
     /// The spin at scaled time `time`.
@@ -349,9 +296,9 @@ impl Elliptic {
         match &self.form {
             Form::Trigonometric { spin, start, turns, .. } => {
                 let (sin, cos) = advanced(start, *turns * time);
-                self.spin(&spin.at(sin, cos))
+                self.spin(spin.values(sin, cos))
             }
-            Form::Hyperbolic { spin, way, .. } => self.spin(&way.at(time).spin(spin)),
+            Form::Hyperbolic { spin, way, .. } => self.spin(way.at(time).values(spin)),
         }
     }
 
@@ -376,8 +323,8 @@ impl Elliptic {
         time: f64,
     ) -> (Vector3<f64>, Quaternion<f64>) {
         let (sin, cos) = advanced(start, *turns * time);
-        let turned = pair.raw(sin, cos).turned(phase(self.drift * time + Double::ZERO));
-        (self.spin(&spin.at(sin, cos)), turned.since(&self.start, self.axes[2]))
+        let turned = pair.raw(sin, cos).turned(phase(drifted(self.drift, time, Double::ZERO)));
+        (self.spin(spin.values(sin, cos)), self.turn(turned.since(&self.start)))
     }
 
     #[inline(always)]
@@ -391,8 +338,8 @@ impl Elliptic {
     ) -> (Vector3<f64>, Quaternion<f64>) {
         let place = way.at(time);
         let extra = Double::product(place.halves, step);
-        let turned = place.pair(pair).turned(phase(self.drift * time + extra));
-        (self.spin(&place.spin(spin)), turned.since(&self.start, self.axes[2]))
+        let turned = place.pair(pair).turned(phase(drifted(self.drift, time, extra)));
+        (self.spin(place.values(spin)), self.turn(turned.since(&self.start)))
     }
 
     /// The attitude alone.
@@ -407,7 +354,7 @@ impl Elliptic {
                 (place.pair(pair), Double::product(place.halves, *step))
             }
         };
-        pair.turned(phase(self.drift * time + extra)).since(&self.start, self.axes[2])
+        self.turn(pair.turned(phase(drifted(self.drift, time, extra))).since(&self.start))
     }
 }
 
@@ -466,11 +413,29 @@ impl Form {
     }
 }
 
+/// In the order of the body, from that which begins with axis number `axis`.
+#[inline(always)]
+fn arranged(axis: usize, [first, second, third]: [f64; 3]) -> [f64; 3] {
+    // Not by an index: what goes through memory one by one is slow to come back together.
+    match axis {
+        0 => [first, second, third],
+        1 => [third, first, second],
+        _ => [second, third, first],
+    }
+}
+
 /// Sine and cosine of the start's phase moved on by some turns.
-fn advanced(start: &[f64; 2], turns: Double) -> (f64, f64) {
+#[inline(always)]
+fn advanced<T: Lane>(start: &[T; 2], turns: Double<T>) -> (T, T) {
     let (sin, cos) = elliptic::sin_cos_of_turns(turns);
     let [sin0, cos0] = *start;
     (sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin)
+}
+
+/// The common phase at a time, in turns, with what the half turns have added.
+#[inline(always)]
+fn drifted<T: Lane>(drift: Double<T>, time: T, extra: Double<T>) -> Double<T> {
+    drift * time + extra
 }
 
 /// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep

@@ -1,7 +1,9 @@
 //! The motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
+use super::klein;
 use crate::double::Double;
 use crate::elliptic::sin_cos_of_turns;
+use crate::scalar::{Lane, gathered};
 use crate::scale::{exponent, times_power_of_two};
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::PI;
@@ -32,9 +34,16 @@ impl Turn {
 
     pub(crate) fn at(&self, time: f64) -> Quaternion<f64> {
         let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
-        let v = self.direction * sin;
-        super::klein::unit(Quaternion::new(cos, v.x, v.y, v.z))
+        let [x, y, z] = self.direction.into();
+        klein::quaternion(klein::unit(about([x, y, z], sin, cos)))
     }
+}
+
+/// The quaternion of a turn about a direction.
+#[inline(always)]
+fn about<T: Lane>(direction: [T; 3], sin: T, cos: T) -> [T; 4] {
+    let [x, y, z] = direction;
+    [cos, x * sin, y * sin, z * sin]
 }
 
 /// The spin of a body with two equal moments circles its axis evenly, and the body turns evenly about its
@@ -109,7 +118,86 @@ impl Precession {
         let (sin, cos) = sin_cos_of_turns(self.wobble * (0.5 * time));
         let mut back = [0.0; 3];
         back[self.axis] = -sin;
-        super::klein::unit(self.about_momentum.at(time) * Quaternion::new(cos, back[0], back[1], back[2]))
+        let turn = self.about_momentum.at(time);
+        let turn = [turn.w, turn.i, turn.j, turn.k];
+        klein::quaternion(klein::unit(klein::product(turn, [cos, back[0], back[1], back[2]])))
+    }
+}
+
+/// Even turns of many bodies, side by side: those at rest too, which turn by nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Turns<T> {
+    direction: [T; 3],
+    half_rate: Double<T>,
+}
+
+impl<T: Lane> Turns<T> {
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> Option<Turn>) -> Self {
+        let half_rate = |s: &S| of(s).map_or(Double::ZERO, |turn| turn.half_rate);
+        Self {
+            direction: [0, 1, 2].map(|n| gathered(from, |s| of(s).map_or(0.0, |turn| turn.direction[n]))),
+            half_rate: Double::parts(
+                gathered(from, |s| half_rate(s).value()),
+                gathered(from, |s| half_rate(s).rest()),
+            ),
+        }
+    }
+
+    /// The turn since the start, real part first.
+    #[inline(always)]
+    pub(crate) fn at(&self, time: T) -> [T; 4] {
+        let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
+        klein::unit(about(self.direction, sin, cos))
+    }
+}
+
+/// The spins of many tops, side by side.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Wobbles<T> {
+    /// 1 in the place of the axis.
+    axis: [T; 3],
+    omega: [T; 3],
+    wobble: Double<T>,
+}
+
+impl<T: Lane> Wobbles<T> {
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Precession) -> Self {
+        Self {
+            axis: [0, 1, 2].map(|n| gathered(from, |s| if of(s).axis == n { 1.0 } else { 0.0 })),
+            omega: [0, 1, 2].map(|n| gathered(from, |s| of(s).omega[n])),
+            wobble: Double::parts(
+                gathered(from, |s| of(s).wobble.value()),
+                gathered(from, |s| of(s).wobble.rest()),
+            ),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn omega(&self, time: T) -> [T; 3] {
+        let (sin, cos) = sin_cos_of_turns(self.wobble * time);
+        let along = self.axis.map(|x| T::of(0.5).below(x));
+        // In each place what it would be if that were the first or the second place after the axis.
+        [0, 1, 2].map(|n| {
+            let [before, after] = [self.omega[(n + 2) % 3], self.omega[(n + 1) % 3]];
+            let first = self.omega[n] * cos - after * sin;
+            let second = self.omega[n] * cos + before * sin;
+            T::choose(along[n], self.omega[n], T::choose(along[(n + 2) % 3], first, second))
+        })
+    }
+
+    /// The turn since the start, real part first, from that about the momentum.
+    #[inline(always)]
+    pub(crate) fn turn(&self, about_momentum: &Turns<T>, time: T) -> [T; 4] {
+        let (sin, cos) = sin_cos_of_turns(self.wobble * (time * 0.5));
+        let nothing = T::of(0.0);
+        let [x, y, z] = self.axis.map(|along| T::choose(nothing.below(along), -sin, nothing));
+        klein::unit(klein::product(about_momentum.at(time), [cos, x, y, z]))
+    }
+}
+
+impl Precession {
+    pub(crate) fn about_momentum(&self) -> Turn {
+        self.about_momentum
     }
 }
 

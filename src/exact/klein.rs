@@ -14,39 +14,53 @@
 //! be integrated, no angle unwound.
 
 use crate::double::Double;
+use crate::scalar::{Lane, gathered};
 use nalgebra::Quaternion;
 
 /// `a + b j`, not of length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pair {
-    pub(crate) a: [f64; 2],
-    pub(crate) b: [f64; 2],
+pub(crate) struct Pair<T = f64> {
+    pub(crate) a: [T; 2],
+    pub(crate) b: [T; 2],
 }
 
-fn times(x: [f64; 2], y: [f64; 2]) -> [f64; 2] {
+#[inline(always)]
+fn times<T: Lane>(x: [T; 2], y: [T; 2]) -> [T; 2] {
     [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
 }
 
-fn conjugate(x: [f64; 2]) -> [f64; 2] {
+#[inline(always)]
+fn conjugate<T: Lane>(x: [T; 2]) -> [T; 2] {
     [x[0], -x[1]]
 }
 
-impl Pair {
-    pub(crate) fn length(&self) -> f64 {
-        (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).sqrt()
+impl<T: Lane> Pair<T> {
+    /// Those of many, side by side.
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Pair) -> Self {
+        Self {
+            a: [0, 1].map(|n| gathered(from, |s| of(s).a[n])),
+            b: [0, 1].map(|n| gathered(from, |s| of(s).b[n])),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn length(&self) -> T {
+        (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).root()
     }
 
     /// Turned about `i` by twice the angle whose cosine and sine are given.
-    pub(crate) fn turned(&self, phase: [f64; 2]) -> Self {
+    #[inline(always)]
+    pub(crate) fn turned(&self, phase: [T; 2]) -> Self {
         Self { a: times(phase, self.a), b: times(phase, self.b) }
     }
 
-    pub(crate) fn scaled(&self, factor: f64) -> Self {
+    pub(crate) fn scaled(&self, factor: T) -> Self {
         Self { a: self.a.map(|x| factor * x), b: self.b.map(|x| factor * x) }
     }
 
-    /// `conj(start) self` as a quaternion of length 1, with `i` along the body axis number `axis`.
-    pub(crate) fn since(&self, start: &Self, axis: usize) -> Quaternion<f64> {
+    /// `conj(start) self` as a quaternion of length 1 to a few roundings: the real part, and those along `i`, `j`, `k`.
+    #[inline(always)]
+    pub(crate) fn since(&self, start: &Self) -> [T; 4] {
         let (a0, b0) = (start.a, start.b);
         let dot = [
             times(conjugate(a0), self.a),
@@ -54,22 +68,50 @@ impl Pair {
             times(conjugate(a0), self.b),
             times(b0, conjugate(self.a)),
         ];
-        let over = 1.0 / self.length();
-        let real = (dot[0][0] + dot[1][0]) * over;
-        let mut vector = [0.0; 3];
-        vector[axis] = (dot[0][1] + dot[1][1]) * over;
-        vector[(axis + 1) % 3] = (dot[2][0] - dot[3][0]) * over;
-        vector[(axis + 2) % 3] = (dot[2][1] - dot[3][1]) * over;
-        unit(Quaternion::new(real, vector[0], vector[1], vector[2]))
+        let over = T::of(1.0) / self.length();
+        [
+            (dot[0][0] + dot[1][0]) * over,
+            (dot[0][1] + dot[1][1]) * over,
+            (dot[2][0] - dot[3][0]) * over,
+            (dot[2][1] - dot[3][1]) * over,
+        ]
     }
 }
 
-/// One of length 1 to a few roundings brought to length 1 as near as its components can be.
-pub(crate) fn unit(q: Quaternion<f64>) -> Quaternion<f64> {
-    let [x, y, z, w] = [q.coords.x, q.coords.y, q.coords.z, q.coords.w];
+/// One of length 1 to a few roundings brought to length 1 as near as its components can be: real part first.
+#[inline(always)]
+pub(crate) fn unit<T: Lane>([w, x, y, z]: [T; 4]) -> [T; 4] {
     // Sorted into pairs so that the sum stays short; the excess itself has all the digits it needs.
     let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);
-    q * (1.0 - 0.5 * excess)
+    let factor = -(excess * 0.5) + 1.0;
+    [w * factor, x * factor, y * factor, z * factor]
+}
+
+/// The product of two quaternions, real parts first.
+#[inline(always)]
+pub(crate) fn product<T: Lane>(a: [T; 4], b: [T; 4]) -> [T; 4] {
+    [
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+    ]
+}
+
+/// A vector turned by a quaternion of length 1, real part first.
+#[inline(always)]
+pub(crate) fn rotated<T: Lane>(q: [T; 4], v: [T; 3]) -> [T; 3] {
+    let [w, x, y, z] = q;
+    let across = |v: [T; 3]| [y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]];
+    let t = across(v).map(|x| x * 2.0);
+    let u = across(t);
+    [v[0] + t[0] * w + u[0], v[1] + t[1] * w + u[1], v[2] + t[2] * w + u[2]]
+}
+
+/// As the library's users have it.
+#[inline(always)]
+pub(crate) fn quaternion([w, x, y, z]: [f64; 4]) -> Quaternion<f64> {
+    Quaternion::new(w, x, y, z)
 }
 
 /// What both forms are made from.
@@ -92,12 +134,12 @@ impl Shape {
 
 /// The two theta functions in sines and cosines, as polynomials in `cos 2z`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TrigonometricPair {
-    a_real: [f64; 4],
-    a_imaginary: [f64; 3],
-    b_along_sin: [f64; 3],
-    b_along_cos: [f64; 3],
-    cyclic: bool,
+pub(crate) struct TrigonometricPair<T = f64> {
+    a_real: [T; 4],
+    a_imaginary: [T; 3],
+    b_along_sin: [T; 3],
+    b_along_cos: [T; 3],
+    sense: T,
 }
 
 impl TrigonometricPair {
@@ -123,26 +165,13 @@ impl TrigonometricPair {
             [-(-shape.depth).exp_m1(), q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * fall.powi(3)];
         let b_along_sin = [c[0] - c[1] - c[2], -2.0 * c[1] + 2.0 * c[2], 4.0 * c[2]];
         let b_along_cos = [d[0] + d[1] - d[2], -2.0 * d[1] - 2.0 * d[2], 4.0 * d[2]].map(|x| -s * x);
-        let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, cyclic: shape.cyclic };
+        let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense: s };
         let at_middle = pair.raw(1.0, 0.0);
         let amplitude = shape.tilt * at_middle.a[0] / at_middle.b[0].hypot(at_middle.b[1]);
         let amplitude = if shape.forward { amplitude } else { -amplitude };
         pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
         pair.b_along_cos = pair.b_along_cos.map(|x| x * amplitude);
         pair
-    }
-
-    /// From sine and cosine of `z`.
-    pub(crate) fn raw(&self, sin: f64, cos: f64) -> Pair {
-        let c = (cos - sin) * (cos + sin);
-        let cubic = |p: &[f64; 4]| (p[0] + p[1] * c) + (c * c) * (p[2] + p[3] * c);
-        let square = |p: &[f64; 3]| p[0] + c * (p[1] + c * p[2]);
-        let real = sin * square(&self.b_along_sin);
-        let imaginary = cos * square(&self.b_along_cos);
-        Pair {
-            a: [cubic(&self.a_real), 2.0 * sin * cos * square(&self.a_imaginary)],
-            b: if self.cyclic { [real, imaginary] } else { [imaginary, -real] },
-        }
     }
 
     /// How fast the angle of `a` turns with `z` where `z` is zero.
@@ -152,17 +181,50 @@ impl TrigonometricPair {
     }
 }
 
+impl<T: Lane> TrigonometricPair<T> {
+    /// Those of many, side by side.
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &TrigonometricPair) -> Self {
+        Self {
+            a_real: [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).a_real[n])),
+            a_imaginary: [0, 1, 2].map(|n| gathered(from, |s| of(s).a_imaginary[n])),
+            b_along_sin: [0, 1, 2].map(|n| gathered(from, |s| of(s).b_along_sin[n])),
+            b_along_cos: [0, 1, 2].map(|n| gathered(from, |s| of(s).b_along_cos[n])),
+            sense: gathered(from, |s| of(s).sense),
+        }
+    }
+
+    /// From sine and cosine of `z`.
+    #[inline(always)]
+    pub(crate) fn raw(&self, sin: T, cos: T) -> Pair<T> {
+        let c = (cos - sin) * (cos + sin);
+        let cubic = |p: &[T; 4]| (p[0] + p[1] * c) + (c * c) * (p[2] + p[3] * c);
+        let square = |p: &[T; 3]| p[0] + c * (p[1] + c * p[2]);
+        let real = sin * square(&self.b_along_sin);
+        let imaginary = cos * square(&self.b_along_cos);
+        Pair {
+            a: [cubic(&self.a_real), sin * 2.0 * cos * square(&self.a_imaginary)],
+            b: in_sense(self.sense, real, imaginary),
+        }
+    }
+}
+
+/// `b`, whose axes follow each other one way or the other.
+#[inline(always)]
+fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
+    let cyclic = T::of(0.0).below(sense);
+    [T::choose(cyclic, real, imaginary), T::choose(cyclic, imaginary, -real)]
+}
+
 /// The two theta functions in hyperbolic functions, after the imaginary transformation: sums in
 /// `e = exp(-x)` and `r = p² exp(x)`, where `x` is Jacobi's argument times `pi/(2K')`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct HyperbolicPair {
+pub(crate) struct HyperbolicPair<T = f64> {
     /// The nome `p = exp(-pi K/(2K'))`, that is the value of both `e` and `r` at the middle of the way.
-    nome: f64,
-    rising: [[f64; 5]; 2],
-    falling: [[f64; 4]; 2],
-    amplitude: f64,
-    cyclic: bool,
-    sense: f64,
+    nome: T,
+    rising: [[T; 5]; 2],
+    falling: [[T; 4]; 2],
+    amplitude: T,
+    sense: T,
 }
 
 impl HyperbolicPair {
@@ -184,7 +246,6 @@ impl HyperbolicPair {
             rising: [[0, 1, 2, 3, 4].map(|n| up[n] * c[n]), [0, 1, 2, 3, 4].map(|n| up[n] * s[n])],
             falling: [[0, 1, 2, 3].map(|n| down[n] * c[n]), [0, 1, 2, 3].map(|n| down[n] * s[n])],
             amplitude: 1.0,
-            cyclic: shape.cyclic,
             sense: shape.sense(),
         };
         let middle = pair.raw(nome, 1.0, 1.0, 1.0);
@@ -192,33 +253,6 @@ impl HyperbolicPair {
         let amplitude = shape.tilt * length(middle.a) / length(middle.b);
         pair.amplitude = if shape.forward { amplitude } else { -amplitude };
         pair
-    }
-
-    /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half turns.
-    pub(crate) fn raw(&self, e: f64, rise: f64, side: f64, turn: f64) -> Pair {
-        let r = self.nome * rise;
-        let r2 = r * r;
-        // Sums with all signs alike, and alternating.
-        let up = |p: &[f64; 5]| {
-            let even = p[0] + r2 * (p[2] + r2 * p[4]);
-            let odd = r * (p[1] + r2 * p[3]);
-            (even + odd, even - odd)
-        };
-        let e2 = e * e;
-        let down = |p: &[f64; 4]| {
-            let (even, odd) = (e * (p[0] + e2 * p[2]), e2 * (p[1] + e2 * p[3]));
-            (even + odd, even - odd)
-        };
-        let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] =
-            [up(&self.rising[0]), up(&self.rising[1])];
-        let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
-            [down(&self.falling[0]), down(&self.falling[1])];
-        let real = turn * self.amplitude * side * (cos_up_alternating - cos_down_alternating);
-        let imaginary = -turn * self.amplitude * self.sense * (sin_up_alternating + sin_down_alternating);
-        Pair {
-            a: [cos_up + cos_down, side * self.sense * (sin_down - sin_up)],
-            b: if self.cyclic { [real, imaginary] } else { [imaginary, -real] },
-        }
     }
 
     /// At the middle of the way, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
@@ -246,8 +280,50 @@ impl HyperbolicPair {
     }
 }
 
+impl<T: Lane> HyperbolicPair<T> {
+    /// Those of many, side by side.
+    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &HyperbolicPair) -> Self {
+        Self {
+            nome: gathered(from, |s| of(s).nome),
+            rising: [0, 1].map(|w| [0, 1, 2, 3, 4].map(|n| gathered(from, |s| of(s).rising[w][n]))),
+            falling: [0, 1].map(|w| [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).falling[w][n]))),
+            amplitude: gathered(from, |s| of(s).amplitude),
+            sense: gathered(from, |s| of(s).sense),
+        }
+    }
+
+    /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half turns.
+    #[inline(always)]
+    pub(crate) fn raw(&self, e: T, rise: T, side: T, turn: T) -> Pair<T> {
+        let r = self.nome * rise;
+        let r2 = r * r;
+        // Sums with all signs alike, and alternating.
+        let up = |p: &[T; 5]| {
+            let even = p[0] + r2 * (p[2] + r2 * p[4]);
+            let odd = r * (p[1] + r2 * p[3]);
+            (even + odd, even - odd)
+        };
+        let e2 = e * e;
+        let down = |p: &[T; 4]| {
+            let (even, odd) = (e * (p[0] + e2 * p[2]), e2 * (p[1] + e2 * p[3]));
+            (even + odd, even - odd)
+        };
+        let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] =
+            [up(&self.rising[0]), up(&self.rising[1])];
+        let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
+            [down(&self.falling[0]), down(&self.falling[1])];
+        let real = turn * self.amplitude * side * (cos_up_alternating - cos_down_alternating);
+        let imaginary = -turn * self.amplitude * self.sense * (sin_up_alternating + sin_down_alternating);
+        Pair {
+            a: [cos_up + cos_down, side * self.sense * (sin_down - sin_up)],
+            b: in_sense(self.sense, real, imaginary),
+        }
+    }
+}
+
 /// Cosine and sine of the common phase.
-pub(crate) fn phase(turns: Double) -> [f64; 2] {
+#[inline(always)]
+pub(crate) fn phase<T: Lane>(turns: Double<T>) -> [T; 2] {
     let (sin, cos) = crate::elliptic::sin_cos_of_turns(turns);
     [cos, sin]
 }

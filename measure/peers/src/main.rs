@@ -7,6 +7,7 @@
 mod dop853;
 mod law;
 mod rapier;
+mod scale;
 mod tsit45;
 
 use std::io::{IsTerminal as _, Write as _};
@@ -16,6 +17,7 @@ use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::contestant::{self, Contestant};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
+use tumbling_measure::scale as crowds;
 use tumbling_measure::story::{self, Wrong};
 
 /// The peers with their versions, as the lock file has them.
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Wrong> {
     let mut words = std::env::args().skip(1);
     let (mut effort, mut folder) = (Effort::FULL, None);
+    let (mut build, mut with) = (None, None);
     while let Some(word) = words.next() {
         match word.as_str() {
             // How it runs itself again under valgrind.
@@ -58,27 +61,36 @@ fn run() -> Result<(), Wrong> {
                 return Ok(());
             }
             "--quick" => effort = Effort::QUICK,
+            // Many bodies, by a build of this name, after what another build has written.
+            "scale" => build = Some(words.next().ok_or("which build?")?),
+            "--after" => with = words.next().map(PathBuf::from),
             "--into" => folder = words.next().map(PathBuf::from),
             other => return Err(format!("`{other}` is not understood").into()),
         }
     }
     let folder = folder.ok_or("it needs `--into FOLDER`")?;
-    let contestants = all();
     let versions: Vec<String> = PEERS
         .iter()
         .map(|name| format!("{name} {}", version(name).unwrap_or("of no known version")))
         .collect();
-    let campaign = Campaign {
-        contestants: &contestants,
-        effort,
-        again: Some(Again { program: std::env::current_exe()?.into(), words: vec!["count".into()] }),
-        head: vec![("peers".into(), versions.join("; "))],
-    };
+    let head = [("peers".to_owned(), versions.join("; "))];
     let terminal = std::io::stderr().is_terminal();
     let mut tell = |what: &str| {
         let mut out = std::io::stderr().lock();
         let _ = if terminal { write!(out, "\r\x1b[K{what}") } else { writeln!(out, "{what}") };
         let _ = out.flush();
+    };
+    if let Some(build) = build {
+        let effort = if effort == Effort::QUICK { crowds::Effort::QUICK } else { crowds::Effort::FULL };
+        println!("{}", scale::write(&build, effort, with.as_deref(), &folder, &head, &mut tell)?);
+        return Ok(());
+    }
+    let contestants = all();
+    let campaign = Campaign {
+        contestants: &contestants,
+        effort,
+        again: Some(Again { program: std::env::current_exe()?.into(), words: vec!["count".into()] }),
+        head: head.to_vec(),
     };
     println!("{}", campaign::write(&campaign, &folder, &mut tell)?);
     Ok(())

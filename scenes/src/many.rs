@@ -1,0 +1,307 @@
+//! Many bodies in free motion: prepared once, then asked for any instants, as many at once as the processor has lanes and
+//! threads.
+//!
+//! Bodies are kept in [tiles](TILE), and a tile's bodies sorted by their kind of motion, so that those next to each
+//! other run through the same functions side by side. Answers come in [chunks](Chunk) of one tile at some
+//! instants, in the order in which bodies and times were given: the memory needed grows with the bodies, not with the times.
+//!
+//! An answer is to the bit that of [`FreeMotion::at`], whatever else is asked: neighbours, their number, lanes and threads change
+//! nothing.
+//!
+//! With the feature `threads` the tiles are shared out over the threads of [rayon](https://docs.rs/rayon)'s pool. It
+//! is off unless asked for: a scene of few bodies has no use for it.
+//!
+//! ```
+//! use nalgebra::{UnitQuaternion, Vector3};
+//! use tumbling_scenes::many::{Given, Many};
+//!
+//! // A thousand boxes, and one that no body is.
+//! let given = |k: usize| Given {
+//!     moments: if k == 500 { Vector3::new(1.0, 1.0, 3.0) } else { Vector3::new(1.0, 1.5, 2.0) },
+//!     omega: Vector3::new(0.1, 1.0 + 0.001 * k as f64, 0.2),
+//!     attitude: UnitQuaternion::identity(),
+//! };
+//! let many = Many::instants(1000, given, |_| {});
+//! assert_eq!(many.refused()[0].body, 500);
+//! assert!(many.refused()[0].error.to_string().contains("1 + 1 >= 3"));
+//! let mut sum = 0.0;
+//! many.in_order(&[0.5, 1.0], |_| {}, |chunk| {
+//!     for (time, body, instant) in chunk.states() {
+//!         if body == 999 {
+//!             sum += instant.omega.norm() * (1.0 + time as f64);
+//!         }
+//!     }
+//! })?;
+//! assert!(sum > 3.0);
+//! # Ok::<(), tumbling::Error>(())
+//! ```
+
+mod four;
+mod want;
+
+pub use four::Four;
+pub use want::Want;
+
+use nalgebra::{UnitQuaternion, Vector3};
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tumbling::Error;
+use tumbling::exact::{Batch, FreeMotion, Spins};
+
+/// How many bodies are sorted, worked on and put out together.
+pub const TILE: usize = 256;
+
+/// At how many instants a tile is asked before its answers are put out: they fit the processor's second cache with it.
+pub const INSTANTS: usize = 16;
+
+/// One body as it is given: principal moments (kg m²), spin along the same axes (rad/s) and attitude (body to
+/// world) at time 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Given {
+    /// Principal moments, kg m², in any order.
+    pub moments: Vector3<f64>,
+    /// Angular velocity in body axes, rad/s.
+    pub omega: Vector3<f64>,
+    /// Attitude, body to world.
+    pub attitude: UnitQuaternion<f64>,
+}
+
+impl Given {
+    fn motion(&self) -> Result<FreeMotion, Error> {
+        FreeMotion::new(&self.moments, &self.omega)?.facing(&self.attitude)
+    }
+}
+
+/// A body that was not taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refused {
+    /// Which of the bodies given, from 0.
+    pub body: usize,
+    /// What is wrong with it.
+    pub error: Error,
+}
+
+/// How far it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Bodies prepared, or states answered.
+    pub done: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+/// Answers of one tile at some of the times.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chunk<'a, S> {
+    /// Which bodies.
+    pub bodies: Range<usize>,
+    /// Which of the times.
+    pub times: Range<usize>,
+    /// All bodies at the first of the times, then all at the next. A body that was refused has NaN throughout.
+    pub answers: &'a [S],
+}
+
+impl<S: Copy> Chunk<'_, S> {
+    /// Each answer with the number of its time and that of its body.
+    pub fn states(&self) -> impl Iterator<Item = (usize, usize, S)> + '_ {
+        let bodies = self.bodies.len().max(1);
+        let place = move |(n, &state): (usize, &S)| {
+            (self.times.start + n / bodies, self.bodies.start + n % bodies, state)
+        };
+        self.answers.iter().enumerate().map(place)
+    }
+}
+
+/// Bodies prepared for what is [wanted](Want) of them.
+#[derive(Debug, Clone)]
+pub struct Many<W> {
+    tiles: Vec<Tile<W>>,
+    bodies: usize,
+    refused: Vec<Refused>,
+}
+
+#[derive(Debug, Clone)]
+struct Tile<W> {
+    first: usize,
+    bodies: usize,
+    /// Where the bodies of `those` are in the tile, empty if none was refused.
+    places: Vec<usize>,
+    those: W,
+}
+
+impl Many<Batch<Four>> {
+    /// Prepares bodies for spin and attitude: `given` says the body of each index below `bodies`.
+    pub fn instants(
+        bodies: usize,
+        given: impl Fn(usize) -> Given + Sync,
+        tell: impl Fn(Progress) + Sync,
+    ) -> Self {
+        Self::prepare(bodies, given, tell)
+    }
+}
+
+impl Many<Spins<Four>> {
+    /// Prepares bodies for their spin alone, which takes about half the memory and the time.
+    pub fn spins(
+        bodies: usize,
+        given: impl Fn(usize) -> Given + Sync,
+        tell: impl Fn(Progress) + Sync,
+    ) -> Self {
+        Self::prepare(bodies, given, tell)
+    }
+}
+
+impl<W: Want> Many<W> {
+    /// Prepares bodies for whatever is wanted, in whatever lanes.
+    pub fn prepare(
+        bodies: usize,
+        given: impl Fn(usize) -> Given + Sync,
+        tell: impl Fn(Progress) + Sync,
+    ) -> Self {
+        let done = AtomicUsize::new(0);
+        let tile = |n: usize| {
+            let (tile, refused) = Tile::new(n * TILE..bodies.min((n + 1) * TILE), &given);
+            tell(Progress { done: done.fetch_add(tile.bodies, Ordering::Relaxed) + tile.bodies, of: bodies });
+            (tile, refused)
+        };
+        let count = bodies.div_ceil(TILE);
+        #[cfg(feature = "threads")]
+        let made: Vec<_> = (0..count).into_par_iter().map(tile).collect();
+        #[cfg(not(feature = "threads"))]
+        let made: Vec<_> = (0..count).map(tile).collect();
+        let (tiles, refused): (Vec<_>, Vec<_>) = made.into_iter().unzip();
+        Self { tiles, bodies, refused: refused.into_iter().flatten().collect() }
+    }
+
+    /// How many bodies were given, refused ones among them.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.bodies
+    }
+
+    /// Whether none was given.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.bodies == 0
+    }
+
+    /// The bodies that were not taken, in order.
+    #[must_use]
+    pub fn refused(&self) -> &[Refused] {
+        &self.refused
+    }
+
+    /// The memory that the prepared bodies hold, bytes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.tiles.iter().map(|tile| tile.those.bytes() + size_of::<Tile<W>>() + tile.places.len() * 8).sum()
+    }
+
+    /// Asks every body at each of `times` (s, in any order) and puts the answers out as they come: with the feature
+    /// `threads` from several threads at once, tiles in no particular order.
+    ///
+    /// # Errors
+    /// A time that is not finite, before any answer is put out.
+    pub fn each(
+        &self,
+        times: &[f64],
+        tell: impl Fn(Progress) + Sync,
+        put: impl Fn(Chunk<'_, W::State>) + Sync,
+    ) -> Result<(), Error> {
+        check(times)?;
+        let of = self.bodies.saturating_mul(times.len());
+        let done = AtomicUsize::new(0);
+        let work = |room: &mut Vec<W::State>, tile: &Tile<W>| {
+            for (n, span) in times.chunks(INSTANTS).enumerate() {
+                put(tile.ask(span, n * INSTANTS, room)?);
+            }
+            let more = tile.bodies * times.len();
+            tell(Progress { done: done.fetch_add(more, Ordering::Relaxed) + more, of });
+            Ok(())
+        };
+        #[cfg(feature = "threads")]
+        return self.tiles.par_iter().try_for_each_init(Vec::new, work);
+        #[cfg(not(feature = "threads"))]
+        {
+            let mut room = Vec::new();
+            self.tiles.iter().try_for_each(|tile| work(&mut room, tile))
+        }
+    }
+
+    /// The same on this thread alone and in order: all bodies at the first [`INSTANTS`] times, tile by tile, then at the next.
+    ///
+    /// # Errors
+    /// A time that is not finite, before any answer is put out.
+    pub fn in_order(
+        &self,
+        times: &[f64],
+        mut tell: impl FnMut(Progress),
+        mut put: impl FnMut(Chunk<'_, W::State>),
+    ) -> Result<(), Error> {
+        check(times)?;
+        let mut progress = Progress { done: 0, of: self.bodies.saturating_mul(times.len()) };
+        let mut room = Vec::new();
+        for (n, span) in times.chunks(INSTANTS).enumerate() {
+            for tile in &self.tiles {
+                put(tile.ask(span, n * INSTANTS, &mut room)?);
+                progress.done += tile.bodies * span.len();
+                tell(progress);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check(times: &[f64]) -> Result<(), Error> {
+    match times.iter().find(|t| !t.is_finite()) {
+        Some(&value) => Err(Error::NotFinite { what: "the time", value }),
+        None => Ok(()),
+    }
+}
+
+impl<W: Want> Tile<W> {
+    fn new(range: Range<usize>, given: &impl Fn(usize) -> Given) -> (Self, Vec<Refused>) {
+        let (mut motions, mut places, mut refused) = (Vec::new(), Vec::new(), Vec::new());
+        for body in range.clone() {
+            match given(body).motion() {
+                Ok(motion) => {
+                    motions.push(motion);
+                    places.push(body - range.start);
+                }
+                Err(error) => refused.push(Refused { body, error }),
+            }
+        }
+        if refused.is_empty() {
+            places = Vec::new();
+        }
+        (Self { first: range.start, bodies: range.len(), places, those: W::of(&motions) }, refused)
+    }
+
+    /// Some of the times, the first of which has the number `number`.
+    fn ask<'a>(
+        &self,
+        times: &[f64],
+        number: usize,
+        room: &'a mut Vec<W::State>,
+    ) -> Result<Chunk<'a, W::State>, Error> {
+        let bodies = self.bodies;
+        let whole = self.places.is_empty();
+        if !whole || room.len() != bodies * times.len() {
+            room.clear();
+            room.resize(bodies * times.len(), W::REFUSED);
+        }
+        self.those.each(times, |time, body, state| {
+            let place = if whole { Some(body) } else { self.places.get(body).copied() };
+            if let Some(slot) = place.and_then(|place| room.get_mut(time * bodies + place)) {
+                *slot = state;
+            }
+        })?;
+        Ok(Chunk {
+            bodies: self.first..self.first + bodies,
+            times: number..number + times.len(),
+            answers: room,
+        })
+    }
+}

@@ -1,0 +1,239 @@
+//! Four numbers side by side, of the crate `wide`.
+//!
+//! Of its operations only those that round as `f64` does: its own sine, exponential and rounding are not needed, and its
+//! fused product is fused on some machines only.
+
+use num_traits::{One, Zero};
+use std::array::from_fn;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use tumbling::scalar::Lane;
+use wide::f64x4;
+
+/// Four numbers side by side: a vector register where the program is built for a machine that has them (`-C
+/// target-cpu=native`), a pair of shorter ones elsewhere, with the same answers.
+///
+/// ```
+/// use tumbling::scalar::Lane;
+/// use tumbling_scenes::many::Four;
+/// let roots = Four::of_lanes(|k| k as f64).root();
+/// assert_eq!([0, 1, 2, 3].map(|k| roots.lane(k)), [0.0, 1.0, 2_f64.sqrt(), 3_f64.sqrt()]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Four(f64x4);
+
+macro_rules! arithmetic {
+    ($Op:ident, $op:ident, $Assign:ident, $assign:ident) => {
+        impl $Op for Four {
+            type Output = Self;
+            #[inline(always)]
+            fn $op(self, other: Self) -> Self {
+                Self(self.0.$op(other.0))
+            }
+        }
+        impl $Op<f64> for Four {
+            type Output = Self;
+            #[inline(always)]
+            fn $op(self, other: f64) -> Self {
+                Self(self.0.$op(f64x4::splat(other)))
+            }
+        }
+        impl $Assign for Four {
+            #[inline(always)]
+            fn $assign(&mut self, other: Self) {
+                *self = self.$op(other);
+            }
+        }
+    };
+}
+arithmetic!(Add, add, AddAssign, add_assign);
+arithmetic!(Sub, sub, SubAssign, sub_assign);
+arithmetic!(Mul, mul, MulAssign, mul_assign);
+arithmetic!(Div, div, DivAssign, div_assign);
+impl Neg for Four {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0 ^ f64x4::splat(-0.0))
+    }
+}
+
+impl Zero for Four {
+    fn zero() -> Self {
+        Self(f64x4::splat(0.0))
+    }
+    fn is_zero(&self) -> bool {
+        self.0.to_array() == [0.0; 4]
+    }
+}
+
+impl One for Four {
+    fn one() -> Self {
+        Self(f64x4::splat(1.0))
+    }
+}
+
+/// Of numbers beyond it the last place is no half.
+const HALVES: f64 = 2_251_799_813_685_248.0;
+/// Added to one up to [`HALVES`] it makes the last place 1.
+const UNIT: f64 = 6_755_399_441_055_744.0;
+/// Between these (or zero), a product and all its parts are within the range.
+const SMALL: f64 = 1e-120;
+const LARGE: f64 = 1e120;
+
+impl Lane for Four {
+    type Mask = f64x4;
+    const WIDTH: usize = 4;
+
+    #[inline(always)]
+    fn of_lanes(of: impl FnMut(usize) -> f64) -> Self {
+        Self(f64x4::new(from_fn(of)))
+    }
+
+    #[inline(always)]
+    fn lane(&self, k: usize) -> f64 {
+        // There are four: a number too large says the first again.
+        self.0.as_array()[k % 4]
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> f64x4 {
+        self.0.simd_lt(other.0)
+    }
+
+    #[inline(always)]
+    fn any(mask: f64x4) -> bool {
+        mask.any()
+    }
+
+    #[inline(always)]
+    fn choose(mask: f64x4, yes: Self, no: Self) -> Self {
+        Self(mask.select(yes.0, no.0))
+    }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        Self((self.0 & f64x4::splat(-0.0)) | f64x4::splat(1.0))
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn whole(self) -> Self {
+        // Where there is an instruction for it the compiler takes that, four at once.
+        let instruction = cfg!(any(target_feature = "avx", target_arch = "aarch64"));
+        if !instruction && self.0.abs().simd_lt(f64x4::splat(HALVES)).all() {
+            let unit = f64x4::splat(UNIT);
+            // The sign goes on again: what rounds to zero from below is -0.
+            return Self(((self.0 + unit) - unit) | (self.0 & f64x4::splat(-0.0)));
+        }
+        Self(f64x4::new(self.0.to_array().map(f64::round_ties_even)))
+    }
+
+    #[inline(always)]
+    fn left_off(self, other: Self, product: Self) -> Self {
+        if cfg!(all(target_feature = "avx", target_feature = "fma")) {
+            return Self(self.0.mul_sub(other.0, product.0));
+        }
+        // Without the instruction: Dekker's product, exact as long as nothing leaves the range on the way.
+        if !cfg!(target_arch = "aarch64") && fits(self.0) && fits(other.0) {
+            let (a, b) = (split(self.0), split(other.0));
+            return Self(((a[0] * b[0] - product.0) + a[0] * b[1] + a[1] * b[0]) + a[1] * b[1]);
+        }
+        Self(f64x4::new(from_fn(|k| self.lane(k).mul_add(other.lane(k), -product.lane(k)))))
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self(f64x4::new(self.0.to_array().map(f64::power_of_two)))
+    }
+}
+
+#[inline(always)]
+fn fits(x: f64x4) -> bool {
+    let size = x.abs();
+    let between = size.simd_lt(f64x4::splat(LARGE)) & size.simd_gt(f64x4::splat(SMALL));
+    (between | size.simd_eq(f64x4::splat(0.0))).all()
+}
+
+/// Its upper 26 bits and the rest, Veltkamp's way.
+#[inline(always)]
+fn split(x: f64x4) -> [f64x4; 2] {
+    let scaled = f64x4::splat(134_217_729.0) * x;
+    let upper = scaled - (scaled - x);
+    [upper, x - upper]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn four(x: [f64; 4]) -> Four {
+        Four::of_lanes(|k| x[k])
+    }
+
+    fn bits(x: Four) -> [u64; 4] {
+        [0, 1, 2, 3].map(|k| x.lane(k).to_bits())
+    }
+
+    fn any_number() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            proptest::num::f64::ANY.prop_filter("a number", |x| !x.is_nan()),
+            -1e3..1e3_f64,
+            Just(-0.0),
+            Just(0.5),
+            Just(-1.5)
+        ]
+    }
+
+    proptest! {
+        // Independent: the same operation on each number alone.
+        #[test]
+        fn every_operation_rounds_in_every_lane_as_it_does_alone(
+            a in proptest::array::uniform4(any_number()), b in proptest::array::uniform4(any_number()),
+        ) {
+            let (x, y) = (four(a), four(b));
+            let alone = |f: fn(f64, f64) -> f64| [0, 1, 2, 3].map(|k| f(a[k], b[k]).to_bits());
+            let same = |found: Four, expected: [u64; 4]| {
+                let nan = |bits: u64| f64::from_bits(bits).is_nan();
+                bits(found).iter().zip(&expected).all(|(f, e)| f == e || (nan(*f) && nan(*e)))
+            };
+            prop_assert!(same(x + y, alone(|a, b| a + b)));
+            prop_assert!(same(x - y, alone(|a, b| a - b)));
+            prop_assert!(same(x * y, alone(|a, b| a * b)));
+            prop_assert!(same(x / y, alone(|a, b| a / b)));
+            prop_assert!(same(-x, alone(|a, _| -a)));
+            prop_assert!(same(x.size().root(), alone(|a, _| a.abs().sqrt())));
+            prop_assert!(same(x.whole(), alone(|a, _| a.round_ties_even())));
+            prop_assert!(same(x.sign(), alone(|a, _| 1_f64.copysign(a))));
+            let lesser = alone(|a, b| if a < b { a } else { b });
+            prop_assert!(same(Four::choose(x.below(y), x, y), lesser));
+            let (left, product) = (alone(|a, b| a.mul_add(b, -(a * b))), x * y);
+            prop_assert!(same(x.left_off(y, product), left) || left.iter().any(|x| f64::from_bits(*x).is_nan()));
+        }
+
+        #[test]
+        fn a_product_and_what_its_rounding_left_off_are_exact_together(
+            a in proptest::array::uniform4(-1e9_f64..1e9), b in proptest::array::uniform4(-1e9_f64..1e9),
+        ) {
+            let left = four(a).left_off(four(b), four(a) * four(b));
+            prop_assert_eq!(bits(left), [0, 1, 2, 3].map(|k| a[k].mul_add(b[k], -(a[k] * b[k])).to_bits()));
+        }
+    }
+
+    #[test]
+    fn powers_of_two_are_exact_over_the_whole_range() {
+        for n in [-1022, -1, 0, 1, 1023] {
+            let power = Four::of(f64::from(n)).power_of_two();
+            assert_eq!(power.lane(3), 2_f64.powi(n));
+        }
+    }
+}

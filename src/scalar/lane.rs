@@ -1,0 +1,155 @@
+//! Several numbers side by side, worked on at once.
+
+use super::Field;
+use std::fmt::Debug;
+use std::ops::{Add, Mul, Sub};
+
+/// Several `f64` side by side that go through the same arithmetic at once, each for itself: a processor's vector register.
+/// `f64` is the case of one lane.
+///
+/// The closed form of [free motion](crate::exact) is written over this trait. Every operation rounds as that of `f64` does, so
+/// a lane's answer is to the bit what the same `f64` would have got alone, whatever stands in the other lanes. A
+/// type that keeps its promises keeps that one too:
+///
+/// - `+ - * /` and [`root`](Self::root) of each lane are those of `f64`, rounded once and nothing fused;
+/// - arithmetic with an `f64` on the right is arithmetic with that number in every lane;
+/// - `zero` and `one` have it in every lane.
+///
+/// The functions for an index of a lane are called with those below [`WIDTH`](Self::WIDTH) only.
+///
+/// ```
+/// use tumbling::scalar::Lane;
+/// // Written once, for any number of bodies side by side.
+/// fn swapped<T: Lane>(low: T, high: T) -> [T; 2] {
+///     let wrong = high.below(low);
+///     [T::choose(wrong, high, low), T::choose(wrong, low, high)]
+/// }
+/// assert_eq!(swapped(2.0, 1.0), [1.0, 2.0]);
+/// ```
+pub trait Lane:
+    Field + Copy + Add<f64, Output = Self> + Sub<f64, Output = Self> + Mul<f64, Output = Self>
+{
+    /// Yes or no in each lane.
+    type Mask: Copy + Debug;
+
+    /// How many lanes there are.
+    const WIDTH: usize;
+
+    /// The number that `of` gives for each lane.
+    #[must_use]
+    fn of_lanes(of: impl FnMut(usize) -> f64) -> Self;
+
+    /// The number in lane `k`.
+    #[must_use]
+    fn lane(&self, k: usize) -> f64;
+
+    /// Whether it is less than `other`; no where either is not a number.
+    #[must_use]
+    fn below(self, other: Self) -> Self::Mask;
+
+    /// Whether any lane says yes.
+    #[must_use]
+    fn any(mask: Self::Mask) -> bool;
+
+    /// `yes` where the mask says so, `no` elsewhere.
+    #[must_use]
+    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// Without its sign.
+    #[must_use]
+    fn size(self) -> Self;
+
+    /// 1 with its sign, that of zero too.
+    #[must_use]
+    fn sign(self) -> Self;
+
+    /// The square root of a number that is not negative.
+    #[must_use]
+    fn root(self) -> Self;
+
+    /// The nearest whole number, the even one of two equally near.
+    #[must_use]
+    fn whole(self) -> Self;
+
+    /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding left off.
+    #[must_use]
+    fn left_off(self, other: Self, product: Self) -> Self;
+
+    /// Two to this power: a whole number from -1022 to 1023.
+    #[must_use]
+    fn power_of_two(self) -> Self;
+
+    /// The same number in every lane.
+    #[must_use]
+    fn of(x: f64) -> Self {
+        Self::of_lanes(|_| x)
+    }
+}
+
+impl Lane for f64 {
+    type Mask = bool;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn of_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
+        of(0)
+    }
+
+    #[inline(always)]
+    fn lane(&self, _: usize) -> f64 {
+        *self
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
+    }
+
+    #[inline(always)]
+    fn choose(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        1_f64.copysign(self)
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn whole(self) -> Self {
+        self.round_ties_even()
+    }
+
+    #[inline(always)]
+    fn left_off(self, other: Self, product: Self) -> Self {
+        self.mul_add(other, -product)
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        // The exponent's bits are the last of a number that large.
+        const SHIFT: f64 = 4_503_599_627_370_496.0 + 1023.0;
+        Self::from_bits((self + SHIFT).to_bits() << 52)
+    }
+}
+
+/// What `of` says of each of `from`, side by side. Where there are fewer than lanes the last is repeated: no
+/// lane minds what the others have.
+pub(crate) fn gathered<T: Lane, S>(from: &[S], of: impl Fn(&S) -> f64) -> T {
+    T::of_lanes(|k| from.get(k).or(from.last()).map_or(0.0, &of))
+}
