@@ -8,6 +8,8 @@
 //! [`measure`](measure::measure) does that for all of them, and [`record`] keeps what came out: two files of comma-separated values, whose
 //! heads say what, when, on which machine. The figures and the chapter of the book are made from those files.
 //!
+//! [`savings`] counts what a [scene](tumbling::scene) costs by what is asked of it.
+//!
 //! The [`atlas`] asks another question, without a clock: what becomes of each method on each hard case.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
@@ -20,6 +22,7 @@ pub mod long;
 pub mod measure;
 pub mod operations;
 pub mod record;
+pub mod savings;
 pub mod setup;
 pub mod story;
 pub mod verdict;
