@@ -137,13 +137,13 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> By {
     let (accuracy, turned) = (scene.accuracy, (spin * end).max(1.0));
     let least = scene.times.count() as f64;
     let radians = (12.0 * accuracy / (push * turned).max(f64::MIN_POSITIVE)).sqrt();
-    let price = |each: f64, radians: f64| each * (turned / radians).max(least);
+    let price = |each: f64, radians: f64, least: f64| each * (turned / radians).max(least);
     let turn = radians.min(0.25);
     let step = |radians: f64| (radians / spin).min(end);
     let tolerance = first_tolerance(accuracy);
-    let by_pair = price(cost::PAIR, 2.0 * tolerance.powf(0.2));
-    let by_steps = price(cost::KICKED, turn);
-    let by_flow = price(cost::FLOW, radians);
+    let by_pair = price(cost::PAIR, 2.0 * tolerance.powf(0.2), cost::ANEW * least);
+    let by_steps = price(cost::KICKED, turn, least);
+    let by_flow = price(cost::FLOW, radians, least);
     if by_steps <= by_pair && by_steps <= by_flow {
         By::Steps(Method::MoserVeselov8, step(turn))
     } else if by_flow <= by_pair {

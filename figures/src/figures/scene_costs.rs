@@ -6,7 +6,7 @@ use crate::ink::Ink;
 use tumbling_measure::record;
 use tumbling_measure::savings::{GENERAL, STATE, value};
 
-/// What a row of the record is called here, and how dear it is thought to be.
+/// What a row of the record is called here, and its colour.
 const ROWS: [(&str, &str, Ink); 11] = [
     ("energy and flips alone", "when it flips", Ink::Faint),
     ("ball; spin alone", "a ball: spin", Ink::Omega),
@@ -17,8 +17,8 @@ const ROWS: [(&str, &str, Ink); 11] = [
     ("principal spin", "about a principal axis: attitude", Ink::Text),
     ("two equal moments", "two equal moments: attitude", Ink::Text),
     (GENERAL, "three moments: attitude", Ink::Text),
-    ("three moments and a weight; to 1e-2", "with a weight, to 0.01", Ink::Momentum),
-    ("three moments and a weight; to 1e-8", "with a weight, to 0.00000001", Ink::Momentum),
+    ("three moments and a weight; to 1e-2", "with a weight, to two digits", Ink::Momentum),
+    ("three moments and a weight; to 1e-8", "with a weight, to eight digits", Ink::Momentum),
 ];
 
 pub(super) fn draw() -> Drawing {
@@ -26,18 +26,17 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::new(480);
     let (top, apart) = (22.0, 34.0);
     let bottom = top + apart * ROWS.len() as f64;
-    let plot = Plot::new(&canvas, 262.0, top, 646.0, bottom, Scale::log(1.0..1e6), Scale::linear(0.0..1.0));
-    plot.x_axis((0..=6).map(|n| (10_f64.powi(n), power_of_ten(n))), "processor instructions for a state");
+    let plot = Plot::new(&canvas, 262.0, top, 646.0, bottom, Scale::log(10.0..1e5), Scale::linear(0.0..1.0));
+    plot.x_axis((1..=5).map(|n| (10_f64.powi(n), power_of_ten(n))), "processor instructions for a state");
     let mut told = Vec::new();
     for (k, (row, words, ink)) in ROWS.into_iter().enumerate() {
         let count = value(&rows, "executed", row, STATE).ok_or_else(|| format!("no count of {row}"))?;
         let y = top + apart * (k as f64 + 0.5);
-        let (from, to) = (plot.at(1.0, 0.5).0, plot.at(count, 0.5).0);
+        let (from, to) = (plot.at(10.0, 0.5).0, plot.at(count, 0.5).0);
         let corners = [(from, y - 9.0), (to, y - 9.0), (to, y + 9.0), (from, y + 9.0)];
         canvas.area(&corners, Fill::new(ink).opacity(0.35), Some(Pen::new(ink, 1.4)));
         canvas.label((250.0, y + 5.5), &Label::new(words).size(15.5).end());
-        let (at, label) = if count > 3e4 { (to - 8.0, Label::new(grouped(count)).end()) } else { (to + 8.0, Label::new(grouped(count))) };
-        canvas.label((at, y + 5.5), &label.size(15.5).halo(Ink::Paper));
+        canvas.label((to + 8.0, y + 5.5), &Label::new(grouped(count)).size(15.5).halo(Ink::Paper));
         told.push(format!("{words}: {}", grouped(count)));
     }
     Ok(Picture {
