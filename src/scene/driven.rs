@@ -79,7 +79,8 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let (end, accuracy) = (scene.times.end(), scene.accuracy);
     let Rates { spin, push, loss } = rates(&system, &start, end);
     let times = compared(scene);
-    let trial = Trial { system: &system, start: &start, times: &times, accuracy, end };
+    let turned = (spin * end).max(loss * end).max(1.0);
+    let trial = Trial { system: &system, start: &start, times: &times, accuracy, end, turned };
     let driven =
         |(by, seen, steps): Settled| Driven { system: system.clone(), start: start.clone(), by, seen, steps };
     if end == 0.0 {
@@ -103,15 +104,6 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
             (Err(error), Err(_)) => return Err(error),
         };
         return Ok(Way::Stiff(driven(best)));
-    }
-    let least = (spin * end).max(1.0) * 0.1;
-    if least.is_nan() || least > MOST_STEPS {
-        return Err(Error::Order {
-            smaller: "the number of steps that the torques ask for",
-            small: least,
-            larger: "the most that are tried",
-            large: MOST_STEPS,
-        });
     }
     let way = cheapest(spin, push + loss / spin.max(f64::MIN_POSITIVE), end, scene);
     let settled = trial.settled(way);
@@ -172,18 +164,37 @@ struct Trial<'a> {
     times: &'a [f64],
     accuracy: f64,
     end: f64,
+    /// Radians, or times of the loss, from start to end.
+    turned: f64,
 }
 
 impl Trial<'_> {
+    /// How many steps a run will take, about.
+    fn steps(&self, by: By) -> f64 {
+        match by {
+            By::Steps(_, step) | By::Flow(step) => self.end / step,
+            By::Control(tolerance) => 0.3 * self.turned / tolerance.powf(0.2),
+        }
+    }
+
     /// Refines until two runs agree to half of the accuracy, and takes the finer.
     fn settled(&self, first: By) -> Result<Settled, Error> {
+        let steps = self.steps(first);
+        if steps.is_nan() || steps > MOST_STEPS {
+            return Err(Error::Order {
+                smaller: "the number of steps that the torques ask for",
+                small: steps,
+                larger: "the most that are tried",
+                large: MOST_STEPS,
+            });
+        }
         let mut by = first;
         let mut best = f64::INFINITY;
         let mut coarse = self.run(by);
         for _ in 0..ROUNDS {
             let seen = coarse.as_ref().map_or(f64::INFINITY, |_| best);
             let finer = by.finer(if seen.is_finite() { 0.5 * self.accuracy / seen } else { 0.0 });
-            if finer == by || finer.steps(self.end) > MOST_STEPS {
+            if finer == by || self.steps(finer) > MOST_STEPS {
                 break;
             }
             let fine = self.run(finer);
@@ -273,14 +284,6 @@ impl By {
             Self::Control(tolerance) => {
                 Self::Control((tolerance * if share > 0.0 { by(1) } else { 0.1 }).max(LEAST_TOLERANCE))
             }
-        }
-    }
-
-    /// How many steps a run will take, where that is known before.
-    fn steps(self, end: f64) -> f64 {
-        match self {
-            Self::Steps(_, step) | Self::Flow(step) => end / step,
-            Self::Control(_) => 0.0,
         }
     }
 }

@@ -61,8 +61,8 @@ impl Plan<'_> {
             Way::EllipticSpin(_) => "the spin by Jacobi's functions".into(),
             Way::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
             Way::Stepper(driven) | Way::Stiff(driven) => {
-                let about = driven.method().about();
-                format!("{}, order {}, in steps of up to {}", about.name, about.order, step(driven.step()))
+                let name = driven.method().map_or("", |method| method.about().name);
+                format!("{name} between kicks of the torque, in steps of up to {}", step(driven.step()))
             }
             Way::Flow(driven) => {
                 format!("the exact free motion between kicks, in steps of up to {}", step(driven.step()))

@@ -78,12 +78,13 @@ pub(super) enum By {
 }
 
 impl Driven {
-    /// The method, of those that have one.
+    /// The stepping method; none where the exact motion goes between kicks.
     #[must_use]
-    pub fn method(&self) -> Method {
+    pub fn method(&self) -> Option<Method> {
         match self.by {
-            By::Steps(method, _) => method,
-            By::Flow(_) | By::Control(_) => Method::DormandPrince5,
+            By::Steps(method, _) => Some(method),
+            By::Control(_) => Some(Method::DormandPrince5),
+            By::Flow(_) => None,
         }
     }
 

@@ -33,16 +33,16 @@ pub(super) fn draw() -> Drawing {
         let count = value(&rows, "executed", row, STATE).ok_or_else(|| format!("no count of {row}"))?;
         let y = top + apart * (k as f64 + 0.5);
         let (from, to) = (plot.at(10.0, 0.5).0, plot.at(count, 0.5).0);
-        let corners = [(from, y - 9.0), (to, y - 9.0), (to, y + 9.0), (from, y + 9.0)];
-        canvas.area(&corners, Fill::new(ink).opacity(0.35), Some(Pen::new(ink, 1.4)));
+        canvas.line((from, y), (to, y), Pen::new(ink, 1.4).dotted());
+        canvas.disc((to, y), 6.0, Fill::new(ink), None);
         canvas.label((250.0, y + 5.5), &Label::new(words).size(15.5).end());
-        canvas.label((to + 8.0, y + 5.5), &Label::new(grouped(count)).size(15.5).halo(Ink::Paper));
+        canvas.label((to + 12.0, y + 5.5), &Label::new(grouped(count)).size(15.5).halo(Ink::Paper));
         told.push(format!("{words}: {}", grouped(count)));
     }
     Ok(Picture {
         canvas,
         description: format!(
-            "Bars of the instructions that one state takes, by what is asked, on an axis where each power of ten takes the same room. {}.",
+            "The instructions that one state takes, by what is asked, as dots on an axis where each power of ten takes the same room. {}.",
             told.join("; ")
         ),
     })
