@@ -191,10 +191,8 @@ pub fn compiled(root: &Path, time: Option<&Path>, tell: &mut dyn FnMut(&str)) ->
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
         }
         let text = String::from_utf8_lossy(&output.stdout);
-        let mut crates: Vec<String> = text
-            .lines()
-            .filter_map(|line| Some(line.split_whitespace().take(2).collect::<Vec<_>>().join(" ")))
-            .collect();
+        let mut crates: Vec<String> =
+            text.lines().map(|line| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ")).collect();
         crates.retain(|name| !name.is_empty());
         crates.sort();
         crates.dedup();

@@ -2,7 +2,7 @@
 
 use super::cost::Cost;
 use super::plan::{Plan, Way};
-use crate::step::Torque;
+use crate::step::{Method, Torque};
 use std::fmt::Write as _;
 
 /// A count of instructions in one or two digits, as a reader says it.
@@ -62,7 +62,11 @@ impl Plan<'_> {
             Way::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
             Way::Stepper(driven) | Way::Stiff(driven) => {
                 let name = driven.method().map_or("", |method| method.about().name);
-                format!("{name} between kicks of the torque, in steps of up to {}", step(driven.step()))
+                let torque = match driven.method() {
+                    Some(Method::LinearisedImplicit) => "with the torque inside",
+                    _ => "between kicks of the torque",
+                };
+                format!("{name} {torque}, in steps of up to {}", step(driven.step()))
             }
             Way::Flow(driven) => {
                 format!("the exact free motion between kicks, in steps of up to {}", step(driven.step()))
