@@ -158,6 +158,27 @@ pub enum Error {
         /// What is wrong with it.
         source: Box<Error>,
     },
+    /// Something is wrong with one body of a scene.
+    OfBody {
+        /// Which body, from 0.
+        index: usize,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
+    /// A scene asks for more digits than can be had.
+    Unattainable {
+        /// The accuracy asked for.
+        asked: f64,
+        /// The best that can be had, or that was seen where a torque acts.
+        attainable: f64,
+    },
+    /// Something was asked for that this motion does not have.
+    Undefined {
+        /// What was asked for.
+        what: &'static str,
+        /// Why there is none.
+        why: &'static str,
+    },
     /// A face of a mesh is listed twice, running the same way.
     RepeatedFace {
         /// Which face, from 0.
@@ -253,6 +274,13 @@ impl fmt::Display for Error {
                  is flat, or its faces do not run counter-clockwise seen from outside"
             ),
             Self::Part { index, source } => write!(f, "part {index}: {source}"),
+            Self::OfBody { index, source } => write!(f, "body {index}: {source}"),
+            Self::Unattainable { asked, attainable } => write!(
+                f,
+                "an accuracy of {asked:e} is asked for, {:.1e} times finer than what can be had: {attainable:.1e}",
+                attainable / asked
+            ),
+            Self::Undefined { what, why } => write!(f, "{what} is asked for, but {why}"),
             Self::RepeatedFace { face, before, vertices: [a, b, c] } => {
                 write!(f, "face {face}, ({a}, {b}, {c}), is face {before} again: each must be listed once")
             }
@@ -269,7 +297,7 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::Part { source, .. } => Some(source.as_ref()),
+            Self::Part { source, .. } | Self::OfBody { source, .. } => Some(source.as_ref()),
             _ => None,
         }
     }

@@ -43,7 +43,7 @@ use crate::inertia::possible_moments;
 use crate::invariants::{Kind, classify};
 use crate::scale::times_power_of_two;
 use circulating::Elliptic;
-use elementary::{Precession, Turn, scaled};
+pub(crate) use elementary::{Precession, Turn, scaled};
 use flips::Clock;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 

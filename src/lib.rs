@@ -32,6 +32,7 @@
 //! - [`euler`]: the equations of motion. [`stability`]: what becomes of a small push.
 //! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong. [`flow`]: exact flow between
 //!   kicks of torque. [`observe`]: what to read off the motion.
+//! - [`scene`]: what is asked of which bodies, answered in the cheapest way that is accurate enough.
 //!
 //! # Conventions
 //!
@@ -65,6 +66,7 @@ pub mod inertia;
 pub mod observe;
 pub mod references;
 pub mod scalar;
+pub mod scene;
 pub mod solid;
 pub mod stability;
 pub mod step;

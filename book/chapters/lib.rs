@@ -57,6 +57,10 @@ mod stepping_through_time {}
 mod error_against_run_time {}
 
 #[cfg(doctest)]
+#[doc = include_str!("only-what-you-need.md")]
+mod only_what_you_need {}
+
+#[cfg(doctest)]
 #[doc = include_str!("where-things-break.md")]
 mod where_things_break {}
 

@@ -45,6 +45,12 @@ Draws the figures of the book and builds its pages.
                                                run; compiles some two hundred crates first
     cargo run --release -- measure --quick     the same in less than a minute, coarser, into measure/quick/;
                                                also with --peers
+    cargo run --release -- measure scenes      count what scenes cost by what is asked of them, and what crates each part
+                                               brings; renews measure/record/scenes.csv; needs valgrind
+    cargo run --release -- measure scenes --builds
+                                               the same, and time the build of each part from nothing, some minutes
+    cargo run --release -- measure scenes --check
+                                               count again what scenes cost; fail where the record says otherwise
     cargo run --release -- atlas               run every method on every hard case, some seconds; prints what
                                                became of each and renews measure/record/atlas.tsv
     cargo run --release -- measure --long NAME a billion turns by one method, a quarter of an hour or more
@@ -81,13 +87,15 @@ pub(crate) enum Asked {
     Atlas,
     Longest { method: String },
     Count { contestant: String, times: u64 },
+    Scenes { check: bool, builds: bool },
+    CountScene { name: String, plans: u64, rounds: u64 },
     Preprocess,
     Supports { renderer: String },
 }
 
 const COMMANDS: [&str; 9] =
     ["figures", "check", "list", "build", "judge", "measure", "atlas", "help", "preprocess"];
-const OPTIONS: [&str; 13] = [
+const OPTIONS: [&str; 14] = [
     "--help",
     "--check",
     "--list",
@@ -95,6 +103,7 @@ const OPTIONS: [&str; 13] = [
     "--quick",
     "--peers",
     "--long",
+    "--builds",
     "--inertia",
     "--threshold",
     "--json",
@@ -113,7 +122,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut words = Vec::new();
     let mut check = false;
     let mut how = Checking::Offences;
-    let (mut quick, mut peers, mut long) = (false, false, None);
+    let (mut quick, mut peers, mut long, mut builds) = (false, false, None, false);
     let (mut options, mut json, mut svg) = (tumbling_judge::Options::default(), false, None);
     let mut site = None;
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
@@ -124,6 +133,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Long("list") => how = Checking::Listing,
             Long("quick") => quick = true,
             Long("peers") => peers = true,
+            Long("builds") => builds = true,
             Long("long") => {
                 long = Some(parser.value().map_err(|e| e.to_string())?.to_string_lossy().into_owned());
             }
@@ -169,8 +179,12 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut words = words.into_iter();
     let command = words.next();
     let rest: Vec<String> = words.collect();
-    if check && command.as_deref() != Some("figures") {
-        return Err("`--check` goes with `figures`.".into());
+    let of_scenes = command.as_deref() == Some("measure") && rest == ["scenes"];
+    if check && command.as_deref() != Some("figures") && !of_scenes {
+        return Err("`--check` goes with `figures` and `measure scenes`.".into());
+    }
+    if builds && (check || !of_scenes) {
+        return Err("`--builds` goes with `measure scenes`, without `--check`.".into());
     }
     if how != Checking::Offences && command.as_deref() != Some("check") {
         return Err("`--list` and `--mutants` go with `check`.".into());
@@ -202,12 +216,17 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             ([], None) => Ok(Asked::Measure { quick, peers }),
             ([], Some(method)) if !quick && !peers => Ok(Asked::Longest { method }),
             ([], Some(_)) => Err("`--long` goes alone.".into()),
+            ([word], None) if word == "scenes" && !quick && !peers => Ok(Asked::Scenes { check, builds }),
             // How it runs itself again under valgrind.
+            ([word, name, plans, rounds], None) if word == "scene" => {
+                let number = |text: &String| text.parse().map_err(|_| format!("`{text}` is no number."));
+                Ok(Asked::CountScene { name: name.clone(), plans: number(plans)?, rounds: number(rounds)? })
+            }
             ([word, contestant, times], None) if word == "count" => {
                 let times = times.parse().map_err(|_| format!("`{times}` is no number."))?;
                 Ok(Asked::Count { contestant: contestant.clone(), times })
             }
-            ([extra, ..], _) => Err(format!("`measure` takes options only, but got `{extra}`.")),
+            ([extra, ..], _) => Err(format!("`measure` takes options or `scenes`, but got `{extra}`.")),
         },
         Some("preprocess") => match rest.as_slice() {
             [] => Ok(Asked::Preprocess),
@@ -279,6 +298,8 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
         Asked::Count { contestant, times } => measure::count(&contestant, times)?,
+        Asked::Scenes { check, builds } => measure::scenes(check, builds)?,
+        Asked::CountScene { name, plans, rounds } => measure::count_scene(&name, plans, rounds)?,
         Asked::Build { site } => build::build(site.as_ref())?,
         Asked::Preprocess => preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?,
         // mdBook asks by the exit code alone, and a no is no error.
@@ -383,6 +404,17 @@ mod tests {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
         assert!(matches!(parsed(&["atlas"]), Ok(Asked::Atlas)));
+        assert!(matches!(parsed(&["measure", "scenes"]), Ok(Asked::Scenes { check: false, builds: false })));
+        assert!(matches!(
+            parsed(&["measure", "scenes", "--check"]),
+            Ok(Asked::Scenes { check: true, builds: false })
+        ));
+        assert!(matches!(
+            parsed(&["measure", "scenes", "--builds"]),
+            Ok(Asked::Scenes { check: false, builds: true })
+        ));
+        assert!(parsed(&["measure", "--builds"]).unwrap_err().contains("`measure scenes`"));
+        assert!(parsed(&["measure", "--check"]).unwrap_err().contains("`measure scenes`"));
         assert!(matches!(parsed(&["measure"]), Ok(Asked::Measure { quick: false, peers: false })));
         assert!(matches!(
             parsed(&["measure", "--quick", "--peers"]),

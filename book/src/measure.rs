@@ -8,7 +8,8 @@ use std::time::Instant;
 use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
-use tumbling_measure::{atlas as places, contestant, story};
+use tumbling_measure::record::{self, Record};
+use tumbling_measure::{atlas as places, contestant, savings, story};
 
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
 pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
@@ -79,4 +80,37 @@ pub(crate) fn longest(method: &str) -> Result<(), Box<dyn Error>> {
 pub(crate) fn count(name: &str, times: u64) -> Result<(), Box<dyn Error>> {
     instructions::child(&contestant::ours(), &story::all()?, name, times)?;
     Ok(())
+}
+
+/// Counts what scenes cost; renews the record with that and with what each part brings to a build, or holds the record to it.
+pub(crate) fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
+    let words = ["measure", "scene"].map(Into::into).to_vec();
+    let again = Again { program: std::env::current_exe()?.into(), words };
+    let mut rows = savings::executed(&again, &mut progress())?;
+    let old = record::scenes()?;
+    if check {
+        let told = savings::differences(&old.rows, &rows);
+        if told.is_empty() {
+            say!("{} counts are those of the record.", rows.len());
+            return Ok(());
+        }
+        return Err(told.join("\n").into());
+    }
+    let folder = std::env::temp_dir().join(format!("tumbling-builds-{}", std::process::id()));
+    let built = savings::compiled(&paths::repository(), builds.then_some(folder.as_path()), &mut progress());
+    // What cannot be removed is the system's to remove.
+    let _ = std::fs::remove_dir_all(&folder);
+    rows.extend(built?);
+    let file = paths::repository().join("measure/record/scenes.csv");
+    // The record as it is now, not as it was when this program was compiled.
+    let now = std::fs::read_to_string(&file).ok().and_then(|text| Record::read(&text).ok());
+    std::fs::write(&file, savings::renewed(now.unwrap_or(old), rows).write())
+        .map_err(|error| format!("{}: {error}", file.display()))?;
+    say!("The record is in {}", file.display());
+    Ok(())
+}
+
+/// A scene, so many times: what valgrind watches.
+pub(crate) fn count_scene(name: &str, plans: u64, rounds: u64) -> Result<(), Box<dyn Error>> {
+    Ok(savings::child(name, plans, rounds)?)
 }

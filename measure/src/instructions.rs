@@ -68,19 +68,21 @@ pub fn of_step(again: &Again, contestant: &dyn Contestant, stories: &[Story]) ->
     let story = stories.iter().find(|story| contestant.takes(story))?;
     let (story, setting) = short(story, contestant);
     let steps = contestant.run(&story, setting, None).ok()?.steps;
-    let (few, many) = (counted(again, contestant.name(), 1)?, counted(again, contestant.name(), 3)?);
+    let counted = |times: u64| counted(again, &[contestant.name().to_owned(), times.to_string()]);
+    let (few, many) = (counted(1)?, counted(3)?);
     #[allow(clippy::cast_precision_loss)]
     let each = many.checked_sub(few)? as f64 / (2 * steps) as f64;
     Some(each)
 }
 
-fn counted(again: &Again, name: &str, count: u64) -> Option<u64> {
+/// Instructions of the program run again with these words at the end. `None` where valgrind is not installed, or does not get through.
+#[must_use]
+pub fn counted(again: &Again, words: &[String]) -> Option<u64> {
     let output = Command::new("valgrind")
         .args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"])
         .arg(&again.program)
         .args(&again.words)
-        .arg(name)
-        .arg(count.to_string())
+        .args(words)
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::piped())

@@ -26,6 +26,7 @@ mod polhode;
 mod polhodes;
 mod regimes;
 mod rod_two_ways;
+mod scene_costs;
 mod three_spins;
 mod turning_tensor;
 mod two_arrows;
@@ -41,7 +42,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 34] = [
+pub(crate) static ALL: [Figure; 35] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -203,6 +204,12 @@ pub(crate) static ALL: [Figure; 34] = [
         shows: "Error of the energy through a million turns",
         chapter: "error-against-run-time",
         draw: work::draw_drift,
+    },
+    Figure {
+        name: "scene-costs",
+        shows: "What a state costs by what is asked of it",
+        chapter: "only-what-you-need",
+        draw: scene_costs::draw,
     },
     Figure {
         name: "engines-fate",

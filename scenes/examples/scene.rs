@@ -1,0 +1,240 @@
+//! Answers a scene from a file, in the cheapest way that is accurate enough.
+//!
+//! ```text
+//! cargo run --release --example scene -- FILE.toml             the states, as comma-separated values
+//! cargo run --release --example scene -- --summary FILE.toml   each body in a few lines
+//! cargo run --release --example scene -- --explain FILE.toml   what was chosen for each body, what was left out, what it costs
+//! ```
+//!
+//! The columns are those asked for: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
+//! the angle between spin and momentum, rad. Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in
+//! the summary; where only they are asked for it is printed anyway.
+//!
+//! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering the others; a file that
+//! cannot be read, with 2.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use std::ffi::OsString;
+use std::io::{self, BufWriter, ErrorKind, IsTerminal as _, Write};
+use std::process::ExitCode;
+use tumbling::Error;
+use tumbling::scene::{Plan, State, Wants};
+use tumbling_scenes::file::{self, File};
+
+const USAGE: &str = "usage: scene [--summary | --explain] FILE.toml";
+
+#[derive(Clone, Copy, PartialEq)]
+enum Show {
+    States,
+    Summary,
+    Plan,
+}
+
+/// A line on standard error, if it takes one.
+fn complain(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
+fn main() -> ExitCode {
+    let (show, path) = match asked() {
+        Ok(Some(asked)) => asked,
+        Ok(None) => {
+            let _ = writeln!(io::stdout(), "{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        Err(why) => {
+            complain(&format!("{why}\n{USAGE}"));
+            return ExitCode::from(2);
+        }
+    };
+    let name = path.to_string_lossy().into_owned();
+    let text = std::fs::read_to_string(&path).map_err(|error| error.to_string());
+    let file = match text.and_then(|text| file::read(&text).map_err(|wrong| wrong.to_string())) {
+        Ok(file) => file,
+        Err(why) => {
+            complain(&format!("{name}: {why}"));
+            return ExitCode::from(2);
+        }
+    };
+    let mut out = BufWriter::new(io::stdout().lock());
+    let answered = answer(&file, show, &name, &mut out).and_then(|failed| out.flush().map(|()| failed));
+    match answered {
+        Ok(0) => ExitCode::SUCCESS,
+        Ok(_) => ExitCode::FAILURE,
+        // Who closes the pipe has read what was wanted.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            complain(&format!("the answers cannot be written: {error}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// What to show of which file; none where help is asked for.
+fn asked() -> Result<Option<(Show, OsString)>, String> {
+    use lexopt::prelude::*;
+    let mut parser = lexopt::Parser::from_env();
+    let (mut show, mut path) = (Show::States, None);
+    while let Some(arg) = parser.next().map_err(|error| error.to_string())? {
+        match arg {
+            Short('h') | Long("help") => return Ok(None),
+            Long("summary") => show = Show::Summary,
+            Long("explain") => show = Show::Plan,
+            Value(value) if path.is_none() => path = Some(value),
+            other => return Err(other.unexpected().to_string()),
+        }
+    }
+    path.map(|path| Some((show, path))).ok_or_else(|| "a file is missing".to_owned())
+}
+
+/// Writes the answers; how many bodies have none.
+fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Result<usize> {
+    let scene = &file.scene;
+    let wants = scene.wants();
+    let moves = wants.spin || wants.attitude || wants.energy || wants.gap;
+    let show = if show == Show::States && !moves { Show::Summary } else { show };
+    if show == Show::States {
+        writeln!(out, "{}", columns(wants).join(","))?;
+    }
+    let bar = bar(if show == Show::States { scene.times().count() } else { 1 } * scene.bodies().len() as u64);
+    let mut failed = 0;
+    for (index, line) in file.bodies.iter().enumerate() {
+        let mut told = |error: Error| {
+            failed += 1;
+            bar.suspend(|| complain(&format!("{name}, line {line}: {error}")));
+        };
+        let plan = match scene.plan(index) {
+            Ok(plan) => plan,
+            Err(error) => {
+                told(error);
+                continue;
+            }
+        };
+        let done = match show {
+            Show::States => states(&plan, index, out, &bar)?,
+            Show::Summary => summary(&plan, index, wants, out)?,
+            Show::Plan => writeln!(out, "body {index}\n{}", plan.explain()).map(Ok)?,
+        };
+        if let Err(error) = done {
+            told(Error::OfBody { index, source: Box::new(error) });
+        }
+    }
+    bar.finish_and_clear();
+    Ok(failed)
+}
+
+/// A bar where somebody watches, and where the answers do not scroll it away.
+fn bar(length: u64) -> ProgressBar {
+    if !io::stderr().is_terminal() || io::stdout().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} states, {eta} left");
+    ProgressBar::new(length).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+fn columns(wants: Wants) -> Vec<&'static str> {
+    let mut names = vec!["body", "t [s]"];
+    if wants.spin {
+        names.extend(["wx [rad/s; body axes]", "wy [rad/s; body axes]", "wz [rad/s; body axes]"]);
+    }
+    if wants.attitude {
+        names.extend([
+            "qw [body to world]",
+            "qx [body to world]",
+            "qy [body to world]",
+            "qz [body to world]",
+        ]);
+    }
+    if wants.energy {
+        names.push("energy [J]");
+    }
+    if wants.gap {
+        names.push("gap [rad]");
+    }
+    names
+}
+
+fn states(
+    plan: &Plan<'_>,
+    index: usize,
+    out: &mut impl Write,
+    bar: &ProgressBar,
+) -> io::Result<Result<(), Error>> {
+    for state in plan.states() {
+        let State { time, spin, attitude, energy, gap } = match state {
+            Ok(state) => state,
+            Err(error) => return Ok(Err(error)),
+        };
+        write!(out, "{index},{time:.16e}")?;
+        for x in spin.iter().flatten() {
+            write!(out, ",{x:.16e}")?;
+        }
+        if let Some(attitude) = attitude {
+            let q = attitude.quaternion();
+            for x in [q.w, q.i, q.j, q.k] {
+                write!(out, ",{x:.16e}")?;
+            }
+        }
+        for x in energy.into_iter().chain(gap) {
+            write!(out, ",{x:.16e}")?;
+        }
+        writeln!(out)?;
+        bar.inc(1);
+    }
+    Ok(Ok(()))
+}
+
+fn summary(
+    plan: &Plan<'_>,
+    index: usize,
+    wants: Wants,
+    out: &mut impl Write,
+) -> io::Result<Result<(), Error>> {
+    writeln!(out, "body {index}")?;
+    let last = match plan.states().last() {
+        Some(Ok(last)) => last,
+        Some(Err(error)) => return Ok(Err(error)),
+        None => return Ok(Ok(())),
+    };
+    writeln!(out, "at {} s", last.time)?;
+    if let Some(w) = last.spin {
+        writeln!(out, "  spin      {:.16e} {:.16e} {:.16e} rad/s, body axes", w.x, w.y, w.z)?;
+    }
+    if let Some(q) = last.attitude {
+        writeln!(out, "  attitude  {:.16e} {:.16e} {:.16e} {:.16e}, body to world", q.w, q.i, q.j, q.k)?;
+    }
+    if let Some(energy) = last.energy {
+        writeln!(out, "  energy    {energy:.16e} J")?;
+    }
+    if let Some(gap) = last.gap {
+        writeln!(out, "  gap       {gap:.16e} rad")?;
+    }
+    if wants.flips {
+        let flips = match plan.flips() {
+            Ok(flips) => flips,
+            Err(error) => return Ok(Err(error)),
+        };
+        writeln!(out, "  flips     {}", flips.remaining())?;
+        if let (Some(first), Some(end)) = (flips.clone().next(), flips.last()) {
+            writeln!(out, "            the first at {first:.16e} s, the last at {end:.16e} s")?;
+        }
+    }
+    if wants.polhode {
+        let polhode = match plan.polhode() {
+            Ok(polhode) => polhode,
+            Err(error) => return Ok(Err(error)),
+        };
+        for (word, size) in [("least", polhode.least), ("greatest", polhode.greatest)] {
+            writeln!(
+                out,
+                "  {word:9} {:.16e} {:.16e} {:.16e} rad/s, along the principal axes",
+                size.x, size.y, size.z
+            )?;
+        }
+        match polhode.period {
+            Some(period) => writeln!(out, "  period    {period:.16e} s")?,
+            None => writeln!(out, "  period    none")?,
+        }
+    }
+    Ok(Ok(()))
+}

@@ -1,0 +1,153 @@
+//! Scenes in files: what is written reads back, and what is wrong is named by line and field.
+#![cfg(feature = "file")]
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::scene::{LetGo, Scene, Times, Toss, Wants};
+use tumbling::step::Torque;
+use tumbling_scenes::file::{read, write};
+
+/// Any finite number, the smallest and the largest too.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        -10.0..10.0_f64,
+        any::<f64>().prop_filter("finite", |x| x.is_finite()),
+        Just(0.0),
+        Just(-0.0),
+        Just(5e-324)
+    ]
+}
+
+fn vector() -> impl Strategy<Value = Vector3<f64>> {
+    prop::array::uniform3(number()).prop_map(Vector3::from)
+}
+
+fn toss() -> impl Strategy<Value = Toss> {
+    (vector(), vector(), prop::array::uniform4(number()), vector(), any::<bool>()).prop_map(
+        |(moments, products, [w, x, y, z], start, spin)| Toss {
+            moments,
+            products,
+            attitude: UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)),
+            with: if spin { LetGo::Spin(start) } else { LetGo::Momentum(start) },
+        },
+    )
+}
+
+fn torque() -> impl Strategy<Value = Torque<f64>> {
+    let size = || number().prop_map(f64::abs);
+    prop_oneof![
+        vector().prop_map(Torque::InBody),
+        vector().prop_map(Torque::InWorld),
+        (vector(), vector()).prop_map(|(arm, field)| Torque::Aligning { arm, field }),
+        prop::array::uniform3(size()).prop_map(|c| Torque::Damping(Vector3::from(c))),
+        size().prop_map(Torque::Dissipation),
+    ]
+}
+
+fn times() -> impl Strategy<Value = Times> {
+    let given = prop::collection::vec(number().prop_map(f64::abs), 1..5).prop_map(|mut times| {
+        times.sort_by(f64::total_cmp);
+        Times::Given(times)
+    });
+    prop_oneof![given, (1e-3..10.0_f64, 0.0..1e3_f64).prop_map(|(step, span)| Times::Every { step, span })]
+}
+
+fn wants() -> impl Strategy<Value = Wants> {
+    prop::array::uniform6(any::<bool>()).prop_map(|[spin, attitude, energy, gap, flips, polhode]| Wants {
+        spin,
+        attitude,
+        energy,
+        gap,
+        flips,
+        polhode,
+    })
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back_to_the_bit(
+        bodies in prop::collection::vec(toss(), 1..4), torques in prop::collection::vec(torque(), 0..4),
+        times in times(), wants in wants(), accuracy in 1e-15..0.9_f64,
+    ) {
+        let scene = Scene::new(bodies, torques, times, wants, accuracy).unwrap();
+        let text = write(&scene);
+        let back = read(&text).unwrap_or_else(|wrong| panic!("{wrong}\n{text}"));
+        prop_assert_eq!(&back.scene, &scene, "{}", text);
+        prop_assert_eq!(write(&back.scene), text);
+    }
+
+    #[test]
+    fn no_text_breaks_the_reader(text in "\\PC*", at in 0..200_usize, with in "[\\[\\]=\"0-9a-z\n.#e-]{0,4}") {
+        let _ = read(&text);
+        let good = include_str!("../files/heavy-top.toml");
+        let at = (0..=at.min(good.len())).rev().find(|&at| good.is_char_boundary(at)).unwrap();
+        let _ = read(&[&good[..at], &with, &good[at..]].concat());
+    }
+}
+
+const GOOD: &str = "accuracy = 1e-9\nspan = 1.0\nevery = 0.5\nwants = [\"spin\"]\n\n[[body]]\nmoments = [1, 2.0, 2.5]\nspin = [0.1, 1.0, 0.2]\n";
+
+fn refusal(from: &str, to: &str) -> String {
+    let text = GOOD.replacen(from, to, 1);
+    assert_ne!(text, GOOD, "{from}");
+    read(&text).unwrap_err().to_string()
+}
+
+#[test]
+fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
+    assert!(read(GOOD).is_ok());
+    let torque = |text: &str| refusal("\n\n[[body]]", &format!("\n\n[[torque]]\n{text}\n[[body]]"));
+    for (told, expected) in [
+        (refusal("accuracy", "acuracy"), "line 1, `acuracy`: no such field. Did you mean `accuracy`?"),
+        (refusal("moments", "mass"), "line 7, `mass`: no such field. There are `moments`, `products`"),
+        (refusal("accuracy = 1e-9\n", ""), "line 1: the field `accuracy` is missing"),
+        (
+            refusal("1e-9", "\"fine\""),
+            "line 1, `accuracy`: a number is expected here, not a value of type string",
+        ),
+        (refusal("1e-9", "2.0"), "line 1, `accuracy`: the accuracy is 2.0"),
+        (refusal("1e-9", "1e-17"), "line 1, `accuracy`: an accuracy of 1e-17 is asked for"),
+        (refusal("span = 1.0", "span = -1.0"), "line 2, `span`: the span is -1.0: it must not be below zero"),
+        (refusal("every = 0.5\n", ""), "line 1: beside `span` the field `every` is missing"),
+        (refusal("every = 0.5", "every = 0"), "line 3, `every`: the time between states is 0.0"),
+        (
+            refusal("span = 1.0\nevery = 0.5", "times = [2.0, 1.0]"),
+            "line 2, `times`: a time is 2.0, larger than the one after it",
+        ),
+        (refusal("span = 1.0", "times = [1.0]"), "line 2, `times`: either `times` or `every` and `span`"),
+        (
+            refusal("\"spin\"", "\"spni\""),
+            "line 4, `wants`: `spni` cannot be asked for. Did you mean `spin`?",
+        ),
+        (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: 3 numbers are expected here, not 2"),
+        (refusal("2.5]", "inf]"), "line 7, `moments`: inf is no finite number"),
+        (refusal("2.5]", "1e999]"), "line 7"),
+        (refusal("0.1, 1.0", "1e-400, 1.0"), "line 8, `spin`: 1e-400 is closer to zero"),
+        (refusal("spin = [0.1, 1.0, 0.2]\n", ""), "line 6: of this body `spin` or `momentum` is missing"),
+        (refusal("moments = [1", "moments = [1,, 1"), "line 7"),
+        (torque("pull = [1, 0, 0]"), "line 7, `pull`: no such field."),
+        (torque("arm = [1, 0, 0]"), "line 6: beside `arm` (m) the field `field` (N) is missing"),
+        (torque("damping = [1, 0, -1]"), "line 6, `torque`: a damping coefficient is -1.0"),
+        (torque(""), "line 6: what this torque is"),
+        (torque("dissipation = 1\nin-body = [1, 0, 0]"), "line 6, `torque`: one kind of torque is expected"),
+    ] {
+        assert!(told.starts_with(expected), "{told}\nwhere expected: {expected}");
+    }
+    assert_eq!(read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err().line, Some(1));
+}
+
+#[test]
+fn the_files_of_the_books_stories_are_scenes() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("files");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let file = read(&std::fs::read_to_string(&path).unwrap())
+            .unwrap_or_else(|wrong| panic!("{path:?}: {wrong}"));
+        for index in 0..file.scene.bodies().len() {
+            file.scene.plan(index).unwrap_or_else(|error| panic!("{path:?}: {error}"));
+        }
+        count += 1;
+    }
+    assert_eq!(count, 7);
+}

@@ -1,0 +1,108 @@
+//! The program that answers scenes: what it prints, what it refuses, how it ends.
+#![cfg(feature = "file")]
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tumbling::exact::FreeMotion;
+
+/// The program, which `cargo test` builds beside the tests.
+fn program() -> PathBuf {
+    let mut path = std::env::current_exe().unwrap();
+    path.pop();
+    path.pop();
+    path.join("examples").join(format!("scene{}", std::env::consts::EXE_SUFFIX))
+}
+
+fn answered(words: &[&str], file: &Path) -> Output {
+    Command::new(program()).args(words).arg(file).output().unwrap()
+}
+
+fn story(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("files").join(name)
+}
+
+fn of_text(name: &str, text: &str) -> Output {
+    let path = std::env::temp_dir().join(format!("tumbling-{}-{name}.toml", std::process::id()));
+    std::fs::write(&path, text).unwrap();
+    let output = answered(&[], &path);
+    std::fs::remove_file(path).unwrap();
+    output
+}
+
+fn said(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn the_states_are_printed_with_all_their_digits_under_names_and_units() {
+    let output = answered(&[], &story("box.toml"));
+    assert_eq!(output.status.code(), Some(0));
+    let text = said(&output.stdout);
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next().unwrap(),
+        "body,t [s],wx [rad/s; body axes],wy [rad/s; body axes],wz [rad/s; body axes],qw [body to world],\
+         qx [body to world],qy [body to world],qz [body to world],energy [J],gap [rad]"
+    );
+    let moments = Vector3::new(0.833_333_333_333_333_4, 1.083_333_333_333_333_3, 0.416_666_666_666_666_7);
+    let exact = FreeMotion::new(&moments, &Vector3::new(1.0, 0.01, 0.01)).unwrap();
+    let mut count = 0;
+    for line in lines {
+        let x: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+        let at = exact.at(x[1]).unwrap();
+        assert_eq!(Vector3::new(x[2], x[3], x[4]), at.omega);
+        let q = UnitQuaternion::new_unchecked(Quaternion::new(x[5], x[6], x[7], x[8]));
+        assert!(q.angle_to(&at.attitude) < 1e-14);
+        count += 1;
+    }
+    assert_eq!(count, 601);
+}
+
+#[test]
+fn every_story_is_answered_in_numbers_in_short_and_in_words() {
+    for entry in std::fs::read_dir(story("")).unwrap() {
+        let path = entry.unwrap().path();
+        for (words, begins) in
+            [(&[][..], "body,t [s]"), (&["--summary"], "body 0\nat "), (&["--explain"], "body 0\nchosen: ")]
+        {
+            let output = answered(words, &path);
+            assert_eq!(output.status.code(), Some(0), "{path:?}");
+            assert!(said(&output.stdout).starts_with(begins), "{path:?}");
+            assert!(output.stderr.is_empty(), "{path:?}");
+        }
+    }
+}
+
+#[test]
+fn the_summary_counts_the_flips() {
+    let text = said(&answered(&["--summary"], &story("racket.toml")).stdout);
+    // One each 1.63 s, half of the period in the table of truth, 3.263 s.
+    assert!(text.contains("  flips     6\n"), "{text}");
+}
+
+#[test]
+fn a_body_that_is_none_is_named_with_its_line_and_the_others_are_answered() {
+    let text = "accuracy = 1e-9\ntimes = [1.0]\nwants = [\"spin\"]\n\n[[body]]\nmoments = [1.0, 1.0, 3.0]\nspin = [0.0, 0.0, 1.0]\n\n\
+                [[body]]\nmoments = [1.0, 1.0, 2.0]\nspin = [0.0, 0.0, 1.0]\n";
+    let output = of_text("invalid", text);
+    assert_eq!(output.status.code(), Some(1));
+    let told = said(&output.stderr);
+    assert!(told.contains("line 5: body 0: no body has principal moments"), "{told}");
+    assert!(said(&output.stdout).contains("\n1,1.0000000000000000e0,0.0000000000000000e0"));
+}
+
+#[test]
+fn a_file_that_cannot_be_read_ends_with_two() {
+    let output = of_text("unknown", "acuracy = 1\n");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said(&output.stderr).contains("line 1, `acuracy`: no such field. Did you mean `accuracy`?"));
+    let output = answered(&[], Path::new("there/is/none.toml"));
+    assert_eq!(output.status.code(), Some(2));
+    for words in [&[][..], &["--sumary", "x"], &["a", "b"]] {
+        let output = Command::new(program()).args(words).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{words:?}");
+        assert!(said(&output.stderr).contains("usage: scene"), "{words:?}");
+    }
+    assert_eq!(Command::new(program()).arg("--help").output().unwrap().status.code(), Some(0));
+}
