@@ -68,10 +68,7 @@ fn seconds(step: &str) -> f64 {
 /// The errors of spin (beside its length) and attitude (rad).
 fn errors(answer: &Answer, spin: &Vector3<f64>, q: &Quaternion<f64>) -> [f64; 2] {
     let between = attitude::product(&answer.attitude.conjugate().into_inner(), q);
-    [
-        (spin - answer.spin).norm() / answer.spin.norm(),
-        2.0 * between.imag().norm().atan2(between.w.abs()),
-    ]
+    [(spin - answer.spin).norm() / answer.spin.norm(), 2.0 * between.imag().norm().atan2(between.w.abs())]
 }
 
 #[test]

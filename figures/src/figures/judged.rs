@@ -117,7 +117,8 @@ pub(super) fn grades() -> Drawing {
         }
     }
     let y = bottom + 32.0;
-    let keys = [(24.0, &kept, "within 1 in 100"), (196.0, &off, "off by more"), (340.0, &none, "not recorded")];
+    let keys =
+        [(24.0, &kept, "within 1 in 100"), (196.0, &off, "off by more"), (340.0, &none, "not recorded")];
     for (x, like, word) in keys {
         let tile = [[x, y - 14.0, x + 20.0, y + 4.0]];
         let fill = match like {
