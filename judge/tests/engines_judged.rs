@@ -190,7 +190,7 @@ fn table() -> String {
         };
         for law in &verdict.laws {
             let (law, grade, most, last) = (law.name.key(), law.growth.name(), law.most, law.last);
-            text += &format!("{name}\t{outcome}\t{law}\t{grade}\t{most:.0e}\t{last:.0e}\n");
+            text += &format!("{name}\t{outcome}\t{law}\t{grade}\t{most:.2e}\t{last:.2e}\n");
         }
     }
     text
