@@ -39,6 +39,8 @@ Draws the figures of the book and builds its pages.
                                                also with --peers
     cargo run --release -- atlas               run every method on every hard case, some seconds; prints what
                                                became of each and renews measure/record/atlas.tsv
+    cargo run --release -- measure scale       a hundred to ten million bodies, beside an engine, some minutes;
+                                               renews measure/record/scale.csv
     cargo run --release -- measure --long NAME a billion turns by one method, a quarter of an hour or more
     cargo run --release -- --help              this text
 
@@ -70,6 +72,7 @@ pub(crate) enum Asked {
     Check { folder: Option<PathBuf>, how: Checking },
     Judge { file: PathBuf, json: bool, options: tumbling_judge::Options },
     Measure { quick: bool, peers: bool },
+    Scale { quick: bool },
     Atlas,
     Longest { method: String },
     Count { contestant: String, times: u64 },
@@ -170,12 +173,13 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             ([], None) => Ok(Asked::Measure { quick, peers }),
             ([], Some(method)) if !quick && !peers => Ok(Asked::Longest { method }),
             ([], Some(_)) => Err("`--long` goes alone.".into()),
+            ([word], None) if word == "scale" && !peers => Ok(Asked::Scale { quick }),
             // How it runs itself again under valgrind.
             ([word, contestant, times], None) if word == "count" => {
                 let times = times.parse().map_err(|_| format!("`{times}` is no number."))?;
                 Ok(Asked::Count { contestant: contestant.clone(), times })
             }
-            ([extra, ..], _) => Err(format!("`measure` takes options only, but got `{extra}`.")),
+            ([extra, ..], _) => Err(format!("`measure` takes options or `scale`, but got `{extra}`.")),
         },
         Some("preprocess") => match rest.as_slice() {
             [] => Ok(Asked::Preprocess),
@@ -242,6 +246,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
         }
         Asked::Judge { file, json, options } => return Ok(judge::judge(&file, &options, json)),
         Asked::Measure { quick, peers } => measure::measure(quick, peers)?,
+        Asked::Scale { quick } => measure::scale(quick)?,
         Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
         Asked::Count { contestant, times } => measure::count(&contestant, times)?,
@@ -384,6 +389,8 @@ mod tests {
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
         assert!(parsed(&["build", "--quick"]).unwrap_err().contains("`measure`"));
+        assert!(matches!(parsed(&["measure", "scale"]), Ok(Asked::Scale { quick: false })));
+        assert!(matches!(parsed(&["measure", "scale", "--quick"]), Ok(Asked::Scale { quick: true })));
         assert!(parsed(&["measure", "all"]).unwrap_err().contains("`all`"));
         assert!(parsed(&["measure", "--quick", "--long", "x"]).unwrap_err().contains("alone"));
         assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));

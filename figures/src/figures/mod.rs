@@ -25,6 +25,7 @@ mod polhode;
 mod polhodes;
 mod regimes;
 mod rod_two_ways;
+mod scale;
 mod three_spins;
 mod turning_tensor;
 mod two_arrows;
@@ -40,7 +41,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 32] = [
+pub(crate) static ALL: [Figure; 33] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -202,6 +203,12 @@ pub(crate) static ALL: [Figure; 32] = [
         shows: "Error of the energy through a million turns",
         chapter: "error-against-run-time",
         draw: work::draw_drift,
+    },
+    Figure {
+        name: "scale",
+        shows: "Answers a second for a hundred to ten million bodies",
+        chapter: "only-what-you-need",
+        draw: scale::draw,
     },
     Figure {
         name: "engines-fate",
