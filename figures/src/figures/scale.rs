@@ -30,6 +30,9 @@ pub(super) fn draw() -> Drawing {
         let points: Vec<(f64, f64)> = scale::of(rows, build, crowd, lanes, threads)
             .map(|row| (row.bodies as f64, row.rate().clamp(low, high)))
             .collect();
+        if points.is_empty() {
+            continue;
+        }
         let pen = Pen::new(ink, 2.0);
         let pen = if dashed { pen.dashed() } else { pen };
         plot.curve(points.iter().copied(), pen)?;
