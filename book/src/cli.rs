@@ -53,6 +53,8 @@ Draws the figures of the book and builds its pages.
                                                count again what scenes cost; fail where the record says otherwise
     cargo run --release -- atlas               run every method on every hard case, some seconds; prints what
                                                became of each and renews measure/record/atlas.tsv
+    cargo run --release -- measure scale       a hundred to ten million bodies, beside an engine, some minutes;
+                                               renews measure/record/scale.csv
     cargo run --release -- measure --long NAME a billion turns by one method, a quarter of an hour or more
     cargo run --release -- --help              this text
 
@@ -84,6 +86,7 @@ pub(crate) enum Asked {
     Check { folder: Option<PathBuf>, how: Checking },
     Judge { file: PathBuf, json: bool, svg: Option<PathBuf>, options: Box<tumbling_judge::Options> },
     Measure { quick: bool, peers: bool },
+    Scale { quick: bool },
     Atlas,
     Longest { method: String },
     Count { contestant: String, times: u64 },
@@ -217,6 +220,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             ([], Some(method)) if !quick && !peers => Ok(Asked::Longest { method }),
             ([], Some(_)) => Err("`--long` goes alone.".into()),
             ([word], None) if word == "scenes" && !quick && !peers => Ok(Asked::Scenes { check, builds }),
+            ([word], None) if word == "scale" && !peers => Ok(Asked::Scale { quick }),
             // How it runs itself again under valgrind.
             ([word, name, plans, rounds], None) if word == "scene" => {
                 let number = |text: &String| text.parse().map_err(|_| format!("`{text}` is no number."));
@@ -226,7 +230,9 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
                 let times = times.parse().map_err(|_| format!("`{times}` is no number."))?;
                 Ok(Asked::Count { contestant: contestant.clone(), times })
             }
-            ([extra, ..], _) => Err(format!("`measure` takes options or `scenes`, but got `{extra}`.")),
+            ([extra, ..], _) => {
+                Err(format!("`measure` takes options, `scenes` or `scale`, but got `{extra}`."))
+            }
         },
         Some("preprocess") => match rest.as_slice() {
             [] => Ok(Asked::Preprocess),
@@ -295,6 +301,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
             return Ok(judge::judge(&file, &options, json, svg.as_deref()));
         }
         Asked::Measure { quick, peers } => measure::measure(quick, peers)?,
+        Asked::Scale { quick } => measure::scale(quick)?,
         Asked::Atlas => measure::atlas()?,
         Asked::Longest { method } => measure::longest(&method)?,
         Asked::Count { contestant, times } => measure::count(&contestant, times)?,
@@ -474,6 +481,8 @@ mod tests {
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());
         assert!(parsed(&["build", "--quick"]).unwrap_err().contains("`measure`"));
+        assert!(matches!(parsed(&["measure", "scale"]), Ok(Asked::Scale { quick: false })));
+        assert!(matches!(parsed(&["measure", "scale", "--quick"]), Ok(Asked::Scale { quick: true })));
         assert!(parsed(&["measure", "all"]).unwrap_err().contains("`all`"));
         assert!(parsed(&["measure", "--quick", "--long", "x"]).unwrap_err().contains("alone"));
         assert!(parsed(&["check", "a", "b"]).unwrap_err().contains("`b`"));

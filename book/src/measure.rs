@@ -16,20 +16,12 @@ pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     let folder = paths::repository().join("measure").join(if quick { "quick" } else { "record" });
     let start = Instant::now();
     if peers {
-        let manifest = paths::repository().join("measure/peers/Cargo.toml");
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo
-            .args(["run", "--release", "--manifest-path"])
-            .arg(manifest)
-            .arg("--")
-            .arg("--into")
-            .arg(&folder);
+        let mut cargo = peers_program();
+        cargo.args(["--", "--into"]).arg(&folder);
         if quick {
             cargo.arg("--quick");
         }
-        if !cargo.status()?.success() {
-            return Err("the program of the peers did not get through".into());
-        }
+        through(cargo)?;
     } else {
         let contestants = contestant::ours();
         let effort = if quick { Effort::QUICK } else { Effort::FULL };
@@ -45,6 +37,50 @@ pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
             "Draw its figures with `cargo run --release`. The book's own record: `git checkout measure/record`."
         );
     }
+    Ok(())
+}
+
+/// How the program of the peers is run.
+fn peers_program() -> Command {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let manifest = paths::repository().join("measure/peers/Cargo.toml");
+    cargo.args(["run", "--release", "--manifest-path"]).arg(manifest);
+    cargo
+}
+
+fn through(mut cargo: Command) -> Result<(), Box<dyn Error>> {
+    if cargo.status()?.success() {
+        Ok(())
+    } else {
+        Err("the program of the peers did not get through".into())
+    }
+}
+
+/// Many bodies, beside Rapier: by a build for any machine, then by one for this machine.
+pub(crate) fn scale(quick: bool) -> Result<(), Box<dyn Error>> {
+    let measure = paths::repository().join("measure");
+    let folder = measure.join(if quick { "quick" } else { "record" });
+    let start = Instant::now();
+    let asked = |build: &str, native: bool| {
+        let mut cargo = peers_program();
+        cargo.args(["--no-default-features", "--", "scale", build, "--into"]).arg(&folder);
+        if quick {
+            cargo.arg("--quick");
+        }
+        if native {
+            // Where it is not in the way of the other build.
+            let target = measure.join("peers/target/native");
+            cargo.env("RUSTFLAGS", "-C target-cpu=native").env("CARGO_TARGET_DIR", target);
+            cargo.arg("--after").arg(folder.join("scale.csv"));
+        } else {
+            cargo.env_remove("RUSTFLAGS");
+        }
+        cargo
+    };
+    through(asked("default", false))?;
+    through(asked("native", true))?;
+    say!("Measured in {:.0} s. The record is in", start.elapsed().as_secs_f64());
+    say!("{}", folder.join("scale.csv").display());
     Ok(())
 }
 

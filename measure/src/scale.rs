@@ -175,7 +175,7 @@ impl Digest for Vector3<f64> {
 }
 
 /// The exact motion, prepared as `W` and asked at `instants` times in a pass, with `run` to see it through.
-fn ready<'a, W: Want + 'a>(bodies: usize, instants: usize, run: &'a Run) -> Ready<'a>
+fn ready<'a, W: Want + 'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a>
 where
     W::State: Digest,
 {
@@ -197,11 +197,11 @@ where
 }
 
 /// How a pass is run: on which threads.
-pub type Run = dyn Fn(&mut (dyn FnMut() + Send)) + Sync;
+pub type Run<'r> = dyn Fn(&mut (dyn FnMut() + Send)) + Sync + 'r;
 
 /// The library's own: `one` sees a pass through on one thread, `two` on two.
 #[must_use]
-pub fn ours<'a>(one: &'a Run, two: Option<&'a Run>) -> Vec<Crowd<'a>> {
+pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
     const MOST: usize = 10_000_000;
     type Instants = Batch<Four>;
     let mut all = vec![
@@ -487,7 +487,7 @@ mod tests {
 
     #[test]
     fn a_quick_run_is_written_and_reads_back() {
-        let alone: &Run = &|pass| pass();
+        let alone: &Run<'_> = &|pass| pass();
         let effort = Effort { most: 1000, repeats: 1, least: 0.0, together: 1000 };
         let rows = measure("default", &ours(alone, Some(alone)), effort, &mut |_| {});
         assert_eq!(rows.len(), 14);

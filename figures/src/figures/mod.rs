@@ -26,6 +26,7 @@ mod polhode;
 mod polhodes;
 mod regimes;
 mod rod_two_ways;
+mod scale;
 mod scene_costs;
 mod three_spins;
 mod turning_tensor;
@@ -42,7 +43,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 35] = [
+pub(crate) static ALL: [Figure; 36] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -210,6 +211,12 @@ pub(crate) static ALL: [Figure; 35] = [
         shows: "What a state costs by what is asked of it",
         chapter: "only-what-you-need",
         draw: scene_costs::draw,
+    },
+    Figure {
+        name: "scale",
+        shows: "Answers a second for a hundred to ten million bodies",
+        chapter: "only-what-you-need",
+        draw: scale::draw,
     },
     Figure {
         name: "engines-fate",

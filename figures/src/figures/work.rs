@@ -123,7 +123,7 @@ fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::err
 }
 
 /// Labels in a column beside their curves' ends, none upon another.
-fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
+pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
     ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1).then(a.0.0.total_cmp(&b.0.0)));
     let room = bottom - top;
     #[allow(clippy::cast_precision_loss)]

@@ -4,10 +4,13 @@
 //! cargo run --release --manifest-path measure/peers/Cargo.toml -- [--quick] --into FOLDER
 //! ```
 
+#[cfg(feature = "solvers")]
 mod dop853;
+#[cfg(feature = "solvers")]
 mod law;
 mod rapier;
 mod scale;
+#[cfg(feature = "solvers")]
 mod tsit45;
 
 use std::io::{IsTerminal as _, Write as _};
@@ -22,7 +25,11 @@ use tumbling_measure::story::{self, Wrong};
 
 /// The peers with their versions, as the lock file has them.
 const LOCKED: &str = include_str!("../Cargo.lock");
-const PEERS: [&str; 3] = ["differential-equations", "diffsol", "rapier3d-f64"];
+const PEERS: &[&str] = if cfg!(feature = "solvers") {
+    &["differential-equations", "diffsol", "rapier3d-f64"]
+} else {
+    &["rapier3d-f64"]
+};
 
 fn version(package: &str) -> Option<&'static str> {
     let (_, after) = LOCKED.split_once(&format!("name = \"{package}\"\nversion = \""))?;
@@ -31,8 +38,11 @@ fn version(package: &str) -> Option<&'static str> {
 
 fn all() -> Vec<Box<dyn Contestant>> {
     let mut all = contestant::ours();
-    all.push(Box::new(dop853::Dop853));
-    all.push(Box::new(tsit45::Tsit45));
+    #[cfg(feature = "solvers")]
+    {
+        all.push(Box::new(dop853::Dop853));
+        all.push(Box::new(tsit45::Tsit45));
+    }
     all.push(Box::new(rapier::Rapier));
     all
 }

@@ -49,8 +49,8 @@ pub fn write(
     tell: &mut dyn FnMut(&str),
 ) -> Result<String, Wrong> {
     let (one, two) = (pool(1)?, pool(2)?);
-    let on_one: &Run = &|pass| one.install(pass);
-    let on_two: &Run = &|pass| two.install(pass);
+    let on_one: &Run<'_> = &|pass| one.install(pass);
+    let on_two: &Run<'_> = &|pass| two.install(pass);
     let mut crowds = scale::ours(on_one, Some(on_two));
     let prepare: Prepare<'_> = Box::new(|bodies| {
         let mut world = world(bodies);
