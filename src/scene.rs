@@ -14,7 +14,7 @@
 //! let scene = Scene::new(vec![racket], vec![], Times::every(0.1, 10.0), wants, 1e-9)?;
 //! let plan = scene.plan(0)?;
 //! assert!(matches!(plan.way(), Way::Nothing));
-//! assert_eq!(plan.flips()?.count(), 6);
+//! assert_eq!(plan.flips()?.count(), 5);
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 //!
