@@ -3,6 +3,7 @@
 mod build;
 mod cli;
 mod draw;
+mod exercises;
 mod guard;
 mod judge;
 mod log;

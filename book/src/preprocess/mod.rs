@@ -1,10 +1,11 @@
-//! Turns what chapters write into what pages show: TeX into MathML, figures into inline SVG.
+//! Turns what chapters write into what pages show: exercises into folds, TeX into MathML, figures into inline SVG.
 //!
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold
 //! maths or a figure: code, and whatever else looks like them, stays as written.
 
 mod check;
 mod edits;
+mod exercises;
 mod figure;
 mod maths;
 pub(crate) mod protocol;
@@ -44,6 +45,7 @@ impl Preprocessor for Preprocess {
             chapters: context.root.join(&context.config.book.src),
             figures: context.root.join("../figures"),
         };
+        let exercises = tumbling_exercises::all().map_err(Error::msg)?;
         let mut shown = figure::Shown::new();
         let mut faults = Vec::new();
         book.for_each_mut(|item| {
@@ -53,7 +55,12 @@ impl Preprocessor for Preprocess {
             let Some(path) = chapter.source_path.clone() else {
                 return;
             };
-            let source = Source { path: &path, text: &chapter.content };
+            let written = Source { path: &path, text: &chapter.content };
+            let text = match exercises::replace(&written, &exercises) {
+                Ok(text) => text,
+                Err(fault) => return faults.push(fault),
+            };
+            let source = Source { path: &path, text: &text };
             match chapter_as_shown(&source, &maths, &folders, &mut shown) {
                 Ok(text) => chapter.content = text,
                 Err(more) => faults.extend(more),
