@@ -43,7 +43,9 @@ pub(crate) fn parse(words: &[String]) -> Result<Asked, String> {
             for name in names {
                 if all.iter().all(|e| e.name != *name) {
                     let near = nearest::perhaps(name, all.iter().map(|e| e.name.as_str()));
-                    return Err(format!("There is no exercise `{name}`.{near} `-- exercises` lists them all."));
+                    return Err(format!(
+                        "There is no exercise `{name}`.{near} `-- exercises` lists them all."
+                    ));
                 }
             }
             Ok(Asked::Reset(names.to_vec()))
@@ -67,13 +69,16 @@ pub(crate) fn run(asked: &Asked) -> Result<ExitCode, String> {
         Asked::Reset(names) => {
             for exercise in all.iter().filter(|e| names.contains(&e.name)) {
                 let file = exercises::stubs().join(format!("{}.md", exercise.name));
-                fs::write(&file, exercise.stub()).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+                fs::write(&file, exercise.stub())
+                    .map_err(|e| format!("cannot write {}: {e}", file.display()))?;
                 say!("{} is as it was.", shown(exercise));
             }
         }
         Asked::Untouched => {
             let mut touched = exercises::unmatched(&all)?;
-            touched.extend(all.iter().filter(|e| before_running(e) == Some(Standing::Begun)).map(|e| e.name.clone()));
+            touched.extend(
+                all.iter().filter(|e| before_running(e) == Some(Standing::Begun)).map(|e| e.name.clone()),
+            );
             for name in &touched {
                 complain!("book/exercises/stubs/{name}.md is not as the book has it");
             }
@@ -195,7 +200,12 @@ fn next(all: &[Exercise], standings: &[Standing]) -> String {
             exercise.name, exercise.name
         ),
         Some((exercise, _)) => {
-            format!("Next: \"{}\". Edit {} and run\n    {}", exercise.title, shown(exercise), exercise.command())
+            format!(
+                "Next: \"{}\". Edit {} and run\n    {}",
+                exercise.title,
+                shown(exercise),
+                exercise.command()
+            )
         }
     }
 }
@@ -215,7 +225,10 @@ mod tests {
         assert_eq!(parsed(&["untouched"]), Ok(Asked::Untouched));
         assert_eq!(parsed(&["reset", "two_arrows_1"]), Ok(Asked::Reset(vec!["two_arrows_1".into()])));
         let wrong = parsed(&["reset", "two_arrow_1"]).unwrap_err();
-        assert!(wrong.starts_with("There is no exercise `two_arrow_1`. Did you mean `two_arrows_1`"), "{wrong}");
+        assert!(
+            wrong.starts_with("There is no exercise `two_arrow_1`. Did you mean `two_arrows_1`"),
+            "{wrong}"
+        );
         assert!(parsed(&["reset"]).unwrap_err().contains("takes the name"));
         assert!(parsed(&["nxt"]).unwrap_err().contains("Did you mean `next`?"));
         assert!(parsed(&["next", "one"]).unwrap_err().contains("`one`"));

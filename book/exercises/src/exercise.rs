@@ -59,10 +59,16 @@ impl Exercise {
             return Err(fault(first.line, "the block is the last of the task"));
         }
         let (before, open, after) = parted(&code).ok_or_else(|| {
-            fault(first.line, "the block has the two lines that mark the place left open, once, in this order")
+            fault(
+                first.line,
+                "the block has the two lines that mark the place left open, once, in this order",
+            )
         })?;
         if !open.contains("todo!(\"") || before.contains("todo!") || after.contains("todo!") {
-            return Err(fault(first.line, "what is left open is a `todo!(\"what to write\")` between the two lines"));
+            return Err(fault(
+                first.line,
+                "what is left open is a `todo!(\"what to write\")` between the two lines",
+            ));
         }
         let mut exercise = Self {
             name: name.into(),
@@ -94,7 +100,12 @@ impl Exercise {
                     Some(what) if !exercise.solution.is_empty() => {
                         exercise.wrong.push(Wrong { what: what.into(), code: answer()?.1 });
                     }
-                    _ => return Err(fault(section.line, "after the task come `## Hint`, `## Solution`, `## Wrong: WHY`")),
+                    _ => {
+                        return Err(fault(
+                            section.line,
+                            "after the task come `## Hint`, `## Solution`, `## Wrong: WHY`",
+                        ));
+                    }
                 },
             }
         }
@@ -102,7 +113,10 @@ impl Exercise {
             (exercise.task.is_empty(), "an exercise says what is asked"),
             (exercise.hints.is_empty(), "an exercise has a `## Hint`"),
             (exercise.solution.is_empty(), "an exercise has a `## Solution`"),
-            (exercise.wrong.is_empty(), "an exercise has a `## Wrong: WHY`, to show what its assertions refuse"),
+            (
+                exercise.wrong.is_empty(),
+                "an exercise has a `## Wrong: WHY`, to show what its assertions refuse",
+            ),
         ] {
             if missing {
                 return Err(fault(1, what));
@@ -208,7 +222,11 @@ impl Section {
         let wrong = "one block begins with ```rust and ends with ```";
         let (words, rest) = self.body.split_once("```rust\n").ok_or(wrong)?;
         let (code, rest) = rest.split_once("```\n").ok_or(wrong)?;
-        if rest.contains("```") || words.contains("```") { Err(wrong) } else { Ok((words.trim().into(), code.into(), rest.into())) }
+        if rest.contains("```") || words.contains("```") {
+            Err(wrong)
+        } else {
+            Ok((words.trim().into(), code.into(), rest.into()))
+        }
     }
 }
 

@@ -33,7 +33,9 @@ pub fn stubs() -> PathBuf {
 pub fn chapters() -> Vec<String> {
     include_str!("../../chapters/SUMMARY.md")
         .lines()
-        .filter_map(|line| Some(line.strip_prefix("- [")?.split_once("](")?.1.strip_suffix(".md)")?.to_owned()))
+        .filter_map(|line| {
+            Some(line.strip_prefix("- [")?.split_once("](")?.1.strip_suffix(".md)")?.to_owned())
+        })
         .collect()
 }
 

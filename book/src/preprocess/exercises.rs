@@ -19,7 +19,10 @@ pub(super) fn replace(source: &Source<'_>, all: &[Exercise]) -> Result<String, S
         ([], []) => Ok(source.text.to_owned()),
         ([], [first, ..]) => {
             let end = source.text.len();
-            Err(source.fault(end, format!("the exercise `{}` and others are left out: write `{DIRECTIVE}`", first.name)))
+            Err(source.fault(
+                end,
+                format!("the exercise `{}` and others are left out: write `{DIRECTIVE}`", first.name),
+            ))
         }
         ([at], [_, ..]) if source.text.lines().any(|line| line == DIRECTIVE) => {
             let (before, after) = (&source.text[..*at], &source.text[at + DIRECTIVE.len()..]);
@@ -93,7 +96,11 @@ mod tests {
     fn exercises_left_out_shown_twice_or_shown_where_there_are_none_are_faults() {
         for (chapter, text, what) in [
             ("two-arrows", "# A\n", "two-arrows.md:2: the exercise `two_arrows_1` and others are left out"),
-            ("two-arrows", "{{#exercises}}\n{{#exercises}}\n", "two-arrows.md:1: `{{#exercises}}` stands once"),
+            (
+                "two-arrows",
+                "{{#exercises}}\n{{#exercises}}\n",
+                "two-arrows.md:1: `{{#exercises}}` stands once",
+            ),
             ("two-arrows", "a {{#exercises}}\n", "alone in its line"),
             ("glossary", "a\n\n{{#exercises}}\n", "glossary.md:3: this chapter has no exercises"),
         ] {
