@@ -1,7 +1,7 @@
 //! What was asked for on the command line, and carrying it out.
 
 use crate::share::Site;
-use crate::{build, complain, docs, draw, guard, judge, measure, nearest, paths, preprocess, say};
+use crate::{build, complain, docs, draw, exercises, guard, judge, measure, nearest, paths, preprocess, say};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -27,6 +27,12 @@ Draws the figures of the book and builds its pages.
     cargo run --release -- check --list        the same, and for each number and equation what holds it
     cargo run --release -- check --mutants     alter the book's numbers and equations, one change at a
                                                time, and tell which alterations go unnoticed
+    cargo run --release -- exercises           say which exercises are done, begun and open, by chapter;
+                                               runs those that you have changed
+    cargo run --release -- exercises next      name the next one, with its file and its command
+    cargo run --release -- exercises reset NAME...
+                                               bring its file back as it was
+    cargo run --release -- exercises untouched fail and name the files that are not as the book has them
     cargo run --release -- judge FILE          hold an engine's record of a free body (columns t, qw..qz,
                                                wx..wz) against the exact motion, and say which rule made it:
                                                exit 0 where it passes, 1 where not, 2 where it cannot be read;
@@ -62,7 +68,7 @@ The pages land in book/html/; open book/html/index.html in any browser, no serve
 With mdBook installed, `mdbook serve book` shows the same pages and follows your edits
 (it calls `preprocess`, a command meant for mdBook alone).
 
-The code of the chapters is tested by `cargo test`.";
+The code of the chapters is tested by `cargo test`; one exercise is run by `cargo exercise NAME`.";
 
 /// What `check` is to tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,6 +90,7 @@ pub(crate) enum Asked {
     Build { site: Option<Site> },
     Figures { names: Vec<&'static Figure>, check: bool },
     Check { folder: Option<PathBuf>, how: Checking },
+    Exercises(exercises::Asked),
     Judge { file: PathBuf, json: bool, svg: Option<PathBuf>, options: Box<tumbling_judge::Options> },
     Measure { quick: bool, peers: bool },
     Scale { quick: bool },
@@ -96,8 +103,8 @@ pub(crate) enum Asked {
     Supports { renderer: String },
 }
 
-const COMMANDS: [&str; 9] =
-    ["figures", "check", "list", "build", "judge", "measure", "atlas", "help", "preprocess"];
+const COMMANDS: [&str; 10] =
+    ["figures", "check", "list", "build", "exercises", "judge", "measure", "atlas", "help", "preprocess"];
 const OPTIONS: [&str; 14] = [
     "--help",
     "--check",
@@ -209,6 +216,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             [file] => Ok(Asked::Judge { file: file.into(), json, svg, options: Box::new(options) }),
             [_, extra, ..] => Err(format!("`judge` takes one file, but got `{extra}` besides.")),
         },
+        Some("exercises") => Ok(Asked::Exercises(exercises::parse(&rest)?)),
         Some("figures") => Ok(Asked::Figures { names: named(&rest, registry())?, check }),
         Some("check") => match rest.as_slice() {
             [] => Ok(Asked::Check { folder: None, how }),
@@ -297,6 +305,7 @@ pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
                 }
             });
         }
+        Asked::Exercises(asked) => return Ok(exercises::run(&asked)?),
         Asked::Judge { file, json, svg, options } => {
             return Ok(judge::judge(&file, &options, json, svg.as_deref()));
         }
@@ -410,6 +419,7 @@ mod tests {
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
+        assert!(matches!(parsed(&["exercises", "next"]), Ok(Asked::Exercises(exercises::Asked::Next))));
         assert!(matches!(parsed(&["atlas"]), Ok(Asked::Atlas)));
         assert!(matches!(parsed(&["measure", "scenes"]), Ok(Asked::Scenes { check: false, builds: false })));
         assert!(matches!(
@@ -475,6 +485,8 @@ mod tests {
         assert_eq!(answer, "There is no command `biuld`. Did you mean `build`?");
         let answer = parsed(&["figures", "no-such-figure-at-all"]).unwrap_err();
         assert!(answer.starts_with("There is no figure `no-such-figure-at-all`."), "{answer}");
+        let answer = parsed(&["exercise"]).unwrap_err();
+        assert_eq!(answer, "There is no command `exercise`. Did you mean `exercises`?");
         let answer = parsed(&["figures", "--chekc"]).unwrap_err();
         assert!(answer.starts_with("There is no option `--chekc`. Did you mean `--check`"), "{answer}");
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));

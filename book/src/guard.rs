@@ -1,6 +1,6 @@
 //! The guard: says of every number and every equation in the book what holds it, and objects where nothing does.
 //!
-//! It reads the chapters (and the README) with the Markdown parser that makes the pages, and their Rust with a
+//! It reads the chapters (and the README, and the exercises) with the Markdown parser that makes the pages, and their Rust with a
 //! parser of Rust. A chapter is cut at its headings. Within each section, every number in prose, captions, tables,
 //! the words for figures, TeX and the comments of the code must be one of these:
 //!
@@ -33,6 +33,7 @@ mod chapter;
 mod code;
 mod decimal;
 mod equations;
+mod exercises;
 mod facts;
 mod mutants;
 mod numbers;
@@ -184,6 +185,7 @@ impl Book {
         }
         if own {
             chapters.push(readme(&mut reader)?);
+            exercises::read(&mut reader, &mut chapters, &mut wrong)?;
         }
         wrong.dedup();
         if !wrong.is_empty() {

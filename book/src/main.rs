@@ -4,6 +4,7 @@ mod build;
 mod cli;
 mod docs;
 mod draw;
+mod exercises;
 mod guard;
 mod judge;
 mod log;

@@ -1,10 +1,12 @@
-//! Turns what chapters write into what pages show: TeX into MathML, figures into inline SVG, widgets into their places.
+//! Turns what chapters write into what pages show: exercises into folds, TeX into MathML, figures into inline SVG,
+//! widgets into their places.
 //!
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold
 //! maths, a figure or a widget: code, and whatever else looks like them, stays as written.
 
 mod check;
 mod edits;
+mod exercises;
 mod figure;
 mod maths;
 pub(crate) mod protocol;
@@ -47,6 +49,7 @@ impl Preprocessor for Preprocess {
             figures: context.root.join("../figures"),
             widgets: context.root.join("widgets"),
         };
+        let exercises = tumbling_exercises::all().map_err(Error::msg)?;
         let mut seen = Seen::default();
         let mut faults = Vec::new();
         book.for_each_mut(|item| {
@@ -56,7 +59,12 @@ impl Preprocessor for Preprocess {
             let Some(path) = chapter.source_path.clone() else {
                 return;
             };
-            let source = Source { path: &path, text: &chapter.content };
+            let written = Source { path: &path, text: &chapter.content };
+            let text = match exercises::replace(&written, &exercises) {
+                Ok(text) => text,
+                Err(fault) => return faults.push(fault),
+            };
+            let source = Source { path: &path, text: &text };
             match chapter_as_shown(&source, &maths, &folders, &mut seen) {
                 Ok(text) => chapter.content = text,
                 Err(more) => faults.extend(more),

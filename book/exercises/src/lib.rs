@@ -1,0 +1,93 @@
+//! The exercises of the book.
+//!
+//! Each is one file, `whole/NAME.md`: the task, a Rust block with a place left open, hints, what to put there, and
+//! wrong answers. All else is made of it: the page's folds, the file that a reader edits (`stubs/NAME.md`, whose block
+//! is a doc-test of its own, run by `cargo exercise NAME`), and the program of `tests/proof.rs`, which runs every
+//! block open, solved and answered wrongly.
+//!
+//! The reader's files are tested only with the feature `mine`: `cargo test` proves the exercises and stays green,
+//! however far the reader has come.
+
+mod exercise;
+
+pub use exercise::{BEGIN, END, Exercise, Wrong};
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Where the whole exercises are.
+#[must_use]
+pub fn whole() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("whole")
+}
+
+/// Where the files are that a reader edits.
+#[must_use]
+pub fn stubs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("stubs")
+}
+
+/// The chapters that have exercises, in the order of the book, by the names of their files.
+#[must_use]
+pub fn chapters() -> Vec<String> {
+    include_str!("../../chapters/SUMMARY.md")
+        .lines()
+        .filter_map(|line| {
+            Some(line.strip_prefix("- [")?.split_once("](")?.1.strip_suffix(".md)")?.to_owned())
+        })
+        .collect()
+}
+
+/// All exercises, in the order of the book.
+///
+/// # Errors
+/// What cannot be read, with its file and line; or what the files as a whole lack.
+pub fn all() -> Result<Vec<Exercise>, String> {
+    let exercises = exercise::read_all(&whole())?;
+    let chapters = chapters();
+    let names: BTreeSet<&str> = exercises.iter().map(|e| e.name.as_str()).collect();
+    let mut ordered = Vec::new();
+    for chapter in &chapters {
+        for number in 1.. {
+            let name = format!("{}_{number}", chapter.replace('-', "_"));
+            let Some(exercise) = exercises.iter().find(|e| e.name == name) else {
+                break;
+            };
+            ordered.push(exercise.clone());
+        }
+    }
+    if let Some(lost) = names.iter().find(|name| ordered.iter().all(|e| e.name != **name)) {
+        return Err(format!(
+            "book/exercises/whole/{lost}.md: an exercise is named after its chapter in SUMMARY.md, and counted from 1 \
+             without a gap"
+        ));
+    }
+    // The command chooses by a part of the name.
+    for name in &names {
+        if let Some(other) = names.iter().find(|other| *other != name && other.contains(name)) {
+            return Err(format!("`{name}` is a part of `{other}`: its command would run both"));
+        }
+    }
+    Ok(ordered)
+}
+
+/// The files that a reader edits and that belong to no exercise, and the exercises that have no such file.
+///
+/// # Errors
+/// If the folder cannot be read.
+pub fn unmatched(exercises: &[Exercise]) -> Result<Vec<String>, String> {
+    let folder = stubs();
+    let entries = fs::read_dir(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
+    let files: BTreeSet<String> = entries
+        .flatten()
+        .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".md")?.to_owned()))
+        .collect();
+    let names: BTreeSet<String> = exercises.iter().map(|e| e.name.clone()).collect();
+    Ok(files.symmetric_difference(&names).cloned().collect())
+}
+
+#[cfg(all(doctest, feature = "mine"))]
+mod mine {
+    include!(concat!(env!("OUT_DIR"), "/mine.rs"));
+}

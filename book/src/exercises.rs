@@ -1,0 +1,260 @@
+//! The reader's way through the exercises: what is done, what comes next, and a fresh start.
+//!
+//! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if it passes.
+
+use crate::{complain, nearest, paths, say};
+use std::collections::HashMap;
+use std::fs;
+use std::process::{Command, ExitCode};
+use tumbling_exercises::{self as exercises, Exercise};
+
+/// What is asked about them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Asked {
+    /// All of them, by chapter.
+    List,
+    /// The next that is not done.
+    Next,
+    /// These brought back.
+    Reset(Vec<String>),
+    /// Which files are not as the book has them.
+    Untouched,
+}
+
+const WORDS: [&str; 3] = ["next", "reset", "untouched"];
+
+/// Reads the words after `exercises`.
+///
+/// # Errors
+/// A sentence that says what was not understood, and what was perhaps meant.
+pub(crate) fn parse(words: &[String]) -> Result<Asked, String> {
+    let Some((first, rest)) = words.split_first() else {
+        return Ok(Asked::List);
+    };
+    match (first.as_str(), rest) {
+        ("next", []) => Ok(Asked::Next),
+        ("untouched", []) => Ok(Asked::Untouched),
+        ("next" | "untouched", [extra, ..]) => {
+            Err(format!("`exercises {first}` takes no further word, but got `{extra}`."))
+        }
+        ("reset", []) => Err("`exercises reset` takes the name of an exercise, or several.".into()),
+        ("reset", names) => {
+            let all = exercises::all()?;
+            for name in names {
+                if all.iter().all(|e| e.name != *name) {
+                    let near = nearest::perhaps(name, all.iter().map(|e| e.name.as_str()));
+                    return Err(format!(
+                        "There is no exercise `{name}`.{near} `-- exercises` lists them all."
+                    ));
+                }
+            }
+            Ok(Asked::Reset(names.to_vec()))
+        }
+        (unknown, _) => {
+            let near = nearest::perhaps(unknown, WORDS);
+            Err(format!("There is no `exercises {unknown}`.{near} To run one: `cargo exercise NAME`."))
+        }
+    }
+}
+
+/// Carries it out.
+///
+/// # Errors
+/// What could not be read, written or run.
+pub(crate) fn run(asked: &Asked) -> Result<ExitCode, String> {
+    let all = exercises::all()?;
+    match asked {
+        Asked::List => list(&all)?,
+        Asked::Next => say!("{}", next(&all, &standings(&all)?)),
+        Asked::Reset(names) => {
+            for exercise in all.iter().filter(|e| names.contains(&e.name)) {
+                let file = exercises::stubs().join(format!("{}.md", exercise.name));
+                fs::write(&file, exercise.stub())
+                    .map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+                say!("{} is as it was.", shown(exercise));
+            }
+        }
+        Asked::Untouched => {
+            let mut touched = exercises::unmatched(&all)?;
+            touched.extend(
+                all.iter().filter(|e| before_running(e) == Some(Standing::Begun)).map(|e| e.name.clone()),
+            );
+            for name in &touched {
+                complain!("book/exercises/stubs/{name}.md is not as the book has it");
+            }
+            return Ok(if touched.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// How far a reader has come with an exercise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Standing {
+    /// As the book has it.
+    Open,
+    /// Changed, and does not pass.
+    Begun,
+    /// Passes.
+    Done,
+    /// The file is not there.
+    Gone,
+}
+
+impl Standing {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Begun => "begun",
+            Self::Done => "done",
+            Self::Gone => "gone",
+        }
+    }
+}
+
+/// The file that a reader edits, as told to him.
+fn shown(exercise: &Exercise) -> String {
+    format!("book/exercises/stubs/{}.md", exercise.name)
+}
+
+/// What the file alone tells: `Begun` where only a run can tell whether it is done; nothing where it is gone.
+fn before_running(exercise: &Exercise) -> Option<Standing> {
+    let text = fs::read_to_string(exercises::stubs().join(format!("{}.md", exercise.name))).ok()?;
+    Some(if text.replace("\r\n", "\n") == exercise.stub() { Standing::Open } else { Standing::Begun })
+}
+
+/// How it stands with each of these, in their order.
+fn standings(all: &[Exercise]) -> Result<Vec<Standing>, String> {
+    let mut standings: Vec<Standing> =
+        all.iter().map(|e| before_running(e).unwrap_or(Standing::Gone)).collect();
+    let changed: Vec<&str> = all
+        .iter()
+        .zip(&standings)
+        .filter(|(_, standing)| **standing == Standing::Begun)
+        .map(|(exercise, _)| exercise.name.as_str())
+        .collect();
+    if changed.is_empty() {
+        return Ok(standings);
+    }
+    let out = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["test", "--package", "tumbling-exercises", "--doc", "--features", "mine", "--"])
+        .args(&changed)
+        .env("CARGO_TERM_COLOR", "never")
+        .current_dir(paths::repository())
+        .output()
+        .map_err(|e| format!("cannot run cargo: {e}"))?;
+    let told = String::from_utf8_lossy(&out.stdout);
+    if !told.contains("test result: ") {
+        return Err(format!("the exercises could not be run:\n{}", String::from_utf8_lossy(&out.stderr)));
+    }
+    let passed = passed(&told);
+    for (exercise, standing) in all.iter().zip(&mut standings) {
+        if *standing == Standing::Begun && passed.get(&exercise.name).copied().unwrap_or(false) {
+            *standing = Standing::Done;
+        }
+    }
+    Ok(standings)
+}
+
+/// Which exercises ran, by what `cargo test` prints, and whether all of each passed.
+fn passed(told: &str) -> HashMap<String, bool> {
+    let mut passed = HashMap::new();
+    for line in told.lines() {
+        if let Some((_, rest)) = line.strip_prefix("test ").and_then(|line| line.rsplit_once(" - mine::"))
+            && let Some((name, rest)) = rest.split_once(" (line ")
+        {
+            *passed.entry(name.to_owned()).or_insert(true) &= rest.ends_with("... ok");
+        }
+    }
+    passed
+}
+
+fn list(all: &[Exercise]) -> Result<(), String> {
+    let standings = standings(all)?;
+    let width = all.iter().map(|e| e.name.len()).max().unwrap_or(0);
+    let mut chapter = String::new();
+    for (exercise, standing) in all.iter().zip(&standings) {
+        let place = exercise.place().0;
+        if place != chapter {
+            let of = |done: bool| {
+                let here = all.iter().zip(&standings).filter(|(e, _)| e.place().0 == place);
+                here.filter(|(_, s)| !done || **s == Standing::Done).count()
+            };
+            say!("{place}: {} of {}", of(true), of(false));
+            chapter = place;
+        }
+        say!("  {:5} {:width$}  {}", standing.word(), exercise.name, exercise.title);
+    }
+    let done = standings.iter().filter(|s| **s == Standing::Done).count();
+    say!("{done} of {} done. {}", all.len(), next(all, &standings));
+    Ok(())
+}
+
+/// The next exercise, with its file and its command.
+fn next(all: &[Exercise], standings: &[Standing]) -> String {
+    let next = all.iter().zip(standings).find(|(_, standing)| **standing != Standing::Done);
+    match next {
+        None => "Nothing is left to do.".into(),
+        Some((exercise, Standing::Gone)) => format!(
+            "Next: {}, whose file is gone; this brings it back:\n    cargo run --release -- exercises reset {}",
+            exercise.name, exercise.name
+        ),
+        Some((exercise, _)) => {
+            format!(
+                "Next: \"{}\". Edit {} and run\n    {}",
+                exercise.title,
+                shown(exercise),
+                exercise.command()
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(words: &[&str]) -> Result<Asked, String> {
+        parse(&words.iter().map(ToString::to_string).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn words_after_exercises_are_understood_or_answered_with_what_is_near() {
+        assert_eq!(parsed(&[]), Ok(Asked::List));
+        assert_eq!(parsed(&["next"]), Ok(Asked::Next));
+        assert_eq!(parsed(&["untouched"]), Ok(Asked::Untouched));
+        assert_eq!(parsed(&["reset", "two_arrows_1"]), Ok(Asked::Reset(vec!["two_arrows_1".into()])));
+        let wrong = parsed(&["reset", "two_arrow_1"]).unwrap_err();
+        assert!(
+            wrong.starts_with("There is no exercise `two_arrow_1`. Did you mean `two_arrows_1`"),
+            "{wrong}"
+        );
+        assert!(parsed(&["reset"]).unwrap_err().contains("takes the name"));
+        assert!(parsed(&["nxt"]).unwrap_err().contains("Did you mean `next`?"));
+        assert!(parsed(&["next", "one"]).unwrap_err().contains("`one`"));
+    }
+
+    #[test]
+    fn a_run_tells_which_pass_and_an_exercise_passes_if_all_of_its_blocks_do() {
+        let told = "running 4 tests\n\
+            test /a b/book/exercises/stubs/two_arrows_1.md - mine::two_arrows_1 (line 7) ... ok\n\
+            test /a b/book/exercises/stubs/proofs_2.md - mine::proofs_2 (line 9) ... FAILED\n\
+            test /a b/book/exercises/stubs/proofs_1.md - mine::proofs_1 (line 9) ... ok\n\
+            test /a b/book/exercises/stubs/proofs_1.md - mine::proofs_1 (line 30) ... FAILED\n\
+            test result: FAILED. 2 passed\n";
+        let passed = passed(told);
+        assert_eq!(passed.len(), 3);
+        assert!(passed["two_arrows_1"] && !passed["proofs_1"] && !passed["proofs_2"]);
+    }
+
+    #[test]
+    fn the_next_is_the_first_that_is_not_done() {
+        let all = &exercises::all().unwrap()[..3];
+        let told = |standings: [Standing; 3]| next(all, &standings);
+        use Standing::{Begun, Done, Gone, Open};
+        assert!(told([Open, Done, Open]).ends_with("    cargo exercise toss_a_book_1"));
+        assert!(told([Done, Begun, Open]).ends_with("    cargo exercise toss_a_book_2"));
+        assert!(told([Done, Done, Gone]).ends_with("exercises reset toss_a_book_3"));
+        assert_eq!(told([Done; 3]), "Nothing is left to do.");
+    }
+}

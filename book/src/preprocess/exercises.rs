@@ -1,0 +1,112 @@
+//! The exercises at the end of a chapter: `{{#exercises}}`, alone in its line, becomes tasks with their commands, and
+//! folds with code, hints and solution. A fold is `<details>`: it opens without a script.
+
+use super::Source;
+use std::fmt::Write as _;
+use tumbling_exercises::Exercise;
+
+const DIRECTIVE: &str = "{{#exercises}}";
+
+/// The chapter's text with its exercises in it.
+///
+/// # Errors
+/// If the chapter has exercises and does not show them, once, or shows some and has none.
+pub(super) fn replace(source: &Source<'_>, all: &[Exercise]) -> Result<String, String> {
+    let chapter = source.path.with_extension("").display().to_string();
+    let here: Vec<&Exercise> = all.iter().filter(|e| e.place().0 == chapter).collect();
+    let places: Vec<usize> = source.text.match_indices(DIRECTIVE).map(|(at, _)| at).collect();
+    match (places.as_slice(), here.as_slice()) {
+        ([], []) => Ok(source.text.to_owned()),
+        ([], [first, ..]) => {
+            let end = source.text.len();
+            Err(source.fault(
+                end,
+                format!("the exercise `{}` and others are left out: write `{DIRECTIVE}`", first.name),
+            ))
+        }
+        ([at], [_, ..]) if source.text.lines().any(|line| line == DIRECTIVE) => {
+            let (before, after) = (&source.text[..*at], &source.text[at + DIRECTIVE.len()..]);
+            Ok(format!("{before}{}{after}", section(&here)))
+        }
+        ([at, ..], []) => Err(source.fault(*at, "this chapter has no exercises")),
+        ([at, ..], _) => Err(source.fault(*at, format!("`{DIRECTIVE}` stands once, alone in its line"))),
+    }
+}
+
+/// The tasks, one after the other.
+fn section(exercises: &[&Exercise]) -> String {
+    let mut out = String::from(
+        "Each of these has a file of its own. Fill the place that is marked in it, and run its command; it fails until you \
+         are right, and says what you have beside what was expected. `cargo run --release -- exercises` tells how far you \
+         have come.\n",
+    );
+    for exercise in exercises {
+        let (_, number) = exercise.place();
+        let name = &exercise.name;
+        let _ = write!(
+            out,
+            "\n### {number}. {} {{#{name}}}\n\n{}\n\nEdit `book/exercises/stubs/{name}.md`, then:\n\n```sh\n{}\n```\n\n{}",
+            exercise.title,
+            exercise.task,
+            exercise.command(),
+            fold("The code to complete", &code(&exercise.open()))
+        );
+        let hints = exercise.hints.len();
+        for (at, hint) in exercise.hints.iter().enumerate() {
+            let summary = if hints == 1 { "Hint".into() } else { format!("Hint {} of {hints}", at + 1) };
+            out.push_str(&fold(&summary, hint));
+        }
+        let solution = format!("{}\n\n{}", code(exercise.solution()), exercise.words);
+        out.push_str(&fold("Solution", solution.trim_end()));
+    }
+    out
+}
+
+fn code(rust: &str) -> String {
+    format!("```rust\n{}\n```", rust.trim_end())
+}
+
+fn fold(summary: &str, inside: &str) -> String {
+    format!("<details class=\"fold\">\n<summary>{summary}</summary>\n\n{inside}\n\n</details>\n\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn shown(chapter: &str, text: &str) -> Result<String, String> {
+        let path = Path::new(chapter).with_extension("md");
+        replace(&Source { path: &path, text }, &tumbling_exercises::all().unwrap())
+    }
+
+    #[test]
+    fn a_chapter_shows_its_own_exercises_with_command_code_hints_and_solution() {
+        let out = shown("two-arrows", "# A\n\n## Exercises\n\n{{#exercises}}\n").unwrap();
+        for exercise in tumbling_exercises::all().unwrap() {
+            let mine = exercise.place().0 == "two-arrows";
+            assert_eq!(out.contains(&exercise.command()), mine, "{}", exercise.name);
+            assert_eq!(out.contains(exercise.solution().trim_end()), mine, "{}", exercise.name);
+        }
+        assert!(out.starts_with("# A\n\n## Exercises\n\nEach of these") && !out.contains("{{#"));
+        assert_eq!(out.matches("<details").count(), out.matches("</details>").count());
+    }
+
+    #[test]
+    fn exercises_left_out_shown_twice_or_shown_where_there_are_none_are_faults() {
+        for (chapter, text, what) in [
+            ("two-arrows", "# A\n", "two-arrows.md:2: the exercise `two_arrows_1` and others are left out"),
+            (
+                "two-arrows",
+                "{{#exercises}}\n{{#exercises}}\n",
+                "two-arrows.md:1: `{{#exercises}}` stands once",
+            ),
+            ("two-arrows", "a {{#exercises}}\n", "alone in its line"),
+            ("glossary", "a\n\n{{#exercises}}\n", "glossary.md:3: this chapter has no exercises"),
+        ] {
+            let fault = shown(chapter, text).unwrap_err();
+            assert!(fault.contains(what), "{fault}");
+        }
+        assert_eq!(shown("glossary", "# A\n").unwrap(), "# A\n");
+    }
+}
