@@ -19,7 +19,7 @@ pub static VERDICT: Text = Text::new();
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
-    match judge(record, &Options { inertia, threshold }) {
+    match judge(record, &Options { inertia, threshold, ..Options::default() }) {
         Ok(verdict) => {
             let mut json = verdict.json();
             json["words"] = verdict.to_string().into();
