@@ -32,7 +32,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         place.className = "live-engine";
         place.innerHTML = `<p class="live-title"></p><svg class="live-drawing live-low" aria-hidden="true"></svg><dl class="live-meters">${
             [["energy", "energy"], ["length", "|L|"], ["angle", "L’s direction"], ["flips", "flips"], ["off", "its spin, at the start"]].map(([what, words]) =>
-                `<div><dt>${words}</dt><dd data-of="${what}"></dd>${what === "flips" || what === "off" ? "" : "<span class=\"live-bar\" aria-hidden=\"true\"><span></span></span>"}</div>`).join("")}</dl>`;
+                `<div${what === "flips" || what === "off" ? " class=\"live-words\"" : ""}><dt>${words}</dt><dd data-of="${what}"></dd>${what === "flips" || what === "off" ? "" : "<span class=\"live-bar\" aria-hidden=\"true\"><span></span></span>"}</div>`).join("")}</dl>`;
         place.querySelector("p").textContent = name;
         stage.querySelector(".live-engines").append(place);
         const row = { which, place };
@@ -109,7 +109,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     /** The spin about the middle axis: the exact one through all of the time, the engine's as far as it has gone. */
     function path(row, width, height) {
         const svg = row.place.querySelector("svg");
-        const [left, right, middle, reach] = [2, width - 2, height / 2, height / 2 - 6];
+        const [left, right, middle, reach] = [6, width - 6, height / 2, (height / 2 - 6) / 1.15];
         const x = (time) => left + (right - left) * time / length;
         const y = (value) => middle - reach * Math.max(-1.15, Math.min(1.15, exact.most > 0 ? value / exact.most : 0));
         draw("path", svg, { class: "live-axis", d: `M${left} ${middle}H${right}` });
@@ -144,12 +144,13 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             };
             const met = share(row.low) === share(row.high) ? "" : `; so far ${share(row.low)} to ${share(row.high)}`;
             const off = Math.abs(row.energy - 1);
-            put("energy", `${share(row.energy)}${met}${off < 1e-3 ? beside(off) : ""}`, off);
+            put("energy", `${share(row.energy)}${off < 1e-3 ? beside(off) : ""}${met}`, off);
             const far = Math.abs(row.size - 1);
             put("length", `${share(row.size)}${far < 1e-3 ? beside(far) : ""}`, far);
-            put("angle", `${fixed(row.angle, row.angle < 1e-3 ? 0 : 1)}° off`, row.angle * Math.PI / 180);
+            const angle = row.angle === 0 || row.angle >= 0.05 ? fixed(row.angle, 1) : short(row.angle);
+            put("angle", `${angle}° off`, row.angle * Math.PI / 180);
             const first = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
-            put("flips", `${row.flips} times${first}; right: ${flipped.length}`);
+            put("flips", `${row.flips} ${row.flips === 1 ? "time" : "times"}${first}; right: ${flipped.length}`);
             put("off", `${fixed(row.first.off, 1)}° off, energy ${share(row.first.energy)}`);
             row.place.querySelector(".live-title").textContent = NAMES[row.which]
                 + (row.refused ? ": refused, for its numbers leave what an f64 holds" : "");

@@ -112,9 +112,12 @@ tumblingLive.widget("steps", async (stage, from) => {
         if (chosen.reason) cross(svg, x(chosen.step), top + 4);
         const slope = steepness();
         if (slope !== null) {
-            const place = y(chosen.attitude);
-            const before = x(chosen.step) > (left + right) / 2;
-            draw("text", svg, { class: "live-strong", x: x(chosen.step) + (before ? -12 : 12), y: Math.max(top + 12, place - 8), "text-anchor": before ? "end" : "start" }, `slope ${fixed(slope, 1)}`);
+            // Above the curve, which rises to the right.
+            const room = x(chosen.step) > left + 84;
+            draw("text", svg, {
+                class: "live-strong", x: x(chosen.step) + (room ? -12 : 12), y: Math.max(top + 12, y(chosen.attitude) - (room ? 10 : 34)),
+                "text-anchor": room ? "end" : "start",
+            }, `slope ${fixed(slope, 1)}`);
         }
     });
 
