@@ -177,7 +177,133 @@ async function judge(page, wants) {
   wants("the example has its lines in view", /qw/.test(await page.inputValue("#judge-text")));
 }
 
-const TESTS = { "two-arrows": twoArrows, "your-box": yourBox, judge };
+/** Whether some part of a widget's drawings has no place, or a number that is none is shown. */
+const broken = (page, widget) => page.locator(`#live-${widget}`).evaluate((box) =>
+  [...box.querySelectorAll("svg")].some((svg) => /NaN|Infinity|undefined/.test(svg.outerHTML)) || /NaN|Infinity|undefined|null/.test(box.innerText));
+
+async function pitfalls(page, wants) {
+  const row = (which) => page.locator("#live-pitfalls .live-engine").nth(which);
+  const of = (which, what) => row(which).locator(`[data-of=${what}]`).textContent();
+  const start = (which) => page.click(`#live-pitfalls [data-start="${which}"]`);
+  const end = () => page.click("#pitfalls-end");
+  const text = await page.textContent("main");
+
+  // The chapter's numbers, taken from its sentences.
+  const [, low, high] = text.match(/sinks to (\d+ %) of its energy and rises to (\d+ %)/);
+  await start(1);
+  await end();
+  wants(`with the frozen tensor the energy goes from ${low} to ${high}: ${await of(1, "energy")}`,
+    (await of(1, "energy")).includes(`${low} to ${high}`));
+  wants(`the right engine keeps it: ${await of(0, "energy")}`, (await of(0, "energy")).startsWith("100 %, off by"));
+  const [, gap, energy] = text.match(/its spin is ([\d.]+°) off.*?its energy is (\d+ %)/);
+  await start(2);
+  wants(`momentum for spin starts ${gap} off with ${energy}: ${await of(2, "off")}`, (await of(2, "off")) === `${gap} off, energy ${energy}`);
+  await set(page, "#pitfalls-body", 3);
+  wants(`a ball forgives it: ${await of(2, "off")}`, (await of(2, "off")) === "0.0° off, energy 100 %");
+  const [, flips, first, none] = text.match(/should flip (\d+) times, the first time after ([\d.]+ s).*?it flips (\d+) times/);
+  await start(3);
+  await end();
+  wants(`right is ${flips} flips: ${await of(0, "flips")}`, (await of(0, "flips")) === `${flips} times, the first after ${first}; right: ${flips}`);
+  wants(`without the term there are ${none}: ${await of(3, "flips")}`, (await of(3, "flips")) === `${none} times; right: ${flips}`);
+  wants(`nor with momentum for spin: ${await of(2, "flips")}`, (await of(2, "flips")).startsWith("0 times"));
+  await page.waitForTimeout(800);
+  wants("at rest it is told in words", new RegExp(`Right would be ${flips} flips`).test(await page.textContent("#live-pitfalls .live-said")));
+
+  // Played, or where motion is not wanted, in tenths; paused, and back.
+  await page.click("#pitfalls-reset");
+  wants("back at the start", (await shown(page, "pitfalls", "time")).startsWith("0.0 s"));
+  const drawn = () => page.locator("#live-pitfalls svg .live-tip").first().getAttribute("cx");
+  const before = await drawn();
+  const reduced = await page.evaluate(() => matchMedia("(prefers-reduced-motion: reduce)").matches);
+  await page.locator("#pitfalls-play").focus();
+  await page.keyboard.press("Enter");
+  await page.waitForTimeout(600);
+  const then = await drawn();
+  wants("played, it goes on", Number(then) > Number(before));
+  if (reduced) {
+    await page.waitForTimeout(300);
+    wants("by itself nothing moves", (await drawn()) === then);
+    wants("a tenth at a time", (await shown(page, "pitfalls", "time")).startsWith("2.0 s"));
+  } else {
+    await page.keyboard.press("Enter");
+    const stood = await drawn();
+    await page.waitForTimeout(300);
+    wants("paused, it stands", (await drawn()) === stood && (await page.textContent("#pitfalls-play")) === "Play");
+  }
+
+  // All ends of all controls.
+  for (const body of [3, 2, 1, 0]) {
+    for (const [spin, push, step] of [[0, 0, 9], [9, 11, 9], [9, 0, 9], [0, 11, 4], [9, 11, 3]]) {
+      await set(page, "#pitfalls-body", body);
+      await set(page, "#pitfalls-spin", spin);
+      await set(page, "#pitfalls-push", push);
+      await set(page, "#pitfalls-step", step);
+      await set(page, "#pitfalls-until", 3);
+      await page.click("#pitfalls-end");
+      wants(`body ${body}, spin ${spin}, push ${push}, step ${step}: everything has a number and a place`, !(await broken(page, "pitfalls")));
+    }
+  }
+  wants("a screen reader is told of the step", /s$/.test(await page.getAttribute("#pitfalls-step", "aria-valuetext")));
+  await start(3);
+  await end();
+}
+
+async function steps(page, wants) {
+  const step = "#steps-step";
+  const methods = await page.locator("#steps-method option").allTextContents();
+  wants(`all methods of the library are there: ${methods.length}`, methods.length === 26);
+  const choose = (name) => set(page, "#steps-method", methods.indexOf(name));
+
+  // The chapter's table, at its two hundred steps.
+  const names = { "Euler's": "explicit Euler", "three rotations": "three rotations 2", "Runge and Kutta's": "Runge-Kutta 4", "Moser and Veselov's, sixth order": "Moser-Veselov 6" };
+  const table = await page.locator("main table").filter({ hasText: "better with half the step" }).locator("tbody tr").evaluateAll((rows) =>
+    rows.map((row) => [...row.cells].map((cell) => cell.textContent.trim().replaceAll("’", "'"))));
+  wants("the chapter has its table", table.length === 4);
+  for (const [method, off, better] of table) {
+    wants(`${method} is ${names[method]}`, methods.includes(names[method]));
+    await choose(names[method]);
+    await set(page, step, 6);
+    const got = [await shown(page, "steps", "attitude"), await shown(page, "steps", "better")];
+    wants(`${method}: ${got}, the chapter ${off}, ${better}`, got[0].replace("−", "-") === off.replace("−", "-") && got[1] === `${better} better`);
+  }
+
+  // Every method at every end, from every start.
+  for (let which = 0; which < methods.length; which += 1) {
+    await set(page, "#steps-method", which);
+    for (const start of [0, 1, 2]) {
+      await set(page, "#steps-start", start);
+      await set(page, "#steps-body", start);
+      for (const end of [0, 16]) {
+        await set(page, step, end);
+        wants(`${methods[which]}, start ${start}, step ${end}: everything has a number and a place`, !(await broken(page, "steps")));
+        const reason = (await page.isVisible("#live-steps .live-wrong")) ? await page.textContent("#live-steps .live-wrong") : "refused: a";
+        wants(`a refusal says why: ${reason}`, /^refused: (a|the) ./.test(reason));
+      }
+    }
+  }
+  await choose("Moser-Veselov");
+  await set(page, "#steps-start", 1);
+  await set(page, "#steps-body", 0);
+  await set(page, step, 16);
+  wants("a step too long is refused", /^refused: .* was not found in \d+ rounds/.test(await page.textContent("#live-steps .live-wrong")));
+
+  // By keyboard, with words.
+  await set(page, "#steps-start", 0);
+  await choose("Runge-Kutta 4");
+  await set(page, step, 6);
+  await page.locator(step).focus();
+  await page.keyboard.press("ArrowRight");
+  wants(`an arrow key lengthens the step: ${await shown(page, "steps", "step")}`, (await shown(page, "steps", "step")).endsWith("141 steps"));
+  wants("a screen reader is told", /Attitude off by/.test(await page.getAttribute(step, "aria-valuetext")));
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(800);
+  wants("and, at rest, in words", /Runge-Kutta 4, step 0.050 s/.test(await page.textContent("#live-steps .live-said")));
+}
+
+/** Modules that a widget asks besides its own. */
+const BESIDE = { pitfalls: ["exact"], steps: ["exact"] };
+
+const TESTS = { "two-arrows": twoArrows, "your-box": yourBox, judge, pitfalls, steps };
 
 /** What hangs out of its drawing or its frame. */
 function cutOff(widget) {
@@ -237,7 +363,7 @@ export async function live({ open, bases, folder, pages, axe, fault, shots }) {
           wants(`it comes to life, not: ${await box.getAttribute("data-state")}`, false);
           continue;
         }
-        const others = asked.filter((file) => file.endsWith(".wasm.js") && !widgets.some((w) => file === `${w}.wasm.js`));
+        const others = asked.filter((file) => file.endsWith(".wasm.js") && ![...widgets, ...(BESIDE[widget] ?? [])].some((w) => file === `${w}.wasm.js`));
         wants(`it loads no other module than the page's: ${others}`, others.length === 0);
         const before = await box.innerHTML();
         await page.waitForTimeout(200);

@@ -17,6 +17,9 @@ const OPENING: &str = "{{#widget";
 const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "tests/data/engines/bullet-3.2.7-rigid--fast.csv")];
 
+/// Modules that a widget asks besides its own: the widget, and the module.
+const BESIDE: [(&str, &str); 2] = [("pitfalls", "exact"), ("steps", "exact")];
+
 /// The widgets that the book has so far, and where.
 pub(super) type Placed = BTreeMap<String, PathBuf>;
 
@@ -96,8 +99,11 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
     for name in placed.keys() {
         let script = format!("{name}.js");
         files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
-        let module = read(&folders.widgets.join(format!("built/{name}.wasm")))?;
-        files.insert(format!("{name}.wasm.js"), carrier(name, &module));
+        let beside = BESIDE.iter().filter(|(of, _)| of == name).map(|&(_, module)| module);
+        for module in beside.chain([name.as_str()]) {
+            let built = read(&folders.widgets.join(format!("built/{module}.wasm")))?;
+            files.insert(format!("{module}.wasm.js"), carrier(module, &built));
+        }
         for (_, what, file) in CARRIED.iter().filter(|(of, ..)| of == name) {
             let carried = read(&folders.widgets.join("../..").join(file))?;
             files.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));

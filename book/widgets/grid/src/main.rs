@@ -55,10 +55,102 @@ fn main() -> io::Result<()> {
         }
     }
 
+    exact(&mut ask)?;
+    engines(&row, &mut ask)?;
+    methods(&mut ask)?;
+
     for argument in std::env::args_os().skip(1) {
         record(&mut out, Path::new(&argument))?;
     }
     out.flush()
+}
+
+/// Asks a module, by its name and function, a question, and has the answer printed.
+type Ask<'a> =
+    dyn FnMut(&str, fn(u32, &Numbers) -> usize, u32, &[f64], Option<&exchange::Text>) -> io::Result<()> + 'a;
+
+/// Starts that turn over, that tumble, that stand, and odd ones.
+const SPINS: [[f64; 3]; 7] = [
+    [10.0, 0.1, 0.1],
+    [1.0, 1.0, 1.0],
+    [1.0, 1.0, 0.0],
+    [20.0, 0.0, 0.0],
+    [-3.0, 1e-6, 2.0],
+    [0.0; 3],
+    [f64::NAN, 1e200, 1.0],
+];
+
+/// The engines of the pitfalls, each from its start on in two pieces, as a page asks.
+fn engines(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
+    let name = "pitfalls";
+    let answer = widget_pitfalls::answer;
+    for body in 0..4 {
+        ask(name, answer, 2, &[f64::from(body)], None)?;
+        for spin in SPINS {
+            let start = [f64::from(body), spin[0], spin[1], spin[2]];
+            for engine in 0..4 {
+                for step in [0.001, 0.01, 0.5, 1e9] {
+                    let begun = [&start[..], &[f64::from(engine)]].concat();
+                    ask(name, answer, 0, &begun, None)?;
+                    for before in [0.0, 40.0] {
+                        let state: [f64; 9] = row.take(1);
+                        let asked = [&begun[..], &[step, before, 40.0], &state].concat();
+                        ask(name, answer, 1, &asked, None)?;
+                    }
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The exact motion of bodies flat, long, round and impossible.
+fn exact(ask: &mut Ask<'_>) -> io::Result<()> {
+    let (name, answer) = ("exact", widget_exact::answer);
+    for moments in [[10.0, 13.0, 5.0], [1.0, 1.0, 1.0], [1e-6, 2.0, 2.0], [2.0, 1.0, 3.0], [1.0, 2.0, 4.0]] {
+        for spin in SPINS {
+            let start = [moments, spin].concat();
+            for time in [0.0, 0.7, 20.0, -1e4, 1e12, f64::INFINITY] {
+                ask(name, answer, 0, &[&start[..], &[time]].concat(), None)?;
+                ask(name, answer, 1, &[&start[..], &[time, 20.0]].concat(), None)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What each method says of itself, and what it makes of some starts at steps short and long.
+fn methods(ask: &mut Ask<'_>) -> io::Result<()> {
+    let name = "steps";
+    let answer = widget_steps::answer;
+    for method in 0..27 {
+        ask(name, answer, 0, &[f64::from(method)], None)?;
+        for body in 0..3 {
+            for spin in SPINS {
+                for count in [1.0, 6.0, 25.0, 200.0] {
+                    let asked = [
+                        f64::from(body),
+                        spin[0],
+                        spin[1],
+                        spin[2],
+                        10.0,
+                        count,
+                        f64::from(method),
+                        0.6,
+                        0.0,
+                        -0.8,
+                        0.0,
+                    ];
+                    let asked = &asked;
+                    ask(name, answer, 1, asked, None)?;
+                }
+            }
+        }
+    }
+    for body in 0..3 {
+        ask(name, answer, 2, &[f64::from(body)], None)?;
+    }
+    Ok(())
 }
 
 /// A record as a file, judged by what it says and by other moments.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use tumbling::Error;
 use tumbling::solid::{Cuboid, Solid};
 
-/// Why there is no answer, in the library's own words.
+/// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as all the rest.
 pub static WHY: Text = Text::new();
 
 /// Of the row it takes: the edges along x, y and z, m; the mass, kg; and the spin along them, rad/s.
@@ -16,9 +16,24 @@ pub fn answer(_what: u32, row: &Numbers) -> usize {
     match found(row.take(0), row.take(4)) {
         Ok(found) => row.fill(&found),
         Err(why) => {
-            WHY.say(why.to_string());
+            WHY.say(words(&why).concat());
             0
         }
+    }
+}
+
+fn words(why: &Error) -> [&'static str; 2] {
+    match *why {
+        Error::NotFinite { what, .. } => [what, ": it must be a finite number"],
+        Error::NotPositive { what, .. } => [what, ": it must be above zero"],
+        Error::OutOfRange { what, .. } => {
+            [what, ": its true value is beyond what a finite, nonzero f64 holds in full"]
+        }
+        Error::ZeroVector { what } => [what, " is the zero vector: it has no direction"],
+        Error::Singular { .. } => {
+            ["the smallest principal moment is zero beside the largest", ": momentum does not determine spin"]
+        }
+        _ => ["there is no such body", ""],
     }
 }
 
@@ -52,3 +67,31 @@ fn circled(moments: [f64; 3], omega: &Vector3<f64>, momentum: &Vector3<f64>) -> 
 }
 
 exchange::page!(answer, WHY);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_is_told_in_the_words_of_the_library() {
+        let edges = [1e-200, 1e-9, 0.02, 1.0, 17.3, 1e100, 1e200, 0.0, -1.0, f64::NAN];
+        let mut told = 0;
+        for a in edges {
+            for b in edges {
+                for mass in [0.0, 1e-320, 1.0, f64::INFINITY] {
+                    for spin in [[1.0, 1.0, 0.0], [0.0; 3], [1e-160, 3e160, 0.1], [f64::NAN, 0.0, 1.0]] {
+                        let Err(why) = found([a, b, 1.0, mass], spin) else { continue };
+                        let ([what, rule], whole) = (words(&why), why.to_string());
+                        let known = !matches!(why, Error::Singular { .. });
+                        assert!(
+                            !known || whole.starts_with(what) && whole.ends_with(rule),
+                            "{whole}: {what}{rule}"
+                        );
+                        told += 1;
+                    }
+                }
+            }
+        }
+        assert!(told > 500);
+    }
+}

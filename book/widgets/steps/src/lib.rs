@@ -1,0 +1,190 @@
+//! Methods and steps: what a method makes of a motion at a step, and how its errors grow with it. The exact motion beside it is another
+//! module's, `exact`.
+
+use exchange::Numbers;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::sync::{Mutex, PoisonError};
+use tumbling::Error;
+use tumbling::solid::cuboid_moments;
+use tumbling::step::{Method, Motion, System};
+
+/// What a method is called, or of what the library says that it cannot be had.
+pub static WORDS: Words = Words(Mutex::new(""));
+
+/// A text that stands in the library, and takes no memory of its own.
+pub struct Words(Mutex<&'static str>);
+
+impl Words {
+    fn say(&self, text: &'static str) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = text;
+    }
+
+    /// What was last said.
+    #[must_use]
+    pub fn said(&self) -> &'static str {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Where the text begins in the module's memory, and how many bytes it is.
+    #[must_use]
+    pub fn place(&self) -> (usize, usize) {
+        (self.said().as_ptr().addr(), self.said().len())
+    }
+}
+
+/// The most steps in one answer.
+const MOST: usize = 4000;
+
+/// What comes before the samples in an answer on a run.
+const HEAD: usize = 7;
+
+/// The moments of a body, kg m². The bodies are those of the book; of each the middle axis is x.
+fn body(which: f64) -> Vector3<f64> {
+    match which as u32 {
+        0 => cuboid_moments(&1.0, &2.0, &1.0, &3.0),
+        1 => cuboid_moments(&0.340, &0.129, &0.020, &0.198),
+        _ => cuboid_moments(&0.171, &0.0716, &0.0078, &0.1476),
+    }
+}
+
+/// 0, what a method says of itself: which of [`Method::ALL`]. Its name is the text; the answer its order, and whether it is implicit
+/// and keeps the energy, the length of the momentum, its direction, the attitude's length and the way back, 1 or 0. There is no
+/// answer where there is no such method.
+///
+/// 1, a run: which body (the box, the book, the phone), the spin along its axes, rad/s, until when, s, in how many steps, which method,
+/// and the attitude that it should end with, real part first. The answer: how many steps were taken; why no more: 0 for no
+/// reason, 1 if something was not found, 2 if something left what an `f64` holds, 3 for other reasons, and the text says what;
+/// in how many rounds it was not found; the greatest errors of the energy and of the length of the momentum, in parts of them; the
+/// attitude's at the end, degrees; the greatest spin about x; and the spin about x at the start and after each step.
+///
+/// 2, a body's moments, kg m².
+pub fn answer(what: u32, row: &Numbers) -> usize {
+    if what == 0 {
+        let Some(method) = Method::ALL.get(row.get(0) as usize) else { return 0 };
+        let about = method.about();
+        WORDS.say(about.name);
+        let keeps = about.keeps;
+        let yes = |it: bool| f64::from(u8::from(it));
+        return row.fill(&[
+            f64::from(about.order),
+            yes(about.implicit),
+            yes(keeps.energy),
+            yes(keeps.momentum),
+            yes(keeps.direction),
+            yes(keeps.unit),
+            yes(keeps.reversible),
+        ]);
+    }
+    let moments = body(row.get(0));
+    if what == 2 {
+        return row.fill(&[moments.x, moments.y, moments.z]);
+    }
+    let Some(&method) = Method::ALL.get(row.get(6) as usize) else { return 0 };
+    System::free(&moments).map_or(0, |system| run(method, &system, row))
+}
+
+fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
+    let omega = Vector3::from(row.take::<3>(1));
+    let [until, count] = row.take(4);
+    let [w, i, j, k] = row.take(7);
+    let truth = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k));
+    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let energy = |motion: &Motion<f64>| motion.vector.dot(&system.omega(&motion.vector));
+    let (energy_before, length_before) = (energy(&motion), motion.vector.norm());
+    let (mut energy_off, mut length_off, mut greatest) = (0.0_f64, 0.0_f64, omega.x.abs());
+    let count = (count as usize).clamp(1, MOST);
+    let step = until / count as f64;
+    let mut taken = 0;
+    let mut why = [0.0; 2];
+    row.set(HEAD, omega.x);
+    while taken < count {
+        match method.step(system, &motion, &step) {
+            Ok(next) => motion = next,
+            Err(error) => {
+                why = refused(&error);
+                break;
+            }
+        }
+        taken += 1;
+        energy_off = energy_off.max((energy(&motion) / energy_before - 1.0).abs());
+        length_off = length_off.max((motion.vector.norm() / length_before - 1.0).abs());
+        let spin = system.omega(&motion.vector).x;
+        greatest = greatest.max(spin.abs());
+        row.set(HEAD + taken, spin);
+    }
+    let off = UnitQuaternion::new_normalize(motion.attitude).angle_to(&truth).to_degrees();
+    row.fill(&[taken as f64, why[0], why[1], energy_off, length_off, off, greatest]);
+    HEAD + 1 + taken
+}
+
+/// Why a step was refused, as numbers; of what, as the text. The page prints the numbers: Rust's own printing of them weighs
+/// more than all the methods.
+fn refused(error: &Error) -> [f64; 2] {
+    let (kind, what, rounds) = match error {
+        Error::NotConverged { what, iterations, .. } => (1.0, *what, *iterations),
+        Error::OutOfRange { what, .. } => (2.0, *what, 0),
+        _ => (3.0, "a step", 0),
+    };
+    WORDS.say(what);
+    [kind, rounds as f64]
+}
+
+exchange::page!(answer, WORDS);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumbling::bodies;
+    use tumbling::exact::FreeMotion;
+
+    /// A run of ten seconds of the box, gently spun about all axes.
+    fn ran(method: Method, count: f64) -> (usize, Numbers) {
+        let place = Method::ALL.iter().position(|&m| m == method).unwrap();
+        let truth =
+            FreeMotion::new(&body(0.0), &Vector3::new(1.0, 1.0, 1.0)).unwrap().attitude(10.0).unwrap();
+        let row = Numbers::new();
+        row.fill(&[0.0, 1.0, 1.0, 1.0, 10.0, count, place as f64, truth.w, truth.i, truth.j, truth.k]);
+        let places = answer(1, &row);
+        (places, row)
+    }
+
+    #[test]
+    fn errors_fall_by_the_order_that_the_library_gives() {
+        for &method in Method::ALL {
+            let order = method.about().order;
+            let off = |count: f64| ran(method, count).1.get(5);
+            let fall = off(100.0) / off(200.0);
+            // Where the error is neither rounding nor all there is.
+            if order > 0 && off(200.0) > 1e-9 && off(100.0) < 10.0 {
+                assert!((fall.log2() - f64::from(order)).abs() < 0.25, "{method:?}: {fall}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_kept_stays_kept() {
+        for &method in Method::ALL {
+            let (places, row) = ran(method, 100.0);
+            assert_eq!(places, HEAD + 101, "{method:?}");
+            let keeps = method.about().keeps;
+            assert_eq!(keeps.energy, row.get(3) < 1e-13, "{method:?}: {}", row.get(3));
+            assert_eq!(keeps.momentum, row.get(4) < 1e-13, "{method:?}: {}", row.get(4));
+        }
+    }
+
+    #[test]
+    fn a_step_too_long_is_refused_and_said_so() {
+        let (places, row) = ran(Method::MoserVeselov2, 1.0);
+        assert_eq!((row.get(0), row.get(1)), (0.0, 1.0));
+        assert_eq!(places, HEAD + 1);
+        assert!(WORDS.said().contains("Moser-Veselov"), "{}", WORDS.said());
+    }
+
+    #[test]
+    fn the_bodies_are_those_of_the_book() {
+        for (which, theirs) in [bodies::the_box(), bodies::book(), bodies::phone()].into_iter().enumerate() {
+            let [ours, theirs] = [body(which as f64), theirs.unwrap().inertia().matrix().diagonal()];
+            assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
+        }
+    }
+}
