@@ -4,7 +4,7 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::figures::power_of_ten;
 use crate::ink::Ink;
 use std::fmt::Write as _;
-use tumbling_judge::{Growth, LawName, Outcome, Point, Sure, Verdict};
+use tumbling_judge::{LawName, Outcome, Point, Sure, Verdict};
 
 const LEFT: f64 = 74.0;
 const RIGHT: f64 = 655.0;
@@ -237,18 +237,6 @@ fn middle(verdict: &Verdict) -> usize {
     order[1]
 }
 
-/// What becomes of an error, in few words.
-fn growth(growth: Growth) -> String {
-    match growth {
-        Growth::RandomWalk { rate } => format!("random walk, {rate:.0e} √s"),
-        Growth::Linear { rate } => format!("linear, {rate:.0e} a second"),
-        Growth::Power { power } => format!("as time to the {power:.1}"),
-        Growth::Exponential { rate } => format!("exponential, {rate:.0e} of itself a second"),
-        other => other.name().into(),
-    }
-    .replace("e-", "e−")
-}
-
 fn errors(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
     type Of = fn(&Point) -> Option<f64>;
     let laws: [(LawName, &str, Pen, Of); 3] = [
@@ -294,7 +282,7 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
     for (i, (law, words, pen, _)) in (0_u32..).zip(drawn.iter().rev()) {
         let y = upper - 14.0 - 21.0 * f64::from(i);
         canvas.line((LEFT - 30.0, y - 5.0), (LEFT - 4.0, y - 5.0), *pen);
-        let text = format!("error of {words}: {}", growth(law.growth));
+        let text = format!("{words}: {}", law.plain());
         canvas.label((LEFT + 4.0, y), &Label::new(text).size(15.5).ink(pen.ink()));
     }
     Ok(())
@@ -329,7 +317,7 @@ fn description(verdict: &Verdict) -> String {
             " Below, the error of {}: up to {:.1e}, {}.",
             law.name.words(),
             law.most,
-            law.growth
+            law.plain()
         );
     }
     for misread in &verdict.misread {

@@ -18,6 +18,7 @@ mod fit;
 mod fitted;
 mod json;
 mod laws;
+mod plain;
 mod points;
 mod reading;
 mod rows;

@@ -94,8 +94,9 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
         files.insert("live.js".to_owned(), read(&folders.widgets.join("page/live.js"))?);
     }
     for name in placed.keys() {
-        let script = format!("{name}.js");
-        files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+        for script in scripts(name, folders)? {
+            files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+        }
         let module = read(&folders.widgets.join(format!("built/{name}.wasm")))?;
         files.insert(format!("{name}.wasm.js"), carrier(name, &module));
         for (_, what, file) in CARRIED.iter().filter(|(of, ..)| of == name) {
@@ -119,6 +120,16 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
         }
     }
     Ok(())
+}
+
+/// A widget's script, and those that it loads itself: `NAME.js`, `NAME.PART.js`.
+fn scripts(name: &str, folders: &Folders) -> Result<Vec<String>, String> {
+    let page = folders.widgets.join("page");
+    let entries = fs::read_dir(&page).map_err(|e| format!("cannot read {}: {e}", page.display()))?;
+    let names = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok());
+    let parts = names.filter(|file| file.starts_with(&format!("{name}.")) && file.ends_with(".js"));
+    let own = format!("{name}.js");
+    Ok(std::iter::once(own.clone()).chain(parts.filter(|part| *part != own)).collect())
 }
 
 fn read(file: &Path) -> Result<Vec<u8>, String> {
