@@ -32,6 +32,7 @@ pub use diagnosis::{Diagnosis, Explanation, Sure};
 pub use error::Error;
 pub use fit::Fit;
 pub use laws::{FlipCount, Law, LawName};
+pub use plain::plain_number;
 pub use points::Point;
 pub use reading::Misread;
 pub use suspects::{Base, Rule, Steps, When};

@@ -20,11 +20,11 @@ impl Law {
             Growth::Rounding | Growth::Bounded => return name.into(),
             Growth::Power { power } => (power, format!("as time to the power {power:.1}")),
             Growth::RandomWalk { rate } => {
-                let first = number(rate);
-                (rate, format!("{first}{} in a second, ten times that in a hundred", self.unit()))
+                let first = plain_number(rate);
+                (rate, format!("{first}{} in a second, tenfold in a hundred", self.unit()))
             }
             Growth::Linear { rate } => {
-                (rate, format!("{} {}{} a second", self.moves(rate), number(rate.abs()), self.unit()))
+                (rate, format!("{} {}{} a second", self.moves(rate), plain_number(rate.abs()), self.unit()))
             }
             Growth::Exponential { rate } => (rate, times(rate)),
         };
@@ -58,16 +58,26 @@ fn times(rate: f64) -> String {
     let (way, steep) = if rate < 0.0 { ("shrinks", "to a tenth") } else { ("grows", "tenfold") };
     let size = rate.abs();
     if size > STEEP {
-        format!("{way} {steep} every {} s", number(std::f64::consts::LN_10 / size))
+        format!("{way} {steep} every {} s", plain_number(std::f64::consts::LN_10 / size))
     } else if size < GENTLE {
-        format!("{way} by {} % a second", number(100.0 * rate.exp_m1().abs()))
+        format!("{way} by {} % a second", plain_number(100.0 * rate.exp_m1().abs()))
     } else {
-        format!("{way} by a factor of {} a second", number(size.exp()))
+        format!("{way} by a factor of {} a second", plain_number(size.exp()))
     }
 }
 
-/// In three digits, with a raised power of ten where it is very small or large.
-fn number(x: f64) -> String {
+/// A number in three digits, with a raised power of ten where it is very small or large.
+///
+/// ```
+/// use tumbling_judge::plain_number;
+/// assert_eq!(plain_number(0.012345), "0.0123");
+/// assert_eq!(plain_number(-1.5e-7), "−1.50 · 10⁻⁷");
+/// ```
+#[must_use]
+pub fn plain_number(x: f64) -> String {
+    if x < 0.0 {
+        return format!("−{}", plain_number(-x));
+    }
     if x == 0.0 || !x.is_finite() {
         return x.to_string();
     }
@@ -112,7 +122,7 @@ mod tests {
         assert_eq!(linear(LawName::Direction, 0.5), "linear: turns away by 0.500 rad a second");
         assert_eq!(
             told(LawName::Direction, Growth::RandomWalk { rate: 2e12 }),
-            "random walk: 2.00 · 10¹² rad in a second, ten times that in a hundred"
+            "random walk: 2.00 · 10¹² rad in a second, tenfold in a hundred"
         );
         assert_eq!(
             told(LawName::Energy, Growth::Power { power: 2.04 }),

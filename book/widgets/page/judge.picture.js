@@ -9,7 +9,7 @@ tumblingLive.judgePicture = (() => {
     /** Spins are drawn up to so many times the exact motion's greatest. */
     const ROOM = 2.5;
     /** Around the plots: figures of the axes to the left, names of the curves to the right. */
-    const [LEFT, RIGHT, LINE] = [46, 74, 18];
+    const [LEFT, RIGHT, LINE] = [46, 80, 18];
     const LAWS = [
         { key: "energy", name: "energy", ink: "live-ink" },
         { key: "momentum", name: "|L|", ink: "live-ink-momentum" },
