@@ -171,9 +171,103 @@ async function judge(page, wants) {
   await page.dispatchEvent("#live-judge .live-drop", "drop", { dataTransfer: data });
   await told(verdict, "Nothing to judge: dropped.csv");
 
+  // The picture. Every part has a place, and every curve its name.
+  const picture = `${verdict} svg.live-picture`;
+  async function drawn(name, lines, pattern, { curves, says, words }) {
+    await page.setInputFiles("#judge-file", { name, mimeType: "text/csv", buffer: Buffer.from(lines) });
+    await told(verdict, pattern);
+    if ((await page.locator(picture).count()) !== 1) return wants(`${name} has one picture`, false);
+    try {
+      await page.waitForFunction((s) => document.querySelectorAll(`${s} path`).length > 0, picture, { timeout: 5000 });
+    } catch {
+      return wants(`${name} is drawn`, false);
+    }
+    const seen = await page.locator(picture).evaluate((svg) => {
+      const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
+      const curves = Object.fromEntries([...svg.querySelectorAll("[data-shows]")].map((path) => [path.dataset.shows, path.getAttribute("d")]));
+      const boxes = [...svg.querySelectorAll("path, circle")].map((part) => part.getBBox());
+      return {
+        curves,
+        broken: /NaN|Infinity|undefined|null/.test(svg.outerHTML),
+        outside: boxes.filter(({ x, y, width: w, height: h }) => !(x >= -1 && y >= -1 && x + w <= width + 1 && y + h <= height + 1)).length,
+        says: [...svg.querySelectorAll("text")].map((text) => text.textContent),
+        words: svg.getAttribute("aria-label"),
+        flips: svg.querySelectorAll(".live-flip").length,
+      };
+    });
+    wants(`${name}: every part of the drawing has a place`, !seen.broken && seen.outside === 0);
+    wants(`${name}: it draws ${Object.keys(seen.curves)}, not ${curves}`, String(Object.keys(seen.curves).sort()) === String([...curves].sort()));
+    for (const curve of curves) {
+      const label = { momentum: "|L|" }[curve] ?? curve;
+      wants(`${name}: ${curve} has its name beside it`, seen.says.some((text) => text.startsWith(label)));
+    }
+    for (const text of says) wants(`${name} says "${text}", not "${seen.says}"`, seen.says.some((said) => said.includes(text)));
+    for (const text of words) wants(`${name} is told as "${text}", not "${seen.words}"`, seen.words.includes(text));
+    return seen;
+  }
+  const head = "# inertia: 1 2 3\nt,wx,wy,wz\n";
+  const errors = ["energy", "momentum"];
+
+  // A term of the wrong sign drives the spin out of all bounds.
+  let blown = head;
+  for (let i = 0, size = 1; size < 1e140; i += 1, size *= 1.5) blown += `${0.1 * i},${0.1 * size},${(i % 2 ? -2 : 2) * size},${0.1 * size}\n`;
+  const grown = await drawn("blown.csv", blown, "Failed: blown.csv", {
+    curves: ["exact", "recorded", "allowed", ...errors], says: ["leaves the picture", "rad/s", "time"],
+    words: ["leaves the picture", "the error of energy", "exponential: grows"],
+  });
+  // 1.5 times as fast every tenth of a second is 1.5^10 = 57.7 times as fast a second: so is |L|, and energy 57.7^2 = 3325 times.
+  const rates = await page.locator(`${verdict} td:last-child`).allTextContents();
+  wants(`blown.csv: growth is told plainly, not as ${rates.slice(0, 2)}`,
+    rates[0].includes("grows tenfold every 0.284 s") && rates[1].includes("grows by a factor of 57.7 a second"));
+  wants("blown.csv: no rate is a logarithm", rates.every((text) => !/e-?\d/.test(text)));
+  wants("blown.csv: its curves go on to the end", grown?.curves.recorded?.split("L").length > 100);
+
+  // Stuck: a straight line, where the exact spin moves.
+  let stuck = head;
+  for (let i = 0; i < 100; i += 1) stuck += `${0.1 * i},0.1,2,0.1\n`;
+  const still = await drawn("stuck.csv", stuck, "Failed: stuck.csv", {
+    curves: ["exact", "recorded", "allowed", ...errors], says: ["flips: 0, exact: "], words: ["axis 2, the middle one", "It changes sign 0 times"],
+  });
+  const heights = (d) => new Set(d?.split(/[ML]/).filter(Boolean).map((point) => point.split(" ")[1]));
+  wants("stuck.csv: what is recorded stands still, what is exact does not",
+    heights(still?.curves.recorded).size === 1 && heights(still?.curves.exact).size > 10);
+  wants("stuck.csv: no flip is marked", still?.flips === 0);
+
+  // Attitudes alone: half a turn every second about one axis of a sphere's kin.
+  let turns = "# inertia: 1 2 3\nt,qw,qx,qy,qz\n";
+  for (let i = 0; i < 100; i += 1) turns += `${0.1 * i},${Math.cos(0.05 * Math.PI * i)},0,0,${Math.sin(0.05 * Math.PI * i)}\n`;
+  await drawn("turns.csv", turns, "turns.csv", {
+    curves: ["exact", "recorded", "allowed", "direction", ...errors], says: ["spin about axis 3", "direction, rad"],
+    words: ["from 3.142 to 3.142 rad/s", "the error of direction"],
+  });
+  wants("turns.csv: what attitudes do not tell is told", /does not tell/.test(await page.textContent(verdict)));
+
+  // Options: limits by law, and a fitted start.
+  await set(page, "#judge-threshold", "0.5, momentum=1e-6");
+  await told(verdict, "turns.csv");
+  await page.waitForFunction((s) => [...document.querySelectorAll(`${s} text`)].filter((t) => / may$/.test(t.textContent)).length === 2, picture)
+    .catch(() => wants("limits of their own are drawn by name", false));
+  for (const [limits, says] of [["energy=0", "above zero"], ["mass=1", "there is no law `mass`"], ["energy=", "above zero"]]) {
+    await set(page, "#judge-threshold", limits);
+    await told(wrong, says);
+  }
+  for (const law of ["energy", "momentum", "direction", "unit", "separatrix", "phase", "consistency"]) {
+    await set(page, "#judge-threshold", `${law}=0.125`);
+    await told(verdict, `${{ momentum: "\\|L\\|", unit: "length", separatrix: "2 E I2", consistency: "turn against spin" }[law] ?? law}[^,;]* within 0.125|is off by`);
+  }
+  await set(page, "#judge-threshold", "0.01");
+  await set(page, "#judge-fit", "1");
+  await told(wrong, "two at least");
+  await set(page, "#judge-fit", "16");
+  await told(verdict, "fitted to the first 16 rows");
+  await set(page, "#judge-fit", "");
+  await told(verdict, "Passed: turns.csv|Nothing to judge: turns.csv");
+
   await page.locator("#judge-example").focus();
   await page.keyboard.press("Enter");
   await told(verdict, "the example");
+  await page.waitForFunction((s) => document.querySelectorAll(`${s} [data-shows]`).length > 3, picture, { timeout: 5000 })
+    .catch(() => wants("the example is drawn", false));
   wants("the example has its lines in view", /qw/.test(await page.inputValue("#judge-text")));
 }
 

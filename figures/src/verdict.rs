@@ -4,13 +4,17 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::figures::power_of_ten;
 use crate::ink::Ink;
 use std::fmt::Write as _;
-use tumbling_judge::{Growth, LawName, Outcome, Point, Sure, Verdict};
+use tumbling_judge::{Law, LawName, Outcome, Point, Sure, Verdict, plain_number};
 
 const LEFT: f64 = 74.0;
-const RIGHT: f64 = 655.0;
-/// The upper plot's edges, and the lower one's.
+const RIGHT: f64 = 500.0;
+/// Narrower than the book's drawings: a picture that a small screen shrinks keeps larger letters.
+const WIDTH: u32 = 520;
+/// The upper plot's edges, and how high the lower one is.
 const SPIN: [f64; 2] = [150.0, 352.0];
-const ERRORS: [f64; 2] = [456.0, 658.0];
+const HIGH: f64 = 202.0;
+/// From a line of letters to the next.
+const LINE: f64 = 21.0;
 /// What is smaller lies on the lower edge.
 const FLOOR: f64 = 1e-16;
 /// Spins are drawn up to so many times the exact motion's greatest.
@@ -26,14 +30,23 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 /// # Errors
 /// What the drawing backend reported.
 pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> {
-    let canvas = Canvas::new(722);
+    let said = growths(verdict);
+    let lines = said.iter().map(|(.., lines)| lines.len()).sum::<usize>();
+    #[allow(clippy::cast_precision_loss)]
+    let upper = SPIN[1] + LINE * (2 + lines) as f64 + 24.0;
+    let height = upper + HIGH + 64.0;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some hundreds
+    let canvas = Canvas::sized(WIDTH, height.ceil() as u32);
+    // A ground of its own: a viewer's may be white where the letters are those for the night.
+    let (w, h) = (f64::from(WIDTH), height.ceil());
+    canvas.area(&[(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)], Fill::new(Ink::Paper), None);
     let title = title(verdict);
     heading(&canvas, verdict);
     let end = verdict.curve.last().map_or(0.0, |point| point.time);
     // A record of one stretch has some width all the same.
     let end = if end > 0.0 && end.is_finite() { end } else { 1.0 };
     spins(&canvas, verdict, end)?;
-    errors(&canvas, verdict, end)?;
+    errors(&canvas, verdict, end, upper, &said)?;
     Ok(canvas.finish("verdict", &title, &description(verdict)))
 }
 
@@ -66,8 +79,11 @@ fn grade(verdict: &Verdict) -> String {
         _ => verdict
             .broken()
             .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
-            .or_else(|| verdict.worst())
-            .map(|law| format!("{} {}", law.name.words(), law.growth.name())),
+            .map(|law| format!("{} is off by up to {}", law.name.words(), plain_number(law.most)))
+            .or_else(|| {
+                let worst = verdict.worst()?;
+                Some(format!("kept worst is {}, {}", worst.name.words(), worst.growth.name()))
+            }),
     };
     reason.map_or_else(|| words.to_owned(), |reason| format!("{words}: {reason}"))
 }
@@ -108,17 +124,17 @@ fn heading(canvas: &Canvas, verdict: &Verdict) {
         first = letter.to_uppercase() + &first[1..];
     }
     let ink = if verdict.outcome == Outcome::Failed { Ink::Wrong } else { Ink::Text };
-    let lines = broken(&plain(&first), 66, 2);
+    let lines = broken(&plain(&first), 50, 2);
     let under = 20.0 * if lines.len() > 1 { 1.0 } else { 0.0 };
     for (line, y) in lines.into_iter().zip([26.0, 46.0]) {
         canvas.label((LEFT - 30.0, y), &Label::new(line).bold().ink(ink));
     }
-    for (line, y) in broken(&plain(&diagnosis(verdict)), 78, 2).into_iter().zip([48.0 + under, 67.0 + under])
+    for (line, y) in broken(&plain(&diagnosis(verdict)), 60, 2).into_iter().zip([48.0 + under, 67.0 + under])
     {
         canvas.label((LEFT - 30.0, y), &Label::new(line).size(15.5));
     }
     if let Some(engine) = &verdict.engine {
-        let engine: String = broken(&plain(engine), 84, 1).concat();
+        let engine: String = broken(&plain(engine), 64, 1).concat();
         canvas.label((LEFT - 30.0, 106.0), &Label::new(engine).size(14.5).ink(Ink::Faint));
     }
 }
@@ -161,9 +177,9 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         Plot::new(canvas, LEFT, SPIN[0], RIGHT, SPIN[1], Scale::linear(0.0..end), Scale::linear(-most..most));
     let name = ["$ω_1$", "$ω_2$", "$ω_3$"][axis.min(2)];
     let middle = verdict.flips.is_some() && middle(verdict) == axis;
-    let about = if middle { "the middle axis" } else { "the axis spun about" };
+    let about = if middle { ", middle axis" } else { "" };
     plot.x_axis(ticks(0.0, end).into_iter().map(|(t, _)| (t, String::new())), "");
-    plot.y_axis(ticks(-most, most), &format!("spin {name} about {about} (rad/s)"));
+    plot.y_axis(ticks(-most, most), &format!("spin {name}{about} (rad/s)"));
     let within = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-most, most) };
     let band = |range: fn(&Point) -> &[nalgebra::Vector3<f64>; 2], fill: Fill| {
         let ends = |side: usize| verdict.curve.iter().map(move |p| (p.time, within(range(p)[side][axis])));
@@ -224,8 +240,8 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         canvas.label((RIGHT, SPIN[1] + 22.0), &Label::new(text).size(15.5).end().ink(Ink::AxisMid));
     }
     if found > ROOM * exact && exact > 0.0 {
-        let text = format!("leaves the picture: up to {found:.2e} rad/s");
-        canvas.label((LEFT, SPIN[1] + 22.0), &Label::new(text).size(15.5).ink(Ink::Wrong));
+        let text = format!("leaves the picture: up to {} rad/s", plain_number(found));
+        canvas.label((RIGHT, SPIN[1] + 22.0 + LINE), &Label::new(text).size(15.5).end().ink(Ink::Wrong));
     }
     Ok(())
 }
@@ -237,37 +253,30 @@ fn middle(verdict: &Verdict) -> usize {
     order[1]
 }
 
-/// What becomes of an error, in few words.
-fn growth(growth: Growth) -> String {
-    match growth {
-        Growth::RandomWalk { rate } => format!("random walk, {rate:.0e} √s"),
-        Growth::Linear { rate } => format!("linear, {rate:.0e} a second"),
-        Growth::Power { power } => format!("as time to the {power:.1}"),
-        Growth::Exponential { rate } => format!("exponential, {rate:.0e} of itself a second"),
-        other => other.name().into(),
-    }
-    .replace("e-", "e−")
-}
+type Of = fn(&Point) -> Option<f64>;
+/// A law that is drawn, with its pen, where its errors are, and what is said of it in lines.
+type Said<'a> = (&'a Law, Pen, Of, Vec<String>);
 
-fn errors(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
-    type Of = fn(&Point) -> Option<f64>;
+/// What is said of each law that is drawn: its name, and how its error grows.
+fn growths(verdict: &Verdict) -> Vec<Said<'_>> {
     let laws: [(LawName, &str, Pen, Of); 3] = [
         (LawName::Energy, "energy", Pen::new(Ink::Text, 2.4), |p| Some(p.energy)),
         (LawName::Momentum, "|$!L$|", Pen::new(Ink::Momentum, 2.4), |p| Some(p.momentum)),
         (LawName::Direction, "direction of $!L$", Pen::new(Ink::Momentum, 2.0).dashed(), |p| p.direction),
     ];
-    let drawn: Vec<_> = laws
-        .into_iter()
-        .filter_map(|(name, words, pen, of)| {
-            let law = verdict.laws.iter().find(|law| law.name == name)?;
-            Some((law, words, pen, of))
-        })
-        .collect();
+    let drawn = laws.into_iter().filter_map(|(name, words, pen, of)| {
+        let law = verdict.laws.iter().find(|law| law.name == name)?;
+        Some((law, pen, of, broken(&format!("{words}: {}", law.plain()), 52, 3)))
+    });
+    drawn.collect()
+}
+
+fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Said<'_>]) -> Drawn {
     let largest = drawn.iter().map(|(law, ..)| law.most).filter(|x| x.is_finite()).fold(1e-14, f64::max);
     #[allow(clippy::cast_possible_truncation)]
     let top = (largest.log10().ceil() as i32).clamp(-12, 300);
     let ceiling = 10_f64.powi(top);
-    let [upper, lower] = ERRORS;
+    let lower = upper + HIGH;
     let plot =
         Plot::new(canvas, LEFT, upper, RIGHT, lower, Scale::linear(0.0..end), Scale::log(FLOOR..ceiling));
     let every = ((top + 21) / 6).max(1);
@@ -286,16 +295,18 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
             &Label::new("allowed").end().size(14.5).ink(Ink::Wrong).halo(Ink::Paper),
         );
     }
-    for (_, _, pen, of) in &drawn {
+    for (_, pen, of, _) in drawn {
         let sizes = verdict.curve.iter().filter_map(|p| Some((p.time, of(p)?.abs().clamp(FLOOR, ceiling))));
         plot.curve(sizes, *pen)?;
     }
     // What a curve is and how it grows stands above the plot, a line each: curves may lie upon each other.
-    for (i, (law, words, pen, _)) in (0_u32..).zip(drawn.iter().rev()) {
-        let y = upper - 14.0 - 21.0 * f64::from(i);
-        canvas.line((LEFT - 30.0, y - 5.0), (LEFT - 4.0, y - 5.0), *pen);
-        let text = format!("error of {words}: {}", growth(law.growth));
-        canvas.label((LEFT + 4.0, y), &Label::new(text).size(15.5).ink(pen.ink()));
+    let mut y = upper - 14.0;
+    for (_, pen, _, lines) in drawn.iter().rev() {
+        for line in lines.iter().rev() {
+            canvas.label((LEFT + 4.0, y), &Label::new(line.clone()).size(15.5).ink(pen.ink()));
+            y -= LINE;
+        }
+        canvas.line((LEFT - 30.0, y + LINE - 5.0), (LEFT - 4.0, y + LINE - 5.0), *pen);
     }
     Ok(())
 }
@@ -329,7 +340,7 @@ fn description(verdict: &Verdict) -> String {
             " Below, the error of {}: up to {:.1e}, {}.",
             law.name.words(),
             law.most,
-            law.growth
+            law.plain()
         );
     }
     for misread in &verdict.misread {

@@ -97,8 +97,9 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
         files.insert("live.js".to_owned(), read(&folders.widgets.join("page/live.js"))?);
     }
     for name in placed.keys() {
-        let script = format!("{name}.js");
-        files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+        for script in scripts(name, folders)? {
+            files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+        }
         let beside = BESIDE.iter().filter(|(of, _)| of == name).map(|&(_, module)| module);
         for module in beside.chain([name.as_str()]) {
             let built = read(&folders.widgets.join(format!("built/{module}.wasm")))?;
@@ -125,6 +126,16 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
         }
     }
     Ok(())
+}
+
+/// A widget's script, and those that it loads itself: `NAME.js`, `NAME.PART.js`.
+fn scripts(name: &str, folders: &Folders) -> Result<Vec<String>, String> {
+    let page = folders.widgets.join("page");
+    let entries = fs::read_dir(&page).map_err(|e| format!("cannot read {}: {e}", page.display()))?;
+    let names = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok());
+    let parts = names.filter(|file| file.starts_with(&format!("{name}.")) && file.ends_with(".js"));
+    let own = format!("{name}.js");
+    Ok(std::iter::once(own.clone()).chain(parts.filter(|part| *part != own)).collect())
 }
 
 fn read(file: &Path) -> Result<Vec<u8>, String> {

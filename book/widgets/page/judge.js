@@ -3,9 +3,13 @@
 
 tumblingLive.widget("judge", async (stage, from) => {
     const { bytes, load, short, sayer } = tumblingLive;
+    await load(`${from}judge.picture.js`);
+    /** The laws that may have a limit of their own, in the judge's order. */
+    const LAWS = ["energy", "momentum", "direction", "unit", "separatrix", "phase", "consistency"];
+    const UNTOLD = { direction: "the direction of L", unit: "the quaternion’s length", consistency: "whether it turns as the spin says" };
     const the = (id) => stage.querySelector(`#judge-${id}`);
-    const [file, text, moments, threshold, go, example] =
-        ["file", "text", "moments", "threshold", "go", "example"].map(the);
+    const [file, text, moments, threshold, fit, go, example] =
+        ["file", "text", "moments", "threshold", "fit", "go", "example"].map(the);
     const drop = stage.querySelector(".live-drop");
     const wrong = stage.querySelector(".live-wrong");
     const place = stage.querySelector(".live-verdict");
@@ -60,13 +64,36 @@ tumblingLive.widget("judge", async (stage, from) => {
         return [1, ...numbers];
     }
 
+    /** Limits as typed, as the command line takes them: one for all laws, and some for laws by name. */
+    function limits() {
+        let most = 0.01;
+        const own = LAWS.map(() => 0);
+        for (const part of threshold.value.split(/[,;]/).map((part) => part.trim()).filter(Boolean)) {
+            const [number, law] = part.split("=").map((word) => word.trim()).reverse();
+            const limit = number === "" ? NaN : Number(number);
+            if (!(limit > 0 && limit < Infinity)) throw new Error(`what a law may be off by is a number above zero, but \`${number}\` is typed`);
+            if (law === undefined) most = limit;
+            else if (LAWS.includes(law)) own[LAWS.indexOf(law)] = limit;
+            else throw new Error(`there is no law \`${law}\`; there are ${LAWS.join(", ")}`);
+        }
+        return { most, own };
+    }
+
+    /** To how many rows the start is to be fitted, as typed; none: 0. */
+    function fitted() {
+        const rows = Number(fit.value);
+        if (!fit.validity.valid || !Number.isInteger(rows) || rows < 0 || rows === 1) {
+            throw new Error("the start is fitted to a whole number of rows, two at least, or to none");
+        }
+        return rows;
+    }
+
     function judge(record, name) {
         last = [record, name];
         try {
-            const most = Number(threshold.value);
-            if (!(most > 0)) throw new Error(`what a law may be off by is a number above zero, but \`${threshold.value}\` is typed`);
+            const { most, own } = limits();
             turn += 1;
-            worker.postMessage({ record, asked: [...typed(), most], turn });
+            worker.postMessage({ record, asked: [...typed(), most, fitted(), ...own], turn });
             stage.setAttribute("aria-busy", "true");
         } catch (why) {
             complain(why.message);
@@ -112,10 +139,17 @@ tumblingLive.widget("judge", async (stage, from) => {
         put(place, "p", `${verdict.rows} rows, ${step}, judged over ${short(verdict.duration)} s; ` +
             `moments ${verdict.moments.map((moment) => Number(moment.toPrecision(6))).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);
 
+        if (verdict.fit) {
+            const { rows, moved, left } = verdict.fit;
+            put(place, "p", `The start is fitted to the first ${rows} rows: ${short(moved)} rad/s from the first one; ${short(left)} rad/s are left.`);
+        }
         const resets = verdict.resets.map(({ line, time, to_rest }) =>
             `line ${line}, at ${short(time)} s: the body is put ${to_rest ? "to rest" : "back to its start"}; judged up to there`);
         const gaps = verdict.gaps ? [`rows are missing in ${verdict.gaps.count} places, the first before line ${verdict.gaps.line}`] : [];
-        list("The file", [...verdict.misread, ...resets, ...gaps]);
+        const untold = verdict.untold.length ? [`it does not tell: ${verdict.untold.map((law) => UNTOLD[law] ?? law).join(", ")}`] : [];
+        list("The file", [...verdict.misread, ...resets, ...gaps, ...untold]);
+
+        tumblingLive.judgePicture(place, verdict);
 
         if (verdict.laws.length > 0) {
             const frame = put(place, "div", "", "table-wrapper");
@@ -147,8 +181,8 @@ tumblingLive.widget("judge", async (stage, from) => {
         }
         const more = put(place, "details");
         put(more, "summary", "As the command line prints it");
-        const words = put(put(more, "pre"), "code", verdict.words);
-        words.tabIndex = 0;
+        const printed = put(put(more, "pre"), "code", verdict.words);
+        printed.tabIndex = 0;
         place.hidden = false;
         place.focus({ preventScroll: true });
         say(`${outcome}. ${verdict.laws.length} laws judged.`);
@@ -162,7 +196,7 @@ tumblingLive.widget("judge", async (stage, from) => {
         text.value = new TextDecoder().decode(bytes("judge.example"));
         judge(lines(), "the example");
     });
-    for (const field of [moments, threshold]) field.addEventListener("change", () => last && judge(...last));
+    for (const field of [moments, threshold, fit]) field.addEventListener("change", () => last && judge(...last));
     for (const kind of ["dragenter", "dragover"]) {
         drop.addEventListener(kind, (event) => {
             event.preventDefault();

@@ -40,7 +40,12 @@ fn fine(p: P) -> BackendCoord {
 impl Canvas {
     /// A sheet of the common width.
     pub(crate) fn new(height: u32) -> Self {
-        Self { size: (WIDTH, height), body: Rc::default() }
+        Self::sized(WIDTH, height)
+    }
+
+    /// One of another width, that of its letters at their own size.
+    pub(crate) fn sized(width: u32, height: u32) -> Self {
+        Self { size: (width, height), body: Rc::default() }
     }
 
     fn push(&self, element: &str) {

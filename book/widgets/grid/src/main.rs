@@ -157,15 +157,21 @@ fn methods(ask: &mut Ask<'_>) -> io::Result<()> {
 fn record(out: &mut impl io::Write, file: &Path) -> io::Result<()> {
     let bytes = std::fs::read(file)?;
     let row = Numbers::new();
-    for asked in [[0.0, 0.0, 0.0, 0.0, 0.01], [1.0, 1.0, 2.0, 2.5, 0.01], [1.0, 1.0, 2.0, 3.5, 1e-9]] {
-        row.fill(&asked);
+    let questions: [&[f64]; 4] = [
+        &[0.0, 0.0, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        &[1.0, 1.0, 2.0, 2.5, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        &[1.0, 1.0, 2.0, 3.5, 1e-9, 1.0, 1e-3, 0.0, f64::NAN, -1.0, 0.0, 2.0, 0.5],
+        &[1.0, 1.0, 2.0, 2.5, 0.01, 64.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    ];
+    for asked in questions {
+        row.fill(asked);
         let count = widget_judge::judged(bytes.as_slice(), &row);
         let said = quoted(&widget_judge::VERDICT.said());
         let file = quoted(&file.display().to_string());
         writeln!(
             out,
             "{{\"module\":\"judge\",\"what\":0,\"file\":{file},\"asked\":[{}],\"count\":{count},\"said\":{said}}}",
-            bits(&asked)
+            bits(asked)
         )?;
     }
     Ok(())

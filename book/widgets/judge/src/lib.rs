@@ -10,22 +10,28 @@ pub static VERDICT: Text = Text::new();
 
 /// Judges a record.
 ///
-/// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments, kg m², and the
-/// most that a law may be broken by.
+/// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments, kg m², the
+/// most that a law may be broken by, to how many rows the start is to be fitted (below two: to none), and for each law of
+/// [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its own (not above zero: none).
 ///
 /// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and each law's name and growth
-/// in words; the answer is 1. For a
+/// in words, and what is allowed of it; the answer is 1. For a
 /// record that cannot be judged, the text says why; the answer is 0.
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
-    let [given, a, b, c, threshold] = row.take(0);
+    let [given, a, b, c, threshold, fitted] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
-    match judge(record, &Options { inertia, threshold, ..Options::default() }) {
+    let thresholds = row.take(6).map(|most: f64| (most > 0.0).then_some(most));
+    // A number of rows too large for any memory is told so by the judge.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let fit = (fitted >= 2.0).then_some(fitted as usize);
+    match judge(record, &Options { inertia, threshold, thresholds, fit }) {
         Ok(verdict) => {
             let mut json = verdict.json();
             json["words"] = verdict.to_string().into();
             for (law, told) in verdict.laws.iter().zip(json["laws"].as_array_mut().into_iter().flatten()) {
                 told["words"] = law.name.words().into();
-                told["growth"] = law.growth.to_string().into();
+                told["growth"] = law.plain().into();
+                told["allowed"] = verdict.options.allowed(law.name).into();
             }
             VERDICT.say(json.to_string());
             1
