@@ -461,7 +461,7 @@ tumblingLive.widget("tumble", async (stage) => {
                 return false;
             }
             const count = part[0];
-            state.window = { from, to, flips: part.slice(1, 1 + count), samples: part.slice(1 + count) };
+            state.window = { from, to, flips: Array.from(part.slice(1, 1 + count)), samples: Array.from(part.slice(1 + count)) };
             [scrub.min, scrub.max] = [from, to];
             papers[2].prepare();
         }
