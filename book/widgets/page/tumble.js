@@ -197,7 +197,7 @@ tumblingLive.widget("tumble", async (stage) => {
         pen.fill();
         pen.font = colours.symbols;
         pen.textAlign = "center";
-        pen.fillText(name, toX + 13 * ux + (name === "L" ? -13 : 0), toY + 13 * uy + 6 + (name === "L" ? 12 : 0));
+        pen.fillText(name, toX + (name === "L" ? -14 : 15), toY + 6); // the two arrows are often one above the other
     }
 
     // ---- The body, in the world: momentum up, the reader before it and a little above.
@@ -221,7 +221,7 @@ tumblingLive.widget("tumble", async (stage) => {
     paper("body", (wide) => Math.round(Math.min(0.62 * wide, 400)), () => {}, (pen, width, height) => {
         const { setting, now } = state;
         const centre = [width / 2, height * 0.53];
-        const scale = Math.min(0.47 * width, 0.4 * height);
+        const scale = Math.min(0.48 * width, 0.43 * height);
         const world = rows(now.attitude);
         const columns = [0, 1, 2].map((j) => world.map((row) => row[j]));
         const seen = setting.eye.map((axis) => columns.map((column) => dot(axis, column))); // body axes to the reader's
@@ -326,7 +326,7 @@ tumblingLive.widget("tumble", async (stage) => {
             pen.lineWidth = k === 0 ? 2.4 : 1.2;
             path(pen, [at(from), at(to)]);
             pen.stroke();
-            const [x, y] = at(to.map((value) => (value === 0 ? 0 : value + 9 / scale)));
+            const [x, y] = at(to.map((value) => (value === 0 ? 0 : value + (k === 0 ? 16 : 9) / scale)));
             pen.font = colours.font;
             pen.textAlign = "center";
             pen.fillText(name, x, y + 5);
@@ -546,9 +546,9 @@ tumblingLive.widget("tumble", async (stage) => {
 
     // ---- The controls; a slider and the number beside it are one.
     function name() {
-        const text = `${short(rate())} × life`;
-        shown("speed").textContent = text;
-        speed.setAttribute("aria-valuetext", `${short(rate())} times as fast as in life`);
+        const times = Number(rate().toPrecision(2));
+        shown("speed").textContent = times === 1 ? "as in life" : `${times} × life`;
+        speed.setAttribute("aria-valuetext", times === 1 ? "as in life" : `${times} times as fast as in life`);
         spin.setAttribute("aria-valuetext", `${spinNumber.value} rad/s`);
         const pushed = number(pushNumber);
         push.setAttribute("aria-valuetext", pushed === 0 ? "no push" : `a push of ${Number.isFinite(pushed) ? short(pushed) : "no number"} of the spin`);
