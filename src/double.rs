@@ -184,27 +184,29 @@ impl Div for Double {
 
 /// The sum of any terms, exact before it is rounded to twice the precision: an expansion grown term by term
 /// [She97](crate::references).
-pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Double {
-    let mut expansion: Vec<f64> = Vec::new();
-    for term in terms {
+pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> Double {
+    let mut expansion = [0.0; N];
+    for (count, term) in terms.into_iter().enumerate() {
         let mut carried = term;
-        for part in &mut expansion {
+        // The first that is still free takes what is carried past the others.
+        for part in expansion.iter_mut().take(count) {
             let sum = two_sum(*part, carried);
             (*part, carried) = (sum.lo, sum.hi);
         }
-        expansion.push(carried);
+        if let Some(free) = expansion.get_mut(count) {
+            *free = carried;
+        }
     }
     // Parts do not overlap, the largest last.
     expansion.iter().fold(Double::ZERO, |sum, &part| sum + Double::from(part))
 }
 
 /// Every term multiplied by `factor`, without error: two for each.
-pub(crate) fn exact_products(terms: &[f64], factor: f64) -> Vec<f64> {
-    let pair = |&term: &f64| {
+pub(crate) fn exact_products(terms: impl Iterator<Item = f64>, factor: f64) -> impl Iterator<Item = f64> {
+    terms.flat_map(move |term| {
         let product = Double::product(term, factor);
         [product.lo, product.hi]
-    };
-    terms.iter().flat_map(pair).collect()
+    })
 }
 
 /// `a b - c d` as if computed exactly and rounded once (but for underflow).

@@ -278,14 +278,16 @@ impl FreeMotion {
     /// # Errors
     /// A time that is not finite.
     pub fn at(&self, t: f64) -> Result<Instant, Error> {
-        let Law::Elliptic(motion) = &self.law else {
-            return Ok(Instant { omega: self.omega(t)?, attitude: self.attitude(t)? });
-        };
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
             return Ok(self.first());
         }
-        let (omega, turned) = motion.at(time);
+        let (omega, turned) = match &self.law {
+            Law::AtRest => (self.start, Quaternion::identity()),
+            Law::Steady(turn) => (self.start, turn.at(time)),
+            Law::Symmetric(precession) => (precession.omega(time), precession.attitude(time)),
+            Law::Elliptic(motion) => motion.at(time),
+        };
         Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
     }
 

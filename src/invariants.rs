@@ -9,6 +9,7 @@ use crate::elliptic::quarter_period_from_root;
 use crate::scale::{exponent, times_power_of_two};
 
 /// What kind of free motion this is, decided without rounding.
+#[allow(clippy::large_enum_variant)] // made once and taken apart at once
 pub(crate) enum Kind {
     /// No torque on the body's own motion: at rest, a sphere, a principal spin, or one in the plane of two
     /// equal moments.
@@ -16,7 +17,7 @@ pub(crate) enum Kind {
     /// The moment about this axis differs from two equal ones, and the spin is oblique.
     Symmetric(usize),
     /// Three different moments.
-    Asymmetric(Box<Asymmetric>),
+    Asymmetric(Asymmetric),
 }
 
 /// The constants of the motion of a body with three different moments, in scaled units: moments times
@@ -60,7 +61,7 @@ pub(crate) fn classify(moments: [f64; 3], omega: [f64; 3]) -> Kind {
             return Kind::Symmetric(axis);
         }
     }
-    Kind::Asymmetric(Box::new(Asymmetric::new(moments, omega)))
+    Kind::Asymmetric(Asymmetric::new(moments, omega))
 }
 
 impl Asymmetric {
@@ -176,8 +177,9 @@ fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) 
         let w = times_power_of_two(omega[axis], -scale);
         let gap = Double::sum(i[axis], -i[middle]);
         let gap = gap.abs();
-        let with_moment = exact_products(&[gap.rest(), gap.value()], sign * i[axis]);
-        exact_products(&exact_products(&with_moment, w), w)
+        let with_moment = exact_products([gap.rest(), gap.value()].into_iter(), sign * i[axis]);
+        exact_products(exact_products(with_moment, w), w)
     };
-    exact_sum(terms(high, 1.0).into_iter().chain(terms(low, -1.0)))
+    let mut all = terms(high, 1.0).chain(terms(low, -1.0)); // sixteen each
+    exact_sum::<32>(std::array::from_fn(|_| all.next().unwrap_or(0.0)))
 }

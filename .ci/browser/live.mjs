@@ -398,6 +398,142 @@ async function steps(page, wants) {
 const BESIDE = { pitfalls: ["exact"], steps: ["exact"] };
 
 const TESTS = { "two-arrows": twoArrows, "your-box": yourBox, judge, pitfalls, steps };
+async function tumble(page, wants) {
+  const all = () => Promise.all(["beat", "next", "time", "flips", "spin"].map((what) => shown(page, "tumble", what)));
+  const beat = () => shown(page, "tumble", "beat");
+  const number = (text) => parseFloat(text.replace("−", "-"));
+  const along = async () => number(await shown(page, "tumble", "spin"));
+  const wrong = "#live-tumble .live-wrong";
+  const told = async () => ((await page.isVisible(wrong)) ? page.textContent(wrong) : "nothing");
+  /** What a drawing shows, summed up: another picture has another sum. */
+  const picture = (what) => page.locator(`#live-tumble [data-draws=${what}]`).evaluate((canvas) => {
+    let sum = 0;
+    for (const letter of canvas.toDataURL()) sum = (31 * sum + letter.charCodeAt(0)) % 1000000007;
+    return sum;
+  });
+  /** How high above the middle the marked end stands: the mean height of the points in its colour. */
+  const marked = () => page.locator("#live-tumble [data-draws=body]").evaluate((canvas) => {
+    const probe = document.createElement("span");
+    probe.style.color = "var(--fig-axis-mid)";
+    document.body.append(probe);
+    const [r, g, b] = getComputedStyle(probe).color.match(/[0-9.]+/g).map(Number);
+    probe.remove();
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(canvas, 0, 0);
+    const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
+    let [count, sum] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 12) {
+        count += 1;
+        sum += canvas.height / 2 - Math.floor(i / 4 / canvas.width);
+      }
+    }
+    return count > 0 ? sum / count : NaN;
+  });
+
+  // The chapter's own table.
+  const rows = await page.locator("main table").first().locator("tbody tr").evaluateAll((rows) =>
+    rows.map((row) => [...row.cells].map((cell) => cell.textContent.trim())));
+  wants("the chapter has a table of pushes", rows.length >= 5);
+  for (const [push, time] of rows) {
+    await set(page, "#tumble-push-number", push);
+    wants(`a push of ${push}: it shows ${await beat()}, the chapter ${time}`, (await beat()) === time);
+  }
+  await set(page, "#tumble-push-number", "5e-324");
+  wants(`the smallest push: ${await beat()}`, (await beat()) === "310 s");
+
+  // It flips when the prediction says so, of every body: the spin changes its sign, and the marked end goes down.
+  for (const body of [4, 3, 2, 1, 0]) {
+    await set(page, "#tumble-body", body);
+    for (const push of ["0.1", "0.001"]) {
+      await set(page, "#tumble-push-number", push);
+      const [first, second] = (await shown(page, "tumble", "next")).split(", ").map(parseFloat);
+      wants(`body ${body}: the first flip is half a beat away, the next a beat later`,
+        Math.abs(2 * first - number(await beat())) < 0.011 && Math.abs(second - first - number(await beat())) < 0.011);
+      for (const [t, flips, sign] of [[first - 0.011, 0, 1], [first + 0.011, 1, -1], [second - 0.011, 1, -1], [second + 0.011, 2, 1]]) {
+        await set(page, "#tumble-time", t);
+        wants(`body ${body}, push ${push}, at ${t}: ${await all()}`,
+          (await shown(page, "tumble", "flips")) === String(flips) && (await along()) * sign > 0);
+      }
+      // Half a beat from a flip the spin is along the middle axis again, turned over or back. (The racket's middle is not its centre.)
+      if (push === "0.1" || body === 3) continue;
+      for (const [t, sign] of [[0, 1], [2 * first, -1], [first + second, 1]]) {
+        await set(page, "#tumble-time", t);
+        const high = await marked();
+        wants(`body ${body}, push ${push}, at ${t} the marked end stands at ${high}`, high * sign > 0);
+      }
+    }
+  }
+
+  // Any instant, by the slider too.
+  await set(page, "#tumble-push-number", "0.01");
+  await set(page, "#tumble-time", "1e6");
+  const far = await all();
+  wants(`after a million seconds: ${far}`, far[2] === "1000000.00 s" && Number(far[3]) > 400000 && !/NaN|undefined/.test(far.join()));
+  await set(page, "#tumble-scrub", Number(await page.locator("#tumble-scrub").getAttribute("min")));
+  await set(page, "#tumble-time", "1e6");
+  wants("and there again, the same", String(await all()) === String(far));
+  const before = await picture("body");
+  await page.locator("#tumble-scrub").focus();
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press("ArrowRight");
+  wants("arrow keys move time", (await shown(page, "tumble", "time")) !== far[2] && (await picture("body")) !== before);
+  wants("a screen reader is told", /s, \d+ flips so far/.test(await page.getAttribute("#tumble-scrub", "aria-valuetext")));
+  await page.click("#tumble-reset");
+  wants("back to the start", (await shown(page, "tumble", "time")) === "0.00 s");
+
+  // It moves when asked: of itself, or by steps where less motion is preferred.
+  const reduced = await page.evaluate(() => matchMedia("(prefers-reduced-motion: reduce)").matches);
+  const start = [await picture("body"), await picture("polhode"), await picture("strip")];
+  await set(page, "#tumble-speed", 0);
+  await page.click("#tumble-play");
+  if (reduced) {
+    wants("it goes by a step", (await page.textContent("#tumble-play")) === "Step" && (await shown(page, "tumble", "time")) === "0.10 s");
+  } else {
+    await page.waitForFunction(() => parseFloat(document.querySelector("#live-tumble [data-shows=time]").textContent) > 1.3);
+    wants("played, it has flipped", Number(await shown(page, "tumble", "flips")) >= 1);
+    await page.click("#tumble-play");
+  }
+  const at = await all();
+  const rest = [await picture("body"), await picture("polhode"), await picture("strip")];
+  wants("all three drawings move", rest.every((sum, i) => sum !== start[i]));
+  await page.waitForTimeout(300);
+  wants("paused, it rests", String(await all()) === String(at) && (await picture("body")) === rest[0]);
+  await page.waitForTimeout(600);
+  wants("and is told in words", /has flipped/.test(await page.textContent("#live-tumble .live-said")));
+
+  // No push at all, no spin at all, and what is no number.
+  await set(page, "#tumble-push", -1e9);
+  wants(`without a push it never flips: ${await all()}`, /never/.test(await beat()) && (await page.inputValue("#tumble-push-number")) === "0");
+  await set(page, "#tumble-time", "1e6");
+  wants(`nor in a million seconds: ${await all()}`, (await along()) === 10 && (await shown(page, "tumble", "flips")) === "0");
+  for (const [field, value, says] of [["spin", "", "finite"], ["push", "", "finite"], ["time", "1e300", "f64"], ["spin", "1e-320", "f64"], ["push", "1e308", "finite"]]) {
+    const selector = field === "time" ? "#tumble-time" : `#tumble-${field}-number`;
+    await set(page, "#tumble-push-number", "0.01");
+    await set(page, selector, value);
+    wants(`${field} = "${value}" is told wrong, by "${says}", not by "${await told()}"`, (await told()).includes(says) && !(await told()).includes("#"));
+    await set(page, selector, field === "spin" ? 10 : field === "push" ? 0.01 : 0);
+    wants(`${field} put right is right again: ${await told()}`, (await told()) === "nothing");
+  }
+  for (const [spin, push] of [["-1e9", "1e9"], ["1e9", "1e9"], ["1e9", "-1e9"], ["-1e9", "-1e9"]]) {
+    for (const body of [0, 3]) {
+      await set(page, "#tumble-body", body);
+      await set(page, "#tumble-spin", spin);
+      await set(page, "#tumble-push", push);
+      const text = await page.locator("#live-tumble .live-stage").innerText();
+      wants(`body ${body}, spin ${spin}, push ${push}: ${await all()}, ${await told()}`, !/NaN|Infinity|undefined/.test(text) && (await told()) === "nothing");
+    }
+  }
+  await set(page, "#tumble-spin-number", "1e300");
+  wants(`a spin of 1e300: ${await all()}`, !/NaN|Infinity|undefined/.test(await page.locator("#live-tumble .live-stage").innerText()));
+  await set(page, "#tumble-spin", 10);
+  await set(page, "#tumble-push", -2);
+  await set(page, "#tumble-body", 0);
+  await set(page, "#tumble-time", "1.3");
+}
+
+const TESTS = { tumble, "two-arrows": twoArrows, "your-box": yourBox, judge };
 
 /** What hangs out of its drawing or its frame. */
 function cutOff(widget) {

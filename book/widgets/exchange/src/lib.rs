@@ -25,7 +25,7 @@
 //! [`page!`] makes exports for WebAssembly alone: elsewhere the module is a library like any other, and the grid calls
 //! the same `answer`.
 
-use std::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU8, AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
 
 /// How many numbers a row holds.
@@ -116,6 +116,54 @@ impl Default for Text {
     }
 }
 
+/// A line from the module to its page, for a module that has no other need of memory than what it starts with.
+pub struct Line {
+    bytes: [AtomicU8; Self::ROOM],
+    length: AtomicUsize,
+}
+
+impl Line {
+    /// How many bytes of UTF-8 a line can have: the rest of a longer one is left out.
+    pub const ROOM: usize = 256;
+
+    /// Empty.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { bytes: [const { AtomicU8::new(0) }; Self::ROOM], length: AtomicUsize::new(0) }
+    }
+
+    /// Puts these words there, one after the other.
+    pub fn say(&self, words: &[&str]) {
+        let all = words.iter().flat_map(|word| word.bytes());
+        let mut length = 0;
+        for (place, byte) in self.bytes.iter().zip(all) {
+            place.store(byte, Relaxed);
+            length += 1;
+        }
+        self.length.store(length, Relaxed);
+    }
+
+    /// What was last put there.
+    #[must_use]
+    pub fn said(&self) -> String {
+        let bytes: Vec<u8> =
+            self.bytes.iter().take(self.length.load(Relaxed)).map(|byte| byte.load(Relaxed)).collect();
+        String::from_utf8_lossy(&bytes).into_owned()
+    }
+
+    /// Where the line begins in the module's memory, and how many bytes it is.
+    #[must_use]
+    pub fn place(&self) -> (usize, usize) {
+        (self.bytes.as_ptr().addr(), self.length.load(Relaxed))
+    }
+}
+
+impl Default for Line {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// Bytes from the page to the module, a piece at a time.
 pub struct Piece([AtomicU8; Self::ROOM]);
 
@@ -149,7 +197,7 @@ impl Default for Piece {
     }
 }
 
-/// Names a module's `answer` to its page; a module that also has words names its [`Text`] besides.
+/// Names a module's `answer` to its page; a module that also has words names its [`Text`] or [`Line`] besides.
 ///
 /// `answer` takes what is asked for and the row, and returns how many numbers the answer has. None: the question
 /// has no answer; the text, if the module has one, says why.

@@ -15,11 +15,11 @@ fn main() -> io::Result<()> {
                    answer: fn(u32, &Numbers) -> usize,
                    what: u32,
                    asked: &[f64],
-                   text: Option<&exchange::Text>| {
+                   text: Option<fn() -> String>| {
         row.fill(asked);
         let count = answer(what, &row);
         let found: Vec<f64> = (0..count).map(|i| row.get(i)).collect();
-        let said = text.filter(|_| count == 0).map_or_else(|| "null".into(), |text| quoted(&text.said()));
+        let said = text.filter(|_| count == 0).map_or_else(|| "null".into(), |text| quoted(&text()));
         writeln!(
             out,
             "{{\"module\":\"{module}\",\"what\":{what},\"asked\":[{}],\"found\":[{}],\"said\":{said}}}",
@@ -50,7 +50,7 @@ fn main() -> io::Result<()> {
             {
                 let mass = if i + j == 9 { 0.0 } else { 0.1 + j as f64 };
                 let asked = [a, b, c, mass, spin[0], spin[1], spin[2]];
-                ask("your-box", widget_your_box::answer, 0, &asked, Some(&widget_your_box::WHY))?;
+                ask("your-box", widget_your_box::answer, 0, &asked, Some(|| widget_your_box::WHY.said()))?;
             }
         }
     }
@@ -58,6 +58,33 @@ fn main() -> io::Result<()> {
     exact(&mut ask)?;
     engines(&row, &mut ask)?;
     methods(&mut ask)?;
+    // Each setting is prepared, then asked for instants near and far, a stretch of time, and polhodes.
+    let mut tumble =
+        |what: u32, asked: &[f64]| ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()));
+    tumble(1, &[1.0])?;
+    let pushes = [0.1, 0.01, 1e-3, 1e-6, 1e-9, 5e-324, 0.0, 1.0, -0.3, 1e200, f64::NAN];
+    let spins = [10.0, 0.1, -7.3, 1e-300, 1e300, 0.0, f64::INFINITY];
+    let times = [0.0, 0.69, 1.38, -2.5, 17.3, 1e6, 1e6 + 0.1, 1e12, 1e16, 1e300, f64::NAN];
+    for body in 0..5 {
+        for push in pushes {
+            for spin in spins {
+                tumble(0, &[f64::from(body), spin, push])?;
+                for t in times {
+                    tumble(1, &[t])?;
+                }
+                tumble(2, &[0.0, 8.0, 17.0])?;
+                tumble(2, &[1e6, 1e6 + 20.0, 5.0])?;
+            }
+        }
+        for (axis, depth) in [(0.0, 1.0), (1.0, 1.05), (1.0, 0.0015), (2.0, 0.5), (2.0, 1e-6), (3.0, f64::NAN)] {
+            tumble(3, &[axis, depth, 24.0])?;
+        }
+    }
+    for odd in [f64::NAN, f64::INFINITY, -1e300, 1e-300, 0.0] {
+        tumble(0, &[odd, odd, odd])?;
+        tumble(2, &[odd, 1.0, odd])?;
+        tumble(3, &[odd, odd, odd])?;
+    }
 
     for argument in std::env::args_os().skip(1) {
         record(&mut out, Path::new(&argument))?;

@@ -1,0 +1,247 @@
+//! The tumble: a body spun about its middle axis with a push across it, at any instant, by the exact motion.
+
+use exchange::{Line, Numbers};
+use nalgebra::Vector3;
+use std::sync::{Mutex, PoisonError};
+use tumbling::exact::{FreeMotion, Regime};
+use tumbling::solid::cuboid_moments;
+use tumbling::stability::time_between_flips;
+use tumbling::{Axis, Error};
+
+/// Why there is no answer, in the library's own words; the numbers in them, `#`, are the first of the row.
+pub static WHY: Line = Line::new();
+
+/// The motion last prepared, of which instants are asked.
+static MOTION: Mutex<Option<FreeMotion>> = Mutex::new(None);
+
+/// How many of the next flips are told.
+const NEXT: usize = 3;
+/// Most flips told of a stretch of time, and most samples of it.
+const MOST_FLIPS: usize = 64;
+const MOST_SAMPLES: f64 = 1000.0;
+
+/// Principal moments, kg m², and the centre of mass from where the body's drawing has its origin, m. As all bodies of
+/// the book they lie with the smallest moment along z, the largest along y and the middle one along x.
+fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
+    let cuboid = |size: [f64; 3], mass: f64| (cuboid_moments(&mass, &size[0], &size[1], &size[2]), [0.0; 3]);
+    match which as u32 {
+        0 => cuboid([2.0, 1.0, 3.0], 1.0),
+        1 => cuboid([0.129, 0.020, 0.198], 0.340),
+        2 => cuboid([0.0716, 0.0078, 0.1476], 0.171),
+        3 => (Vector3::new(0.014789238560963355, 0.01609241963415855, 0.0013185994065285297), [0.0, 0.0, 0.3422477064220185]),
+        _ => (Vector3::new(1.4534819741887386e-6, 1.6144214026235472e-6, 5.25917079096047e-7), [0.007002845511906693, 0.0, 0.0]),
+    }
+}
+
+/// What the page asks:
+///
+/// 0. Prepare the motion of a body (the box, the book, the phone, the racket, the wing nut) with this spin about its middle axis,
+///    rad/s, and a push about the axis of its largest moment, in parts of the spin. The answer: the time between flips, s (NaN: it never
+///    flips); the moments; the centre of mass; the momentum, kg m²/s, which is fixed in the world; which axis the spin
+///    circles, 0, 1 or 2, or 3 where it stands still; twice the energy into the square of the momentum, kg m²; and what a
+///    spin is to be multiplied by to lie on the ellipsoid of the polhodes.
+/// 1. The instant `t`: spin along the body's axes, attitude (w, x, y, z), spin in the world, how often it has flipped since time 0, and the next
+///    three flips (NaN where there is none).
+/// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and the spin along the middle axis at
+///    the samples.
+/// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive side, on the ellipsoid of
+///    energy whose longest half axis is 1.
+pub fn answer(what: u32, row: &Numbers) -> usize {
+    let found = match what {
+        0 => prepared(row.take(0)).map(|found| row.fill(&found)),
+        1 => instant(row.get(0)).map(|found| row.fill(&found)),
+        2 => stretch(row.take(0), row),
+        _ => Ok(polhode(row.take(0), row)),
+    };
+    found.unwrap_or_else(|why| {
+        let (words, numbers) = words(&why);
+        WHY.say(&words);
+        row.fill(&numbers);
+        0
+    })
+}
+
+/// The library's own words on what is wrong, with a `#` where a number stands, and those numbers: the page prints them. To have them printed here
+/// would weigh as much as half of the rest. `tests` below hold the words to the library's.
+fn words(why: &Error) -> ([&'static str; 4], [f64; 2]) {
+    match *why {
+        Error::NotFinite { what, value } => ([what, " is #: it must be a finite number", "", ""], [value, 0.0]),
+        Error::OutOfRange { what, value } => (
+            [what, " comes out as #: its true value is beyond what a finite, nonzero f64 holds in full", "", ""],
+            [value, 0.0],
+        ),
+        Error::Order { smaller, small, larger, large } => {
+            ([smaller, " is #, larger than ", larger, ", #: it must not be"], [small, large])
+        }
+        _ => (["there is no answer to this", "", "", ""], [0.0; 2]),
+    }
+}
+
+fn motion() -> Result<FreeMotion, Error> {
+    let none = Error::TooFew { what: "motions", count: 0, needed: 1 };
+    MOTION.lock().unwrap_or_else(PoisonError::into_inner).ok_or(none)
+}
+
+/// The moments of the motion in hand, or those of the box.
+fn moments() -> Vector3<f64> {
+    motion().map_or_else(|_| body(0.0).0, |motion| motion.moments())
+}
+
+fn prepared([which, spin, push]: [f64; 3]) -> Result<[f64; 13], Error> {
+    let (moments, centre) = body(which);
+    let omega = Vector3::new(spin, spin * push, 0.0);
+    let motion = FreeMotion::new(&moments, &omega)?;
+    let beat = time_between_flips(&moments, &omega)?;
+    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some(motion);
+
+    let around = match motion.regime() {
+        Regime::Circulating { about: Axis::Smallest, .. } => 2.0,
+        Regime::Circulating { about: Axis::Largest, .. } => 1.0,
+        _ => 3.0,
+    };
+    // Of a spin of size 1, so that no square is beyond `f64`.
+    let size = omega.amax();
+    let unit = if size > 0.0 { omega / size } else { omega };
+    let energy = moments.dot(&unit.component_mul(&unit)); // twice it
+    let depth = moments.component_mul(&unit).norm_squared() / energy;
+    let onto = (moments.z / energy).sqrt() / size;
+    let momentum = moments.component_mul(&omega);
+    Ok([
+        beat.unwrap_or(f64::NAN),
+        moments.x,
+        moments.y,
+        moments.z,
+        centre[0],
+        centre[1],
+        centre[2],
+        momentum.x,
+        momentum.y,
+        momentum.z,
+        around,
+        depth,
+        onto,
+    ])
+}
+
+fn instant(t: f64) -> Result<[f64; 11 + NEXT], Error> {
+    let motion = motion()?;
+    let now = motion.at(t)?;
+    let world = now.omega_world();
+    let count = motion.flips(t.min(0.0), t.max(0.0))?.remaining();
+    let mut next = [f64::NAN; NEXT];
+    let mut after = t;
+    for flip in &mut next {
+        let Some(time) = motion.next_flip(after)? else { break };
+        (*flip, after) = (time, time);
+    }
+    let ([x, y, z], q) = (now.omega.into(), now.attitude);
+    let [a, b, c] = next;
+    Ok([x, y, z, q.w, q.i, q.j, q.k, world.x, world.y, world.z, count as f64, a, b, c])
+}
+
+fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Error> {
+    let motion = motion()?;
+    let mut place = 1;
+    for flip in motion.flips(from, to)?.take(MOST_FLIPS) {
+        row.set(place, flip);
+        place += 1;
+    }
+    row.set(0, (place - 1) as f64);
+    let samples = samples.clamp(2.0, MOST_SAMPLES);
+    for i in 0..samples as u32 {
+        let part = f64::from(i) / (samples - 1.0);
+        row.set(place, motion.at(from + part * (to - from))?.omega.x);
+        place += 1;
+    }
+    Ok(place)
+}
+
+/// In the components of the spin each times the root of its moment, the energy is a sphere and the momentum an elliptic cone about the
+/// axis that is circled.
+fn polhode([around, depth, points]: [f64; 3], row: &Numbers) -> usize {
+    let moments: [f64; 3] = moments().into();
+    let axes = match around as u32 {
+        0 => [0, 1, 2],
+        1 => [1, 2, 0],
+        _ => [2, 0, 1],
+    };
+    let [about, first, second] = axes.map(|axis: usize| moments.get(axis).copied().unwrap_or(f64::NAN));
+    let amplitude = |moment: f64| ((depth - about) / (moment - about)).clamp(0.0, 1.0).sqrt();
+    let (wide, high) = (amplitude(first), amplitude(second));
+    let points = points.clamp(2.0, MOST_SAMPLES) as u32;
+    for i in 0..points {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(points)).sin_cos();
+        let (x, y) = (wide * cos, high * sin);
+        let along = (1.0 - x * x - y * y).max(0.0).sqrt();
+        for ((axis, value), moment) in axes.into_iter().zip([along, x, y]).zip([about, first, second]) {
+            row.set(3 * i as usize + axis, value * (moments[2] / moment).sqrt());
+        }
+    }
+    3 * points as usize
+}
+
+exchange::page!(answer, WHY);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumbling::bodies;
+
+    #[test]
+    fn the_bodies_are_those_of_the_book() {
+        let theirs = [bodies::the_box(), bodies::book(), bodies::phone(), bodies::tennis_racket(), bodies::wing_nut()];
+        for (which, theirs) in theirs.into_iter().enumerate() {
+            let theirs = theirs.unwrap();
+            let (moments, centre) = body(which as f64);
+            let [tensor, place] = [theirs.inertia().matrix().diagonal(), theirs.centre()];
+            assert!((moments - tensor).amax() <= 1e-15 * tensor.amax(), "{which}: {moments} {tensor}");
+            assert!((Vector3::from(centre) - place).amax() <= 1e-15, "{which}: {centre:?} {place}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_in_the_words_of_the_library() {
+        let moments = body(0.0).0;
+        let motion = FreeMotion::new(&moments, &Vector3::new(10.0, 0.1, 0.0)).unwrap();
+        let wrong = [
+            FreeMotion::new(&moments, &Vector3::new(f64::NAN, 0.0, 0.0)).unwrap_err(),
+            time_between_flips(&moments, &Vector3::new(1e-320, 1e-322, 0.0)).unwrap_err(),
+            motion.at(f64::INFINITY).unwrap_err(),
+            motion.next_flip(1e300).unwrap_err(),
+            motion.flips(0.0, 1e300).unwrap_err(),
+        ];
+        for why in wrong {
+            let (words, numbers) = words(&why);
+            let mut words = words.concat();
+            for number in numbers {
+                words = words.replacen('#', &format!("{number:?}"), 1);
+            }
+            assert_eq!(words, why.to_string());
+        }
+    }
+
+    #[test]
+    fn the_polhode_passes_through_the_spin_of_every_instant() {
+        let row = Numbers::new();
+        let push = 0.3;
+        row.fill(&[3.0, 10.0, push]);
+        assert_eq!(answer(0, &row), 13);
+        let [beat, x, y, z] = row.take(0);
+        let [around, depth, onto] = row.take(10);
+        row.fill(&[around, depth, 1000.0]);
+        assert_eq!(answer(3, &row), 3000);
+        let points: Vec<Vector3<f64>> = (0..1000).map(|i| row.take(3 * i).into()).collect();
+        for point in &points {
+            let [a, b, c] = [x * point.x.powi(2), y * point.y.powi(2), z * point.z.powi(2)];
+            assert!(((a + b + c) / z - 1.0).abs() < 1e-13, "on the ellipsoid of energy: {point}");
+            assert!(((x * a + y * b + z * c) / (z * depth) - 1.0).abs() < 1e-13, "of the same momentum: {point}");
+        }
+        for part in 0..50 {
+            row.set(0, 0.0437 * f64::from(part) * beat);
+            assert_eq!(answer(1, &row), 14);
+            let spin = onto * Vector3::from(row.take(0));
+            let nearest = points.iter().map(|point| (point - spin).norm()).fold(f64::MAX, f64::min);
+            assert!(nearest < 2e-3, "{part}: {nearest}");
+        }
+    }
+}
