@@ -98,6 +98,11 @@ async function rules(page, where) {
   }
 }
 
+/** Opens every fold: what is hidden in one is looked at by no rule, and has no width. */
+function unfold() {
+  for (const fold of document.querySelectorAll("main details:not([open])")) fold.open = true;
+}
+
 /** The colours of the drawings against the page: no rule above looks into a drawing. */
 function drawingColours() {
   const dot = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
@@ -149,6 +154,7 @@ for (const name of onlyLive ? [] : pages) {
       await page.setViewportSize({ width, height: 900 });
       await page.goto(bases.file + name); // anew: mdBook opens the contents by the width it starts with
       await page.evaluate(() => document.fonts.ready);
+      await page.evaluate(unfold);
       for (const what of await page.evaluate(tooWide)) fault(where, what);
       if (width === WIDTHS[0]) {
         for (const what of await page.evaluate(drawingColours)) fault(`${name}, ${theme}`, what);
