@@ -397,7 +397,6 @@ async function steps(page, wants) {
 /** Modules that a widget asks besides its own. */
 const BESIDE = { pitfalls: ["exact"], steps: ["exact"] };
 
-const TESTS = { "two-arrows": twoArrows, "your-box": yourBox, judge, pitfalls, steps };
 async function tumble(page, wants) {
   const all = () => Promise.all(["beat", "next", "time", "flips", "spin"].map((what) => shown(page, "tumble", what)));
   const beat = () => shown(page, "tumble", "beat");
@@ -533,7 +532,7 @@ async function tumble(page, wants) {
   await set(page, "#tumble-time", "1.3");
 }
 
-const TESTS = { tumble, "two-arrows": twoArrows, "your-box": yourBox, judge };
+const TESTS = { "two-arrows": twoArrows, "your-box": yourBox, tumble, judge, pitfalls, steps };
 
 /** What hangs out of its drawing or its frame. */
 function cutOff(widget) {

@@ -56,7 +56,10 @@ tumblingLive.widget("two-arrows", async (stage) => {
         draw("circle", svg, { class: "live-point", cx: centre[0], cy: centre[1], r: 4 });
 
         draw("text", svg, { class: "live-omega", x: omega[0] + 8, y: omega[1] + (now.from > 60 ? -2 : 10) }, "ω");
-        draw("text", svg, { class: "live-momentum", x: tip[0] + (now.gap > 12 ? -4 : -14), y: tip[1] - 8, "text-anchor": "end" }, "L");
+        // Beside the upright axis, L stands below what names that axis.
+        const low = tip[0] < centre[0] + 40 ? Math.max(tip[1] - 8, 0.03 * height + 52) : tip[1] - 8;
+        const aside = low > tip[1] - 8 || now.gap <= 12 ? 14 : 4;
+        draw("text", svg, { class: "live-momentum", x: tip[0] - aside, y: low, "text-anchor": "end" }, "L");
         if (now.gap >= 8) {
             const label = at((now.from + now.to) / 2, 0.66 * reach + 22);
             draw("text", svg, { class: "live-strong", x: label[0], y: label[1] + 5, "text-anchor": "middle" }, `${fixed(now.gap, 1)}°`);

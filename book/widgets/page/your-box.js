@@ -41,7 +41,8 @@ tumblingLive.widget("your-box", async (stage) => {
             draw("text", svg, { x: far[0], y: far[1] + 5, "text-anchor": "middle" }, name);
         });
         const length = (vector) => Math.hypot(...vector);
-        const along = (vector) => at(vector.map((x) => (1.5 * x) / length(vector)));
+        // A momentum too small for any number has no arrow.
+        const along = (vector) => at(vector.map((x) => (length(vector) > 0 ? 1.5 * (x / length(vector)) : 0)));
         const [spin, momentum] = [values.slice(4), Array.from(found.slice(3, 6))];
         const centre = [width / 2, height / 2];
         const tip = arrow(svg, centre, along(momentum), "live-momentum", 6);
@@ -55,19 +56,27 @@ tumblingLive.widget("your-box", async (stage) => {
     function show() {
         found = box.answer(0, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
         wrong.hidden = found !== null;
-        wrong.textContent = found ? "" : `${box.words()}.`;
+        const empty = fields.find((field) => field.value === "");
+        wrong.textContent = found ? "" : empty ? `Type a number for ${empty.getAttribute("aria-label")}.` : `${box.words()}.`;
         const put = (what, text) => { shown(what).textContent = found ? text() : "none"; };
         const three = (from) => Array.from(found.slice(from, from + 3), short).join(", ");
         put("moments", () => three(0));
         put("momentum", () => three(3));
         put("gap", () => `${fixed(found[6], 1)}°`);
         put("circled", () => {
-            const circled = found[7];
-            if (circled === 3) return "the spin runs along the edge between two ways of moving";
-            if (circled === 4) return "two moments are equal: the spin turns evenly about the third axis";
+            const fate = found[7];
             const moments = found.slice(0, 3);
-            const which = moments[circled] === Math.max(...moments) ? "largest" : "smallest";
-            return `the spin circles the axis ${["x", "y", "z"][circled]}, of the ${which} moment, for ever`;
+            const named = (axis) => {
+                const which = ["smallest", "middle", "largest"][moments.filter((moment) => moment < moments[axis]).length];
+                return `the axis ${["x", "y", "z"][axis]}, of the ${which} moment`;
+            };
+            if (fate < 3) return `the spin circles ${named(fate)}, for ever`;
+            if (fate === 3) return "the spin runs along the edge between two ways of moving";
+            if (fate === 4) return "two moments are equal: the spin circles the third axis evenly";
+            if (fate === 5) return "the three moments are equal: any spin stays as it is";
+            if (fate === 6) return "two moments are equal, and the spin stays as it is";
+            if (fate < 10) return `the spin stays on ${named(fate - 7)}; a slight push makes it wobble, no more`;
+            return `the spin stands on ${named(fate - 10)}: the least push makes it flip`;
         });
         redraw();
         return found ? `Moments ${three(0)}. Momentum ${three(3)}. Gap ${fixed(found[6], 1)}°.` : ""; // what is wrong is said by itself

@@ -1,37 +1,24 @@
 //! What the judge finds in the recorded engines.
 
 use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
+use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 
 const VERDICTS: &str = include_str!("../../../tests/data/engines/judged.tsv");
 
-/// How each grade is drawn: its word, its sign.
-const GRADES: [(&str, &str); 7] = [
-    ("kept to rounding", ""),
-    ("bounded", "b"),
-    ("random walk", "w"),
-    ("linear", "1"),
-    ("faster than linear", "2"),
-    ("exponential", "e"),
-    ("not judged", "–"),
-];
-
-/// Records, and what the figure calls them.
-const ENGINES: [(&str, &str); 8] = [
-    ("mujoco-4.0.0-euler", "MuJoCo 4.0.0, Euler"),
-    ("bullet-3.2.7-multibody", "Bullet 3.2.7, multibody"),
-    ("bullet-3.2.7-multibody-1e9", "the same, limit raised"),
-    ("rapier3d-f64-0.36.1", "Rapier 0.36.1"),
-    ("bullet-3.2.7-rigid", "Bullet 3.2.7, rigid body"),
-    ("mujoco-4.0.0-implicitfast", "MuJoCo 4.0.0, implicitfast"),
-    ("mujoco-4.0.0-rk4", "MuJoCo 4.0.0, RK4"),
-    ("mujoco-3.17.0-rk4", "MuJoCo 3.17.0, RK4"),
+/// Records, and what the figure calls them, in the order of the chapter's tables.
+const ENGINES: [(&str, &str); 6] = [
+    ("mujoco-4.0.0-rk4", "MuJoCo, RK4"),
+    ("mujoco-4.0.0-implicitfast", "MuJoCo, implicitfast"),
+    ("bullet-3.2.7-rigid", "Bullet, rigid body"),
+    ("rapier3d-f64-0.36.1", "Rapier (default)"),
+    ("mujoco-4.0.0-euler", "MuJoCo, Euler (default)"),
+    ("bullet-3.2.7-multibody", "Bullet, multibody (default)"),
 ];
 
 const STORIES: [(&str, &str); 6] = [
-    ("box-middle", "box"),
+    ("box-middle", "the box"),
     ("middle", "middle"),
     ("major", "largest"),
     ("minor", "smallest"),
@@ -39,114 +26,86 @@ const STORIES: [(&str, &str); 6] = [
     ("wound", "faster"),
 ];
 
-const LAWS: [(&str, &str); 4] =
-    [("energy", "E"), ("momentum", "$|L|$"), ("direction", "$∠L$"), ("separatrix", "s")];
+/// Laws, and what the figure calls them.
+const LAWS: [(&str, &str); 3] =
+    [("energy", "energy"), ("momentum", "length of $L$"), ("direction", "direction of $L$")];
 
 /// The most that a law may be off.
 const ALLOWED: f64 = 0.01;
 
-const LEFT: f64 = 182.0;
-const RIGHT: f64 = 674.0;
-const ROW: f64 = 27.0;
-const TOP: f64 = 66.0;
-const GAP: f64 = 8.0;
+const LEFT: f64 = 16.0;
+const COLUMN: f64 = 110.0;
+const MARK: f64 = 33.0;
+const ROW: f64 = 76.0;
+const TOP: f64 = 128.0;
 
-struct Judged {
-    grade: usize,
-    most: f64,
-}
-
-fn judged(engine: &str, story: &str, law: &str) -> Option<Judged> {
+/// The greatest error in a law of a record. `None` where there is no such record.
+fn greatest(engine: &str, story: &str, law: &str) -> Option<f64> {
     let record = format!("{engine}--{story}");
     VERDICTS.lines().find_map(|line| {
         let mut fields = line.split('\t');
         if fields.next()? != record || fields.nth(1)? != law {
             return None;
         }
-        let grade = fields.next()?;
-        let grade = GRADES.iter().position(|known| known.0 == grade)?;
-        Some(Judged { grade, most: fields.next()?.parse().ok()? })
+        fields.nth(1)?.parse().ok()
     })
+}
+
+/// A law's mark: a disc, a square, a triangle, filled where the law is broken.
+fn mark(canvas: &Canvas, law: usize, (x, y): P, broken: bool) {
+    let (fill, pen) = if broken {
+        (Fill::new(Ink::Wrong), Pen::new(Ink::Wrong, 2.0))
+    } else {
+        (Fill::new(Ink::Paper), Pen::new(Ink::Faint, 2.0))
+    };
+    match law {
+        0 => canvas.disc((x, y), 10.5, fill, Some(pen)),
+        1 => canvas.tiles(&[[x - 9.5, y - 9.5, x + 9.5, y + 9.5]], fill, Some(pen)),
+        _ => canvas.area(&[(x - 11.5, y + 10.0), (x, y - 11.0), (x + 11.5, y + 10.0)], fill, Some(pen)),
+    }
 }
 
 pub(super) fn grades() -> Drawing {
     let number = |n: usize| f64::from(u32::try_from(n).unwrap_or(0));
-    let wide = (RIGHT - LEFT - GAP * number(STORIES.len() - 1)) / number(STORIES.len() * LAWS.len());
-    let bottom = TOP + ROW * number(ENGINES.len());
-    let canvas = Canvas::new(412);
-    let (mut kept, mut off, mut none) = (Vec::new(), Vec::new(), Vec::new());
-    let mut signs = Vec::new();
-    let mut broken = [0_u32; ENGINES.len()];
-    for (column, (story, title)) in STORIES.iter().enumerate() {
-        let left = LEFT + number(column) * (wide * number(LAWS.len()) + GAP);
-        let middle = left + 0.5 * wide * number(LAWS.len());
-        canvas.label((middle, 24.0), &Label::new(*title).size(15.0).bold().middle());
-        for (place, (law, head)) in LAWS.iter().enumerate() {
-            let x = left + wide * number(place);
-            canvas.label((x + 0.5 * wide, TOP - 10.0), &Label::new(*head).size(12.0).middle());
-            for (row, (engine, _)) in ENGINES.iter().enumerate() {
-                let y = TOP + ROW * number(row);
-                let tile = [x, y, x + wide, y + ROW];
-                let found = judged(engine, story, law);
-                match &found {
-                    Some(found) if found.most > ALLOWED => {
-                        broken[row] += 1;
-                        off.push(tile);
-                    }
-                    Some(_) => kept.push(tile),
-                    None => none.push(tile),
+    let canvas = Canvas::new(588);
+    let mut x = LEFT;
+    for (law, (_, name)) in LAWS.iter().enumerate() {
+        mark(&canvas, law, (x + 12.0, 20.0), false);
+        canvas.label((x + 32.0, 27.0), &Label::new(*name).size(21.0));
+        x += [150.0, 190.0, 0.0][law];
+    }
+    for (law, x) in [12.0, 44.0, 76.0].into_iter().enumerate() {
+        mark(&canvas, law, (LEFT + x, 58.0), true);
+    }
+    canvas.label((LEFT + 100.0, 65.0), &Label::new("filled: off by more than 1 in 100").size(21.0));
+    for (column, (_, title)) in STORIES.iter().enumerate() {
+        let x = LEFT + COLUMN * number(column);
+        canvas.label((x, TOP - 18.0), &Label::new(*title).size(21.0).bold());
+    }
+    let mut said = Vec::new();
+    for (row, (engine, name)) in ENGINES.iter().enumerate() {
+        let y = TOP + ROW * number(row);
+        canvas.line((LEFT, y - 6.0), (LEFT + 6.0 * COLUMN - 8.0, y - 6.0), Pen::new(Ink::Faint, 0.8));
+        canvas.label((LEFT, y + 18.0), &Label::new(*name).size(21.0));
+        let mut broken = [0_u32; LAWS.len()];
+        for (column, (story, _)) in STORIES.iter().enumerate() {
+            let x = LEFT + COLUMN * number(column);
+            for (place, (law, _)) in LAWS.iter().enumerate() {
+                if let Some(most) = greatest(engine, story, law) {
+                    broken[place] += u32::from(most > ALLOWED);
+                    mark(&canvas, place, (x + 12.0 + MARK * number(place), y + 42.0), most > ALLOWED);
                 }
-                let (grade, ink) = found.map_or((GRADES.len() - 1, Ink::Text), |found| {
-                    (found.grade, if found.most > ALLOWED { Ink::Paper } else { Ink::Text })
-                });
-                signs.push(((x + 0.5 * wide, y + 18.0), GRADES[grade].1, ink));
             }
         }
+        let [energy, length, direction] = broken;
+        said.push(format!("{name}: {energy}, {length}, {direction}"));
     }
-    for (row, (_, name)) in ENGINES.iter().enumerate() {
-        let y = TOP + ROW * number(row) + 18.0;
-        canvas.label((LEFT - 8.0, y), &Label::new(*name).size(13.0).end());
-    }
-    let outline = Some(Pen::new(Ink::Faint, 0.8));
-    canvas.tiles(&kept, Fill::new(Ink::Paper), outline);
-    canvas.tiles(&none, Fill::new(Ink::Faint).opacity(0.25), outline);
-    canvas.tiles(&off, Fill::new(Ink::Wrong), outline);
-    for (at, sign, ink) in signs {
-        if !sign.is_empty() {
-            canvas.label(at, &Label::new(sign).size(13.5).ink(ink).middle());
-        }
-    }
-    let y = bottom + 32.0;
-    let keys =
-        [(24.0, &kept, "within 1 in 100"), (196.0, &off, "off by more"), (340.0, &none, "not recorded")];
-    for (x, like, word) in keys {
-        let tile = [[x, y - 14.0, x + 20.0, y + 4.0]];
-        let fill = match like {
-            like if std::ptr::eq(like, &raw const off) => Fill::new(Ink::Wrong),
-            like if std::ptr::eq(like, &raw const none) => Fill::new(Ink::Faint).opacity(0.25),
-            _ => Fill::new(Ink::Paper),
-        };
-        canvas.tiles(&tile, fill, outline);
-        canvas.label((x + 28.0, y), &Label::new(word).size(14.0));
-    }
-    let words = [
-        [(24.0, "empty: kept to rounding"), (230.0, "b: bounded"), (346.0, "w: as a random walk")],
-        [(24.0, "1: in proportion to time"), (230.0, "2: faster than that"), (400.0, "e: exponentially")],
-        [(24.0, "E: energy"), (130.0, "$|L|$, $∠L$: length and direction of $L$"), (440.0, "s: $2EI_2/L^2$")],
-    ];
-    for (k, line) in words.iter().enumerate() {
-        for (x, text) in line {
-            canvas.label((*x, y + 29.0 + 24.0 * number(k)), &Label::new(*text).size(13.5));
-        }
-    }
-    let said: Vec<String> =
-        ENGINES.iter().zip(broken).map(|((_, name), count)| format!("{name}: {count}")).collect();
     Ok(Picture {
         canvas,
         description: format!(
-            "A table of squares, a row for each recorded engine, four columns for each of six stories: energy, length and direction of the \
-             momentum, and the place beside the separatrix. A filled square is off by more than 1 in 100, a sign says how the error \
-             grew. Filled squares by engine: {}.",
+            "A row for each recorded engine, six stories in it, three marks for each story: a disc for the energy, a square for the \
+             momentum's length, a triangle for its direction. A filled mark is off by more than 1 in 100. Stories in which energy, length \
+             and direction are off, by engine: {}.",
             said.join("; ")
         ),
     })
@@ -157,6 +116,8 @@ struct Panel {
     story: &'static str,
     title: &'static str,
     text: [&'static str; 4],
+    /// Where each line is named: time, s, and energy.
+    at: [(&'static str, f64, f64); 3],
 }
 
 /// A record's energy in parts of the first, and the spin along the middle axis, at each time, s.
@@ -194,10 +155,30 @@ macro_rules! records {
 
 pub(super) fn energies() -> Drawing {
     let panels = [
-        Panel { story: "box-middle", title: "the box: flips", text: records!("box-middle") },
-        Panel { story: "middle", title: "middle axis: flips", text: records!("middle") },
-        Panel { story: "major", title: "largest axis: stable", text: records!("major") },
-        Panel { story: "minor", title: "smallest axis: stable", text: records!("minor") },
+        Panel {
+            story: "box-middle",
+            title: "the box: flips",
+            text: records!("box-middle"),
+            at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier, exact", 6.5, 1.15)],
+        },
+        Panel {
+            story: "middle",
+            title: "middle axis: flips",
+            text: records!("middle"),
+            at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier, exact", 6.5, 1.15)],
+        },
+        Panel {
+            story: "major",
+            title: "largest axis: stable",
+            text: records!("major"),
+            at: [("explicit", 5.5, 15.0), ("Rapier", 10.0, 1.6), ("RK4, implicit, exact", 5.0, 0.75)],
+        },
+        Panel {
+            story: "minor",
+            title: "smallest axis: stable",
+            text: records!("minor"),
+            at: [("explicit", 2.0, 10.0), ("Rapier", 10.0, 0.66), ("RK4, implicit, exact", 6.0, 1.15)],
+        },
     ];
     let pens = [
         Pen::new(Ink::Wrong, 2.6),
@@ -205,16 +186,10 @@ pub(super) fn energies() -> Drawing {
         Pen::new(Ink::Wrong, 2.6).dotted(),
         Pen::new(Ink::Text, 3.2),
     ];
-    let names = [
-        "MuJoCo, Euler; Bullet, multibody: alike",
-        "Rapier",
-        "Bullet, rigid body; MuJoCo, implicitfast: alike",
-        "MuJoCo, RK4: on the exact line",
-    ];
-    let canvas = Canvas::new(766);
+    let canvas = Canvas::new(660);
     let mut said = Vec::new();
     for (k, panel) in panels.iter().enumerate() {
-        let (left, top) = (if k % 2 == 0 { 70.0 } else { 394.0 }, if k < 2 { 182.0 } else { 474.0 });
+        let (left, top) = (if k % 2 == 0 { 70.0 } else { 394.0 }, if k < 2 { 86.0 } else { 372.0 });
         let plot = Plot::new(
             &canvas,
             left,
@@ -228,7 +203,13 @@ pub(super) fn energies() -> Drawing {
         plot.x_axis(times, if k < 2 { "" } else { "time $t$ (s)" });
         let ticks = [(0.3, "0.3"), (1.0, "1"), (3.0, "3"), (10.0, "10"), (30.0, "30")];
         plot.y_axis(ticks.map(|(y, text)| (y, text.to_owned())), "");
-        canvas.label((left, top - 12.0), &Label::new(panel.title).size(15.5).bold());
+        canvas.label((left, top - 12.0), &Label::new(panel.title).size(19.0).bold());
+        let mut named = Vec::new();
+        for (name, t, energy) in panel.at {
+            let ink = if name.ends_with("exact") { Ink::Text } else { Ink::Wrong };
+            let words = Label::new(name).size(19.0).ink(ink).halo(Ink::Paper);
+            named.push((plot.at(t, energy), words));
+        }
         let middle = if panel.story == "box-middle" { 0 } else { 1 };
         let mut last = Vec::new();
         for (text, pen) in panel.text.into_iter().zip(pens) {
@@ -244,21 +225,18 @@ pub(super) fn energies() -> Drawing {
                 last.push(format!("ends at {:.2}", rows[rows.len() - 1][1]));
             }
         }
+        for (at, words) in &named {
+            canvas.label(*at, words);
+        }
         said.push(format!("{}: {}.", panel.title, last.join(", ")));
     }
-    for (k, (name, pen)) in names.into_iter().zip(pens).enumerate() {
-        let number = f64::from(u32::try_from(k).unwrap_or(0));
-        let (x, y) = (24.0, 22.0 + 24.0 * number);
-        canvas.line((x, y - 5.0), (x + 34.0, y - 5.0), pen);
-        canvas.label((x + 42.0, y), &Label::new(name).size(14.5));
-    }
-    canvas.label((24.0, 134.0), &Label::new("kinetic energy, in parts of what it was").size(14.5));
+    canvas.label((24.0, 26.0), &Label::new("kinetic energy, in parts of what it was").size(19.0));
     Ok(Picture {
         canvas,
         description: format!(
             "Kinetic energy of four recorded bodies over 20 s, in parts of what it was, on a scale of powers. The exact motion stays at \
              1. In the order {}: {}",
-            names.join(", "),
+            "MuJoCo's Euler, Rapier, Bullet's rigid body, MuJoCo's RK4",
             said.join(" ")
         ),
     })

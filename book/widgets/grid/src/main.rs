@@ -54,6 +54,16 @@ fn main() -> io::Result<()> {
             }
         }
     }
+    let sizes = [(2.0, 1.0, 3.0), (1.0, 1.0, 1.0), (2.0, 2.0, 1.0)];
+    let spins = [[1.0, 1.0, 0.0], [3.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1e300, 1.0, 1.0], [1e300, 0.0, 0.0]];
+    for (a, b, c) in sizes {
+        for mass in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
+            for [x, y, z] in spins {
+                let asked = [a, b, c, mass, x, y, z];
+                ask("your-box", widget_your_box::answer, 0, &asked, Some(&widget_your_box::WHY))?;
+            }
+        }
+    }
 
     exact(&mut ask)?;
     engines(&row, &mut ask)?;

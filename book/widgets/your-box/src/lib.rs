@@ -2,16 +2,17 @@
 
 use exchange::{Numbers, Text};
 use nalgebra::Vector3;
-use tumbling::Error;
+use tumbling::exact::{FreeMotion, Regime};
 use tumbling::solid::{Cuboid, Solid};
+use tumbling::{Axis, Error};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as all the rest.
 pub static WHY: Text = Text::new();
 
 /// Of the row it takes: the edges along x, y and z, m; the mass, kg; and the spin along them, rad/s.
 ///
-/// It answers with the moments about x, y and z, kg m²; the momentum along them, kg m²/s; the gap, degrees; and which
-/// axis the spin, left alone, circles for ever: 0, 1 or 2 for x, y or z, 3 where it runs along the separatrix, 4 where two moments are equal.
+/// It answers with the moments about x, y and z, kg m²; the momentum along them, kg m²/s; the gap, degrees; and what
+/// becomes of the spin, left alone, as [`fate`] numbers it.
 pub fn answer(_what: u32, row: &Numbers) -> usize {
     match found(row.take(0), row.take(4)) {
         Ok(found) => row.fill(&found),
@@ -41,29 +42,51 @@ fn found([a, b, c, mass]: [f64; 4], omega: [f64; 3]) -> Result<[f64; 8], Error> 
     let inertia = Cuboid::new(a, b, c)?.with_mass(mass)?.inertia();
     let omega = Vector3::from(omega);
     let gap = inertia.gap(&omega)?;
-    let [x, y, z] = inertia.matrix().diagonal().into();
+    let moments = inertia.matrix().diagonal();
     let momentum = inertia.momentum(&omega);
-    Ok([x, y, z, momentum.x, momentum.y, momentum.z, gap.to_degrees(), circled([x, y, z], &omega, &momentum)])
+    if let Some(&value) = momentum.iter().find(|x| !x.is_finite()) {
+        return Err(Error::OutOfRange { what: "the momentum", value });
+    }
+    let motion = FreeMotion::new(&moments, &omega)?;
+    let [x, y, z] = moments.into();
+    let fate = f64::from(fate([x, y, z], &omega, &motion.regime()));
+    Ok([x, y, z, momentum.x, momentum.y, momentum.z, gap.to_degrees(), fate])
 }
 
-/// Twice the energy times the middle moment is above the square of the momentum where the spin circles the axis of the smallest
-/// moment, and below it where it circles that of the largest.
-fn circled(moments: [f64; 3], omega: &Vector3<f64>, momentum: &Vector3<f64>) -> f64 {
+/// What becomes of a spin that is left alone. With 0, 1 or 2 for x, y or z: it circles that axis for ever. 3: it runs along the
+/// separatrix. 4: two moments are equal, and it circles the third axis evenly. 5: all three are equal. 6: two are, and it
+/// stays. 7 and the axis: it stays on an axis of the smallest or the largest moment. 10 and the axis: it stands on that of the middle one.
+fn fate(moments: [f64; 3], omega: &Vector3<f64>, regime: &Regime) -> u8 {
     let [x, y, z] = moments;
     let [least, most] = [x.min(y).min(z), x.max(y).max(z)];
     let middle = x.max(y).min(x.min(y).max(z));
-    if least == middle || middle == most {
-        return 4.0;
-    }
-    let depth = middle * omega.dot(momentum) / momentum.norm_squared();
-    let wanted = if depth > 1.0 {
-        least
-    } else if depth < 1.0 {
-        most
-    } else {
-        return 3.0;
+    let axis_of = |wanted: f64| {
+        if x == wanted {
+            0
+        } else if y == wanted {
+            1
+        } else {
+            2
+        }
     };
-    moments.iter().position(|&moment| moment == wanted).map_or(4.0, |axis| axis as f64)
+    match regime {
+        Regime::Circulating { about: Axis::Smallest, .. } => axis_of(least),
+        Regime::Circulating { .. } => axis_of(most),
+        Regime::Separatrix { .. } => 3,
+        Regime::SymmetricTop { .. } => 4,
+        _ if least == most => 5,
+        _ if least == middle || middle == most => 6,
+        _ => {
+            let axis = if omega.x != 0.0 {
+                0
+            } else if omega.y != 0.0 {
+                1
+            } else {
+                2
+            };
+            if moments[usize::from(axis)] == middle { 10 + axis } else { 7 + axis }
+        }
+    }
 }
 
 exchange::page!(answer, WHY);
