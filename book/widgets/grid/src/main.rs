@@ -56,8 +56,9 @@ fn main() -> io::Result<()> {
     }
 
     // Each setting is prepared, then asked for instants near and far, a stretch of time, and polhodes.
-    let mut tumble =
-        |what: u32, asked: &[f64]| ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()));
+    let mut tumble = |what: u32, asked: &[f64]| {
+        ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()))
+    };
     tumble(1, &[1.0])?;
     let pushes = [0.1, 0.01, 1e-3, 1e-6, 1e-9, 5e-324, 0.0, 1.0, -0.3, 1e200, f64::NAN];
     let spins = [10.0, 0.1, -7.3, 1e-300, 1e300, 0.0, f64::INFINITY];
@@ -73,7 +74,9 @@ fn main() -> io::Result<()> {
                 tumble(2, &[1e6, 1e6 + 20.0, 5.0])?;
             }
         }
-        for (axis, depth) in [(0.0, 1.0), (1.0, 1.05), (1.0, 0.0015), (2.0, 0.5), (2.0, 1e-6), (3.0, f64::NAN)] {
+        for (axis, depth) in
+            [(0.0, 1.0), (1.0, 1.05), (1.0, 0.0015), (2.0, 0.5), (2.0, 1e-6), (3.0, f64::NAN)]
+        {
             tumble(3, &[axis, depth, 24.0])?;
         }
     }
