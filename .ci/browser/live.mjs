@@ -395,7 +395,7 @@ async function steps(page, wants) {
 }
 
 /** Modules that a widget asks besides its own. */
-const BESIDE = { pitfalls: ["exact"], steps: ["exact"] };
+const BESIDE = { pitfalls: ["tumble"], steps: ["tumble"] };
 
 async function tumble(page, wants) {
   const all = () => Promise.all(["beat", "next", "time", "flips", "spin"].map((what) => shown(page, "tumble", what)));

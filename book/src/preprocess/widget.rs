@@ -18,7 +18,7 @@ const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "tests/data/engines/bullet-3.2.7-rigid--fast.csv")];
 
 /// Modules that a widget asks besides its own: the widget, and the module.
-const BESIDE: [(&str, &str); 2] = [("pitfalls", "exact"), ("steps", "exact")];
+const BESIDE: [(&str, &str); 2] = [("pitfalls", "tumble"), ("steps", "tumble")];
 
 /// The widgets that the book has so far, and where.
 pub(super) type Placed = BTreeMap<String, PathBuf>;

@@ -3,8 +3,8 @@
 
 tumblingLive.widget("pitfalls", async (stage, from) => {
     const { load, module, fixed, short, draw, drawing, sayer } = tumblingLive;
-    await load(`${from}exact.wasm.js`);
-    const [engines, motion] = await Promise.all([module("pitfalls"), module("exact")]);
+    await load(`${from}tumble.wasm.js`);
+    const [engines, motion] = await Promise.all([module("pitfalls"), module("tumble")]);
     const control = (id) => stage.querySelector(`#pitfalls-${id}`);
     const [body, about, spin, push, step, until] = ["body", "about", "spin", "push", "step", "until"].map(control);
     const [play, end, reset] = ["play", "end", "reset"].map(control);
@@ -67,7 +67,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         length = UNTIL[until.value];
         steps = 0;
         bundle = Math.ceil((last() + 1) / PARTS);
-        const answer = motion.answer(1, ...engines.answer(2, start[0]), ...start.slice(1), length, PARTS);
+        const answer = motion.answer(5, ...engines.answer(2, start[0]), ...start.slice(1), length, PARTS);
         const count = answer[0];
         exact = { flips: answer.slice(1, 1 + count), spins: answer.slice(1 + count) };
         exact.most = exact.spins.reduce((most, x) => Math.max(most, Math.abs(x)), 0);

@@ -3,8 +3,8 @@
 
 tumblingLive.widget("steps", async (stage, from) => {
     const { load, module, fixed, short, draw, drawing, sayer } = tumblingLive;
-    await load(`${from}exact.wasm.js`);
-    const [methods, motion] = await Promise.all([module("steps"), module("exact")]);
+    await load(`${from}tumble.wasm.js`);
+    const [methods, motion] = await Promise.all([module("steps"), module("tumble")]);
     const [method, body, start, step] = ["method", "body", "start", "step"].map((id) => stage.querySelector(`#steps-${id}`));
     const svgs = ["path", "errors"].map((what) => stage.querySelector(`[data-drawing=${what}]`));
     const wrong = stage.querySelector(".live-wrong");
@@ -51,8 +51,8 @@ tumblingLive.widget("steps", async (stage, from) => {
             key = now;
             told = about(Number(method.value));
             const begun = [...methods.answer(2, Number(body.value)), ...SPINS[start.value], UNTIL];
-            truth = motion.answer(0, ...begun).slice(3);
-            const stretch = motion.answer(1, ...begun, 500);
+            truth = motion.answer(4, ...begun).slice(3);
+            const stretch = motion.answer(5, ...begun, 500);
             exact = stretch.slice(1 + stretch[0]);
             curve = CURVE.map(run);
         }

@@ -95,7 +95,8 @@ tumblingLive.widget("tumble", async (stage) => {
     // ---- Colours, from the page's theme.
     const dip = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
     const probe = document.createElement("span");
-    probe.hidden = true;
+    probe.hidden = true; // nor has it a transition from one theme's colour to the next
+    probe.style.forcedColorAdjust = "none";
     stage.append(probe);
     const triple = (colour) => {
         dip.clearRect(0, 0, 1, 1);
@@ -108,16 +109,16 @@ tumblingLive.widget("tumble", async (stage) => {
     /** Reads the colours; for each kind of face its colours from the darkest to the lightest. */
     function dye() {
         const of = (name) => {
-            probe.style.color = `var(${name})`;
+            probe.style.color = name.startsWith("--") ? `var(${name})` : name;
             return triple(getComputedStyle(probe).color);
         };
-        const fg = triple(getComputedStyle(stage.querySelector("canvas")).color);
-        const [bg, surface, links, middle] = ["--bg", "--fig-surface", "--links", "--fig-axis-mid"].map(of);
+        const page = matchMedia("(forced-colors: active)").matches ? ["CanvasText", "Canvas"] : ["--fg", "--bg"];
+        const [fg, bg, surface, links, middle] = [...page, "--fig-surface", "--links", "--fig-axis-mid"].map(of);
         const night = fg[0] + fg[1] + fg[2] > bg[0] + bg[1] + bg[2];
         const shades = (near, far) => Array.from({ length: 33 }, (_, i) => mixed(near, far, i / 32));
         const raised = (colour, part) => triple(mixed(colour, fg, part));
         const sunk = (colour, part) => triple(mixed(colour, night ? [0, 0, 0] : fg, part));
-        const range = (colour) => (night ? shades(sunk(colour, 0.35), raised(colour, 0.3)) : shades(sunk(colour, 0.4), colour));
+        const range = (colour) => (night ? shades(sunk(colour, 0.35), raised(colour, 0.3)) : shades(sunk(colour, 0.55), colour));
         colours = {
             plain: range(surface),
             front: range(triple(mixed(surface, links, 0.4))),

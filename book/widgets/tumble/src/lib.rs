@@ -1,5 +1,7 @@
 //! The tumble: a body spun about its middle axis with a push across it, at any instant, by the exact motion.
 
+mod beside;
+
 use exchange::{Line, Numbers};
 use nalgebra::Vector3;
 use std::sync::{Mutex, PoisonError};
@@ -28,8 +30,14 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
         0 => cuboid([2.0, 1.0, 3.0], 1.0),
         1 => cuboid([0.129, 0.020, 0.198], 0.340),
         2 => cuboid([0.0716, 0.0078, 0.1476], 0.171),
-        3 => (Vector3::new(0.014789238560963355, 0.01609241963415855, 0.0013185994065285297), [0.0, 0.0, 0.3422477064220185]),
-        _ => (Vector3::new(1.4534819741887386e-6, 1.6144214026235472e-6, 5.25917079096047e-7), [0.007002845511906693, 0.0, 0.0]),
+        3 => (
+            Vector3::new(0.014789238560963355, 0.01609241963415855, 0.0013185994065285297),
+            [0.0, 0.0, 0.3422477064220185],
+        ),
+        _ => (
+            Vector3::new(1.4534819741887386e-6, 1.6144214026235472e-6, 5.25917079096047e-7),
+            [0.007002845511906693, 0.0, 0.0],
+        ),
     }
 }
 
@@ -46,7 +54,11 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
 ///    the samples.
 /// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive side, on the ellipsoid of
 ///    energy whose longest half axis is 1.
+/// 4 and 5. For other widgets, of any body: see [`beside::answer`], which counts them from 0.
 pub fn answer(what: u32, row: &Numbers) -> usize {
+    if let Some(what) = what.checked_sub(4) {
+        return beside::answer(what, row);
+    }
     let found = match what {
         0 => prepared(row.take(0)).map(|found| row.fill(&found)),
         1 => instant(row.get(0)).map(|found| row.fill(&found)),
@@ -65,9 +77,16 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
 /// would weigh as much as half of the rest. `tests` below hold the words to the library's.
 fn words(why: &Error) -> ([&'static str; 4], [f64; 2]) {
     match *why {
-        Error::NotFinite { what, value } => ([what, " is #: it must be a finite number", "", ""], [value, 0.0]),
+        Error::NotFinite { what, value } => {
+            ([what, " is #: it must be a finite number", "", ""], [value, 0.0])
+        }
         Error::OutOfRange { what, value } => (
-            [what, " comes out as #: its true value is beyond what a finite, nonzero f64 holds in full", "", ""],
+            [
+                what,
+                " comes out as #: its true value is beyond what a finite, nonzero f64 holds in full",
+                "",
+                "",
+            ],
             [value, 0.0],
         ),
         Error::Order { smaller, small, larger, large } => {
@@ -189,7 +208,8 @@ mod tests {
 
     #[test]
     fn the_bodies_are_those_of_the_book() {
-        let theirs = [bodies::the_box(), bodies::book(), bodies::phone(), bodies::tennis_racket(), bodies::wing_nut()];
+        let theirs =
+            [bodies::the_box(), bodies::book(), bodies::phone(), bodies::tennis_racket(), bodies::wing_nut()];
         for (which, theirs) in theirs.into_iter().enumerate() {
             let theirs = theirs.unwrap();
             let (moments, centre) = body(which as f64);
@@ -234,7 +254,10 @@ mod tests {
         for point in &points {
             let [a, b, c] = [x * point.x.powi(2), y * point.y.powi(2), z * point.z.powi(2)];
             assert!(((a + b + c) / z - 1.0).abs() < 1e-13, "on the ellipsoid of energy: {point}");
-            assert!(((x * a + y * b + z * c) / (z * depth) - 1.0).abs() < 1e-13, "of the same momentum: {point}");
+            assert!(
+                ((x * a + y * b + z * c) / (z * depth) - 1.0).abs() < 1e-13,
+                "of the same momentum: {point}"
+            );
         }
         for part in 0..50 {
             row.set(0, 0.0437 * f64::from(part) * beat);

@@ -1,5 +1,5 @@
-//! The exact motion, for the widgets that set something beside it: one module for all of them, since most of each would be
-//! this.
+//! The exact motion, for the widgets that set something beside it: they ask this module, since most of each would be
+//! that.
 
 use exchange::Numbers;
 use nalgebra::Vector3;
@@ -16,7 +16,7 @@ const MOST: usize = 1500;
 /// x at the parts' ends.
 ///
 /// There is no answer where the library has none.
-pub fn answer(what: u32, row: &Numbers) -> usize {
+pub(crate) fn answer(what: u32, row: &Numbers) -> usize {
     found(what, row).unwrap_or(0)
 }
 
@@ -41,8 +41,6 @@ fn found(what: u32, row: &Numbers) -> Option<usize> {
     }
     Some(place)
 }
-
-exchange::page!(answer);
 
 #[cfg(test)]
 mod tests {
