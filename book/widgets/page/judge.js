@@ -143,8 +143,10 @@ tumblingLive.widget("judge", async (stage, from) => {
             const { rows, moved, left } = verdict.fit;
             put(place, "p", `The start is fitted to the first ${rows} rows: ${short(moved)} rad/s from the first one; ${short(left)} rad/s are left.`);
         }
-        const resets = verdict.resets.map(({ line, time, to_rest }) =>
-            `line ${line}, at ${short(time)} s: the body is put ${to_rest ? "to rest" : "back to its start"}; judged up to there`);
+        const resets = verdict.resets.map(({ line, time, to_rest, to_start }) => {
+            const how = to_rest ? "is put to rest" : to_start ? "is put back to its start" : "jumps to another motion";
+            return `line ${line}, at ${short(time)} s: the body ${how}; judged up to there`;
+        });
         const gaps = verdict.gaps ? [`rows are missing in ${verdict.gaps.count} places, the first before line ${verdict.gaps.line}`] : [];
         const untold = verdict.untold.length ? [`it does not tell: ${verdict.untold.map((law) => UNTOLD[law] ?? law).join(", ")}`] : [];
         list("The file", [...verdict.misread, ...resets, ...gaps, ...untold]);
