@@ -136,6 +136,7 @@ fn standings(all: &[Exercise]) -> Result<Vec<Standing>, String> {
     if changed.is_empty() {
         return Ok(standings);
     }
+    complain!("{}", running(changed.len()));
     let out = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
         .args(["test", "--package", "tumbling-exercises", "--doc", "--features", "mine", "--"])
         .args(&changed)
@@ -154,6 +155,15 @@ fn standings(all: &[Exercise]) -> Result<Vec<Standing>, String> {
         }
     }
     Ok(standings)
+}
+
+/// What is said while nothing else is to be seen, on the first run for a minute or more.
+fn running(changed: usize) -> String {
+    let what = if changed == 1 { "the one exercise" } else { "the exercises" };
+    let count = if changed == 1 { String::new() } else { format!(" ({changed})") };
+    format!(
+        "Running {what} that you have changed{count}. The first run compiles the library, and takes a while."
+    )
 }
 
 /// Which exercises ran, by what `cargo test` prints, and whether all of each passed.
@@ -245,6 +255,16 @@ mod tests {
         let passed = passed(told);
         assert_eq!(passed.len(), 3);
         assert!(passed["two_arrows_1"] && !passed["proofs_1"] && !passed["proofs_2"]);
+    }
+
+    #[test]
+    fn a_reader_who_waits_is_told_what_for() {
+        assert!(
+            running(1).starts_with("Running the one exercise that you have changed. The first run compiles")
+        );
+        assert!(
+            running(3).starts_with("Running the exercises that you have changed (3). The first run compiles")
+        );
     }
 
     #[test]

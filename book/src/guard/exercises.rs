@@ -50,7 +50,7 @@ mod tests {
 
     const WHOLE: &str = "# T\n\nA mass of 2 kg falls for 3 s.\n\n```rust\n// -- your turn --\n\
                          let mass = todo!(\"kg\");\n// -- until here --\nlet seconds = 3.0; // s\n```\n\n\
-                         ## Hint\n\nTwice 2 kg.\n\n## Solution\n\nIt is 2 kg.\n\n```rust\nlet mass = 2.0; // kg\n```\n\n\
+                         ## Hint\n\nThink of 2 kg.\n\n## Solution\n\nIt is 2 kg.\n\n```rust\nlet mass = 2.0; // kg\n```\n\n\
                          ## Wrong: twice as much, ö\n\n```rust\nlet mass = 4.0; // kg\n```\n";
 
     fn offences(text: &str) -> Vec<String> {
@@ -81,7 +81,7 @@ mod tests {
             all.len() == 1 && all[0].starts_with("whole/t_1.md:3: found `4 kg`"),
             "with the line of the file itself: {all:?}"
         );
-        let all = offences(&WHOLE.replace("Twice 2 kg", "Twice 5 kg"));
+        let all = offences(&WHOLE.replace("Think of 2 kg", "Think of 5 kg"));
         assert!(all.len() == 1 && all[0].starts_with("whole/t_1.md:14: found `5 kg`"), "{all:?}");
     }
 
