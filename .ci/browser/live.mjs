@@ -353,12 +353,12 @@ async function steps(page, wants) {
   const choose = (name) => set(page, "#steps-method", methods.indexOf(name));
 
   // The chapter's table, at its two hundred steps.
-  const names = { "Euler's": "explicit Euler", "three rotations": "three rotations 2", "Runge and Kutta's": "Runge-Kutta 4", "Moser and Veselov's, sixth order": "Moser-Veselov 6" };
+  const names = { "Euler's": "explicit Euler", "three rotations": "three rotations", "Runge and Kutta's": "Runge-Kutta 4", "Moser and Veselov's, sixth order": "Moser-Veselov 6" };
   const table = await page.locator("main table").filter({ hasText: "better with half the step" }).locator("tbody tr").evaluateAll((rows) =>
     rows.map((row) => [...row.cells].map((cell) => cell.textContent.trim().replaceAll("’", "'"))));
   wants("the chapter has its table", table.length === 4);
   for (const [method, off, better] of table) {
-    wants(`${method} is ${names[method]}`, methods.includes(names[method]));
+    wants(`${method} method is there, as ${names[method]}`, methods.includes(names[method]));
     await choose(names[method]);
     await set(page, step, 6);
     const got = [await shown(page, "steps", "attitude"), await shown(page, "steps", "better")];
@@ -374,7 +374,7 @@ async function steps(page, wants) {
       for (const end of [0, 16]) {
         await set(page, step, end);
         wants(`${methods[which]}, start ${start}, step ${end}: everything has a number and a place`, !(await broken(page, "steps")));
-        const reason = (await page.isVisible("#live-steps .live-wrong")) ? await page.textContent("#live-steps .live-wrong") : "refused: a";
+        const reason = (await page.isVisible("#live-steps .live-wrong")) ? await page.textContent("#live-steps .live-wrong") : "refused: a step";
         wants(`a refusal says why: ${reason}`, /^refused: (a|the) ./.test(reason));
       }
     }
