@@ -14,6 +14,7 @@ mod curve;
 mod derived;
 mod diagnosis;
 mod error;
+mod faults;
 mod fit;
 mod fitted;
 mod json;

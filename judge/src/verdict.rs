@@ -4,6 +4,7 @@ use crate::columns::Kind;
 use crate::derived::{Derived, Deriver};
 use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
 use crate::error::Error;
+use crate::faults::{wrong_pace, wrong_rule};
 use crate::fit::{self, Fit};
 use crate::laws::{FlipCount, Law, LawName, Laws, angle_between, turned};
 use crate::points::Point;
@@ -29,6 +30,7 @@ pub struct Options {
     /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
     pub threshold: f64,
     /// Other limits for some laws, the last of a law's own taken; one of phase (ways round) or of consistency is held too then.
+    /// Without one a phase fails that is more than half a way round, and a third of the ways that the exact motion makes, from it.
     pub thresholds: [Option<f64>; 7],
     /// To start from the exact motion that comes nearest to so many rows, and not from the first alone.
     pub fit: Option<usize>,
@@ -584,17 +586,23 @@ impl Trial {
             complaints.push("no two rows are one step apart: no rule can be tried".into());
         }
         let consistent = options.allowed(LawName::Consistency).unwrap_or(options.threshold);
-        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent) {
+        let otherwise = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent);
+        let turns_otherwise = otherwise.is_some();
+        if let Some(law) = otherwise {
             let off = 100.0 * law.most;
             complaints
                 .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
+        }
+        if free {
+            complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
+            complaints.extend(wrong_pace(&kept, laws.ways_round(), options));
         }
         let misread = reading.mistakes();
         let broken =
             kept.iter().any(|law| options.allowed(law.name).is_some_and(|most| law.most.abs() > most));
         let outcome = if !misread.is_empty() || !resets.is_empty() {
             Outcome::Failed
-        } else if still || !free {
+        } else if !free || still && !broken && !turns_otherwise {
             Outcome::NothingToJudge
         } else if broken || !complaints.is_empty() {
             Outcome::Failed
@@ -617,7 +625,7 @@ impl Trial {
             sign_changes: laws.sign_changes,
             laws: kept,
             flips,
-            separatrix: laws.separatrix().filter(|_| free),
+            separatrix: laws.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite())),
             diagnosis,
             complaints,
             options: *options,
