@@ -17,6 +17,7 @@ mod error;
 mod faults;
 mod fit;
 mod fitted;
+mod grid;
 mod json;
 mod laws;
 mod points;
@@ -25,6 +26,7 @@ mod rows;
 mod state;
 mod suspects;
 mod text;
+mod units;
 mod verdict;
 
 pub use curve::Growth;
