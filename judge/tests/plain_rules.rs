@@ -9,6 +9,8 @@ const MOMENTS: [f64; 3] = [1.0, 2.0, 2.7];
 const H: f64 = 1.0 / 60.0;
 
 type State = (UnitQuaternion<f64>, Vector3<f64>);
+/// A rule, whether its attitudes are written too, and what it may be called.
+type Case<'a> = (fn(&State) -> State, bool, &'a [Method]);
 
 fn tensor() -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::from(MOMENTS))
@@ -78,7 +80,7 @@ fn judged(text: &str) -> Verdict {
 #[test]
 fn rules_written_out_by_hand_are_the_best_and_to_rounding() {
     // Spins alone for the first: how the attitude is turned is its own question.
-    let cases: [(fn(&State) -> State, bool, &[Method]); 3] = [
+    let cases: [Case<'_>; 3] = [
         (explicit, false, &[Method::SemiImplicitEuler, Method::ExplicitEuler]),
         (one_newton, true, &[Method::OneNewton, Method::LinearisedImplicit]),
         (without_term, true, &[Method::ConstantSpin]),
