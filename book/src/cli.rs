@@ -156,7 +156,13 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
                 let value = parser.value().map_err(|e| e.to_string())?;
                 judge::threshold(&value.to_string_lossy(), &mut options)?;
             }
-            Long("svg") => svg = Some(PathBuf::from(parser.value().map_err(|e| e.to_string())?)),
+            Long("svg") => {
+                let out = PathBuf::from(parser.value().map_err(|e| e.to_string())?);
+                if out.to_string_lossy().starts_with('-') {
+                    return Err(format!("`--svg` takes a file to draw into, but got `{}`.", out.display()));
+                }
+                svg = Some(out);
+            }
             // Its number may be left out: a word that is no number is the file.
             Long("fit") => {
                 options.fit = Some(match parser.optional_value() {

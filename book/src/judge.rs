@@ -1,9 +1,9 @@
 //! The command `judge`: an engine's record in, a verdict out.
 
-use crate::{complain, nearest, say};
+use crate::{complain, nearest};
 use nalgebra::Vector3;
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 use tumbling_judge::{Error, LawName, Options, Outcome, Verdict};
@@ -64,10 +64,13 @@ pub(crate) fn judge(file: &Path, options: &Options, json: bool, svg: Option<&Pat
                 complain!("error: {}: {wrong}", out.display());
                 return ExitCode::from(2);
             }
-            if json {
-                say!("{:#}", verdict.json());
-            } else {
-                say!("{verdict}");
+            let text = if json { format!("{:#}\n", verdict.json()) } else { format!("{verdict}\n") };
+            let mut out = std::io::stdout().lock();
+            if let Err(wrong) = out.write_all(text.as_bytes()).and_then(|()| out.flush())
+                && wrong.kind() != std::io::ErrorKind::BrokenPipe
+            {
+                complain!("error: the verdict could not be written: {wrong}");
+                return ExitCode::from(2);
             }
             if verdict.outcome == Outcome::Passed { ExitCode::SUCCESS } else { ExitCode::FAILURE }
         }

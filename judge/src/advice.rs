@@ -3,6 +3,20 @@
 use crate::suspects::{Base, Rule, When};
 use tumbling::step::{Limits, Method, PHYSICS_ENGINES};
 
+/// A number with five significant digits, as people write it.
+pub(crate) fn significant(x: f64) -> String {
+    let size = x.abs().log10().floor();
+    if x == 0.0 || !x.is_finite() {
+        return x.to_string();
+    }
+    if !(-4.0..9.0).contains(&size) {
+        return format!("{x:.4e}");
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 8")]
+    let decimals = (4.0 - size).max(0.0) as usize;
+    format!("{x:.decimals$}")
+}
+
 impl Rule {
     /// The method that it is, and in how many parts it cuts a step, if it is one and no more than limited.
     #[must_use]
@@ -28,14 +42,16 @@ impl Rule {
                     limits(&engine.limits)
                 )
             }
-            Self::FrozenTensor(_) => "a tensor frozen in the world".into(),
-            Self::MomentumForSpin(mass) => format!("momentum taken for spin (divided by {mass:.4})"),
+            Self::FrozenTensor(_) | Self::FrozenAt(..) => "a tensor frozen in the world".into(),
+            Self::MomentumForSpin(mass) => {
+                format!("momentum taken for spin (divided by {})", significant(*mass))
+            }
             Self::OtherMoments(moments, base) => {
                 format!(
-                    "other moments ({:.4}, {:.4}, {:.4}), {}",
-                    moments.x,
-                    moments.y,
-                    moments.z,
+                    "other moments ({}, {}, {}), {}",
+                    significant(moments.x),
+                    significant(moments.y),
+                    significant(moments.z),
                     base.name()
                 )
             }
@@ -68,12 +84,14 @@ impl Rule {
                 )
             }
             Self::OtherTurn(factor, base) => {
-                format!("a turn {factor:.4} times what the spin says, {}", base.name())
+                format!("a turn {} times what the spin says, {}", significant(*factor), base.name())
             }
             Self::OtherStep(factor, base) => {
-                format!("steps {factor:.4} times as long as the record says, {}", base.name())
+                format!("steps {} times as long as the record says, {}", significant(*factor), base.name())
             }
-            Self::Capped(most, base) => format!("a cap on the spin ({most:.4} rad/s), {}", base.name()),
+            Self::Capped(most, base) => {
+                format!("a cap on the spin ({} rad/s), {}", significant(*most), base.name())
+            }
         }
     }
 
@@ -107,7 +125,7 @@ impl Rule {
                  limits. Chapter \"Stepping through time\"."
             }
             Self::Engine(engine) => of_method(engine.method),
-            Self::FrozenTensor(_) => {
+            Self::FrozenTensor(_) | Self::FrozenAt(..) => {
                 "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with the \
                  body, R I R^T, at each step. Chapter \"Three pitfalls\", 1."
             }

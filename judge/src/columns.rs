@@ -1,6 +1,7 @@
 //! Which column is what, from their names.
 
 use crate::error::Error;
+use crate::units;
 
 /// What the numbers of a row stand for: at which place each stands among the fields.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,8 +14,12 @@ pub(crate) struct Columns {
     /// None where attitudes are all there is.
     pub vector: Option<[usize; 3]>,
     pub kind: Kind,
-    /// The header says that the spin is in degrees a second.
-    pub degrees: bool,
+    /// Another vector, beside the one that is judged.
+    pub second: Option<(Kind, [usize; 3])>,
+    /// What a spin is to be multiplied by for rad/s, by the unit in its names; and the second vector's.
+    pub units: [f64; 2],
+    /// How many of the unit of the time column are a second.
+    pub per_second: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,16 +108,69 @@ fn plain(name: &str) -> (String, String) {
     (letters, unit.trim_matches(|c: char| "[]() ".contains(c)).to_string())
 }
 
-const TIME: [&str; 3] = ["t", "time", "seconds"];
+const TIME: [&str; 10] =
+    ["t", "time", "seconds", "timestamp", "ts", "tsec", "times", "timesec", "timeseconds", "simtime"];
+/// Names of the time that tell its unit.
+const TIME_IN: [(&str, &str); 6] = [
+    ("tms", "ms"),
+    ("timems", "ms"),
+    ("timestampms", "ms"),
+    ("timeus", "us"),
+    ("timens", "ns"),
+    ("timestampns", "ns"),
+];
 const STEPS: [&str; 2] = ["step", "frame"];
 /// Before and after the letter of the axis.
 const ATTITUDE: [(&str, &str); 3] = [("q", ""), ("quat", ""), ("quaternion", "")];
+/// The same, where a part of the names alone means nothing (three of `rot` may be angles).
+const ATTITUDE_WHOLE: [(&str, &str); 6] =
+    [("orientation", ""), ("rot", ""), ("rotation", ""), ("attitude", ""), ("att", ""), ("ori", "")];
+/// Four names that are no letters of axes: the scalar first.
+const ATTITUDE_NAMES: [[&str; 4]; 4] = [
+    ["q0", "q1", "q2", "q3"],
+    ["qw", "qi", "qj", "qk"],
+    ["qr", "qi", "qj", "qk"],
+    ["quat0", "quat1", "quat2", "quat3"],
+];
 const VECTORS: [(Kind, &[(&str, &str)]); 4] = [
-    (Kind::SpinBody, &[("w", ""), ("w", "b"), ("w", "body"), ("omega", ""), ("omega", "body")]),
-    (Kind::SpinWorld, &[("w", "w"), ("w", "world"), ("omega", "world"), ("omega", "w")]),
+    (
+        Kind::SpinBody,
+        &[
+            ("w", ""),
+            ("w", "b"),
+            ("w", "body"),
+            ("wbody", ""),
+            ("omega", ""),
+            ("omega", "body"),
+            ("omegabody", ""),
+            ("angvel", ""),
+            ("angvel", "body"),
+            ("angvelbody", ""),
+            ("angularvelocity", ""),
+            ("angularvelocity", "body"),
+            ("angularvelocitybody", ""),
+        ],
+    ),
+    (
+        Kind::SpinWorld,
+        &[
+            ("w", "w"),
+            ("w", "world"),
+            ("wworld", ""),
+            ("omega", "world"),
+            ("omega", "w"),
+            ("omegaworld", ""),
+            ("angvel", "world"),
+            ("angvelworld", ""),
+            ("angularvelocity", "world"),
+            ("angularvelocityworld", ""),
+        ],
+    ),
     (Kind::MomentumBody, &[("l", ""), ("l", "b"), ("l", "body")]),
     (Kind::MomentumWorld, &[("l", "w"), ("l", "world")]),
 ];
+/// Three names of a spin that have no axes' letters.
+const SPIN_NAMES: [&str; 3] = ["p", "q", "r"];
 
 impl Columns {
     /// From the line of names.
@@ -163,21 +221,41 @@ impl Columns {
             }
             Ok(Some(places.into_iter().flatten().collect()))
         };
-        let clock = match (any(&TIME)?, any(&STEPS)?) {
+        let all = |wanted: &[&str]| -> Result<Option<Vec<usize>>, Error> {
+            let places = wanted.iter().map(|name| at(name)).collect::<Result<Vec<_>, _>>()?;
+            Ok(places.into_iter().collect())
+        };
+        let times: Vec<&str> = TIME.into_iter().chain(TIME_IN.map(|name| name.0)).collect();
+        let clock = match (any(&times)?, any(&STEPS)?) {
             (Some(i), _) => Clock::Time(i),
             (None, Some(i)) => Clock::Steps(i),
             (None, None) => return Err(wrong(format!("the column `t` is missing; {known}"))),
         };
         let mut attitude = None;
+        let mut sets = Vec::new();
+        let other = |names: &[&str; 4]| -> Result<bool, Error> { Ok(all(names)?.is_some()) };
         for (prefix, suffix) in ATTITUDE {
-            if let Some(places) = whole(prefix, &["w", "x", "y", "z"], suffix)? {
-                if attitude.is_some() {
-                    return Err(wrong("there are two sets of columns for the attitude".into()));
-                }
-                attitude = <[usize; 4]>::try_from(places).ok();
+            let replaced = prefix == "q" && at("qx")?.is_none() && other(&ATTITUDE_NAMES[1])?;
+            if !replaced {
+                sets.extend(whole(prefix, &["w", "x", "y", "z"], suffix)?);
             }
         }
+        for (prefix, suffix) in ATTITUDE_WHOLE {
+            if at(&format!("{prefix}w{suffix}"))?.is_some() {
+                sets.extend(whole(prefix, &["w", "x", "y", "z"], suffix)?);
+            }
+        }
+        for names in ATTITUDE_NAMES {
+            sets.extend(all(&names)?);
+        }
+        for places in sets {
+            if attitude.is_some() {
+                return Err(wrong("there are two sets of columns for the attitude".into()));
+            }
+            attitude = <[usize; 4]>::try_from(places).ok();
+        }
         let mut vector = None;
+        let mut second = None;
         for (kind, ways) in VECTORS {
             for (prefix, suffix) in ways {
                 let Some(places) = whole(prefix, &["x", "y", "z"], suffix)? else { continue };
@@ -188,10 +266,16 @@ impl Columns {
                             "there are two sets of columns for one vector, `{name}` among them"
                         )));
                     }
-                    Some(_) => {}
+                    Some(_) => {
+                        second = second.or(<[usize; 3]>::try_from(places).ok().map(|places| (kind, places)));
+                    }
                     None => vector = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places)),
                 }
             }
+        }
+        if let Some(places) = all(&SPIN_NAMES)? {
+            let spin = <[usize; 3]>::try_from(places).ok().map(|places| (Kind::SpinBody, places));
+            (vector, second) = (vector.or(spin), second.or(spin.filter(|_| vector.is_some())));
         }
         let (kind, vector) = match vector {
             Some((kind, places)) => (kind, Some(places)),
@@ -208,8 +292,70 @@ impl Columns {
                     .into(),
             ));
         }
-        let degrees =
-            !kind.is_momentum() && vector.is_some_and(|places| plain[places[0]].1.starts_with("deg"));
-        Ok(Self { names, separator, clock, attitude, vector, kind, degrees })
+        if attitude.is_none() {
+            second = second.filter(|(kind, _)| !kind.in_world());
+        }
+        // One unit for the three of them, and one that is known.
+        let unit_of = |kind: Kind, places: &[usize; 3]| -> Result<f64, Error> {
+            let [first, others @ ..] = places.map(|i| plain[i].1.as_str());
+            if let Some(k) = others.iter().position(|unit| *unit != first) {
+                return Err(wrong(format!(
+                    "`{}` is not in the unit of `{}`: one unit is wanted for the three",
+                    names[places[k + 1]],
+                    names[places[0]]
+                )));
+            }
+            if kind.is_momentum() {
+                return Ok(1.0);
+            }
+            units::spin(first).ok_or_else(|| {
+                wrong(format!(
+                    "the unit of `{}` is not known here: known are rad/s, deg/s, dps, rpm and rev/s",
+                    names[places[0]]
+                ))
+            })
+        };
+        let first = vector.map_or(Ok(1.0), |places| unit_of(kind, &places))?;
+        let other = second.as_ref().map_or(Ok(1.0), |(kind, places)| unit_of(*kind, places))?;
+        let per_second = match clock {
+            Clock::Steps(_) => 1.0,
+            Clock::Time(i) => {
+                let (name, unit) = &plain[i];
+                let by_name =
+                    TIME_IN.iter().find(|known| known.0 == name.as_str()).map_or("", |known| known.1);
+                units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
+                    wrong(format!(
+                        "the unit of `{}` is not known here: known are s, ms, us, ns and min",
+                        names[i]
+                    ))
+                })?
+            }
+        };
+        Ok(Self {
+            names,
+            separator,
+            clock,
+            attitude,
+            vector,
+            kind,
+            second,
+            units: [first, other],
+            per_second,
+        })
+    }
+
+    /// The names of the columns that are not read.
+    pub(crate) fn ignored(&self) -> Vec<String> {
+        let (Clock::Time(clock) | Clock::Steps(clock)) = self.clock;
+        let read = |i: usize| {
+            i == clock || self.attitude.is_some_and(|places| places.contains(&i)) || self.vectors(i)
+        };
+        self.names.iter().enumerate().filter(|(i, _)| !read(*i)).map(|(_, name)| name.clone()).collect()
+    }
+
+    /// Whether a column is a component of a vector.
+    pub(crate) fn vectors(&self, i: usize) -> bool {
+        let both = [self.vector, self.second.map(|second| second.1)];
+        both.iter().flatten().any(|places| places.contains(&i))
     }
 }

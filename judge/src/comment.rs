@@ -1,6 +1,8 @@
 //! What the comment lines of a record tell.
 
 use crate::error::Error;
+use crate::rows::half_a_digit;
+use crate::units;
 use nalgebra::Vector3;
 
 /// What was told before the first row.
@@ -10,50 +12,95 @@ pub struct Told {
     pub engine: Option<String>,
     /// Principal moments, kg m².
     pub inertia: Option<Vector3<f64>>,
+    /// By how much their printed digits leave them open.
+    pub open: Vector3<f64>,
     /// The step, s.
     pub step: Option<f64>,
     /// A torque constant in the world, N m.
     pub torque: Option<Vector3<f64>>,
+    /// What was not understood, and what was made of what was, in words.
+    pub notes: Vec<String>,
 }
 
-/// Whatever comes after `word` and a colon, an equals sign or blanks.
+/// Words that may stand between a name and its numbers.
+const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"];
+
+/// Words before a name that say that there is none of it.
+const NONE: [&str; 3] = ["no", "without", "zero"];
+
+/// Whatever comes after the whole word `word` and a colon, an equals sign or blanks; not where the word before it says that there is none.
 fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
-    let at = text.to_ascii_lowercase().find(word)?;
-    Some(text[at + word.len()..].trim_start_matches([':', '=', ' ', '\t']))
-}
-
-/// The first word or fraction there is a number.
-fn number(text: &str) -> Option<f64> {
-    let word = text.split([' ', ',', ';', '\t', ')', ']']).next()?;
-    match word.split_once('/') {
-        Some((over, under)) => Some(over.parse::<f64>().ok()? / under.parse::<f64>().ok()?),
-        None => word.parse().ok(),
+    let lower = text.to_ascii_lowercase();
+    let (at, _) = lower.match_indices(word).find(|(at, _)| {
+        let (before, behind) = (&lower[..*at], &lower[at + word.len()..]);
+        let none = before.split_whitespace().last().is_some_and(|last| NONE.contains(&last));
+        let whole = |c: Option<char>| !c.is_some_and(char::is_alphanumeric);
+        !none && whole(before.chars().last()) && whole(behind.chars().next())
+    })?;
+    let mut rest = text[at + word.len()..].trim_start_matches([':', '=', ' ', '\t']);
+    while let Some(word) = BETWEEN.iter().find(|word| {
+        rest.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
+            && !rest[word.len()..].starts_with(char::is_alphanumeric)
+    }) {
+        rest = rest[word.len()..].trim_start_matches([':', '=', ' ', '\t']);
     }
+    Some(rest)
 }
 
-fn three(text: &str) -> Option<Vector3<f64>> {
+/// The first word or fraction there is a number, with its unit of time if there is one.
+fn seconds(text: &str) -> Option<f64> {
+    let mut words = text.split([' ', ',', ';', '\t', ')', ']', '[', '(']).filter(|word| !word.is_empty());
+    let word = words.next()?;
+    let number = match word.split_once('/') {
+        Some((over, under)) => over.parse::<f64>().ok()? / under.parse::<f64>().ok()?,
+        None => word.parse().ok()?,
+    };
+    Some(number / words.next().and_then(units::per_second).unwrap_or(1.0))
+}
+
+/// Three numbers, and by how much their printed digits leave them open.
+fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
     let text = text.trim_start_matches(['(', '[', ' ']);
-    let mut numbers =
-        text.split([' ', ',', '\t', ';', ')', ']']).filter(|x| !x.is_empty()).map_while(|x| x.parse().ok());
-    Some(Vector3::new(numbers.next()?, numbers.next()?, numbers.next()?))
+    let mut words = text.split([' ', ',', '\t', ';', ')', ']']).filter(|x| !x.is_empty());
+    let mut number = || words.next().and_then(|word| Some((word.parse().ok()?, half_a_digit(word))));
+    let (x, y, z) = (number()?, number()?, number()?);
+    Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
 }
 
 impl Told {
-    /// Reads one more comment line. What it does not understand it takes for prose.
+    /// Reads one more comment line. What it does not understand it takes for prose, and says so where it seems to tell something.
     pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
         if self.engine.is_none()
-            && let Some(name) = after(comment, "engine:")
+            && let Some(name) =
+                after(comment, "engine").filter(|_| comment.to_ascii_lowercase().contains("engine:"))
         {
             self.engine = Some(name.split(';').next().unwrap_or(name).trim().to_string());
         }
+        let mut unread = None;
         for word in ["inertia", "moments"] {
-            self.inertia = self.inertia.or_else(|| after(comment, word).and_then(three));
-        }
-        self.torque = self.torque.or_else(|| after(comment, "torque").and_then(three));
-        for word in ["dt", "step"] {
-            if self.step.is_none()
-                && let Some(step) = after(comment, word).and_then(number)
+            if self.inertia.is_none()
+                && let Some(text) = after(comment, word)
             {
+                match three(text) {
+                    Some([moments, open]) => (self.inertia, self.open) = (Some(moments), open),
+                    None => unread = Some(word),
+                }
+            }
+        }
+        if self.torque.is_none()
+            && let Some(text) = after(comment, "torque")
+        {
+            self.torque = three(text).map(|three| three[0]);
+            unread = unread.or(self.torque.is_none().then_some("torque"));
+        }
+        for word in ["dt", "timestep", "step"] {
+            if self.step.is_none()
+                && let Some(text) = after(comment, word)
+            {
+                let Some(step) = seconds(text) else {
+                    unread = unread.or(Some(word));
+                    continue;
+                };
                 if !(step.is_finite() && step > 0.0) {
                     let problem = format!("the step is told as {step}: it must be above zero");
                     return Err(Error::Line { line, problem });
@@ -61,6 +108,31 @@ impl Told {
                 self.step = Some(step);
             }
         }
+        if let Some(word) = unread {
+            self.notes.push(format!("line {line} speaks of `{word}`, and no number is read from it"));
+        }
         Ok(())
+    }
+
+    /// The moments that are told. Of a flat body, whose rounded moments miss the triangle rule by no more than their printed digits leave
+    /// open, the largest is taken as the sum of the others, and a note says so.
+    pub(crate) fn moments(&self, notes: &mut Vec<String>) -> Option<Vector3<f64>> {
+        let told = self.inertia?;
+        let largest = told.imax();
+        let rest = told[(largest + 1) % 3] + told[(largest + 2) % 3];
+        let missing = told[largest] - rest;
+        // One or two digits are no rounding, but a mistake.
+        let rounded = missing <= self.open.sum() && missing <= 2e-3 * told[largest];
+        if !(missing > 0.0 && rounded && told.min() > 0.0) {
+            return Some(told);
+        }
+        let mut moments = told;
+        moments[largest] = rest;
+        notes.push(format!(
+            "the largest moment is printed as {}, {missing:.1e} more than the others together, which no body has; its printed digits \
+             leave that open, and a flat body of {}, {}, {} kg m2 is judged",
+            told[largest], moments.x, moments.y, moments.z
+        ));
+        Some(moments)
     }
 }

@@ -1,9 +1,10 @@
 //! Which rule made a record: each suspect takes each row one step further, and is held against the next row.
 
+use crate::advice::significant;
 use crate::fitted::{compound, momentum_for_spin};
 use crate::laws::ordered;
 use crate::state::{Pair, middle_and_most};
-use crate::suspects::{Rule, Subject, simple};
+use crate::suspects::{Rule, Steps, Subject, simple};
 use nalgebra::Vector3;
 use tumbling::euler;
 
@@ -137,6 +138,12 @@ pub(crate) fn diagnose(
     if free && of_momentum {
         found.extend(momentum_for_spin(subject, pairs).and_then(explained));
     }
+    if free && !of_momentum && !fits(&found) {
+        found.extend(momentum_for_spin(subject, pairs).and_then(explained));
+    }
+    if free && !fits(&found) {
+        found.extend(frozen_at(pairs).into_iter().filter_map(explained));
+    }
     if free && !fits(&found) {
         found.extend(compound(subject, pairs).into_iter().filter_map(explained));
     }
@@ -171,8 +178,29 @@ pub(crate) fn diagnose(
     Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints: hints(subject, pairs, floor) })
 }
 
+/// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
+fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
+    let first = pairs.first().and_then(|pair| pair.from.attitude);
+    let first = first.map(|q| q / q.norm()).filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
+    first.map_or(Vec::new(), |q| [Steps::First, Steps::Fourth].map(|steps| Rule::FrozenAt(q, steps)).to_vec())
+}
+
+/// A first step that brings the spin down to a value that no later step exceeds.
+fn cap_at_start(pairs: &[Pair]) -> Option<String> {
+    let (start, end) = (pairs.first()?.from.omega.norm(), pairs.first()?.to.omega.norm());
+    let greatest = pairs.iter().skip(1).map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
+    (pairs.len() > 2 && end > 0.0 && start > 1.05 * end && greatest <= end * (1.0 + 1e-6)).then(|| {
+        format!(
+            "The first step takes the spin from {} to {} rad/s, and no later one goes beyond: a cap on the spin.",
+            significant(start),
+            significant(end)
+        )
+    })
+}
+
 fn hints(subject: &Subject, pairs: &[Pair], floor: f64) -> Vec<String> {
     let mut hints = Vec::new();
+    hints.extend(cap_at_start(pairs));
     let still = pairs.iter().filter(|pair| {
         pair.turn().is_some_and(|turn| turn == Vector3::zeros())
             && pair.from.omega.norm() * pair.h > 100.0 * floor

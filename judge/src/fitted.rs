@@ -220,7 +220,10 @@ fn rounded(factor: f64) -> f64 {
         let fraction = over / under;
         (over > 0.0 && (factor / fraction - 1.0).abs() < 0.01).then_some(fraction)
     });
-    near.unwrap_or(factor)
+    // A tenth, a hundredth: one part of a whole number.
+    let whole = (1.0 / factor).round();
+    let part = (factor < 0.1 && (1.0 / factor / whole - 1.0).abs() < 0.01).then_some(1.0 / whole);
+    near.or(part).unwrap_or(factor)
 }
 
 /// The greatest spin, if many rows have it.

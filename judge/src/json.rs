@@ -54,6 +54,8 @@ impl Verdict {
             "step": self.step,
             "rounding": self.rounding,
             "misread": self.misread.iter().map(|x| x.words()).collect::<Vec<_>>(),
+            "ignored": self.ignored,
+            "notes": self.notes,
             "untold": self.untold.iter().map(|law| law.key()).collect::<Vec<_>>(),
             "resets": resets,
             "gaps": self.gaps.map(|gaps| json!({"count": gaps.count, "line": gaps.line, "longest": gaps.longest})),

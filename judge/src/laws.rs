@@ -325,6 +325,15 @@ impl Laws {
         Some(count)
     }
 
+    /// How many ways round the exact spin goes in the time of the record.
+    pub(crate) fn ways_round(&self) -> f64 {
+        let end = self.last.t - self.first.t;
+        match self.exact.period() {
+            Ok(Some(period)) if period > 0.0 => end / period,
+            _ => 0.0,
+        }
+    }
+
     /// The first, and the last, `2 E I2 / L²`.
     pub(crate) fn separatrix(&self) -> Option<[f64; 2]> {
         let middle = self.moments[ordered(&self.moments)[1]];

@@ -14,8 +14,10 @@ mod curve;
 mod derived;
 mod diagnosis;
 mod error;
+mod faults;
 mod fit;
 mod fitted;
+mod grid;
 mod json;
 mod laws;
 mod plain;
@@ -25,6 +27,7 @@ mod rows;
 mod state;
 mod suspects;
 mod text;
+mod units;
 mod verdict;
 
 pub use curve::Growth;

@@ -21,6 +21,8 @@ pub enum Misread {
     ScalarFirst,
     /// The attitude takes the world to the body.
     Inverse,
+    /// What is named a spin is the momentum.
+    Momentum,
     /// Spins are in degrees a second.
     Degrees,
     /// Spins are in revolutions a minute.
@@ -54,6 +56,7 @@ impl Misread {
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
             Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
             Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
+            Self::Momentum => "what is named a spin is the momentum: name it `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's".into(),
             Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
             Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
             Self::Revolutions => "the spin is in revolutions a second: write radians a second".into(),
@@ -94,6 +97,8 @@ pub(crate) struct Reading {
     order: Order,
     inverse: bool,
     frame: bool,
+    /// A momentum under the names of a spin.
+    momentum: bool,
     hand: Hand,
     /// What a spin is to be multiplied by, and a time.
     spin: f64,
@@ -123,6 +128,7 @@ impl Reading {
             order: Order::AsNamed,
             inverse: false,
             frame: false,
+            momentum: false,
             hand: Hand::Right,
             spin: 1.0,
             time: 1.0,
@@ -157,6 +163,9 @@ impl Reading {
         if self.frame {
             all.push(Misread::Frame);
         }
+        if self.momentum {
+            all.push(Misread::Momentum);
+        }
         all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
         all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
         all
@@ -185,6 +194,11 @@ impl Reading {
             (true, Kind::MomentumBody) => Kind::MomentumWorld,
             (true, Kind::MomentumWorld) => Kind::MomentumBody,
             (true, Kind::Attitude) => Kind::Attitude,
+        };
+        let kind = match (self.momentum, kind) {
+            (true, Kind::SpinBody) => Kind::MomentumBody,
+            (true, Kind::SpinWorld) => Kind::MomentumWorld,
+            (_, kind) => kind,
         };
         let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
         State { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
@@ -256,6 +270,10 @@ impl Reading {
                         let turned = Self { order, inverse, frame, hand, ..self };
                         let way = turned.scaled(pairs, moments);
                         ways.push((way, off(&way)));
+                        if hand == Hand::Right && matches!(self.kind, Kind::SpinBody | Kind::SpinWorld) {
+                            let way = Self { momentum: true, ..turned };
+                            ways.push((way, off(&way)));
+                        }
                     }
                 }
             }
@@ -270,7 +288,12 @@ impl Reading {
             let mistakes: f64 = way
                 .mistakes()
                 .iter()
-                .map(|x| if matches!(x, Misread::MirroredComponent(_)) { 1.5 } else { 1.0 })
+                .map(|x| match x {
+                    Misread::MirroredComponent(_) => 1.5,
+                    // The rarer of two that may look alike.
+                    Misread::ScalarFirst | Misread::Momentum => 1.25,
+                    _ => 1.0,
+                })
                 .sum();
             mistakes - 2.0 * alike
         };
@@ -298,8 +321,19 @@ impl Reading {
         match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < 0.1)) {
             (Some(unit), _) => Self { spin: unit.1, ..self },
             (None, Some(unit)) => Self { time: unit.1, ..self },
-            (None, None) => self,
+            (None, None) => self.with_both_units(ratio),
         }
+    }
+
+    /// Spin and time each in a unit of its own: turns tell their product alone.
+    fn with_both_units(self, ratio: f64) -> Self {
+        if (ratio - 1.0).abs() < 0.1 {
+            return self;
+        }
+        let both = SPINS.iter().flat_map(|spin| TIMES.iter().map(move |time| (spin.1, time.1)));
+        let off = |(spin, time): &(f64, f64)| (ratio / (spin * time) - 1.0).abs();
+        let nearest = both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|both| off(both) < 0.1);
+        nearest.map_or(self, |(spin, time)| Self { spin, time, ..self })
     }
 
     fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {

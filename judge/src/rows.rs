@@ -18,6 +18,10 @@ pub(crate) struct Raw {
     pub attitude: Option<Quaternion<f64>>,
     /// As [`Kind`] says; in radians.
     pub vector: Vector3<f64>,
+    /// Another vector, beside that one; zero where there is none.
+    pub second: Vector3<f64>,
+    /// Half a unit of the last printed digit of the time.
+    pub half: f64,
     /// The most significant digits that any of its numbers has.
     pub digits: u32,
     /// Whether all but the time fit single precision.
@@ -103,11 +107,9 @@ fn read(
 ) -> Result<Raw, Error> {
     let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
     let wanted = |i: usize| {
-        i == clock
-            || columns.vector.is_some_and(|places| places.contains(&i))
-            || columns.attitude.is_some_and(|places| places.contains(&i))
+        i == clock || columns.vectors(i) || columns.attitude.is_some_and(|places| places.contains(&i))
     };
-    let (mut digits, mut single) = (0, true);
+    let (mut digits, mut single, mut half) = (0, true, 0.0);
     fields.clear();
     for (i, field) in columns.separator.split(text).enumerate() {
         let wrong = |problem: String| Error::Field {
@@ -137,7 +139,9 @@ fn read(
         if !value.is_finite() {
             return Err(wrong(format!("the value is {}: from here on there is no motion", shown(field))));
         }
-        if i != clock {
+        if i == clock {
+            half = half_a_digit(field);
+        } else {
             digits = digits.max(significant(field));
             #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is the question")]
             let rounded = f64::from(value as f32);
@@ -157,16 +161,20 @@ fn read(
         });
     }
     let t = match columns.clock {
-        Clock::Time(i) => fields[i],
+        Clock::Time(i) => fields[i] / columns.per_second,
         Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
     };
-    let [x, y, z] = columns.vector.map_or([0.0; 3], |places| places.map(|i| fields[i]));
-    let unit = if columns.degrees { 1.0_f64.to_radians() } else { 1.0 };
+    let half = if matches!(columns.clock, Clock::Time(_)) { half / columns.per_second } else { 0.0 };
+    let three = |places: Option<[usize; 3]>, unit: f64| {
+        Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * unit
+    };
+    let vector = three(columns.vector, columns.units[0]);
+    let second = three(columns.second.map(|second| second.1), columns.units[1]);
     let attitude = columns.attitude.map(|places| {
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
-    Ok(Raw { line, t, attitude, vector: Vector3::new(x, y, z) * unit, digits, single })
+    Ok(Raw { line, t, attitude, vector, second, half, digits, single })
 }
 
 /// A field as an error shows it: not all of a long one.
@@ -190,6 +198,14 @@ fn no_number(field: &str) -> String {
         ""
     };
     format!("`{shown}` is not a number{why}")
+}
+
+/// Half a unit of a number's last printed digit.
+pub(crate) fn half_a_digit(field: &str) -> f64 {
+    let (number, power) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
+    let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let decimals = i32::try_from(decimals).unwrap_or(i32::MAX);
+    0.5 * 10.0_f64.powi(power.parse::<i32>().unwrap_or(0).saturating_sub(decimals))
 }
 
 /// How many digits from the first that is not zero, before an exponent.

@@ -19,6 +19,8 @@ pub enum Rule {
     Engine(PhysicsEngine),
     /// The spin in the world by the body's tensor as it stood at the identity.
     FrozenTensor(Steps),
+    /// The same by the tensor as it stood at this attitude, the record's first.
+    FrozenAt(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
     /// A rule for a body with other moments than the record says.
@@ -211,6 +213,12 @@ impl Subject {
                 let run = Engine::Frozen.run(&body, h, 1)?;
                 let end = run.last().unwrap_or(&body);
                 Ok((end.attitude().into_inner(), end.omega_body()))
+            }
+            Rule::FrozenAt(first, steps) => {
+                // In the axes that the body had at first the tensor is frozen at the identity.
+                let from = State { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
+                let (q, omega) = self.after(&Rule::FrozenTensor(*steps), &from, h)?;
+                Ok((attitude::product(first, &q), omega))
             }
             Rule::MomentumForSpin(mass) => {
                 let momentum = self.system.momentum(&from.omega);

@@ -87,6 +87,12 @@ impl Verdict {
     }
 
     fn file(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.ignored.is_empty() {
+            writeln!(f, "Ignored:  the columns {}", self.ignored.join(", "))?;
+        }
+        for note in &self.notes {
+            writeln!(f, "Note:     {note}.")?;
+        }
         for misread in &self.misread {
             writeln!(f, "File:     {}.", misread.words())?;
         }

@@ -1,10 +1,12 @@
 //! From a record to a verdict, one row in hand at a time.
 
-use crate::columns::Kind;
+use crate::columns::{Columns, Kind};
 use crate::derived::{Derived, Deriver};
 use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
 use crate::error::Error;
+use crate::faults::{wrong_pace, wrong_rule};
 use crate::fit::{self, Fit};
+use crate::grid::Grid;
 use crate::laws::{FlipCount, Law, LawName, Laws, angle_between, turned};
 use crate::points::Point;
 use crate::reading::{Misread, Reading};
@@ -29,6 +31,7 @@ pub struct Options {
     /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
     pub threshold: f64,
     /// Other limits for some laws, the last of a law's own taken; one of phase (ways round) or of consistency is held too then.
+    /// Without one a phase fails that is off by more than a quarter of a way round and a quarter of the ways that the exact motion makes.
     pub thresholds: [Option<f64>; 7],
     /// To start from the exact motion that comes nearest to so many rows, and not from the first alone.
     pub fit: Option<usize>,
@@ -115,6 +118,10 @@ pub struct Verdict {
     pub has_attitude: bool,
     /// Mistakes of the file. What follows is of the file with these put right.
     pub misread: Vec<Misread>,
+    /// Columns that were not read.
+    pub ignored: Vec<String>,
+    /// What was made of the file beside its rows, in words.
+    pub notes: Vec<String>,
     /// Laws of which the file does not tell: no attitude, or no spin.
     pub untold: Vec<LawName>,
     /// Where the motion starts anew; the laws are followed up to the first.
@@ -199,10 +206,19 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     if probe.len() == 1 {
         return Err(Error::OneRow);
     }
-    let moments = options.inertia.or(rows.told.inertia).ok_or(Error::NoMoments)?;
+    let mut notes = std::mem::take(&mut rows.told.notes);
+    let moments = match options.inertia {
+        Some(moments) => moments,
+        None => rows.told.moments(&mut notes).ok_or(Error::NoMoments)?,
+    };
     let torque = rows.told.torque.filter(|torque| *torque != Vector3::zeros());
     let subject = Subject::new(moments, torque)?;
     let kind = rows.columns.kind;
+    let grid = Grid::of(&probe, rows.told.step);
+    if let Some(grid) = &grid {
+        notes.push(grid.words());
+        probe.iter_mut().for_each(|raw| grid.put(raw));
+    }
     let clock = Clock::of(&probe);
     let reading = match kind {
         Kind::Attitude => Reading::of_attitudes(&clock.triples(&probe), &moments),
@@ -210,6 +226,9 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     };
     let clock = clock.read(reading.time(), rows.told.step);
     let mut floor = rounding(&probe);
+    if let Some(grid) = &grid {
+        floor = floor.max(grid.floor(&probe, &reading, &moments));
+    }
     let mut feed = Feed { told: kind != Kind::Attitude, moments, clock, deriver: Deriver::default() };
     let mut states = Vec::new();
     let mut stopped = None;
@@ -269,13 +288,21 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         steps: 0,
         told: kind != Kind::Attitude,
         stopped: None,
+        second: None,
+        most: 0.0,
+        now: 0.0,
+        turn_off: 0.0,
+        floor,
     };
     trial.rows = probe.len() as u64;
     for state in &states {
         trial.row(state)?;
     }
     trial.stopped = stopped;
-    while let Some(raw) = rows.next()? {
+    while let Some(mut raw) = rows.next()? {
+        if let Some(grid) = &grid {
+            grid.put(&mut raw);
+        }
         trial.rows += 1;
         if trial.stopped.is_some() {
             continue;
@@ -286,8 +313,11 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
             Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
         }
     }
+    trial.second = disagreement(&rows.columns, &probe, &reading, &moments, floor);
     let mut verdict = trial.end(&subject, &reading, kind, floor, rows.told.engine, options);
     verdict.fit = fitted;
+    verdict.ignored = rows.columns.ignored();
+    verdict.notes = notes;
     Ok(verdict)
 }
 
@@ -316,6 +346,31 @@ fn rounding(probe: &[Raw]) -> f64 {
     let of_digits = if digits < 4 { 0.0 } else { of_digits };
     let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
     f64::EPSILON.max(of_digits).max(of_single)
+}
+
+/// Where a second vector of the record, as a spin, is not what the first one tells: the first such row looked at, in words.
+fn disagreement(
+    columns: &Columns,
+    probe: &[Raw],
+    reading: &Reading,
+    moments: &Vector3<f64>,
+    floor: f64,
+) -> Option<String> {
+    let (kind, places) = columns.second.filter(|_| reading.mistakes().is_empty())?;
+    probe.iter().find_map(|raw| {
+        let first = reading.state(raw, moments).omega;
+        let other = Raw { attitude: reading.state(raw, moments).attitude, vector: raw.second, ..*raw };
+        let other = other.omega(kind, moments);
+        let off = (first - other).norm() / first.norm().max(other.norm());
+        (off > (1e3 * floor).max(1e-6)).then(|| {
+            format!(
+                "the columns of `{}` tell another spin than those judged, by {:.3} % in line {}",
+                columns.names[places[0]],
+                100.0 * off,
+                raw.line
+            )
+        })
+    })
 }
 
 /// What a record without attitudes, or of attitudes alone, does not tell.
@@ -446,6 +501,13 @@ struct Trial {
     told: bool,
     /// At which line the attitude turns too far to tell which way, and by how much, rad.
     stopped: Option<(usize, f64)>,
+    /// How a second vector of the record is at odds with the first, in words.
+    second: Option<String>,
+    /// The most that a step before the last was off the law in spin, and the last; the most in turn, rad; and the rounding of the numbers.
+    most: f64,
+    now: f64,
+    turn_off: f64,
+    floor: f64,
 }
 
 /// No more resets than this are told one by one.
@@ -462,7 +524,7 @@ impl Trial {
                 gaps.count += 1;
                 gaps.longest = gaps.longest.max(times);
             }
-            let to_start = self.starts_anew(&last, state);
+            let to_start = self.starts_anew(&last, state) || self.comes_back(&last, state, times);
             let jumps = times == 1.0 && self.jumps(&Pair { from: last, to: *state, h });
             if (to_start || jumps) && self.resets.len() < RESETS {
                 let to_rest = state.omega == Vector3::zeros();
@@ -503,6 +565,17 @@ impl Trial {
         if !off.is_finite() {
             return false;
         }
+        self.most = self.most.max(self.now);
+        self.now = spin;
+        // A slow body turns little in a step: what is no jump for a fast one is many steps for it.
+        let thrown = self.steps > 8
+            && turn > 20.0 * speed * pair.h
+            && turn > 100.0 * self.turn_off
+            && turn > 1e3 * self.floor;
+        self.turn_off = self.turn_off.max(turn);
+        if thrown {
+            return true;
+        }
         let jumps = self.steps > 8 && off > 0.2 && off > 3.0 * speed * pair.h && off > 100.0 * self.off;
         if !jumps {
             // Forgotten slowly, so that a rule that goes astray now and then is known to.
@@ -510,6 +583,23 @@ impl Trial {
             self.steps += 1;
         }
         jumps
+    }
+
+    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any before: a record without attitudes
+    /// that starts anew where the spin is near its first value anyway.
+    fn comes_back(&self, last: &State, state: &State, times: f64) -> bool {
+        let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
+        let h = state.t - last.t;
+        if self.steps < 8
+            || times != 1.0
+            || state.attitude.is_some()
+            || (now - first).norm() > 1e-12 * first.norm()
+        {
+            return false;
+        }
+        let rate = euler::angular_acceleration(&self.moments, &((was + now) / 2.0), &Vector3::zeros());
+        let off = (now - was - rate * h).norm() / now.norm().max(was.norm());
+        off > 4.0 * self.most.max(self.now) && off > 64.0 * self.floor
     }
 
     /// The torque in body axes, for a mean over the step.
@@ -547,7 +637,7 @@ impl Trial {
         engine: Option<String>,
         options: &Options,
     ) -> Verdict {
-        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, .. } = self;
+        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, second, .. } = self;
         let free = subject.torque.is_none();
         let still = free && laws.constant && !should_change(subject, sample.pairs(), floor);
         let diagnosis = if still { None } else { diagnose(subject, &sample, floor, kind.is_momentum()) };
@@ -577,6 +667,7 @@ impl Trial {
             }
             _ => {}
         }
+        complaints.extend(second);
         if let Some((line, turn)) = stopped {
             complaints.push(format!("line {line}: {}. Judged up to there", too_far(turn)));
         }
@@ -584,17 +675,23 @@ impl Trial {
             complaints.push("no two rows are one step apart: no rule can be tried".into());
         }
         let consistent = options.allowed(LawName::Consistency).unwrap_or(options.threshold);
-        if let Some(law) = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent) {
+        let otherwise = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent);
+        let turns_otherwise = otherwise.is_some();
+        if let Some(law) = otherwise {
             let off = 100.0 * law.most;
             complaints
                 .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
+        }
+        if free {
+            complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
+            complaints.extend(wrong_pace(&kept, laws.ways_round(), options));
         }
         let misread = reading.mistakes();
         let broken =
             kept.iter().any(|law| options.allowed(law.name).is_some_and(|most| law.most.abs() > most));
         let outcome = if !misread.is_empty() || !resets.is_empty() {
             Outcome::Failed
-        } else if still || !free {
+        } else if !free || still && !broken && !turns_otherwise {
             Outcome::NothingToJudge
         } else if broken || !complaints.is_empty() {
             Outcome::Failed
@@ -617,11 +714,13 @@ impl Trial {
             sign_changes: laws.sign_changes,
             laws: kept,
             flips,
-            separatrix: laws.separatrix().filter(|_| free),
+            separatrix: laws.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite())),
             diagnosis,
             complaints,
             options: *options,
             fit: None,
+            ignored: Vec::new(),
+            notes: Vec::new(),
             curve: laws.points.into_all(),
             outcome,
         }

@@ -118,8 +118,10 @@ fn the_laws_that_the_engines_break_are_those_that_their_records_show() {
 // For a free body the two rules are one: both are named, with the engines of both.
 #[test]
 fn rules_that_make_the_same_steps_are_named_together() {
+    let mut seen = 0;
     for (name, verdict) in records() {
         if name == "bullet-3.2.7-rigid--major" {
+            seen += 1;
             let text = verdict.to_string();
             for word in
                 ["one Newton step", "linearised implicit", "Bullet 3.2.7", "MuJoCo 4.0.0, implicitfast"]
@@ -128,10 +130,12 @@ fn rules_that_make_the_same_steps_are_named_together() {
             }
         }
         if name == "bullet-3.2.7-multibody-1e9--major" {
+            seen += 1;
             // The limit that was raised is read off the record.
             assert!(verdict.to_string().contains("spin is cut at 1000000000.0 rad/s"), "{verdict}");
         }
     }
+    assert_eq!(seen, 2, "both records are there under these names");
 }
 
 /// The fields of a row, altered: time, quaternion, spin.

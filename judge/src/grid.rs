@@ -1,0 +1,85 @@
+//! Times printed with few digits, put back to the steps that they are rounded from.
+
+use crate::reading::Reading;
+use crate::rows::Raw;
+use nalgebra::Vector3;
+
+/// Times that are, to their own printed digits, a whole number of equal steps from the first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Grid {
+    start: f64,
+    step: f64,
+    /// How far the step may be off, s.
+    off: f64,
+    /// Half a unit of the last digit of the times, s.
+    half: f64,
+    told: bool,
+}
+
+impl Grid {
+    /// Where the printed digits make the steps uneven, and a step, told or the mean one, explains all of the times.
+    pub(crate) fn of(probe: &[Raw], told: Option<f64>) -> Option<Self> {
+        let (first, last) = (probe.first()?, probe.last()?);
+        // Of those printed without the zeros at their ends some have all the digits there are.
+        let half = probe.iter().map(|raw| raw.half).fold(f64::INFINITY, f64::min);
+        let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
+        let least = steps.clone().fold(f64::INFINITY, f64::min);
+        let most = steps.fold(0.0, f64::max);
+        let rounding = 64.0 * f64::EPSILON * last.t.abs().max(first.t.abs());
+        // Even ones, and those with missing rows, are taken as they are.
+        let even = most - least <= rounding && told.is_none_or(|told| (most - told).abs() <= rounding);
+        if half <= rounding || even {
+            return None;
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
+        let count = (probe.len() - 1) as f64;
+        let mean = Self {
+            start: first.t,
+            step: (last.t - first.t) / count,
+            off: 2.0 * half / count,
+            half,
+            told: false,
+        };
+        let told = told.map(|step| Self { step, off: 0.0, told: true, ..mean });
+        told.into_iter().chain([mean]).find(|grid| grid.explains(probe))
+    }
+
+    fn explains(&self, probe: &[Raw]) -> bool {
+        let mut last = -1.0;
+        probe.iter().all(|raw| {
+            let place = self.place(raw.t);
+            let forward = place > last;
+            last = place;
+            forward && (self.start + place * self.step - raw.t).abs() <= 2.01 * self.half
+        })
+    }
+
+    fn place(&self, t: f64) -> f64 {
+        ((t - self.start) / self.step).round()
+    }
+
+    /// A row at its time.
+    pub(crate) fn put(&self, raw: &mut Raw) {
+        let time = self.start + self.place(raw.t) * self.step;
+        // A row that is not on it, after all those looked at, keeps its own.
+        if (time - raw.t).abs() <= 2.01 * self.half {
+            raw.t = time;
+        }
+    }
+
+    /// The rounding that a step so uncertain gives to spins and turns.
+    pub(crate) fn floor(&self, probe: &[Raw], reading: &Reading, moments: &Vector3<f64>) -> f64 {
+        let speed = probe.iter().map(|raw| reading.state(raw, moments).omega.norm()).fold(0.0, f64::max);
+        self.off * reading.time() * speed
+    }
+
+    /// What was made of the times, in words.
+    pub(crate) fn words(&self) -> String {
+        let which = if self.told { "told" } else { "that they have in the mean" };
+        format!(
+            "the times are printed with few digits: with those they are steps of the length {which}, {:.9} s as the file counts, and \
+             are taken for that",
+            self.step
+        )
+    }
+}

@@ -1,0 +1,169 @@
+//! What column names, units and comments tell, and what is told of those that are not read.
+
+mod common;
+
+use common::{MOMENTS, Row, csv, exact, judged};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::attitude::rotation_matrix;
+use tumbling_judge::{Misread, Options, Outcome, Verdict, judge};
+
+const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
+const H: f64 = 1.0 / 60.0;
+
+fn good() -> Vec<Row> {
+    exact(SPIN, H, 400)
+}
+
+fn altered(how: impl Fn(&Row) -> Row) -> Vec<Row> {
+    good().iter().map(how).collect()
+}
+
+fn named(rows: &[Row], names: &str) -> String {
+    csv(rows).replace("t,qw,qx,qy,qz,wx,wy,wz", names)
+}
+
+fn error(text: &str) -> String {
+    judge(text.as_bytes(), &Options::default()).unwrap_err().to_string()
+}
+
+fn sound(verdict: &Verdict) {
+    assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
+    assert_eq!((&verdict.misread[..], &verdict.ignored[..]), (&[][..], &[][..]), "{verdict}");
+}
+
+#[test]
+fn the_names_that_engines_use_are_read() {
+    for names in [
+        "timestamp,q0,q1,q2,q3,ang_vel_x,ang_vel_y,ang_vel_z",
+        "t_s,quat_w,quat_x,quat_y,quat_z,angvel_x,angvel_y,angvel_z",
+        "time_s,orientation_w,orientation_x,orientation_y,orientation_z,p,q,r",
+        "t,rot_w,rot_x,rot_y,rot_z,omega_body_x,omega_body_y,omega_body_z",
+        "t,qw,qi,qj,qk,angular_velocity_x,angular_velocity_y,angular_velocity_z",
+    ] {
+        sound(&judged(&named(&good(), names)));
+    }
+}
+
+#[test]
+fn the_units_that_names_tell_are_honoured() {
+    let each = |unit: &str| format!("t,qw,qx,qy,qz,wx [{unit}],wy [{unit}],wz [{unit}]");
+    for (unit, size) in [("deg/s", 180.0), ("°/s", 180.0), ("dps", 180.0), ("rpm", 30.0), ("rev/s", 0.5)] {
+        let rows = altered(|(t, q, w)| (*t, *q, w * (size / std::f64::consts::PI)));
+        sound(&judged(&named(&rows, &each(unit))));
+    }
+    let rows = altered(|(t, q, w)| (t * 1e3, *q, *w));
+    sound(&judged(&named(&rows, "t [ms],qw,qx,qy,qz,wx,wy,wz")));
+    sound(&judged(&named(&rows, "time_ms,qw,qx,qy,qz,wx,wy,wz")));
+    let mixed = error(&named(&good(), "t,qw,qx,qy,qz,wx [deg/s],wy [deg/s],wz [rad/s]"));
+    assert!(mixed.contains("`wz [rad/s]` is not in the unit of `wx [deg/s]`"), "{mixed}");
+    assert!(error(&named(&good(), &each("furlong"))).contains("the unit of `wx [furlong]` is not known"));
+    assert!(error(&named(&good(), "t [weeks],qw,qx,qy,qz,wx,wy,wz")).contains("the unit of `t [weeks]`"));
+}
+
+#[test]
+fn spin_and_time_both_in_units_of_their_own_are_told() {
+    let rows = altered(|(t, q, w)| (t * 1e3, *q, w.map(f64::to_degrees)));
+    let verdict = judged(&csv(&rows));
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    assert_eq!(verdict.misread, [Misread::Degrees, Misread::Milliseconds], "{verdict}");
+    // Times a hundred times too long are in no unit: the pace tells.
+    let verdict = judged(&csv(&altered(|(t, q, w)| (t * 100.0, *q, *w))));
+    assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+    assert!(verdict.to_string().contains("steps 0.010000 times as long"), "{verdict}");
+}
+
+#[test]
+fn columns_that_are_not_read_are_listed() {
+    let verdict = judged(&named(&good(), "t,qw,qx,qy,qz,foo_x,foo_y,foo_z"));
+    assert_eq!(verdict.ignored, ["foo_x", "foo_y", "foo_z"]);
+    assert!(verdict.to_string().contains("Ignored:  the columns foo_x, foo_y, foo_z"), "{verdict}");
+    assert_eq!(verdict.json()["ignored"][2], "foo_z");
+}
+
+#[test]
+fn two_vectors_that_do_not_tell_the_same_are_said_to() {
+    let text = |skew: f64| {
+        let mut text = String::from("# inertia: 1 2 2.5\nt,qw,qx,qy,qz,wx,wy,wz,lx,ly,lz\n");
+        for (t, q, w) in good() {
+            let l = MOMENTS.component_mul(&w) * skew;
+            let numbers = [t, q.w, q.i, q.j, q.k, w.x, w.y, w.z, l.x, l.y, l.z].map(|x| format!("{x:?}"));
+            text += &(numbers.join(",") + "\n");
+        }
+        text
+    };
+    sound(&judged(&text(1.0)));
+    let verdict = judged(&text(1.01));
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    assert!(verdict.to_string().contains("the columns of `lx` tell another spin"), "{verdict}");
+}
+
+#[test]
+fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
+    let text = |decimals: usize, head: &str| {
+        let mut text = format!("# inertia: 1 2 2.5\n{head}t,qw,qx,qy,qz,wx,wy,wz\n");
+        for (t, q, w) in good() {
+            let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:.16e}"));
+            text += &format!("{t:.decimals$},{}\n", numbers.join(","));
+        }
+        text
+    };
+    for (decimals, head) in
+        [(3, "# dt: 1/60 s\n"), (2, "# dt: 1/60 s\n"), (2, "# dt: 16.666666666666667 ms\n"), (3, "")]
+    {
+        let verdict = judged(&text(decimals, head));
+        assert_eq!(verdict.outcome, Outcome::Passed, "{decimals} {head} {verdict}");
+        assert_eq!(verdict.gaps, None);
+        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::Exact, "{verdict}");
+        assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{decimals} {head} {verdict}");
+        assert!(verdict.notes.iter().any(|note| note.contains("few digits")));
+    }
+    // Times that no step explains stay as they are.
+    let verdict = judged(&text(3, "# dt: 1/50 s\n"));
+    assert!(!verdict.notes.iter().any(|note| note.contains("length told")), "{verdict}");
+}
+
+#[test]
+fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_noted() {
+    let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
+    assert_eq!(with("no torque: 1 2 3").torque, None);
+    assert_eq!(with("torque: 1 2 3").torque, Some(Vector3::new(1.0, 2.0, 3.0)));
+    assert!(with("torque unknown").notes[0].contains("speaks of `torque`"));
+    let steps = csv(&good()).lines().enumerate().fold(
+        String::from("# step size 1/60\n"),
+        |text, (i, line)| match i {
+            0 => text + line + "\n",
+            1 => text + "step,wx,wy,wz\n",
+            _ => text + &format!("{},{}\n", i - 2, line.splitn(6, ',').last().unwrap()),
+        },
+    );
+    let verdict = judged(&steps);
+    assert!((verdict.step.unwrap() - H).abs() < 1e-15 && verdict.outcome == Outcome::Passed, "{verdict}");
+}
+
+#[test]
+fn a_plate_whose_rounded_moments_miss_by_a_digit_is_judged_as_flat_and_said_to_be() {
+    let text = |moments: &str| csv(&good()).replace("1 2 2.5", moments);
+    let verdict = judged(&text("0.333 0.333 0.667"));
+    assert_eq!(verdict.moments, Vector3::new(0.333, 0.333, 0.666));
+    assert!(verdict.notes[0].contains("printed as 0.667"), "{verdict}");
+    assert_eq!(judged(&text("0.33333334 0.33333334 0.6666667")).notes.len(), 1);
+    assert!(judge(text("0.333 0.333 0.67").as_bytes(), &Options::default()).is_err());
+}
+
+#[test]
+fn a_momentum_under_the_names_of_a_spin_is_named() {
+    let body = altered(|(t, q, w)| (*t, *q, MOMENTS.component_mul(w)));
+    let verdict = judged(&csv(&body));
+    assert_eq!(verdict.misread, [Misread::Momentum], "{verdict}");
+    let world = altered(|(t, q, w)| (*t, *q, rotation_matrix(q) * MOMENTS.component_mul(w)));
+    let verdict = judged(&csv(&world));
+    assert_eq!(verdict.misread, [Misread::Frame, Misread::Momentum], "{verdict}");
+    assert_eq!(verdict.diagnosis.unwrap().best.rule, tumbling_judge::Rule::Exact);
+}
+
+#[test]
+fn an_inverse_of_the_common_order_is_named_by_the_common_names() {
+    let rows = altered(|(t, q, w)| (*t, Quaternion::new(-q.i, -q.j, -q.k, q.w), *w));
+    let verdict = judged(&csv(&rows));
+    assert_eq!(verdict.misread, [Misread::Order, Misread::Inverse], "{verdict}");
+}

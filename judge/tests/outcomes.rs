@@ -1,0 +1,88 @@
+//! What a record passes and fails by, beside the laws that the exact motion keeps.
+
+mod common;
+
+use common::{MOMENTS, Row, csv, exact, judged, stepped};
+use nalgebra::{Quaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::exact::FreeMotion;
+use tumbling::step::Method;
+use tumbling_judge::{LawName, Options, Outcome, Verdict, judge};
+
+const H: f64 = 1.0 / 60.0;
+const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
+
+/// Spins alone, of any moments, at any times.
+fn spins(moments: [f64; 3], rows: impl Iterator<Item = (f64, Vector3<f64>)>) -> String {
+    let mut text = format!("# inertia: {:?} {:?} {:?}\nt,wx,wy,wz\n", moments[0], moments[1], moments[2]);
+    for (t, w) in rows {
+        writeln!(text, "{t:.17},{:.17},{:.17},{:.17}", w.x, w.y, w.z).unwrap();
+    }
+    text
+}
+
+fn complains(verdict: &Verdict, word: &str) -> bool {
+    verdict.complaints.iter().any(|complaint| complaint.contains(word))
+}
+
+#[test]
+fn a_spin_that_stands_still_where_it_should_go_round_fails_though_energy_and_momentum_are_kept() {
+    let cases = [
+        ([1.0, 1.0, 1.8], Vector3::new(0.5, 0.0, 3.0)),
+        ([1.0, 2.0, 2.7], SPIN),
+        ([1.0, 2.0, 2.7], Vector3::new(0.0, 0.5, 4.0)),
+    ];
+    for (moments, spin) in cases {
+        for count in [60, 600] {
+            let verdict = judged(&spins(moments, (0..count).map(|i| (H * f64::from(i), spin))));
+            assert_eq!(verdict.outcome, Outcome::Failed, "{moments:?} {count}\n{verdict}");
+            assert!(complains(&verdict, "no gyroscopic term"), "{verdict}");
+            assert!(verdict.broken().next().is_none(), "{verdict}");
+        }
+    }
+}
+
+#[test]
+fn the_exact_motion_at_another_pace_fails_and_at_its_own_passes() {
+    let motion = FreeMotion::new(&MOMENTS, &SPIN).unwrap();
+    for pace in [1.0, 0.5, 2.0] {
+        let rows = (0..=600).map(|i| (H * f64::from(i), motion.omega(H * f64::from(i) * pace).unwrap()));
+        // An error that no rule makes to rounding, so that the pace alone tells.
+        let rows = rows.enumerate().map(|(i, (t, w))| (t, w * (1.0 + 1e-9 * (i as f64 * 0.7).sin())));
+        let text = spins([1.0, 2.0, 2.5], rows);
+        let verdict = judged(&text);
+        if pace == 1.0 {
+            assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
+            continue;
+        }
+        assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+        assert!(complains(&verdict, "ways round from the exact one"), "{verdict}");
+        // The caller's own limit takes the place of the usual one.
+        let options = Options::default().with(LawName::Phase, 1e3);
+        let verdict = judge(text.as_bytes(), &options).unwrap();
+        assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
+    }
+}
+
+#[test]
+fn right_rules_of_second_order_do_not_fail_by_their_phase() {
+    for method in [Method::ImplicitMidpoint, Method::Buss] {
+        for spin in [SPIN, Vector3::new(0.1, 3.0, 0.2), Vector3::new(4.0, 0.5, 0.3)] {
+            let verdict = judged(&csv(&stepped(method, spin, H, 1200)));
+            assert!(!complains(&verdict, "ways round"), "{method:?} {spin}\n{verdict}");
+        }
+    }
+}
+
+#[test]
+fn a_constant_spin_with_a_wrong_attitude_is_not_right() {
+    let right = exact(Vector3::new(0.0, 0.0, 3.0), H, 200);
+    assert_eq!(judged(&csv(&right)).outcome, Outcome::NothingToJudge);
+    let long: Vec<Row> = right.iter().map(|(t, q, w)| (*t, q * 1.5, *w)).collect();
+    let still: Vec<Row> = right.iter().map(|(t, _, w)| (*t, Quaternion::identity(), *w)).collect();
+    for rows in [long, still] {
+        let verdict = judged(&csv(&rows));
+        assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+        assert!(!verdict.to_string().contains("as it is right"), "{verdict}");
+    }
+}

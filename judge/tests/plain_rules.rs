@@ -1,0 +1,139 @@
+//! Rules written out here, by nothing of the library's steps: the judge has to name them.
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::step::Method;
+use tumbling_judge::{Options, Outcome, Rule, Sure, Verdict, judge};
+
+const MOMENTS: [f64; 3] = [1.0, 2.0, 2.7];
+const H: f64 = 1.0 / 60.0;
+
+type State = (UnitQuaternion<f64>, Vector3<f64>);
+/// A rule, whether its attitudes are written too, and what it may be called.
+type Case<'a> = (fn(&State) -> State, bool, &'a [Method]);
+
+fn tensor() -> Matrix3<f64> {
+    Matrix3::from_diagonal(&Vector3::from(MOMENTS))
+}
+
+/// `J (-w x I w)` in the axes that the tensor is given in.
+fn acceleration(w: &Vector3<f64>) -> Vector3<f64> {
+    let [a, b, c] = MOMENTS;
+    Vector3::new((b - c) * w.y * w.z / a, (c - a) * w.z * w.x / b, (a - b) * w.x * w.y / c)
+}
+
+fn turned(q: &UnitQuaternion<f64>, w: &Vector3<f64>) -> UnitQuaternion<f64> {
+    q * UnitQuaternion::from_scaled_axis(w * H)
+}
+
+fn explicit((q, w): &State) -> State {
+    let w = w + acceleration(w) * H;
+    (turned(q, &w), w)
+}
+
+fn without_term((q, w): &State) -> State {
+    (turned(q, w), *w)
+}
+
+fn one_newton((q, w): &State) -> State {
+    let moment = tensor() * w;
+    let jacobian = tensor() + (w.cross_matrix() * tensor() - moment.cross_matrix()) * H;
+    let w = w - jacobian.try_inverse().unwrap() * w.cross(&moment) * H;
+    (turned(q, &w), w)
+}
+
+/// The tensor stands in the world as it did at the first attitude.
+fn frozen((q, w): &State) -> State {
+    let first = start().0;
+    let spin = first.inverse() * (q * w);
+    let spin = first * (spin + acceleration(&spin) * H);
+    let q = UnitQuaternion::from_scaled_axis(spin * H) * q;
+    (q, q.inverse() * spin)
+}
+
+fn start() -> State {
+    (UnitQuaternion::from_quaternion(Quaternion::new(0.8, 0.2, -0.4, 0.4)), Vector3::new(1.0, 2.0, 1.5))
+}
+
+fn written(rows: impl Iterator<Item = (f64, State)>, attitude: bool) -> String {
+    let mut text = String::from("# inertia: 1 2 2.7\n");
+    text += if attitude { "t,qw,qx,qy,qz,wx,wy,wz\n" } else { "t,wx,wy,wz\n" };
+    for (t, (q, w)) in rows {
+        write!(text, "{t:?}").unwrap();
+        if attitude {
+            write!(text, ",{:?},{:?},{:?},{:?}", q.w, q.i, q.j, q.k).unwrap();
+        }
+        writeln!(text, ",{:?},{:?},{:?}", w.x, w.y, w.z).unwrap();
+    }
+    text
+}
+
+fn run(rule: fn(&State) -> State, from: State) -> impl Iterator<Item = (f64, State)> {
+    let states = std::iter::successors(Some(from), move |state| Some(rule(state)));
+    states.take(300).enumerate().map(|(i, state)| (H * i as f64, state))
+}
+
+fn judged(text: &str) -> Verdict {
+    judge(text.as_bytes(), &Options::default()).unwrap()
+}
+
+#[test]
+fn rules_written_out_by_hand_are_the_best_and_to_rounding() {
+    // Spins alone for the first: how the attitude is turned is its own question.
+    let cases: [Case<'_>; 3] = [
+        (explicit, false, &[Method::SemiImplicitEuler, Method::ExplicitEuler]),
+        (one_newton, true, &[Method::OneNewton, Method::LinearisedImplicit]),
+        (without_term, true, &[Method::ConstantSpin]),
+    ];
+    for (rule, attitude, methods) in cases {
+        let verdict = judged(&written(run(rule, start()), attitude));
+        assert_eq!((verdict.outcome, &verdict.misread[..]), (Outcome::Failed, &[][..]), "{verdict}");
+        let diagnosis = verdict.diagnosis.as_ref().unwrap();
+        assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+        let (method, parts) = diagnosis.best.rule.method().unwrap();
+        assert!(methods.contains(&method) && parts == 1, "{diagnosis}");
+    }
+}
+
+#[test]
+fn a_tensor_frozen_at_a_turned_start_is_named() {
+    let verdict = judged(&written(run(frozen, start()), true));
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    let diagnosis = verdict.diagnosis.unwrap();
+    assert!(matches!(diagnosis.best.rule, Rule::FrozenAt(..)), "{diagnosis}");
+    assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+}
+
+#[test]
+fn a_cap_that_only_the_start_exceeds_is_seen_with_its_value() {
+    let capped = |state: &State| -> State {
+        let w = state.1 * (7.0 / state.1.norm()).min(1.0);
+        (turned(&state.0, &w), w)
+    };
+    let fast = (start().0, Vector3::new(7.4, 14.8, 11.0));
+    let verdict = judged(&written(run(capped, fast), true));
+    let text = verdict.to_string();
+    assert!(text.contains("to 7.0000 rad/s, and no later one goes beyond: a cap on the spin"), "{text}");
+}
+
+#[test]
+fn a_slow_body_put_back_to_its_start_is_seen() {
+    // A fine step of the law, so that nothing but the reset is off.
+    let fine = |state: &State| -> State {
+        (0..20).fold(*state, |(q, w), _| {
+            let h = H / 20.0;
+            let middle = w + acceleration(&w) * (h / 2.0);
+            (q * UnitQuaternion::from_scaled_axis(middle * h), w + acceleration(&middle) * h)
+        })
+    };
+    for (attitude, spin) in [(true, Vector3::new(0.04, 0.07, 0.05)), (false, Vector3::new(0.04, 0.07, 0.05))]
+    {
+        let rows: Vec<(f64, State)> = run(fine, (start().0, spin)).collect();
+        let twice = rows[..200].iter().chain(&rows[..100]).enumerate().map(|(i, row)| (H * i as f64, row.1));
+        let verdict = judged(&written(twice, attitude));
+        assert_eq!(verdict.resets.len(), 1, "{verdict}");
+        // Two lines above the rows.
+        assert_eq!(verdict.resets[0].line, 203, "{verdict}");
+        assert_eq!(verdict.outcome, Outcome::Failed);
+    }
+}
