@@ -41,6 +41,7 @@ const fn outcome(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Passed => "passed",
         Outcome::Failed => "failed",
+        Outcome::TooShort => "too short to judge",
         _ => "nothing to judge",
     }
 }

@@ -33,5 +33,5 @@ pub use fit::Fit;
 pub use laws::{FlipCount, Law, LawName};
 pub use points::Point;
 pub use reading::Misread;
-pub use suspects::{Base, Rule, Steps, When};
+pub use suspects::{Base, Rule, Spin, Steps, When};
 pub use verdict::{Gaps, Options, Outcome, Reset, Verdict, judge};

@@ -8,13 +8,14 @@ use nalgebra::Vector3;
 const VERDICTS: &str = include_str!("../../../tests/data/engines/judged.tsv");
 
 /// How each grade is drawn: its word, its sign.
-const GRADES: [(&str, &str); 7] = [
+const GRADES: [(&str, &str); 8] = [
     ("kept to rounding", ""),
     ("bounded", "b"),
     ("random walk", "w"),
     ("linear", "1"),
     ("faster than linear", "2"),
     ("exponential", "e"),
+    ("grew, then stayed", "g"),
     ("not judged", "–"),
 ];
 
@@ -131,7 +132,11 @@ pub(super) fn grades() -> Drawing {
     }
     let words = [
         [(24.0, "empty: kept to rounding"), (230.0, "b: bounded"), (346.0, "w: as a random walk")],
-        [(24.0, "1: in proportion to time"), (230.0, "2: faster than that"), (400.0, "e: exponentially")],
+        [
+            (24.0, "1: in proportion to time"),
+            (230.0, "2: faster than that"),
+            (400.0, "e: exponentially, g: so at first"),
+        ],
         [(24.0, "E: energy"), (130.0, "$|L|$, $∠L$: length and direction of $L$"), (440.0, "s: $2EI_2/L^2$")],
     ];
     for (k, line) in words.iter().enumerate() {
