@@ -241,7 +241,7 @@ fn middle(verdict: &Verdict) -> usize {
 /// What becomes of an error, in few words.
 fn growth(growth: Growth) -> String {
     match growth {
-        Growth::RandomWalk { rate } => format!("random walk, {rate:.0e} √s"),
+        Growth::RandomWalk { rate } => format!("irregular, {rate:.0e} √s"),
         Growth::Linear { rate } => format!("linear, {rate:.0e} a second"),
         Growth::Power { power } => format!("as time to the {power:.1}"),
         Growth::Exponential { rate } => format!("exponential, {rate:.0e} of itself a second"),
@@ -279,17 +279,21 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         canvas.label(at, &Label::new("no law of a free body is judged here").middle().ink(Ink::Faint));
         return Ok(());
     }
-    if let Some(allowed) = verdict.options.allowed(LawName::Energy).filter(|x| (FLOOR..ceiling).contains(x)) {
+    let allowed = verdict.options.allowed(LawName::Energy).filter(|x| (FLOOR..ceiling).contains(x));
+    if let Some(allowed) = allowed {
         plot.curve([(0.0, allowed), (end, allowed)], Pen::new(Ink::Wrong, 1.4).dotted())?;
+    }
+    for (_, _, pen, of) in &drawn {
+        let sizes = verdict.curve.iter().filter_map(|p| Some((p.time, of(p)?.abs().clamp(FLOOR, ceiling))));
+        plot.curve(sizes, *pen)?;
+    }
+    // After the curves, so that its halo keeps it clear of them.
+    if let Some(allowed) = allowed {
         let at = plot.at(end, allowed);
         canvas.label(
             (at.0 - 6.0, at.1 - 6.0),
             &Label::new("allowed").end().size(14.5).ink(Ink::Wrong).halo(Ink::Paper),
         );
-    }
-    for (_, _, pen, of) in &drawn {
-        let sizes = verdict.curve.iter().filter_map(|p| Some((p.time, of(p)?.abs().clamp(FLOOR, ceiling))));
-        plot.curve(sizes, *pen)?;
     }
     // What a curve is and how it grows stands above the plot, a line each: curves may lie upon each other.
     for (i, (law, words, pen, _)) in (0_u32..).zip(drawn.iter().rev()) {

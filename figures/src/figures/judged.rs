@@ -130,14 +130,19 @@ pub(super) fn grades() -> Drawing {
         canvas.tiles(&tile, fill, outline);
         canvas.label((x + 28.0, y), &Label::new(word).size(14.0));
     }
-    let words = [
-        [(24.0, "empty: kept to rounding"), (230.0, "b: bounded"), (346.0, "w: as a random walk")],
-        [
-            (24.0, "1: in proportion to time"),
-            (230.0, "2: faster than that"),
-            (400.0, "e: exponentially, g: so at first"),
+    let words: [&[(f64, &str)]; 3] = [
+        &[(24.0, "empty: kept to rounding"), (230.0, "b: bounded"), (346.0, "w: as a random walk")],
+        &[
+            (24.0, "1: as time"),
+            (120.0, "2: faster than that"),
+            (270.0, "e: exponentially"),
+            (410.0, "g: grew, then stayed"),
         ],
-        [(24.0, "E: energy"), (130.0, "$|L|$, $∠L$: length and direction of $L$"), (440.0, "s: $2EI_2/L^2$")],
+        &[
+            (24.0, "E: energy"),
+            (130.0, "$|L|$, $∠L$: length and direction of $L$"),
+            (440.0, "s: $2EI_2/L^2$"),
+        ],
     ];
     for (k, line) in words.iter().enumerate() {
         for (x, text) in line {
