@@ -41,10 +41,11 @@ Draws the figures of the book and builds its pages.
          --threshold X                         the most error allowed of a law (0.01 if not given)
          --threshold LAW=X,LAW=X               of energy, momentum, direction, unit, separatrix; and of phase and
                                                consistency, which are held to nothing otherwise
-         --fit [N]                             start from the motion nearest to the first N rows (64 if not given)
-                                               and not from the first alone: for records of few digits
+         --fit [N]                             take as the start the spin whose exact motion comes nearest to the first N
+                                               rows (64 if not given), and not the first row's alone: where it has few digits
          --svg OUT                             draw the verdict into the file OUT
          --json                                the verdict as JSON
+         --help                                more about this command
     cargo run --release -- measure             run every method against the exact motion, some minutes;
                                                renews measure/record/, from which figures are drawn
     cargo run --release -- measure --peers     the same, with published solvers and an engine in the same
@@ -86,6 +87,7 @@ pub(crate) enum Checking {
 pub(crate) enum Asked {
     Everything,
     Help,
+    JudgeHelp,
     List,
     Build { site: Option<Site> },
     Figures { names: Vec<&'static Figure>, check: bool },
@@ -137,7 +139,13 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
     let mut site = None;
     while let Some(arg) = parser.next().map_err(|e| e.to_string())? {
         match arg {
-            Short('h') | Long("help") => return Ok(Asked::Help),
+            Short('h') | Long("help") => {
+                return Ok(if words.first().is_some_and(|word| word == "judge") {
+                    Asked::JudgeHelp
+                } else {
+                    Asked::Help
+                });
+            }
             Long("check") => check = true,
             Long("mutants") => how = Checking::Mutants,
             Long("list") => how = Checking::Listing,
@@ -186,7 +194,9 @@ pub(crate) fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Asked, S
             Value(word) => words.push(word.to_string_lossy().into_owned()),
             Long(unknown) => {
                 let unknown = format!("--{unknown}");
-                let near = nearest::perhaps(&unknown, OPTIONS);
+                let judging = words.first().is_some_and(|word| word == "judge");
+                let known = if judging { &judge::OPTIONS[..] } else { &OPTIONS[..] };
+                let near = nearest::perhaps(&unknown, known.iter().copied());
                 return Err(format!("There is no option `{unknown}`.{near}"));
             }
             other => return Err(other.unexpected().to_string()),
@@ -293,6 +303,7 @@ fn named(names: &[String], all: &'static [Figure]) -> Result<Vec<&'static Figure
 pub(crate) fn run(asked: Asked) -> Result<ExitCode, Box<dyn Error>> {
     match asked {
         Asked::Help => say!("{HELP}"),
+        Asked::JudgeHelp => say!("{}", judge::HELP),
         Asked::List => say!("{}", listing(registry())),
         Asked::Figures { names, check: true } => draw::check(&names, &paths::figures())?,
         Asked::Figures { names, check: false } => draw::draw(&names, &paths::figures())?,
@@ -425,6 +436,8 @@ mod tests {
         for help in [&["--help"][..], &["-h"], &["help"], &["figures", "--help"]] {
             assert!(matches!(parsed(help), Ok(Asked::Help)), "{help:?}");
         }
+        assert!(matches!(parsed(&["judge", "--help"]), Ok(Asked::JudgeHelp)));
+        assert!(judge::OPTIONS.iter().all(|option| judge::HELP.contains(option)));
         assert!(matches!(parsed(&["exercises", "next"]), Ok(Asked::Exercises(exercises::Asked::Next))));
         assert!(matches!(parsed(&["atlas"]), Ok(Asked::Atlas)));
         assert!(matches!(parsed(&["measure", "scenes"]), Ok(Asked::Scenes { check: false, builds: false })));
@@ -495,6 +508,10 @@ mod tests {
         assert_eq!(answer, "There is no command `exercise`. Did you mean `exercises`?");
         let answer = parsed(&["figures", "--chekc"]).unwrap_err();
         assert!(answer.starts_with("There is no option `--chekc`. Did you mean `--check`"), "{answer}");
+        let answer = parsed(&["judge", "x", "--inertai", "1,2,3"]).unwrap_err();
+        assert_eq!(answer, "There is no option `--inertai`. Did you mean `--inertia`?");
+        let answer = parsed(&["judge", "x", "--tresholds"]).unwrap_err();
+        assert_eq!(answer, "There is no option `--tresholds`. Did you mean `--threshold`?");
         assert!(parsed(&["build", "all"]).unwrap_err().contains("`all`"));
         assert!(parsed(&["list", "--check"]).unwrap_err().contains("`figures`"));
         assert!(parsed(&["preprocess", "html"]).is_err());

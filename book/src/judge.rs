@@ -8,6 +8,45 @@ use std::path::Path;
 use std::process::ExitCode;
 use tumbling_judge::{Error, LawName, Options, Outcome, Verdict};
 
+/// The options that go with `judge`.
+pub(crate) const OPTIONS: [&str; 6] = ["--help", "--inertia", "--threshold", "--fit", "--svg", "--json"];
+
+pub(crate) const HELP: &str = "\
+Holds an engine's record of a free body against the exact motion, and says which rule made it.
+
+    cargo run --release -- judge FILE [OPTIONS]
+
+FILE (- for the standard input) has a line of column names, then rows of numbers:
+    t (s), or step with a comment `# dt: 1/60`
+    qw,qx,qy,qz     attitude, body to world
+    wx,wy,wz        spin in body axes, rad/s; or wxw,wyw,wzw in world axes;
+                    or momentum, lx,ly,lz or lxw,lyw,lzw (kg m2/s)
+The axes of the body are its principal ones, with the moments in their order: a comment `# inertia: A B C`
+names them, or --inertia. Write all digits (17 of double precision, 9 of single).
+
+    --inertia A,B,C      principal moments about the body's x, y and z, kg m2
+    --threshold X        the most error allowed of a law, beside the first row (0.01 if not given)
+    --threshold LAW=X,LAW=X
+                         of energy, momentum, direction, unit, separatrix; and of phase and consistency,
+                         which are held to nothing otherwise
+    --fit [N]            take as the start the spin whose exact motion comes nearest to the first N rows
+                         (64 if not given), and not the first row's alone: where it has few digits
+    --svg OUT            draw the verdict into the file OUT
+    --json               the verdict as one JSON object:
+                         outcome (passed, failed, nothing to judge, too short to judge), complaints,
+                         laws (law, grade, rate, most, last), flips, separatrix (2 E I2 / L^2, first and last),
+                         misread, resets, gaps, untold, sign_changes, rounding,
+                         diagnosis (sure: to rounding, most steps, near, too few digits or none fits; best, alike,
+                         second, ratio, hints, advice), curve (the run in at most 256 points), and what was read
+    --help               this text
+
+Exit code: 0 where the record passes, 1 where it fails or there is nothing or too little to judge, 2 where it
+cannot be read.
+
+Errors are beside the first row: of energy and |L| a share, of a direction rad. 2 E I2 / L^2 (I2 the middle
+moment) is below 1 where the spin goes round the largest moment's axis, above 1 where round the smallest's.
+Phase is how far the spin is ahead of the exact one, in times round its closed curve.";
+
 /// The moments of `--inertia A,B,C`.
 pub(crate) fn moments(text: &str) -> Result<Vector3<f64>, String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|x| x.trim().parse()).collect();

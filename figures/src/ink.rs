@@ -83,7 +83,7 @@ pub(crate) fn stand_alone_style() -> String {
         SHADES.iter().map(|shade| format!("{}:{};", shade.property, pick(shade))).collect()
     };
     format!(
-        "svg:root{{{}}}@media (prefers-color-scheme:dark){{svg:root{{{}}}}}",
+        "svg:root{{color-scheme:light dark;{}}}@media (prefers-color-scheme:dark){{svg:root{{{}}}}}",
         list(|s| s.light),
         list(|s| s.dark)
     )

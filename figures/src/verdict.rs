@@ -54,6 +54,7 @@ const fn outcome(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Passed => "passed",
         Outcome::Failed => "failed",
+        Outcome::TooShort => "too short to judge",
         _ => "nothing to judge",
     }
 }
@@ -287,17 +288,21 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Sai
         canvas.label(at, &Label::new("no law of a free body is judged here").middle().ink(Ink::Faint));
         return Ok(());
     }
-    if let Some(allowed) = verdict.options.allowed(LawName::Energy).filter(|x| (FLOOR..ceiling).contains(x)) {
+    let allowed = verdict.options.allowed(LawName::Energy).filter(|x| (FLOOR..ceiling).contains(x));
+    if let Some(allowed) = allowed {
         plot.curve([(0.0, allowed), (end, allowed)], Pen::new(Ink::Wrong, 1.4).dotted())?;
+    }
+    for (_, _, pen, of) in &drawn {
+        let sizes = verdict.curve.iter().filter_map(|p| Some((p.time, of(p)?.abs().clamp(FLOOR, ceiling))));
+        plot.curve(sizes, *pen)?;
+    }
+    // After the curves, so that its halo keeps it clear of them.
+    if let Some(allowed) = allowed {
         let at = plot.at(end, allowed);
         canvas.label(
             (at.0 - 6.0, at.1 - 6.0),
             &Label::new("allowed").end().size(14.5).ink(Ink::Wrong).halo(Ink::Paper),
         );
-    }
-    for (_, pen, of, _) in drawn {
-        let sizes = verdict.curve.iter().filter_map(|p| Some((p.time, of(p)?.abs().clamp(FLOOR, ceiling))));
-        plot.curve(sizes, *pen)?;
     }
     // What a curve is and how it grows stands above the plot, a line each: curves may lie upon each other.
     let mut y = upper - 14.0;

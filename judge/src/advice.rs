@@ -1,6 +1,6 @@
 //! What a rule is called, who goes by it, and what to do about it.
 
-use crate::suspects::{Base, Rule, When};
+use crate::suspects::{Base, Rule, Spin, When};
 use tumbling::step::{Limits, Method, PHYSICS_ENGINES};
 
 /// A number with five significant digits, as people write it.
@@ -92,6 +92,12 @@ impl Rule {
             Self::Capped(most, base) => {
                 format!("a cap on the spin ({} rad/s), {}", significant(*most), base.name())
             }
+            Self::Straight(Spin::Kept) => {
+                "no gyroscopic term, and the attitude stepped straight (q + h/2 q w)".into()
+            }
+            Self::Straight(Spin::Explicit) => {
+                "explicit gyroscopic step (w + h w'), and the attitude stepped straight by the new spin (q + h/2 q w)".into()
+            }
         }
     }
 
@@ -157,6 +163,12 @@ impl Rule {
             Self::OtherStep(..) => {
                 "The engine's step is not the one that the times tell: look for substeps that are not recorded, for steps recorded twice, \
                  or for a time scale. Chapter \"Stepping through time\"."
+            }
+            Self::Straight(Spin::Kept) => of_method(Method::ConstantSpin),
+            Self::Straight(Spin::Explicit) => {
+                "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and the \
+                 straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a step), and \
+                 the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis). Chapter \"Where things break\", the fix."
             }
             Self::Damped(..) => {
                 "Damping takes spin in each step: set the engine's angular damping to 0. Chapter \"Stepping through time\"."

@@ -98,7 +98,12 @@ impl Curve {
             .collect();
         let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
         if most < 1.25 * at(0.5) {
-            return Growth::Bounded;
+            // A quantity doubled or halved, which never comes near to what it was again.
+            let later = self.stretches.iter().filter(|x| x.t >= end / 2.0);
+            let least = later.map(|x| x.most).fold(f64::INFINITY, f64::min);
+            let one_way = self.greatest.min(-self.least) < 0.5 * most;
+            let great = of_ratio && one_way && most > std::f64::consts::LN_2 && least > 0.5 * most;
+            return if great { Growth::Stayed } else { Growth::Bounded };
         }
         let power = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
         let exponential = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
@@ -150,6 +155,8 @@ pub enum Growth {
     Rounding,
     /// In the second half of the time no more than in the first, to a quarter.
     Bounded,
+    /// Of a quantity that doubled, or halved, or worse, and then stayed away from what it was.
+    Stayed,
     /// As the square root of time.
     RandomWalk {
         /// So much at one second, and as the root of time from there.
@@ -182,16 +189,26 @@ impl Growth {
             Self::RandomWalk { .. } => 2,
             Self::Linear { .. } => 3,
             Self::Power { .. } => 4,
-            Self::Exponential { .. } => 5,
+            Self::Exponential { .. } | Self::Stayed => 5,
         }
     }
 
-    /// In a word or three.
+    /// In plain words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::RandomWalk { .. } => "irregular, as the root of time",
+            _ => self.name(),
+        }
+    }
+
+    /// A name for programs, in a word or three.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rounding => "kept to rounding",
             Self::Bounded => "bounded",
+            Self::Stayed => "grew, then stayed",
             Self::RandomWalk { .. } => "random walk",
             Self::Linear { .. } => "linear",
             Self::Power { .. } => "faster than linear",
@@ -202,9 +219,9 @@ impl Growth {
 
 impl fmt::Display for Growth {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())?;
+        f.write_str(self.words())?;
         match self {
-            Self::Rounding | Self::Bounded => Ok(()),
+            Self::Rounding | Self::Bounded | Self::Stayed => Ok(()),
             Self::RandomWalk { rate } => write!(f, ", {rate:.2e} times the root of the seconds"),
             Self::Linear { rate } => write!(f, ", {rate:.2e} a second"),
             Self::Power { power } => write!(f, ", as time to the power {power:.1}"),

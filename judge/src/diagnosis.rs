@@ -2,11 +2,12 @@
 
 use crate::advice::significant;
 use crate::fitted::{compound, momentum_for_spin};
-use crate::laws::ordered;
-use crate::state::{Pair, middle_and_most};
-use crate::suspects::{Rule, Steps, Subject, simple};
+use crate::laws::{angle_between, ordered};
+use crate::state::{Pair, State, middle_and_most};
+use crate::suspects::{Rule, Spin, Steps, Subject, simple, straight};
 use nalgebra::Vector3;
-use tumbling::euler;
+use tumbling::step::Method;
+use tumbling::{attitude, euler};
 
 /// How much of the record is tried, at most, evenly through it.
 const PAIRS: usize = 2048;
@@ -53,6 +54,15 @@ impl Sample {
     }
 }
 
+/// The rounding of a record's numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Floor {
+    /// Beside 1.
+    pub size: f64,
+    /// Whether it is of a few decimal digits, fewer than single precision has.
+    pub few: bool,
+}
+
 /// A rule, and how far its steps are from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Explanation {
@@ -65,9 +75,11 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    /// Whether every step is the rule's, but for rounding and what a step that multiplies it makes of it.
-    fn fits(self, floor: f64) -> bool {
-        self.middle <= 100.0 * floor && self.most <= 1e4 * floor
+    /// Whether every step is the rule's, but for rounding and what a step that multiplies it makes of it. A few decimal digits are off
+    /// by half a one of the last place and not more, and of what they leave open a wrong rule may be all.
+    fn fits(self, floor: Floor) -> bool {
+        let [middle, most] = if floor.few { [2.0, 16.0] } else { [100.0, 1e4] };
+        self.middle <= middle * floor.size && self.most <= most * floor.size
     }
 
     /// By how much another is farther from the record: in the middle, or in the last twentieth.
@@ -87,6 +99,9 @@ pub enum Sure {
     MostSteps,
     /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
     Near,
+    /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not drift as the record does,
+    /// or it is one of several that do.
+    FewDigits,
     /// None of the rules known here.
     NoneFits,
 }
@@ -106,9 +121,145 @@ pub struct Diagnosis {
     pub steps: usize,
     /// What else was seen.
     pub hints: Vec<String>,
+    /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them, drift as the whole record
+    /// does.
+    pub drifts: Option<usize>,
+}
+
+/// A whole run, from its first row to its last.
+pub(crate) struct Run {
+    pub first: State,
+    pub last: State,
+    pub h: f64,
+    /// How often the spin along the middle axis changes sign.
+    pub flips: Option<u64>,
+    pub floor: f64,
+}
+
+/// More steps than this are not taken once more for each rule.
+const RUN: f64 = 20_000.0;
+
+impl Run {
+    /// The logarithms of the ratios of energy and momentum, last to first.
+    fn drift(subject: &Subject, from: &State, to: &State) -> [f64; 2] {
+        let angular = |state: &State| subject.moments.component_mul(&state.omega);
+        let energy = |state: &State| state.omega.dot(&angular(state));
+        [(energy(to) / energy(from)).ln(), (angular(to).norm() / angular(from).norm()).ln()]
+    }
+
+    /// Whether a rule, from the first row on, drifts as the record does: to a quarter.
+    fn is_like(&self, subject: &Subject, rule: &Rule) -> bool {
+        let wanted = Self::drift(subject, &self.first, &self.last);
+        let steps = ((self.last.t - self.first.t) / self.h).round();
+        let part = (steps / RUN).max(1.0);
+        let mut state = self.first;
+        let mut taken = 0.0;
+        let middle = ordered(&subject.moments)[1];
+        let mut flips = 0_u64;
+        while taken < steps / part {
+            let Some(next) = subject.next(rule, &state, self.h) else { return false };
+            flips += u64::from(state.omega[middle] * next.omega[middle] < 0.0);
+            state = next;
+            taken += 1.0;
+        }
+        let found = Self::drift(subject, &self.first, &state).map(|x| x * part);
+        // A flip more or less, or a tenth of many, is a matter of the start's rounding.
+        if self.flips.is_some_and(|wanted| part == 1.0 && wanted.abs_diff(flips) > 1 + wanted / 10) {
+            return false;
+        }
+        let size = wanted[0].abs() + wanted[1].abs() + 32.0 * self.floor;
+        (found[0] - wanted[0]).abs() + (found[1] - wanted[1]).abs() <= 0.25 * size
+    }
+}
+
+fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
+    let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
+    middle_and_most(residuals).map(|[middle, most]| Explanation { rule, middle, most })
+}
+
+/// Of the spin alone, and of the attitude alone with the spins that the record has: what each is stepped by, to rounding.
+fn apart(subject: &Subject, pairs: &[Pair], floor: Floor) -> Option<String> {
+    let fits = |misses: Vec<f64>| {
+        let [middle, most] = middle_and_most(misses)?;
+        let all = Explanation { rule: Rule::Exact, middle, most };
+        all.fits(floor).then_some(())
+    };
+    let spins = [
+        (Rule::Method(Method::ConstantSpin, 1), "no gyroscopic term"),
+        (Rule::Straight(Spin::Explicit), "explicit gyroscopic step"),
+        (Rule::Method(Method::OneNewton, 1), "one Newton step"),
+        (Rule::Method(Method::ImplicitMidpoint, 1), "implicit midpoint"),
+        (Rule::Method(Method::RungeKutta4, 1), "Runge and Kutta's fourth order"),
+        (Rule::Exact, "the exact motion"),
+    ];
+    let spin = spins.into_iter().find(|(rule, _)| {
+        let off = |pair: &Pair| {
+            let speed = pair.to.omega.norm().max(pair.from.omega.norm());
+            subject.spin_after(rule, pair).map_or(f64::INFINITY, |spin| (spin - pair.to.omega).norm() / speed)
+        };
+        fits(pairs.iter().map(off).collect()).is_some()
+    });
+    type Turn = fn(&Pair) -> (Vector3<f64>, bool);
+    let turns: [(Turn, &str); 5] = [
+        (|pair| (pair.to.omega, true), "straight, by the new spin (q + h/2 q w)"),
+        (|pair| (pair.from.omega, true), "straight, by the old spin (q + h/2 q w)"),
+        (|pair| (pair.to.omega, false), "the turn of the new spin"),
+        (|pair| (pair.from.omega, false), "the turn of the old spin"),
+        (
+            |pair| ((pair.from.omega + pair.to.omega) / 2.0, false),
+            "the turn of the mean of the old spin and the new",
+        ),
+    ];
+    let turn = turns.into_iter().find(|(by, _)| {
+        let off = |pair: &Pair| {
+            let (Some(from), Some(to)) = (pair.from.attitude, pair.to.attitude) else { return f64::INFINITY };
+            let (omega, flat) = by(pair);
+            let q = if flat {
+                straight(&from, &omega, pair.h)
+            } else {
+                attitude::product(&from, &attitude::turn(&(omega * pair.h)))
+            };
+            angle_between(&q, &to)
+        };
+        fits(pairs.iter().map(off).collect()).is_some()
+    });
+    if spin.is_none() && turn.is_none() {
+        return None;
+    }
+    let name = |found: Option<&str>| found.unwrap_or("none of the rules known").to_string();
+    Some(format!(
+        "Each apart: the spin is stepped by: {}; the attitude by: {}.",
+        name(spin.map(|x| x.1)),
+        name(turn.map(|x| x.1))
+    ))
 }
 
 impl Diagnosis {
+    /// Whether one rule is named, or several that are one here.
+    #[must_use]
+    pub const fn names_a_rule(&self) -> bool {
+        !matches!(self.sure, Sure::NoneFits | Sure::FewDigits)
+    }
+
+    /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the record does.
+    pub(crate) fn by_drift(&mut self, subject: &Subject, sample: &Sample, run: &Run) {
+        let all: Vec<Rule> = std::iter::once(self.best.rule).chain(self.alike.iter().copied()).collect();
+        let (like, unlike): (Vec<Rule>, Vec<Rule>) =
+            all.into_iter().partition(|rule| run.is_like(subject, rule));
+        self.drifts = Some(like.len());
+        if like.first() != Some(&self.best.rule) || !unlike.is_empty() {
+            self.sure = Sure::FewDigits;
+        }
+        let mut ordered = like.into_iter().chain(unlike);
+        if let Some(best) = ordered.next().and_then(|rule| explained(subject, sample.pairs(), rule)) {
+            self.best = best;
+        }
+        self.alike = ordered.collect();
+        if self.drifts == Some(1) {
+            self.sure = Sure::ToRounding;
+        }
+    }
+
     /// By how much the next rule is farther from the record than the best.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
@@ -120,7 +271,7 @@ impl Diagnosis {
 pub(crate) fn diagnose(
     subject: &Subject,
     sample: &Sample,
-    floor: f64,
+    floor: Floor,
     of_momentum: bool,
 ) -> Option<Diagnosis> {
     // Of attitudes alone each rule's spin has to be sought first, step by step: fewer steps do.
@@ -128,10 +279,7 @@ pub(crate) fn diagnose(
     let every = if sought { sample.pairs().len().div_ceil(SOUGHT).max(1) } else { 1 };
     let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
     let pairs = pairs.as_slice();
-    let explained = |rule: Rule| -> Option<Explanation> {
-        let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
-        middle_and_most(residuals).map(|[middle, most]| Explanation { rule, middle, most })
-    };
+    let explained = |rule: Rule| explained(subject, pairs, rule);
     let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
     let free = subject.torque.is_none();
     let mut found: Vec<Explanation> = simple(free, pairs).into_iter().filter_map(explained).collect();
@@ -152,9 +300,12 @@ pub(crate) fn diagnose(
         return None;
     }
     // Within rounding of the best, in the middle as in the last twentieth.
-    let near = |x: &&Explanation| x.middle <= (2.0 * least).max(8.0 * floor);
+    let near =
+        |x: &&Explanation| x.middle <= (2.0 * least).max(if floor.few { 2.0 } else { 8.0 } * floor.size);
     let best_most = found.iter().filter(near).map(|x| x.most).fold(f64::INFINITY, f64::min);
-    let alike_of = |x: &&Explanation| near(x) && x.most <= (4.0 * best_most).max(64.0 * floor);
+    let alike_of = |x: &&Explanation| {
+        near(x) && x.most <= (4.0 * best_most).max(if floor.few { 16.0 } else { 64.0 } * floor.size)
+    };
     let best = *found.iter().find(alike_of)?;
     // The same rule with limits that the record does not reach says nothing new.
     let same =
@@ -168,14 +319,18 @@ pub(crate) fn diagnose(
     let ratio = second.map_or(f64::INFINITY, |second| best.beside(&second));
     let sure = if best.fits(floor) {
         Sure::ToRounding
-    } else if best.middle <= 100.0 * floor {
+    } else if best.middle <= (if floor.few { 2.0 } else { 100.0 }) * floor.size {
         Sure::MostSteps
     } else if best.middle < 0.01 && ratio >= 10.0 {
         Sure::Near
     } else {
         Sure::NoneFits
     };
-    Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints: hints(subject, pairs, floor) })
+    let mut hints = hints(subject, pairs, floor.size);
+    if sure == Sure::NoneFits && free && !sought {
+        hints.extend(apart(subject, pairs, floor));
+    }
+    Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints, drifts: None })
 }
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
@@ -242,7 +397,6 @@ pub(crate) fn should_change(subject: &Subject, pairs: &[Pair], floor: f64) -> bo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::State;
 
     #[test]
     fn a_sample_is_no_larger_however_long_the_record_and_from_all_of_it() {

@@ -74,7 +74,7 @@ impl fmt::Display for Error {
             Self::Body(error) => write!(f, "{error}"),
             Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
             Self::NoMoments => f.write_str(
-                "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`",
+                "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`, about the body's x, y and z, which must be its principal axes",
             ),
         }
     }

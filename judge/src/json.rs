@@ -40,6 +40,7 @@ impl Verdict {
             "outcome": match self.outcome {
                 Outcome::Passed => "passed",
                 Outcome::Failed => "failed",
+                Outcome::TooShort => "too short to judge",
                 Outcome::NothingToJudge => "nothing to judge",
             },
             "grade": self.worst().map(|law| law.growth.name()),
@@ -107,7 +108,7 @@ fn curve(points: &[Point]) -> Value {
 
 fn rate(growth: Growth) -> Option<f64> {
     match growth {
-        Growth::Rounding | Growth::Bounded => None,
+        Growth::Rounding | Growth::Bounded | Growth::Stayed => None,
         Growth::RandomWalk { rate } | Growth::Linear { rate } | Growth::Exponential { rate } => Some(rate),
         Growth::Power { power } => Some(power),
     }
@@ -134,11 +135,12 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
         "sure": match diagnosis.sure {
             Sure::ToRounding => "to rounding",
             Sure::MostSteps => "most steps",
+            Sure::FewDigits => "too few digits",
             Sure::Near => "near",
             Sure::NoneFits => "none fits",
         },
         "steps": diagnosis.steps,
         "hints": diagnosis.hints,
-        "advice": if diagnosis.sure == Sure::NoneFits { "" } else { diagnosis.best.rule.advice() },
+        "advice": if diagnosis.names_a_rule() { diagnosis.best.rule.advice() } else { "" },
     })
 }

@@ -22,7 +22,7 @@ pub enum LawName {
     Unit,
     /// `2 E I2 / L²`, from the first one; at 1 is the separatrix, beyond which a stable spin flips.
     Separatrix,
-    /// How far the spin is ahead on its way round, in ways round, of the exact one.
+    /// How far the spin is ahead of the exact one on its closed curve in body axes, in times round it.
     Phase,
     /// The turn from row to row against the spin, beside the spin, less what this step and the last changed the spin.
     Consistency,
@@ -130,6 +130,10 @@ pub(crate) struct Laws {
     pub last: State,
     /// Whether the spin has ever left its first value by more than rounding.
     pub constant: bool,
+    /// How far the exact spin ever is from its first value, beside the first speed.
+    pub moved: f64,
+    /// The whole angle turned, rad: the mean speed of each two rows times the time between them.
+    pub turned: f64,
     floor: f64,
     pub sign_changes: u64,
 }
@@ -196,6 +200,8 @@ impl Laws {
             steps: 0.0,
             last: *first,
             constant: true,
+            moved: 0.0,
+            turned: 0.0,
             floor,
             sign_changes: 0,
         })
@@ -236,6 +242,10 @@ impl Laws {
             }
         }
         let wanted = self.exact.omega(t)?;
+        let moved = (wanted - self.first.omega).norm() / self.first.omega.norm();
+        self.moved = if moved > self.moved { moved } else { self.moved };
+        let mean = (state.omega.norm() + self.last.omega.norm()) / 2.0;
+        self.turned += mean * (state.t - self.last.t).max(0.0);
         if let Some(axes) = self.circled {
             let lag = (self.phase(axes, &state.omega) - self.phase(axes, &wanted)) * self.sense(axes);
             let step = (lag - self.lag) / TAU;
@@ -334,6 +344,12 @@ impl Laws {
         }
     }
 
+    /// Whether the first spin is along one axis of the body, to rounding.
+    pub(crate) fn on_axis(&self) -> bool {
+        let spin = self.first.omega.abs();
+        (0..3).filter(|&i| spin[i] > 8.0 * self.floor * spin.norm()).count() <= 1
+    }
+
     /// The first, and the last, `2 E I2 / L²`.
     pub(crate) fn separatrix(&self) -> Option<[f64; 2]> {
         let middle = self.moments[ordered(&self.moments)[1]];
@@ -345,7 +361,9 @@ impl Laws {
     }
 
     /// How each law was kept that there was something of.
-    pub(crate) fn kept(&self) -> Vec<Law> {
+    ///
+    /// What is beyond its limit in `allowed` is never kept to rounding.
+    pub(crate) fn kept(&self, allowed: impl Fn(LawName) -> Option<f64>) -> Vec<Law> {
         let end = self.last.t - self.first.t;
         let turned = 1.0 + self.speed * end;
         self.curves
@@ -363,7 +381,9 @@ impl Laws {
             })
             .map(|(name, curve)| {
                 // Some rounding units a step beside the rounding of the numbers themselves; of a time, of all that turns in it.
-                let units = 32.0 + 4.0 * self.steps;
+                // Digits that a file lacks are lacking in each row alone: the engine steps on with its own, of single precision or better.
+                let own = (f64::from(f32::EPSILON) / self.floor).min(1.0);
+                let units = 32.0 + 4.0 * self.steps * own;
                 let rounding = self.floor
                     * match name {
                         LawName::Phase => units * turned,
@@ -372,9 +392,10 @@ impl Laws {
                     };
                 let of_ratio = matches!(name, LawName::Energy | LawName::Momentum);
                 let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
-                let growth = curve.growth(rounding, of_ratio);
                 let last = plain(curve.last());
                 let most = curve.range().map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
+                let broken = most > allowed(*name).unwrap_or(0.01);
+                let growth = curve.growth(if broken { 0.0 } else { rounding }, of_ratio);
                 Law { name: *name, growth, most, last }
             })
             .collect()

@@ -38,5 +38,5 @@ pub use laws::{FlipCount, Law, LawName};
 pub use plain::plain_number;
 pub use points::Point;
 pub use reading::Misread;
-pub use suspects::{Base, Rule, Steps, When};
+pub use suspects::{Base, Rule, Spin, Steps, When};
 pub use verdict::{Gaps, Options, Outcome, Reset, Verdict, judge};

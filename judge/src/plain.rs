@@ -17,7 +17,7 @@ impl Law {
     pub fn plain(&self) -> String {
         let name = self.growth.name();
         let (rate, how) = match self.growth {
-            Growth::Rounding | Growth::Bounded => return name.into(),
+            Growth::Rounding | Growth::Bounded | Growth::Stayed => return name.into(),
             Growth::Power { power } => (power, format!("as time to the power {power:.1}")),
             Growth::RandomWalk { rate } => {
                 let first = plain_number(rate);

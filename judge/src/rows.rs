@@ -26,6 +26,10 @@ pub(crate) struct Raw {
     pub digits: u32,
     /// Whether all but the time fit single precision.
     pub single: bool,
+    /// What a one is worth in the last place of the number that is written most finely.
+    pub place: f64,
+    /// The significant digits of its time, and what a one is worth in the last place.
+    pub time: (u32, f64),
 }
 
 /// Reads a record.
@@ -37,6 +41,9 @@ pub(crate) struct Rows<R> {
     pub told: Told,
     last: Option<f64>,
     fields: Vec<f64>,
+    rows: u64,
+    /// Where a number is none any more, with the rows before it in order; nothing is read from there on.
+    pub ended: Option<Error>,
 }
 
 impl<R: BufRead> Rows<R> {
@@ -62,7 +69,17 @@ impl<R: BufRead> Rows<R> {
                     });
                 }
                 let Lines { source, line, text } = lines;
-                return Ok(Self { source, line, text, columns, told, last: None, fields: Vec::new() });
+                return Ok(Self {
+                    source,
+                    line,
+                    text,
+                    columns,
+                    told,
+                    last: None,
+                    fields: Vec::new(),
+                    rows: 0,
+                    ended: None,
+                });
             }
         }
     }
@@ -70,6 +87,9 @@ impl<R: BufRead> Rows<R> {
     /// The next row; `None` after the last.
     pub(crate) fn next(&mut self) -> Result<Option<Raw>, Error> {
         loop {
+            if self.ended.is_some() {
+                return Ok(None);
+            }
             let text = std::mem::take(&mut self.text);
             let mut lines = Lines { source: &mut self.source, line: self.line, text };
             let found = lines.advance()?;
@@ -79,7 +99,14 @@ impl<R: BufRead> Rows<R> {
             }
             let text = text_of(&self.text, self.line)?.trim();
             if !(text.is_empty() || text.starts_with('#')) {
-                let raw = read(&self.columns, text, self.line, &self.told, &mut self.fields)?;
+                let raw = match read(&self.columns, text, self.line, &self.told, &mut self.fields) {
+                    Err(Wrong::NotFinite(error)) if self.rows >= 2 => {
+                        self.ended = Some(error);
+                        continue;
+                    }
+                    Err(Wrong::NotFinite(error) | Wrong::Row(error)) => return Err(error),
+                    Ok(raw) => raw,
+                };
                 if let Some(last) = self.last
                     && raw.t <= last
                 {
@@ -92,10 +119,19 @@ impl<R: BufRead> Rows<R> {
                     });
                 }
                 self.last = Some(raw.t);
+                self.rows += 1;
                 return Ok(Some(raw));
             }
         }
     }
+}
+
+/// Why a row is none.
+enum Wrong {
+    /// A value is not finite: the engine's doing.
+    NotFinite(Error),
+    /// The file's doing.
+    Row(Error),
 }
 
 fn read(
@@ -104,12 +140,13 @@ fn read(
     line: usize,
     told: &Told,
     fields: &mut Vec<f64>,
-) -> Result<Raw, Error> {
+) -> Result<Raw, Wrong> {
     let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
     let wanted = |i: usize| {
         i == clock || columns.vectors(i) || columns.attitude.is_some_and(|places| places.contains(&i))
     };
-    let (mut digits, mut single, mut half) = (0, true, 0.0);
+    let (mut digits, mut single, mut place, mut half) = (0, true, f64::INFINITY, 0.0);
+    let mut time = (0, 0.0);
     fields.clear();
     for (i, field) in columns.separator.split(text).enumerate() {
         let wrong = |problem: String| Error::Field {
@@ -122,27 +159,30 @@ fn read(
             if field.is_empty() && i == columns.names.len() {
                 continue; // a separator at the end of the line
             }
-            return Err(wrong(format!(
+            return Err(Wrong::Row(wrong(format!(
                 "`{}` is one more field than there are columns ({})",
                 shown(field),
                 columns.names.len()
-            )));
+            ))));
         }
         if !wanted(i) {
             fields.push(0.0);
             continue;
         }
         if field.is_empty() {
-            return Err(wrong("the field is empty".into()));
+            return Err(Wrong::Row(wrong("the field is empty".into())));
         }
-        let value: f64 = field.parse().map_err(|_| wrong(no_number(field)))?;
+        let value: f64 = field.parse().map_err(|_| Wrong::Row(wrong(no_number(field))))?;
         if !value.is_finite() {
-            return Err(wrong(format!("the value is {}: from here on there is no motion", shown(field))));
+            let problem = format!("the value is {}: from here on there is no motion", shown(field));
+            return Err(Wrong::NotFinite(wrong(problem)));
         }
         if i == clock {
             half = half_a_digit(field);
+            time = (significant(field), last_place(field));
         } else {
             digits = digits.max(significant(field));
+            place = place.min(last_place(field));
             #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is the question")]
             let rounded = f64::from(value as f32);
             single &= rounded == value;
@@ -150,7 +190,7 @@ fn read(
         fields.push(value);
     }
     if fields.len() < columns.names.len() {
-        return Err(Error::Line {
+        return Err(Wrong::Row(Error::Line {
             line,
             problem: format!(
                 "there are {} fields for {} columns: `{}` is missing",
@@ -158,7 +198,7 @@ fn read(
                 columns.names.len(),
                 columns.names[fields.len()]
             ),
-        });
+        }));
     }
     let t = match columns.clock {
         Clock::Time(i) => fields[i] / columns.per_second,
@@ -174,7 +214,10 @@ fn read(
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
-    Ok(Raw { line, t, attitude, vector, second, half, digits, single })
+    if matches!(columns.clock, Clock::Steps(_)) {
+        time = (17, 0.0);
+    }
+    Ok(Raw { line, t, attitude, vector, second, half, digits, single, place, time })
 }
 
 /// A field as an error shows it: not all of a long one.
@@ -220,6 +263,14 @@ fn significant(field: &str) -> u32 {
         }
     }
     count
+}
+
+/// What a one is worth in the last place: 0.001 in 1.250, 1e-9 in 1.5e-8.
+fn last_place(field: &str) -> f64 {
+    let (number, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
+    let places = number.split_once('.').map_or(0, |(_, after)| after.len());
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    10.0_f64.powi(exponent.saturating_sub(i32::try_from(places).unwrap_or(i32::MAX)))
 }
 
 /// Lines with their numbers.

@@ -39,6 +39,18 @@ pub enum Rule {
     OtherTurn(f64, Base),
     /// A rule, and steps so many times as long as the record says.
     OtherStep(f64, Base),
+    /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length put right or not. (By the old spin it is
+    /// [`Method::ExplicitEuler`].)
+    Straight(Spin),
+}
+
+/// How a plain engine steps the spin where it steps the attitude straight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spin {
+    /// Not at all: no gyroscopic term.
+    Kept,
+    /// By the gyroscopic term at the start of the step.
+    Explicit,
 }
 
 /// Of what order the frozen tensor's spin is stepped.
@@ -92,6 +104,11 @@ impl Base {
     }
 }
 
+/// The attitude `q + h/2 q w`, of whatever length.
+pub(crate) fn straight(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+    q + attitude::product(q, &Quaternion::from_imag(omega * (h / 2.0)))
+}
+
 /// A rule alone, with nothing that an engine adds.
 pub(crate) fn bare(method: Method, parts: u32) -> PhysicsEngine {
     let engine = PHYSICS_ENGINES[0];
@@ -132,6 +149,9 @@ pub(crate) fn simple(free: bool, pairs: &[Pair]) -> Vec<Rule> {
         if !all.contains(&rule) {
             all.push(rule);
         }
+    }
+    if free {
+        all.extend([Rule::Straight(Spin::Kept), Rule::Straight(Spin::Explicit)]);
     }
     all.extend([Rule::FrozenTensor(Steps::First), Rule::FrozenTensor(Steps::Fourth)]);
     all
@@ -255,6 +275,17 @@ impl Subject {
                 Ok((turned(&(omega * *factor)), omega))
             }
             Rule::OtherStep(factor, base) => self.based(*base, from, h * *factor),
+            Rule::Straight(spin) => {
+                let rate = match spin {
+                    Spin::Kept => Vector3::zeros(),
+                    Spin::Explicit => {
+                        euler::angular_acceleration(&self.moments, &from.omega, &Vector3::zeros())
+                    }
+                };
+                let after = from.omega + rate * h;
+                let q = straight(&start, &after, h);
+                Ok((q / q.norm(), after))
+            }
             Rule::Capped(most, base) => {
                 let (q, omega) = self.based(*base, from, h)?;
                 let speed = omega.norm();
@@ -265,6 +296,14 @@ impl Subject {
                 Ok((turned(&omega), omega))
             }
         }
+    }
+
+    /// One step more, of a body that goes by a rule.
+    pub(crate) fn next(&self, rule: &Rule, from: &State, h: f64) -> Option<State> {
+        let (q, omega) = self.after(rule, from, h).ok()?;
+        let attitude = from.attitude.map(|_| q);
+        let sound = omega.iter().chain(q.coords.iter()).all(|x| x.is_finite());
+        sound.then_some(State { t: from.t + h, attitude, omega, ..*from })
     }
 
     /// The spin that a rule makes of a row.

@@ -2,6 +2,7 @@
 
 use crate::diagnosis::{Diagnosis, Sure};
 use crate::laws::{Law, LawName};
+use crate::suspects::Rule;
 use crate::verdict::{Outcome, Verdict};
 use std::fmt;
 
@@ -37,7 +38,7 @@ impl fmt::Display for Verdict {
             writeln!(
                 f,
                 "Overall:  {} (of what the motion keeps, {} is kept worst)",
-                law.growth.name(),
+                law.growth.words(),
                 law.name.words()
             )?;
         }
@@ -51,6 +52,11 @@ impl fmt::Display for Verdict {
             Outcome::NothingToJudge => (
                 "NOTHING TO JUDGE",
                 "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
+            ),
+            Outcome::TooShort => (
+                "TOO SHORT TO JUDGE",
+                "no law is broken, and too little is seen to say more: eight rows at least are wanted, in which the body turns once round \
+                 or its spin should change by a tenth".into(),
             ),
             Outcome::Failed => {
                 if !self.misread.is_empty() {
@@ -143,7 +149,8 @@ impl Verdict {
 
     fn physics(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.laws.is_empty() {
-            writeln!(f, "\n{:22} {:>11} {:>11}   grade", "law", "most", "last")?;
+            writeln!(f, "\nErrors, beside the first row:")?;
+            writeln!(f, "{:22} {:>11} {:>11}   grade", "law", "most", "last")?;
         }
         for law in &self.laws {
             writeln!(f, "{law}")?;
@@ -157,6 +164,10 @@ impl Verdict {
                 (true, false) => ", away from the separatrix at 1",
             };
             writeln!(f, "2 E I2 / L^2 goes from {first:.6} to {last:.6}{toward}")?;
+            writeln!(
+                f,
+                "(E energy, I2 the middle moment: below 1 the spin goes round the largest moment's axis, above 1 round the smallest's)"
+            )?;
         }
         if let Some(flips) = &self.flips {
             write!(
@@ -184,7 +195,7 @@ impl fmt::Display for Law {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self.name {
             LawName::Direction => "direction of L, rad",
-            LawName::Phase => "phase, ways round",
+            LawName::Phase => "phase, times round",
             name => name.words(),
         };
         write!(f, "{name:22} {:>11.3e} {:>11.3e}   {}", self.most, self.last, self.growth)
@@ -194,11 +205,14 @@ impl fmt::Display for Law {
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let best = &self.best;
+        if self.sure == Sure::FewDigits {
+            return self.few_digits(f);
+        }
         let how = match self.sure {
             Sure::ToRounding => "Every step is made by",
             Sure::MostSteps => "Most steps, but not all, are made by",
             Sure::Near => "Most like",
-            Sure::NoneFits => "None of the known rules fits. Nearest is",
+            Sure::NoneFits | Sure::FewDigits => "None of the known rules fits. Nearest is",
         };
         writeln!(f, "Diagnosis: {how}: {}", best.rule.name())?;
         for engine in best.rule.engines() {
@@ -230,5 +244,37 @@ impl fmt::Display for Diagnosis {
             );
         }
         write!(f, "What to do: {}", best.rule.advice())
+    }
+}
+
+impl Diagnosis {
+    /// What is said where a few digits fit several rules.
+    fn few_digits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
+        let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
+        let some = |names: &[String]| {
+            let more = if names.len() > 6 { "; and others" } else { "" };
+            format!("{}{more}", names.iter().take(6).cloned().collect::<Vec<_>>().join("; "))
+        };
+        writeln!(
+            f,
+            "Diagnosis: too few digits to name the rule by its single steps: they fit {} rules alike",
+            all.len()
+        )?;
+        writeln!(
+            f,
+            "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
+            self.steps, self.best.middle, self.best.most
+        )?;
+        if like.is_empty() {
+            writeln!(f, "  but over the whole record none of these drifts as it does: {}", some(unlike))?;
+        } else {
+            writeln!(f, "  over the whole record these drift as it does: {}", some(like))?;
+            writeln!(f, "  and these do not: {}", some(unlike))?;
+        }
+        for hint in &self.hints {
+            writeln!(f, "  {hint}")?;
+        }
+        f.write_str("What to do: write the record with all digits (17 of double precision, 9 of single), and judge it again.")
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::columns::{Columns, Kind};
 use crate::derived::{Derived, Deriver};
-use crate::diagnosis::{Diagnosis, Sample, diagnose, should_change};
+use crate::diagnosis::{Diagnosis, Floor, Run, Sample, Sure, diagnose, should_change};
 use crate::error::Error;
 use crate::faults::{wrong_pace, wrong_rule};
 use crate::fit::{self, Fit};
@@ -14,6 +14,7 @@ use crate::rows::{Raw, Rows};
 use crate::state::{Pair, State, median};
 use crate::suspects::Subject;
 use nalgebra::Vector3;
+use std::f64::consts::TAU;
 use std::io::BufRead;
 use tumbling::euler;
 use tumbling::exact::FreeMotion;
@@ -22,6 +23,9 @@ use tumbling::exact::FreeMotion;
 const PROBE: usize = 2048;
 /// Of those, how many pairs.
 const PROBED: usize = 256;
+
+/// Fewer rows than this pass nothing, nor does a record in which the body neither turns once round nor should change its spin by a tenth.
+const ENOUGH: u64 = 8;
 
 /// What the judge is to go by.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,6 +75,8 @@ pub enum Outcome {
     Failed,
     /// The record has nothing that could be right or wrong.
     NothingToJudge,
+    /// No law is broken, and too little is seen for that to say anything.
+    TooShort,
 }
 
 /// A row at which the motion starts anew.
@@ -293,6 +299,8 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         now: 0.0,
         turn_off: 0.0,
         floor,
+        ended: None,
+        few: rounding(&probe) > 2.0 * f64::from(f32::EPSILON),
     };
     trial.rows = probe.len() as u64;
     for state in &states {
@@ -314,6 +322,7 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         }
     }
     trial.second = disagreement(&rows.columns, &probe, &reading, &moments, floor);
+    trial.ended = rows.ended.take().map(|error| error.to_string());
     let mut verdict = trial.end(&subject, &reading, kind, floor, rows.told.engine, options);
     verdict.fit = fitted;
     verdict.ignored = rows.columns.ignored();
@@ -345,7 +354,11 @@ fn rounding(probe: &[Raw]) -> f64 {
     // Few digits may be all there are: 0.5 has one. A record of such numbers alone does not move.
     let of_digits = if digits < 4 { 0.0 } else { of_digits };
     let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
-    f64::EPSILON.max(of_digits).max(of_single)
+    // Numbers of so many places after the point have fewer digits where they are small.
+    let place = probe.iter().map(|raw| raw.place).fold(f64::INFINITY, f64::min);
+    let size = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
+    let of_place = if digits < 4 || !(place < size) || size.is_infinite() { 0.0 } else { place / size };
+    f64::EPSILON.max(of_digits).max(of_single).max(of_place)
 }
 
 /// Where a second vector of the record, as a spin, is not what the first one tells: the first such row looked at, in words.
@@ -391,36 +404,65 @@ fn times(count: u64) -> String {
 struct Clock {
     /// The step; none where it varies.
     step: Option<f64>,
+    /// By how much of itself a step may seem another for the rounding of the times.
+    slack: f64,
 }
 
 impl Clock {
     /// From the times as the file has them.
     fn of(probe: &[Raw]) -> Self {
+        if let Some(clock) = Self::of_rounded(probe) {
+            return clock;
+        }
         let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
         let least = steps.clone().fold(f64::INFINITY, f64::min);
         let mut count = 0.0;
         for step in steps {
             let times = (step / least).round();
             if (step / least - times).abs() > 0.02 {
-                return Self { step: None };
+                return Self { step: None, slack: 0.05 };
             }
             count += times;
         }
         let whole = probe.last().map_or(0.0, |row| row.t) - probe[0].t;
-        Self { step: Some(whole / count) }
+        Self { step: Some(whole / count), slack: 0.05 }
+    }
+
+    /// Of even steps without gaps, at times of a few digits: none is farther from its place than its rounding.
+    fn of_rounded(probe: &[Raw]) -> Option<Self> {
+        let (first, last) = (probe.first()?, probe.last()?);
+        #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
+        let step = (last.t - first.t) / (probe.len() - 1) as f64;
+        let digits = probe.iter().map(|raw| raw.time.0).max().filter(|digits| *digits <= 9)?;
+        let place = probe.iter().map(|raw| raw.time.1).fold(f64::INFINITY, f64::min);
+        let rounding = |t: f64| {
+            let of_digits = t.abs().log10().floor() + 1.0 - f64::from(digits);
+            if t == 0.0 { place } else { place.max(10.0_f64.powf(of_digits)) }
+        };
+        let mut slack = 0.05_f64;
+        let mut due = first.t;
+        for rows in probe.windows(2) {
+            due += step;
+            if (rows[1].t - due).abs() > 1.5 * rounding(rows[1].t) {
+                return None;
+            }
+            slack = slack.max(1.01 * ((rows[1].t - rows[0].t) / step - 1.0).abs());
+        }
+        (slack < 0.45).then_some(Self { step: Some(step), slack })
     }
 
     /// In seconds, and to the digit where the step is told.
     fn read(self, time: f64, told: Option<f64>) -> Self {
         let step = self.step.map(|step| step * time);
-        Self { step: step.map(|step| told.filter(|told| (told / step - 1.0).abs() < 0.02).unwrap_or(step)) }
+        let step = step.map(|step| told.filter(|told| (told / step - 1.0).abs() < 0.02).unwrap_or(step));
+        Self { step, ..self }
     }
 
     /// The step between two times, and how many steps long it is.
     fn between(&self, from: f64, to: f64) -> (f64, f64) {
         let Some(step) = self.step else { return (to - from, 1.0) };
         let times = (to - from) / step;
-        if (times - 1.0).abs() < 0.05 { (step, 1.0) } else { (to - from, times) }
+        if (times - 1.0).abs() < self.slack { (step, 1.0) } else { (to - from, times) }
     }
 
     /// Three rows, each one step after the other, with the step as the file has it.
@@ -508,6 +550,10 @@ struct Trial {
     now: f64,
     turn_off: f64,
     floor: f64,
+    /// Where the numbers end, and with what.
+    ended: Option<String>,
+    /// Whether the record has fewer digits than single precision.
+    few: bool,
 }
 
 /// No more resets than this are told one by one.
@@ -637,15 +683,21 @@ impl Trial {
         engine: Option<String>,
         options: &Options,
     ) -> Verdict {
-        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, second, .. } = self;
+        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, second, ended, few, .. } = self;
         let free = subject.torque.is_none();
-        let still = free && laws.constant && !should_change(subject, sample.pairs(), floor);
-        let diagnosis = if still { None } else { diagnose(subject, &sample, floor, kind.is_momentum()) };
-        let mut kept = laws.kept();
+        let still = free
+            && laws.constant
+            && !should_change(subject, sample.pairs(), floor)
+            && (laws.moved <= 100.0 * floor || laws.on_axis());
+        let few = Floor { size: floor, few };
+        let mut diagnosis = if still { None } else { diagnose(subject, &sample, few, kind.is_momentum()) };
+        let mut kept = laws.kept(|law| options.allowed(law));
         if !free {
             kept.retain(|law| matches!(law.name, LawName::Unit | LawName::Consistency));
         }
         let mut complaints = Vec::new();
+        complaints.extend(ended.map(|at| format!("the numbers end at {at}. Judged up to there")));
+        let ended = !complaints.is_empty();
         let flips = laws.flips().filter(|_| free);
         if let Some(t) = flips.as_ref().and_then(|flips| flips.turned_over) {
             complaints.push(format!(
@@ -668,6 +720,12 @@ impl Trial {
             _ => {}
         }
         complaints.extend(second);
+        if free && !still && laws.constant && laws.moved > f64::max(0.1, 100.0 * floor) {
+            let moved = 100.0 * laws.moved;
+            complaints.push(format!(
+                "the spin stays as it is at the start, and should change by {moved:.0} % of it"
+            ));
+        }
         if let Some((line, turn)) = stopped {
             complaints.push(format!("line {line}: {}. Judged up to there", too_far(turn)));
         }
@@ -682,19 +740,33 @@ impl Trial {
             complaints
                 .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
         }
-        if free {
+        // Of a few rows any rule may be had.
+        if free && rows >= ENOUGH {
             complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
             complaints.extend(wrong_pace(&kept, laws.ways_round(), options));
         }
         let misread = reading.mistakes();
         let broken =
             kept.iter().any(|law| options.allowed(law.name).is_some_and(|most| law.most.abs() > most));
-        let outcome = if !misread.is_empty() || !resets.is_empty() {
+        // Of few digits a wrong rule may fit each step: what the whole record does is held against it too.
+        let astray =
+            free && (broken || flips.as_ref().is_some_and(|flips| flips.found.abs_diff(flips.exact) > 1));
+        if let (Some(found), Some(h)) = (&mut diagnosis, clock.step)
+            && few.few
+            && astray
+            && found.sure == Sure::ToRounding
+        {
+            let flips = flips.as_ref().map(|flips| flips.found);
+            found.by_drift(subject, &sample, &Run { first, last: laws.last, h, flips, floor });
+        }
+        let outcome = if !misread.is_empty() || !resets.is_empty() || ended {
             Outcome::Failed
         } else if !free || still && !broken && !turns_otherwise {
             Outcome::NothingToJudge
         } else if broken || !complaints.is_empty() {
             Outcome::Failed
+        } else if rows < ENOUGH || laws.turned < TAU && laws.moved < 0.1 {
+            Outcome::TooShort
         } else {
             Outcome::Passed
         };

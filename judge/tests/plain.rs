@@ -1,0 +1,142 @@
+//! What a hobby engine does, its records with few digits or many, and records that say too little.
+
+mod common;
+
+use common::{Row, stepped_by};
+use nalgebra::{Quaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::attitude::product;
+use tumbling::euler::angular_acceleration;
+use tumbling::step::{Method, Motion, System};
+use tumbling_judge::{LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};
+
+const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
+const BODY: Vector3<f64> = common::MOMENTS;
+const H: f64 = 1.0 / 60.0;
+
+/// The commonest rule of all: the spin straight by the gyroscopic term, then the attitude straight by the spin.
+fn plain(gyroscopic: bool, by_old: bool, count: u32) -> Vec<Row> {
+    let system = System::free(&BODY).unwrap();
+    stepped_by(SPIN, H, count, |motion| {
+        let old = system.omega(&motion.vector);
+        let rate = angular_acceleration(&BODY, &old, &Vector3::zeros());
+        let new = if gyroscopic { old + rate * H } else { old };
+        let by = if by_old { old } else { new };
+        let q = motion.attitude + product(&motion.attitude, &Quaternion::from_imag(by * (H / 2.0)));
+        Motion { attitude: q / q.norm(), vector: system.momentum(&new) }
+    })
+}
+
+/// A number with so many significant digits, as `%.5g` would have it but for the exponent.
+fn significant(x: f64, digits: usize) -> String {
+    format!("{x:.*e}", digits - 1)
+}
+
+fn text(rows: &[Row], number: impl Fn(f64) -> String) -> String {
+    let mut text = String::from("# inertia: 1 2 2.5; dt: 1/60\nstep,qw,qx,qy,qz,wx,wy,wz\n");
+    for (i, (_, q, w)) in rows.iter().enumerate() {
+        let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(&number);
+        writeln!(text, "{i},{}", numbers.join(",")).unwrap();
+    }
+    text
+}
+
+fn judged(text: &str) -> Verdict {
+    judge(text.as_bytes(), &Options::default()).unwrap()
+}
+
+#[test]
+fn the_rule_of_a_plain_engine_is_named_whichever_spin_it_turns_by() {
+    let named = |rows: &[Row]| {
+        let diagnosis = judged(&text(rows, |x| significant(x, 17))).diagnosis.unwrap();
+        assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+        diagnosis.best.rule
+    };
+    assert_eq!(named(&plain(true, false, 600)), Rule::Straight(Spin::Explicit));
+    assert_eq!(named(&plain(false, false, 600)), Rule::Straight(Spin::Kept));
+    assert_eq!(named(&plain(true, true, 600)).method(), Some((Method::ExplicitEuler, 1)));
+}
+
+/// As many digits after the point.
+fn fixed(x: f64, places: usize) -> String {
+    format!("{x:.places$}")
+}
+
+#[test]
+fn a_rule_that_few_digits_do_not_tell_is_not_named_for_a_wrong_one() {
+    let rows = plain(true, false, 1200);
+    for digits in [4, 5, 6, 7] {
+        let verdict = judged(&text(&rows, |x| significant(x, digits)));
+        assert_eq!(verdict.outcome, Outcome::Failed);
+        let told = verdict.to_string();
+        assert!(!told.contains("Nothing to do"), "{told}");
+        let diagnosis = verdict.diagnosis.unwrap();
+        // Whatever is said for sure is so; and what drifts as the record does is among what is said.
+        let right = [Rule::Straight(Spin::Explicit), Rule::Method(Method::ExplicitEuler, 1)];
+        let gyroscopic = |rule: &Rule| {
+            right.contains(rule) || rule.method().is_some_and(|x| x.0 == Method::SemiImplicitEuler)
+        };
+        assert!(gyroscopic(&diagnosis.best.rule), "{digits}: {diagnosis}");
+    }
+}
+
+#[test]
+fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
+    let verdict = judged(&text(&plain(false, false, 1200), |x| fixed(x, 4)));
+    assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+    let diagnosis = verdict.diagnosis.unwrap();
+    let kept =
+        |rule: &Rule| rule.method() == Some((Method::ConstantSpin, 1)) || *rule == Rule::Straight(Spin::Kept);
+    assert!(kept(&diagnosis.best.rule), "{diagnosis}");
+    // Stepped slowly enough for no single step to show it.
+    let slow: String =
+        (0..4000).map(|i| format!("{:.3},0.0100,0.1200,0.0100\n", 0.01 * f64::from(i))).collect();
+    let verdict = judged(&format!("# inertia: 1 2 2.5\nt,wx,wy,wz\n{slow}"));
+    assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+}
+
+#[test]
+fn an_error_beyond_the_limit_is_never_kept_to_rounding_and_a_great_one_never_bounded() {
+    for digits in [4, 5, 6] {
+        let verdict = judged(&text(&plain(true, false, 1200), |x| significant(x, digits)));
+        for law in verdict.broken() {
+            assert!(law.growth.rank() > 0, "{law}");
+        }
+    }
+    // An energy that grows a millionfold in a second, and stays there.
+    let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
+    for i in 0..600 {
+        let t = 0.01 * f64::from(i);
+        let size = (7.0 * t.min(1.0)).exp();
+        writeln!(text, "{t},{:e},{:e},{:e}", 0.1 * size, 3.0 * size, 0.2 * size).unwrap();
+    }
+    let verdict = judged(&text);
+    let energy = verdict.laws.iter().find(|law| law.name == LawName::Energy).unwrap();
+    assert!(energy.most > 1e6 && energy.growth.name() == "grew, then stayed", "{energy}");
+    assert_eq!(energy.growth.rank(), 5);
+}
+
+#[test]
+fn a_record_that_says_too_little_is_not_passed() {
+    let exact = common::exact(SPIN, 0.01, 400);
+    for rows in [2, 3, 5] {
+        let verdict = judged(&common::csv(&exact[..rows]));
+        assert_eq!(verdict.outcome, Outcome::TooShort, "{rows}: {verdict}");
+        assert!(verdict.to_string().contains("TOO SHORT TO JUDGE"));
+    }
+    assert_eq!(judged(&common::csv(&exact)).outcome, Outcome::Passed);
+    let three = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,0.5,6,0.5\n0.01,0.5,6,0.5\n0.02,0.5,6,0.5\n";
+    assert_eq!(judged(three).outcome, Outcome::TooShort);
+}
+
+#[test]
+fn a_record_whose_numbers_end_is_judged_up_to_there_and_fails() {
+    let good = common::csv(&common::exact(SPIN, 0.01, 400));
+    for end in ["NaN", "inf", "1e999"] {
+        let verdict = judged(&format!("{good}4.01,1,0,0,0,1,{end},0\n4.02,NaN,NaN,NaN,NaN,NaN,NaN,NaN\n"));
+        assert_eq!(verdict.outcome, Outcome::Failed);
+        assert_eq!(verdict.rows, 401);
+        let told = verdict.to_string();
+        assert!(told.contains("line 404, column 7 (`wy`)") && told.contains("udged up to there"), "{told}");
+    }
+}
