@@ -133,7 +133,7 @@ pub(crate) fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
         return Err(told.join("\n").into());
     }
     let folder = std::env::temp_dir().join(format!("tumbling-builds-{}", std::process::id()));
-    let built = savings::compiled(&paths::repository(), builds.then_some(folder.as_path()), &mut progress());
+    let built = savings::compiled(paths::repository(), builds.then_some(folder.as_path()), &mut progress());
     // What cannot be removed is the system's to remove.
     let _ = std::fs::remove_dir_all(&folder);
     rows.extend(built?);

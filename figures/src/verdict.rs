@@ -292,7 +292,7 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Sai
     if let Some(allowed) = allowed {
         plot.curve([(0.0, allowed), (end, allowed)], Pen::new(Ink::Wrong, 1.4).dotted())?;
     }
-    for (_, _, pen, of) in &drawn {
+    for (_, pen, of, _) in drawn {
         let sizes = verdict.curve.iter().filter_map(|p| Some((p.time, of(p)?.abs().clamp(FLOOR, ceiling))));
         plot.curve(sizes, *pen)?;
     }

@@ -357,7 +357,12 @@ fn rounding(probe: &[Raw]) -> f64 {
     // Numbers of so many places after the point have fewer digits where they are small.
     let place = probe.iter().map(|raw| raw.place).fold(f64::INFINITY, f64::min);
     let size = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
-    let of_place = if digits < 4 || !(place < size) || size.is_infinite() { 0.0 } else { place / size };
+    let of_place =
+        if digits < 4 || place.partial_cmp(&size) != Some(std::cmp::Ordering::Less) || size.is_infinite() {
+            0.0
+        } else {
+            place / size
+        };
     f64::EPSILON.max(of_digits).max(of_single).max(of_place)
 }
 
