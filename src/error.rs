@@ -41,6 +41,15 @@ pub enum Error {
         /// What came out instead (an infinity, zero, a subnormal number, or NaN from infinities).
         value: f64,
     },
+    /// A value reaches a limit that it must stay below.
+    NotBelow {
+        /// What the value stands for.
+        what: &'static str,
+        /// The value.
+        value: f64,
+        /// The limit.
+        limit: f64,
+    },
     /// Two sizes are in the wrong order, such as an inner radius beyond the outer.
     Order {
         /// What must not be larger.
@@ -165,12 +174,26 @@ pub enum Error {
         /// What is wrong with it.
         source: Box<Error>,
     },
+    /// Something is wrong with one torque of a scene.
+    OfTorque {
+        /// Which torque, from 0.
+        index: usize,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
     /// A scene asks for more digits than can be had.
     Unattainable {
         /// The accuracy asked for.
         asked: f64,
         /// The best that can be had, or that was seen where a torque acts.
         attainable: f64,
+    },
+    /// No two runs of a scene on trial agreed, in all the steps that are tried.
+    Disagreement {
+        /// The accuracy asked for.
+        asked: f64,
+        /// How many steps were taken on trial.
+        steps: usize,
     },
     /// Something was asked for that this motion does not have.
     Undefined {
@@ -217,6 +240,9 @@ impl fmt::Display for Error {
             ),
             Self::Order { smaller, small, larger, large } => {
                 write!(f, "{smaller} is {small:?}, larger than {larger}, {large:?}: it must not be")
+            }
+            Self::NotBelow { what, value, limit } => {
+                write!(f, "{what} is {value:?}: it must be below {limit}")
             }
             Self::Asymmetric { row, column, value, mirrored, tolerance } => write!(
                 f,
@@ -275,10 +301,15 @@ impl fmt::Display for Error {
             ),
             Self::Part { index, source } => write!(f, "part {index}: {source}"),
             Self::OfBody { index, source } => write!(f, "body {index}: {source}"),
+            Self::OfTorque { index, source } => write!(f, "torque {index}: {source}"),
             Self::Unattainable { asked, attainable } => write!(
                 f,
                 "an accuracy of {asked:e} is asked for, {:.1e} times finer than what can be had: {attainable:.1e}",
                 attainable / asked
+            ),
+            Self::Disagreement { asked, steps } => write!(
+                f,
+                "an accuracy of {asked:e} is asked for, but in {steps} steps on trial no two runs agreed to any digit"
             ),
             Self::Undefined { what, why } => write!(f, "{what} is asked for, but {why}"),
             Self::RepeatedFace { face, before, vertices: [a, b, c] } => {
@@ -297,7 +328,9 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::Part { source, .. } | Self::OfBody { source, .. } => Some(source.as_ref()),
+            Self::Part { source, .. } | Self::OfBody { source, .. } | Self::OfTorque { source, .. } => {
+                Some(source.as_ref())
+            }
             _ => None,
         }
     }

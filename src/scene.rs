@@ -21,7 +21,7 @@
 //! # Accuracy
 //!
 //! One number: the most that any state may be off, as the angle of the attitude (rad), as the spin beside the largest spin that the
-//! motion has had, and as the share of the energy. A free body is answered in closed form, as exactly as its conditioning lets it be; an
+//! motion has had, and as the energy beside the largest that it has had. A free body is answered in closed form, as exactly as its conditioning lets it be; an
 //! accuracy beyond that is refused with what can be had. Under a torque a method and a step are chosen, and then tried: the run at that
 //! step is held against a finer one, and it is refined until the two agree to half of the accuracy. That is evidence, not proof.
 
@@ -53,6 +53,19 @@ pub enum LetGo {
     Momentum(Vector3<f64>),
 }
 
+/// A part of a [`Toss`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TossPart {
+    /// The diagonal of the tensor.
+    Moments,
+    /// The tensor with its products.
+    Products,
+    /// The attitude.
+    Attitude,
+    /// The spin or momentum.
+    Start,
+}
+
 /// A body as it is let go. A plain value: it is checked when it is [planned](Scene::plan).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Toss {
@@ -74,29 +87,50 @@ impl Toss {
         Self { moments, products, attitude, with: LetGo::Spin(omega) }
     }
 
+    /// The part that makes it no body, and why; none of a body that can be.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::scene::{Toss, TossPart};
+    /// let toss = Toss::spinning(Vector3::new(1.0, 2.0, 3.5), Vector3::x());
+    /// assert_eq!(toss.fault().map(|(part, _)| part), Some(TossPart::Moments));
+    /// ```
+    #[must_use]
+    pub fn fault(&self) -> Option<(TossPart, Error)> {
+        self.parts().err()
+    }
+
     /// In its principal axes, checked.
     fn principal(&self) -> Result<Principal, Error> {
-        let attitude = attitude::checked(&self.attitude)?;
-        finite_vector("a product of inertia", &self.products)?;
+        self.parts().map_err(|(_, error)| error)
+    }
+
+    fn parts(&self) -> Result<Principal, (TossPart, Error)> {
+        let of = |part| move |error| (part, error);
+        let attitude = attitude::checked(&self.attitude).map_err(of(TossPart::Attitude))?;
+        finite_vector("a product of inertia", &self.products).map_err(of(TossPart::Products))?;
         let (moments, frame) = if self.products == Vector3::zeros() {
             (self.moments, None)
         } else {
-            let axes = Inertia::new(self.moments.into(), self.products.into())?.principal();
+            let tensor = Inertia::new(self.moments.into(), self.products.into());
+            let axes = tensor.map_err(of(TossPart::Products))?.principal();
             (axes.moments(), Some(axes.rotation()))
         };
-        possible_moments(&moments)?;
+        let tensor = if frame.is_some() { TossPart::Products } else { TossPart::Moments };
+        possible_moments(&moments).map_err(of(tensor))?;
         let along = |v: &Vector3<f64>| frame.map_or(*v, |frame| frame.inverse() * v);
+        let start = of(TossPart::Start);
         let omega = match &self.with {
             LetGo::Spin(omega) => {
-                finite_vector("the spin", omega)?;
+                finite_vector("the spin", omega).map_err(start)?;
                 along(omega)
             }
             LetGo::Momentum(momentum) => {
-                finite_vector("the angular momentum", momentum)?;
+                finite_vector("the angular momentum", momentum).map_err(start)?;
                 along(&(attitude.inverse() * momentum)).component_div(&moments)
             }
         };
-        finite_vector("the spin", &omega)?;
+        finite_vector("the spin", &omega).map_err(start)?;
         let world = frame.map_or(attitude, |frame| attitude * frame);
         Ok(Principal { moments, omega, frame, world, attitude })
     }
@@ -145,7 +179,11 @@ impl Times {
         Self::Every { step, span }
     }
 
-    fn checked(&self) -> Result<(), Error> {
+    /// Whether a scene can have them.
+    ///
+    /// # Errors
+    /// None at all; one that is not finite, before the start or before the one ahead of it; more than `f64` counts.
+    pub fn validate(&self) -> Result<(), Error> {
         match self {
             Self::Given(times) => {
                 if times.is_empty() {
@@ -275,16 +313,15 @@ impl Scene {
         if bodies.is_empty() {
             return Err(Error::TooFew { what: "bodies", count: 0, needed: 1 });
         }
-        torques.iter().try_for_each(Torque::validate)?;
-        times.checked()?;
+        let of_torque = |index, source| Error::OfTorque { index, source: Box::new(source) };
+        torques
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, torque)| torque.validate().map_err(|source| of_torque(index, source)))?;
+        times.validate()?;
         finite("the accuracy", accuracy)?;
         if positive("the accuracy", accuracy)? >= 1.0 {
-            return Err(Error::Order {
-                smaller: "the accuracy",
-                small: accuracy,
-                larger: "1, where nothing is right,",
-                large: 1.0,
-            });
+            return Err(Error::NotBelow { what: "the accuracy", value: accuracy, limit: 1.0 });
         }
         if accuracy < 2.0 * f64::EPSILON {
             return Err(Error::Unattainable { asked: accuracy, attainable: 2.0 * f64::EPSILON });

@@ -24,6 +24,7 @@ mod symmetric_top;
 mod system;
 mod torque;
 
+pub(crate) use dormand_prince::controlled_within;
 pub use dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use engine::Engine;
 pub use game::game;

@@ -98,10 +98,10 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
     }
     let bar = bar(if show == Show::States { scene.times().count() } else { 1 } * scene.bodies().len() as u64);
     let mut failed = 0;
-    for (index, line) in file.bodies.iter().enumerate() {
+    for (index, (place, toss)) in file.bodies.iter().zip(scene.bodies()).enumerate() {
         let mut told = |error: Error| {
             failed += 1;
-            bar.suspend(|| complain(&format!("{name}, line {line}: {error}")));
+            bar.suspend(|| complain(&format!("{name}: {}", place.wrong(toss, &error))));
         };
         let plan = match scene.plan(index) {
             Ok(plan) => plan,

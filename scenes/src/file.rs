@@ -27,7 +27,8 @@ use std::fmt::{self, Write as _};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use tumbling::scene::{LetGo, Scene, Times, Toss, Wants};
+use tumbling::Error;
+use tumbling::scene::{LetGo, Scene, Times, Toss, TossPart, Wants};
 use tumbling::step::Torque;
 
 /// What is wrong with a file, and where.
@@ -59,8 +60,45 @@ impl std::error::Error for Wrong {}
 pub struct File {
     /// The scene.
     pub scene: Scene,
-    /// The line at which each body begins, from 1.
-    pub bodies: Vec<usize>,
+    /// Where each body stands.
+    pub bodies: Vec<Place>,
+}
+
+/// The lines of a body and its fields, from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// Where the body begins.
+    pub line: usize,
+    /// Of its fields, those that it has.
+    pub fields: Vec<(&'static str, usize)>,
+}
+
+impl Place {
+    /// What is wrong with a body, at the field that is meant if it is one.
+    ///
+    /// ```
+    /// let text = "accuracy = 1e-9\ntimes = [1]\nwants = []\n[[body]]\nmoments = [1, 1, 3]\nspin = [0, 0, 1]\n";
+    /// let file = tumbling_scenes::file::read(text).unwrap();
+    /// let error = file.scene.plan(0).unwrap_err();
+    /// let wrong = file.bodies[0].wrong(&file.scene.bodies()[0], &error).to_string();
+    /// assert!(wrong.starts_with("line 5, `moments`: body 0: no body has principal moments"), "{wrong}");
+    /// ```
+    #[must_use]
+    pub fn wrong(&self, toss: &Toss, error: &Error) -> Wrong {
+        let fields: &[&str] = match toss.fault() {
+            None => &[],
+            Some((TossPart::Moments, _)) => &["moments"],
+            Some((TossPart::Products, _)) => &["products", "moments"],
+            Some((TossPart::Attitude, _)) => &["attitude"],
+            Some((TossPart::Start, _)) => &["spin", "momentum"],
+        };
+        let found = fields.iter().find_map(|name| self.fields.iter().find(|(field, _)| field == name));
+        Wrong {
+            line: Some(found.map_or(self.line, |&(_, line)| line)),
+            field: found.map(|(name, _)| (*name).to_owned()),
+            why: error.to_string(),
+        }
+    }
 }
 
 const SCENE: [&str; 7] = ["accuracy", "span", "every", "times", "wants", "body", "torque"];
@@ -68,13 +106,17 @@ const BODY: [&str; 5] = ["moments", "products", "attitude", "spin", "momentum"];
 const TORQUE: [&str; 6] = ["in-body", "in-world", "arm", "field", "damping", "dissipation"];
 const WANTS: [&str; 6] = ["spin", "attitude", "energy", "gap", "flips", "polhode"];
 
-/// Where a byte lies.
-struct Lines<'a>(&'a str);
+/// Where each line begins, in bytes.
+struct Lines(Vec<usize>);
 
-impl Lines<'_> {
+impl Lines {
+    fn of(text: &str) -> Self {
+        let ends = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n');
+        Self(std::iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect())
+    }
+
     fn at(&self, span: &Range<usize>) -> usize {
-        let before = &self.0.as_bytes()[..span.start.min(self.0.len())];
-        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+        self.0.partition_point(|&start| start <= span.start)
     }
 
     fn wrong(&self, span: &Range<usize>, field: &str, why: impl Into<String>) -> Wrong {
@@ -84,14 +126,14 @@ impl Lines<'_> {
 
 /// A table whose fields are all known.
 struct Fields<'a, 'i> {
-    lines: &'a Lines<'a>,
+    lines: &'a Lines,
     table: &'a DeTable<'i>,
     span: Range<usize>,
 }
 
 impl<'a, 'i> Fields<'a, 'i> {
     fn new(
-        lines: &'a Lines<'a>,
+        lines: &'a Lines,
         table: &'a DeTable<'i>,
         span: Range<usize>,
         known: &[&str],
@@ -111,6 +153,12 @@ impl<'a, 'i> Fields<'a, 'i> {
 
     fn get(&self, name: &str) -> Option<&'a Spanned<DeValue<'i>>> {
         self.table.iter().find(|(key, _)| key.get_ref().as_ref() == name).map(|(_, value)| value)
+    }
+
+    /// What the library says of a field's value.
+    fn refused(&self, name: &str, error: &Error) -> Wrong {
+        let span = self.get(name).map_or_else(|| self.span.clone(), Spanned::span);
+        self.lines.wrong(&span, name, error.to_string())
     }
 
     fn missing(&self, what: &str) -> Wrong {
@@ -203,7 +251,7 @@ fn nearest(name: &str, known: &[&str]) -> String {
 /// The line and the field that are wrong, and what was expected. What is wrong with a body alone is said when it is planned.
 pub fn read(text: &str) -> Result<File, Wrong> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let lines = Lines(text);
+    let lines = Lines::of(text);
     let root = DeTable::parse(text).map_err(|error| Wrong {
         line: error.span().map(|span| lines.at(&span)),
         field: None,
@@ -218,28 +266,32 @@ pub fn read(text: &str) -> Result<File, Wrong> {
         return Err(root.missing("a body, `[[body]]`,"));
     }
     let tosses = bodies.iter().map(toss).collect::<Result<_, _>>()?;
-    let torques = root.tables("torque", &TORQUE)?;
-    let torques = torques.iter().map(torque).collect::<Result<_, _>>()?;
-    let scene = Scene::new(tosses, torques, times, wants, accuracy).map_err(|error| {
-        let why = error.to_string();
-        // What a scene refuses says in its first words which of its parts is meant.
-        let field = SCENE.into_iter().find(|field| {
-            let words: &[&str] = match *field {
-                "accuracy" => &["accuracy"],
-                "every" => &["between states", "number of states"],
-                "times" => &["time"],
-                "span" => &["span"],
-                "torque" => &["torque", "arm", "field", "damping", "dissipation"],
-                _ => &[],
-            };
-            root.get(field).is_some() && words.iter().any(|word| why.contains(word))
-        });
-        match field.and_then(|field| Some((field, root.get(field)?))) {
-            Some((field, value)) => lines.wrong(&value.span(), field, why),
-            None => Wrong { line: None, field: None, why },
-        }
+    let torque_tables = root.tables("torque", &TORQUE)?;
+    let torques = torque_tables.iter().map(torque).collect::<Result<_, _>>()?;
+    times.validate().map_err(|error| {
+        let field = match &times {
+            Times::Given(_) => "times",
+            Times::Every { span, .. } if *span < 0.0 => "span",
+            Times::Every { .. } => "every",
+        };
+        root.refused(field, &error)
     })?;
-    Ok(File { scene, bodies: bodies.iter().map(|body| lines.at(&body.span)).collect() })
+    let scene = Scene::new(tosses, torques, times, wants, accuracy).map_err(|error| match error {
+        Error::OfTorque { index, source } => match torque_tables.get(index) {
+            Some(table) => {
+                let field = TORQUE.into_iter().find(|field| table.get(field).is_some());
+                table.refused(field.unwrap_or_default(), &source)
+            }
+            None => Wrong { line: None, field: None, why: source.to_string() },
+        },
+        // Bodies and times are there and right: this is all that is left.
+        other => root.refused("accuracy", &other),
+    })?;
+    let place = |body: &Fields<'_, '_>| Place {
+        line: lines.at(&body.span),
+        fields: BODY.into_iter().filter_map(|name| Some((name, lines.at(&body.get(name)?.span())))).collect(),
+    };
+    Ok(File { scene, bodies: bodies.iter().map(place).collect() })
 }
 
 fn times(root: &Fields<'_, '_>) -> Result<Times, Wrong> {

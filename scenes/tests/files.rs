@@ -127,13 +127,57 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
         (refusal("moments = [1", "moments = [1,, 1"), "line 7"),
         (torque("pull = [1, 0, 0]"), "line 7, `pull`: no such field."),
         (torque("arm = [1, 0, 0]"), "line 6: beside `arm` (m) the field `field` (N) is missing"),
-        (torque("damping = [1, 0, -1]"), "line 6, `torque`: a damping coefficient is -1.0"),
+        (torque("damping = [1, 0, -1]"), "line 7, `damping`: a damping coefficient is -1.0"),
         (torque(""), "line 6: what this torque is"),
         (torque("dissipation = 1\nin-body = [1, 0, 0]"), "line 6, `torque`: one kind of torque is expected"),
     ] {
         assert!(told.starts_with(expected), "{told}\nwhere expected: {expected}");
     }
     assert_eq!(read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err().line, Some(1));
+}
+
+/// One of three torques, one field of a body: neither the first nor the list.
+#[test]
+fn what_the_library_refuses_is_named_at_its_own_line() {
+    let torques =
+        "[[torque]]\nin-body = [1, 0, 0]\n[[torque]]\nfield = [1, 0, 0]\narm = [0, 1, 0]\n\n[[torque]]\n";
+    let with = |last: &str| refusal("[[body]]", &format!("{torques}{last}\n[[body]]"));
+    assert!(
+        with("damping = [0, -2, 0]").starts_with("line 13, `damping`: a damping coefficient is -2.0"),
+        "{}",
+        with("damping = [0, -2, 0]")
+    );
+    assert!(with("\ndissipation = -3").starts_with("line 14, `dissipation`: the strength"));
+    let body = |from: &str, to: &str| {
+        let file = read(&GOOD.replacen(from, to, 1)).unwrap();
+        let error = file.scene.plan(0).unwrap_err();
+        file.bodies[0].wrong(&file.scene.bodies()[0], &error).to_string()
+    };
+    for (told, expected) in [
+        (body("2.5]", "9.5]"), "line 7, `moments`: body 0: no body has principal moments"),
+        (body("[1, 2.0, 2.5]", "[0, 2, 2]"), "line 7, `moments`: body 0"),
+        (body("spin = [", "products = [5, 0, 0]\nspin = ["), "line 8, `products`: body 0"),
+        (body("spin = [", "attitude = [1, 1, 0, 0]\nspin = ["), "line 8, `attitude`: body 0"),
+        (
+            body("moments = [1, 2.0, 2.5]\nspin = [", "moments = [1e-9, 2, 2]\nmomentum = [1e300, 0, "),
+            "line 8, `momentum`: body 0",
+        ),
+        (body("1e-9", "1e-15"), "line 6: body 0: an accuracy of 1e-15"),
+    ] {
+        assert!(told.starts_with(expected), "{told}\nwhere expected: {expected}");
+    }
+}
+
+#[test]
+fn a_crowd_of_bodies_is_read_each_with_its_own_line() {
+    let head = "accuracy = 1e-9\ntimes = [1]\nwants = []\n";
+    let body = "[[body]]\nmoments = [1, 2, 2.5]\nspin = [0, 1, 0]\n";
+    let file = read(&(head.to_owned() + &body.repeat(100_000))).unwrap();
+    assert_eq!(file.bodies.len(), 100_000);
+    for (index, place) in file.bodies.iter().enumerate() {
+        let line = 4 + 3 * index;
+        assert_eq!((place.line, &place.fields[..]), (line, &[("moments", line + 1), ("spin", line + 2)][..]));
+    }
 }
 
 #[test]

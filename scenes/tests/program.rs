@@ -88,7 +88,7 @@ fn a_body_that_is_none_is_named_with_its_line_and_the_others_are_answered() {
     let output = of_text("invalid", text);
     assert_eq!(output.status.code(), Some(1));
     let told = said(&output.stderr);
-    assert!(told.contains("line 5: body 0: no body has principal moments"), "{told}");
+    assert!(told.contains("line 6, `moments`: body 0: no body has principal moments"), "{told}");
     assert!(said(&output.stdout).contains("\n1,1.0000000000000000e0,0.0000000000000000e0"));
 }
 

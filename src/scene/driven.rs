@@ -4,7 +4,8 @@ use super::plan::{By, Driven, Way};
 use super::{Principal, Scene, cost};
 use crate::error::Error;
 use crate::flow;
-use crate::step::{LEAST_TOLERANCE, Method, Motion, System, Torque, controlled};
+use crate::observe;
+use crate::step::{LEAST_TOLERANCE, Method, Motion, System, Torque, controlled_within};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// Whether it does nothing, at whatever attitude and spin.
@@ -66,8 +67,8 @@ const STIFF: f64 = 30.0;
 const LONG: f64 = 300.0;
 /// Rounds of refinement before it is given up.
 const ROUNDS: usize = 30;
-/// The most steps of one run on trial.
-const MOST_STEPS: f64 = 3e6;
+/// The most steps of all runs on trial together.
+const MOST_STEPS: usize = 3_000_000;
 /// At so many times the runs are compared, beside the last.
 const COMPARED: u64 = 32;
 
@@ -79,48 +80,80 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let (end, accuracy) = (scene.times.end(), scene.accuracy);
     let Rates { spin, push, loss } = rates(&system, &start, end);
     let times = compared(scene);
-    let turned = (spin * end).max(loss * end).max(1.0);
-    let trial = Trial { system: &system, start: &start, times: &times, accuracy, end, turned };
-    let driven =
-        |(by, seen, steps): Settled| Driven { system: system.clone(), start: start.clone(), by, seen, steps };
+    let (turned, lost) = ((spin * end).max(1.0), loss * end);
+    let energy = scene.wants.energy;
+    let trial = Trial { system: &system, start: &start, times: &times, energy, accuracy, end, turned, lost };
+    let stiff = loss > STIFF * spin.max(1.0 / end) && lost > LONG;
+    let way = |(by, seen, steps): Settled| {
+        let driven = Driven { system: system.clone(), start: start.clone(), by, seen, steps, stiff };
+        match by {
+            By::Control(_) => Way::Controlled(driven),
+            By::Flow(_) => Way::Flow(driven),
+            By::Steps(..) if stiff => Way::Stiff(driven),
+            By::Steps(..) => Way::Stepper(driven),
+        }
+    };
+    let pair = By::Control(first_tolerance(accuracy));
     if end == 0.0 {
-        return Ok(Way::Controlled(driven((By::Control(accuracy.max(LEAST_TOLERANCE)), 0.0, 0))));
+        return Ok(way((pair, 0.0, 0)));
     }
-    if loss > STIFF * spin.max(1.0 / end) && loss * end > LONG {
-        // One takes the loss by its own law, the other linearises it: which is better depends on what it works against.
+    let tried = if stiff {
+        // Damping shortens the pair's steps, but its few may do. Of the others one takes the loss by its own law, one linearises it: which
+        // is better depends on what it works against. So all are tried, each only while it may be cheaper than those before.
         let step = 0.1 / spin.max(10.0 / end);
-        let tried = [Method::MoserVeselov8, Method::LinearisedImplicit]
-            .map(|method| trial.settled(By::Steps(method, step)));
-        let [kicked, implicit] = tried;
-        let best = match (kicked, implicit) {
-            (Ok(a), Ok(b)) => {
-                if a.2 <= b.2 {
-                    a
-                } else {
-                    b
+        vec![pair, By::Steps(Method::MoserVeselov8, step), By::Steps(Method::LinearisedImplicit, step)]
+    } else {
+        match cheapest(spin, push + loss / spin.max(f64::MIN_POSITIVE), end, scene) {
+            By::Control(_) => vec![pair],
+            // Should it not get there in reasonable steps, the pair may.
+            other => vec![other, pair],
+        }
+    };
+    let states = scene.times.count();
+    let (mut best, mut refusal): (Option<(f64, Settled)>, Option<Error>) = (None, None);
+    let mut left = MOST_STEPS;
+    for (k, &first) in tried.iter().enumerate() {
+        if best.is_some() && !stiff {
+            break;
+        }
+        let least = best.as_ref().map_or(f64::INFINITY, |(price, _)| *price);
+        if first.price(states, 0) >= least {
+            continue;
+        }
+        let share = left / (tried.len() - k);
+        let mut allowed = share;
+        match trial.settled(first, &mut allowed, least / first.price_of_step()) {
+            Ok(settled) => {
+                let price = settled.0.price(states, settled.2);
+                if best.as_ref().is_none_or(|(other, _)| price < *other) {
+                    best = Some((price, settled));
                 }
             }
-            (Ok(one), Err(_)) | (Err(_), Ok(one)) => one,
-            (Err(error), Err(_)) => return Err(error),
-        };
-        return Ok(Way::Stiff(driven(best)));
+            Err(error) => refusal = Some(refusal.map_or(error.clone(), |other| kinder(other, error))),
+        }
+        left -= share - allowed;
     }
-    let way = cheapest(spin, push + loss / spin.max(f64::MIN_POSITIVE), end, scene);
-    let settled = trial.settled(way);
-    match (way, settled) {
-        (By::Steps(..), Ok(settled)) => Ok(Way::Stepper(driven(settled))),
-        (By::Flow(_), Ok(settled)) => Ok(Way::Flow(driven(settled))),
-        (By::Control(_), Ok(settled)) => Ok(Way::Controlled(driven(settled))),
-        // Kicks that do not get there in reasonable steps: the controlled pair may.
-        (By::Steps(..) | By::Flow(_), Err(_)) => trial
-            .settled(By::Control(first_tolerance(accuracy)))
-            .map(|settled| Way::Controlled(driven(settled))),
-        (By::Control(_), Err(error)) => Err(error),
+    match (best, refusal) {
+        (Some((_, settled)), _) => Ok(way(settled)),
+        (None, Some(error)) => Err(error),
+        (None, None) => Err(Error::Disagreement { asked: accuracy, steps: 0 }),
     }
 }
 
+/// Of two refusals the one that offers more.
+fn kinder(one: Error, other: Error) -> Error {
+    match (&one, &other) {
+        (Error::Unattainable { attainable: a, .. }, Error::Unattainable { attainable: b, .. }) if b < a => {
+            other
+        }
+        (Error::Unattainable { .. }, _) => one,
+        _ => other,
+    }
+}
+
+/// Leaves room for a finer tolerance, so that there are two runs to compare.
 fn first_tolerance(accuracy: f64) -> f64 {
-    (0.03 * accuracy).max(LEAST_TOLERANCE)
+    (0.03 * accuracy).max(8.0 * LEAST_TOLERANCE)
 }
 
 /// By what their errors and costs are known to be: kicks err as the square of the step times what they do, the pair as the fifth power.
@@ -162,10 +195,14 @@ struct Trial<'a> {
     system: &'a System<f64>,
     start: &'a Motion<f64>,
     times: &'a [f64],
+    /// Whether the energy is asked for.
+    energy: bool,
     accuracy: f64,
     end: f64,
-    /// Radians, or times of the loss, from start to end.
+    /// Radians from start to end.
     turned: f64,
+    /// Times of the loss from start to end.
+    lost: f64,
 }
 
 impl Trial<'_> {
@@ -173,33 +210,45 @@ impl Trial<'_> {
     fn steps(&self, by: By) -> f64 {
         match by {
             By::Steps(_, step) | By::Flow(step) => self.end / step,
-            By::Control(tolerance) => 0.3 * self.turned / tolerance.powf(0.2),
+            By::Control(tolerance) => 0.3 * (self.turned / tolerance.powf(0.2)).max(self.lost),
         }
     }
 
-    /// Refines until two runs agree to half of the accuracy, and takes the finer.
-    fn settled(&self, first: By) -> Result<Settled, Error> {
+    /// Refines until two runs agree to half of the accuracy, and takes the finer; by so many steps in all, none of a run that is
+    /// known to take more than `most`.
+    #[allow(clippy::cast_precision_loss)]
+    fn settled(&self, first: By, left: &mut usize, most: f64) -> Result<Settled, Error> {
         let steps = self.steps(first);
-        if steps.is_nan() || steps > MOST_STEPS {
+        if steps.is_nan() {
+            return Err(Error::OutOfRange {
+                what: "the number of steps that the torques ask for",
+                value: steps,
+            });
+        }
+        if steps > *left as f64 {
             return Err(Error::Order {
                 smaller: "the number of steps that the torques ask for",
                 small: steps,
                 larger: "the most that are tried",
-                large: MOST_STEPS,
+                large: *left as f64,
             });
         }
+        let all = *left;
         let mut by = first;
         let mut best = f64::INFINITY;
-        let mut coarse = self.run(by);
+        let mut coarse = self.run(by, left, most);
         for _ in 0..ROUNDS {
-            let seen = coarse.as_ref().map_or(f64::INFINITY, |_| best);
-            let finer = by.finer(if seen.is_finite() { 0.5 * self.accuracy / seen } else { 0.0 });
-            if finer == by || self.steps(finer) > MOST_STEPS {
+            if let Err(Error::TooMany { .. }) = coarse {
                 break;
             }
-            let fine = self.run(finer);
+            let seen = coarse.as_ref().map_or(f64::INFINITY, |_| best);
+            let finer = by.finer(if seen.is_finite() { 0.5 * self.accuracy / seen } else { 0.0 });
+            if finer == by || self.steps(finer) > (*left as f64).min(most) {
+                break;
+            }
+            let fine = self.run(finer, left, most);
             let difference = match (&coarse, &fine) {
-                (Ok((a, _)), Ok((b, _))) => apart(self.system, a, b),
+                (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
                 _ => f64::INFINITY,
             };
             if difference <= 0.5 * self.accuracy
@@ -211,79 +260,122 @@ impl Trial<'_> {
             (by, coarse) = (finer, fine);
         }
         match coarse {
-            Err(error) if best.is_infinite() => Err(error),
-            _ => Err(Error::Unattainable { asked: self.accuracy, attainable: 2.0 * best }),
-        }
-    }
-
-    fn run(&self, by: By) -> Result<(Vec<Motion<f64>>, usize), Error> {
-        let (mut now, mut motion, mut steps) = (0.0, self.start.clone(), 0_usize);
-        let mut seen = Vec::with_capacity(self.times.len());
-        for &time in self.times {
-            if time > now {
-                let (end, taken) = by.on(self.system, &motion, time - now)?;
-                (motion, steps, now) = (end, steps + taken, time);
+            _ if 2.0 * best < 1.0 => {
+                Err(Error::Unattainable { asked: self.accuracy, attainable: 2.0 * best })
             }
-            seen.push(motion.clone());
+            Err(error) if best.is_infinite() && !matches!(error, Error::TooMany { .. }) => Err(error),
+            _ => Err(Error::Disagreement { asked: self.accuracy, steps: all - *left }),
         }
-        Ok((seen, steps))
     }
-}
 
-/// The largest angle between two runs' attitudes, or difference of spin beside the largest spin so far.
-fn apart(system: &System<f64>, a: &[Motion<f64>], b: &[Motion<f64>]) -> f64 {
-    let (mut largest, mut worst) = (0.0_f64, 0.0_f64);
-    for (one, other) in a.iter().zip(b) {
-        let (w, v) = (system.omega(&one.vector), system.omega(&other.vector));
-        largest = largest.max(v.norm());
-        let spin = if largest > 0.0 { (w - v).norm() / largest } else { 0.0 };
-        let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
-        worst = worst.max(spin).max(p.angle_to(&q));
-        // A difference that is not a number is no agreement.
-        if spin.is_nan() {
-            return f64::INFINITY;
-        }
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
+    fn run(&self, by: By, left: &mut usize, most: f64) -> Result<(Vec<Motion<f64>>, usize), Error> {
+        let (mut now, mut motion) = (0.0, self.start.clone());
+        let whole = (*left).min(most as usize);
+        let mut of_run = whole;
+        let mut seen = Vec::with_capacity(self.times.len());
+        let mut on = |of_run: &mut usize| {
+            for &time in self.times {
+                if time > now {
+                    (motion, now) = (by.on(self.system, &motion, time - now, of_run)?, time);
+                }
+                seen.push(motion.clone());
+            }
+            Ok(())
+        };
+        let done = on(&mut of_run);
+        let taken = whole - of_run;
+        *left -= taken;
+        done.map(|()| (seen, taken))
     }
-    worst
+
+    /// The largest angle between two runs' attitudes, or difference of spin, or of energy if it is asked for, beside the largest so far.
+    fn apart(&self, a: &[Motion<f64>], b: &[Motion<f64>]) -> f64 {
+        let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
+        for (one, other) in a.iter().zip(b) {
+            let (w, v) = (self.system.omega(&one.vector), self.system.omega(&other.vector));
+            fastest = fastest.max(v.norm());
+            let spin = over((w - v).norm(), fastest);
+            let energy = if self.energy {
+                let [d, e] = [(&w, one), (&v, other)].map(|(w, motion)| observe::energy(w, &motion.vector));
+                richest = richest.max(e);
+                over((d - e).abs(), richest)
+            } else {
+                0.0
+            };
+            let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
+            worst = worst.max(spin).max(energy).max(p.angle_to(&q));
+            // A difference that is not a number is no agreement.
+            if spin.is_nan() || energy.is_nan() {
+                return f64::INFINITY;
+            }
+        }
+        worst
+    }
 }
 
 impl By {
-    /// `duration` seconds on: the motion, and in how many steps.
+    /// `duration` seconds on, in steps that are taken off those left.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`] when none is left, or as the steps.
     pub(super) fn on(
         self,
         system: &System<f64>,
         start: &Motion<f64>,
         duration: f64,
-    ) -> Result<(Motion<f64>, usize), Error> {
+        left: &mut usize,
+    ) -> Result<Motion<f64>, Error> {
         let (step, method) = match self {
             Self::Control(tolerance) => {
-                let run = controlled(system, start, duration, tolerance)?;
-                return Ok((run.end, run.steps + run.rejected));
+                return controlled_within(system, start, duration, tolerance, left).map(|run| run.end);
             }
             Self::Steps(method, step) => (step, Some(method)),
             Self::Flow(step) => (step, None),
         };
         let (count, h) = parts(duration, step)?;
+        if count > *left {
+            return Err(Error::TooMany { what: "steps", count });
+        }
         let mut motion = start.clone();
         for _ in 0..count {
+            *left -= 1;
             motion = match method {
                 Some(method) => method.step(system, &motion, &h)?,
                 None => flow::step(system, &motion, h)?,
             };
         }
-        Ok((motion, count))
+        Ok(motion)
+    }
+
+    /// What a step costs, in instructions.
+    fn price_of_step(self) -> f64 {
+        match self {
+            Self::Steps(..) => cost::KICKED,
+            Self::Flow(_) => cost::FLOW,
+            Self::Control(_) => cost::PAIR,
+        }
+    }
+
+    /// What so many states cost in so many steps, or in more where states are asked for more often.
+    #[allow(clippy::cast_precision_loss)]
+    fn price(self, states: u64, steps: usize) -> f64 {
+        let least = if let Self::Control(_) = self { cost::ANEW } else { 1.0 };
+        self.price_of_step() * (steps as f64).max(least * states as f64)
     }
 
     /// The same, finer: by half or more, aiming at an error so many times as large.
     fn finer(self, share: f64) -> Self {
-        let by = |order: i32| (0.8 * share.powf(1.0 / f64::from(order))).clamp(1e-2, 0.5);
+        // Nothing seen yet: half, or a tenth of the tolerance.
+        let by = |order: i32, first: f64| {
+            if share > 0.0 { (0.8 * share.powf(1.0 / f64::from(order))).clamp(1e-2, 0.5) } else { first }
+        };
         match self {
-            Self::Steps(method @ Method::LinearisedImplicit, step) => Self::Steps(method, step * by(1)),
-            Self::Steps(method, step) => Self::Steps(method, step * if share > 0.0 { by(2) } else { 0.5 }),
-            Self::Flow(step) => Self::Flow(step * if share > 0.0 { by(2) } else { 0.5 }),
-            Self::Control(tolerance) => {
-                Self::Control((tolerance * if share > 0.0 { by(1) } else { 0.1 }).max(LEAST_TOLERANCE))
-            }
+            Self::Steps(method @ Method::LinearisedImplicit, step) => Self::Steps(method, step * by(1, 0.5)),
+            Self::Steps(method, step) => Self::Steps(method, step * by(2, 0.5)),
+            Self::Flow(step) => Self::Flow(step * by(2, 0.5)),
+            Self::Control(tolerance) => Self::Control((tolerance * by(1, 0.1)).max(LEAST_TOLERANCE)),
         }
     }
 }
@@ -296,4 +388,28 @@ fn parts(duration: f64, step: f64) -> Result<(usize, f64), Error> {
         return Err(Error::OutOfRange { what: "the number of steps", value: count });
     }
     Ok((count as usize, duration / count))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Quaternion;
+
+    /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin is two thirds of it.
+    #[test]
+    fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_asked_for() {
+        let system = System::free(&Vector3::new(1e-4, 1.0, 1.0)).unwrap();
+        let [a, b] = [0.1, 0.2].map(|heavy| Motion {
+            attitude: Quaternion::identity(),
+            vector: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
+        });
+        let apart = |energy| {
+            let (times, accuracy, end, turned, lost) = (&[1.0][..], 0.1, 1.0, 10.0, 0.0);
+            let trial = Trial { system: &system, start: &a, times, energy, accuracy, end, turned, lost };
+            trial.apart(std::slice::from_ref(&a), std::slice::from_ref(&b))
+        };
+        assert!((apart(false) - 0.01).abs() < 1e-5);
+        // 0.005 + 0.005 J and 0.005 + 0.02 J.
+        assert!((apart(true) - 0.6).abs() < 1e-12);
+    }
 }

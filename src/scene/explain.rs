@@ -94,8 +94,13 @@ impl Plan<'_> {
             Way::EllipticSpin(_) | Way::Elliptic(_) => {}
             Way::Flow(_) => out.push("small steps, since the torque is weak"),
             Way::Stepper(_) => out.push("control of the error, since a fixed step is enough"),
+            Way::Controlled(driven) if driven.stiff => {
+                out.push("steps that fast damping does not shorten: dearer to this accuracy, if they reach it at all");
+            }
             Way::Controlled(_) => out.push("kicks, whose errors fall with the square of the step alone"),
-            Way::Stiff(_) => out.push("explicit steps, which fast damping would make short"),
+            Way::Stiff(_) => {
+                out.push("explicit steps of controlled error, which fast damping makes short: dearer, or too many to try");
+            }
         }
         let moves = !matches!(self.way, Way::Nothing);
         if self.scene.torques.is_empty() {

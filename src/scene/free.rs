@@ -60,6 +60,9 @@ fn allowed(asked: f64, attainable: f64) -> Result<(), Error> {
 /// derivatives of the motion by its start and its moments do, at the end and at the last flip, where the spin moves the most.
 fn attainable(motion: &FreeMotion, end: f64, accuracy: f64) -> Result<(), Error> {
     let speed = motion.omega(0.0)?.norm();
+    if !(speed * end).is_finite() {
+        return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
+    }
     let complement = match motion.regime() {
         Regime::Circulating { complement, .. } => complement,
         _ => 0.0,

@@ -64,6 +64,8 @@ pub struct Driven {
     pub(super) seen: f64,
     /// Steps of the run that was tried.
     pub(super) steps: usize,
+    /// Whether damping is much faster than the motion.
+    pub(super) stiff: bool,
 }
 
 /// How a driven body is stepped.

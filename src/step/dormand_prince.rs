@@ -105,6 +105,17 @@ pub fn controlled(
     duration: f64,
     tolerance: f64,
 ) -> Result<Controlled, Error> {
+    controlled_within(system, start, duration, tolerance, &mut { MOST_STEPS })
+}
+
+/// The same in no more steps, taken or not, than are left, off which they are taken.
+pub(crate) fn controlled_within(
+    system: &System<f64>,
+    start: &Motion<f64>,
+    duration: f64,
+    tolerance: f64,
+    left: &mut usize,
+) -> Result<Controlled, Error> {
     finite("the duration", duration)?;
     positive("the tolerance", tolerance)?;
     if tolerance < LEAST_TOLERANCE {
@@ -140,9 +151,10 @@ pub fn controlled(
     let mut h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
     let mut time = 0.0;
     while time != duration {
-        if run.steps + run.rejected >= MOST_STEPS {
-            return Err(Error::TooMany { what: "steps", count: MOST_STEPS });
+        if *left == 0 {
+            return Err(Error::TooMany { what: "steps", count: run.steps + run.rejected });
         }
+        *left -= 1;
         let last = (duration - time).abs() <= h.abs();
         let h_now = if last { duration - time } else { h };
         if !last && time + h_now == time {
