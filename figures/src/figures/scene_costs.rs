@@ -8,7 +8,7 @@ use tumbling_measure::savings::{GENERAL, STATE, value};
 
 /// What a row of the record is called here, and its colour.
 const ROWS: [(&str, &str, Ink); 11] = [
-    ("energy and flips alone", "when it flips", Ink::Faint),
+    ("energy and flips alone", "its energy", Ink::Faint),
     ("ball; spin alone", "a ball: spin", Ink::Omega),
     ("principal spin; spin alone", "about a principal axis: spin", Ink::Omega),
     ("two equal moments; spin alone", "two equal moments: spin", Ink::Omega),
