@@ -159,7 +159,10 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
         (body("spin = [", "products = [5, 0, 0]\nspin = ["), "line 8, `products`: body 0"),
         (body("spin = [", "attitude = [1, 1, 0, 0]\nspin = ["), "line 8, `attitude`: body 0"),
         (
-            body("moments = [1, 2.0, 2.5]\nspin = [", "moments = [1e-9, 2, 2]\nmomentum = [1e300, 0, "),
+            body(
+                "moments = [1, 2.0, 2.5]\nspin = [0.1, 1.0, 0.2]",
+                "moments = [1e-9, 2, 2]\nmomentum = [1e300, 0, 0]",
+            ),
             "line 8, `momentum`: body 0",
         ),
         (body("1e-9", "1e-15"), "line 6: body 0: an accuracy of 1e-15"),
