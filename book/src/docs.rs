@@ -26,15 +26,19 @@ pub(crate) fn make() -> Result<(), String> {
 /// # Errors
 /// A file that cannot be copied.
 pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
-    // The library's own pages, what they load, and the sources they lead to: other crates' pages are not ours to show.
+    // The library's own pages, what they load, and the sources they lead to: what else was documented there is not ours to show.
     let Some(made) = made().filter(|made| made.join("tumbling/index.html").is_file()) else {
         return Ok(false);
     };
+    let beside = pages.join(FOLDER);
+    for part in ["tumbling", "src/tumbling", "static.files", "search.index", "trait.impl", "type.impl"] {
+        if made.join(part).exists() {
+            copy(&made.join(part), &beside.join(part))?;
+        }
+    }
     for entry in fs::read_dir(&made).into_iter().flatten().flatten() {
-        let name = entry.file_name();
-        let others = name.to_string_lossy().starts_with("tumbling_");
-        if !others {
-            copy(&entry.path(), &pages.join(FOLDER).join(&name))?;
+        if entry.path().is_file() {
+            copy(&entry.path(), &beside.join(entry.file_name()))?;
         }
     }
     Ok(true)
