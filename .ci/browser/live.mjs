@@ -619,7 +619,8 @@ export async function live({ open, bases, folder, pages, axe, fault, shots }) {
                 document.documentElement.classList.remove(...themes);
                 document.documentElement.classList.add(theme);
               }, [THEMES, theme]);
-              await page.waitForFunction(() => document.getAnimations().length === 0);
+              // Colours glide from theme to theme: to their end at once, however slow the machine.
+              await page.evaluate(() => document.getAnimations().forEach((glide) => glide.finish()));
               if (width === 800) {
                 await page.evaluate(axe);
                 const { violations } = await page.evaluate((w) => globalThis.axe.run(`#live-${w}`, { preload: false }), widget);
