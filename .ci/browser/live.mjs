@@ -102,8 +102,8 @@ async function yourBox(page, wants) {
   wants("along an edge the gap is none", (await shown(page, "your-box", "gap")) === "0.0°");
   await set(page, "#your-box-y", 1);
   for (const [field, value, says] of [
-    ["a", "0", "above zero"], ["b", "-1", "above zero"], ["c", "", "finite"], ["m", "0", "above zero"], ["a", "1e200", "f64"],
-    ["m", "1e-320", "f64"], ["x", "", "finite"],
+    ["a", "0", "above zero"], ["b", "-1", "above zero"], ["c", "", "Type a number"], ["m", "0", "above zero"], ["a", "1e200", "f64"],
+    ["m", "1e-320", "f64"], ["x", "", "Type a number"],
   ]) {
     const before = await page.locator(`#your-box-${field}`).inputValue();
     await set(page, `#your-box-${field}`, value);
