@@ -1,7 +1,7 @@
 //! What the comment lines of a record tell.
 
 use crate::error::Error;
-use crate::rows::half_a_digit;
+use crate::rows::last_place;
 use crate::units;
 use nalgebra::Vector3;
 
@@ -62,7 +62,7 @@ fn seconds(text: &str) -> Option<f64> {
 fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
     let text = text.trim_start_matches(['(', '[', ' ']);
     let mut words = text.split([' ', ',', '\t', ';', ')', ']']).filter(|x| !x.is_empty());
-    let mut number = || words.next().and_then(|word| Some((word.parse().ok()?, half_a_digit(word))));
+    let mut number = || words.next().and_then(|word| Some((word.parse().ok()?, 0.5 * last_place(word))));
     let (x, y, z) = (number()?, number()?, number()?);
     Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
 }

@@ -1,5 +1,7 @@
 //! Spins that a record does not tell, from the turns between its attitudes.
 
+use crate::clock::Clock;
+use crate::error::Error;
 use crate::state::{Pair, State};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
@@ -75,4 +77,33 @@ impl Deriver {
     pub(crate) fn last(&self) -> Option<f64> {
         self.waiting.map(|state| state.t)
     }
+}
+
+/// Rows, with spins where the record tells none.
+pub(crate) struct Feed {
+    pub told: bool,
+    pub moments: Vector3<f64>,
+    pub clock: Clock,
+    pub deriver: Deriver,
+}
+
+impl Feed {
+    pub(crate) fn push(&mut self, state: &State) -> Result<Derived, Error> {
+        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
+            let problem = "the quaternion has no length: it is no attitude".into();
+            return Err(Error::Line { line: state.line, problem });
+        }
+        if self.told {
+            return Ok(Derived::Known(*state));
+        }
+        let (h, times) = self.deriver.last().map_or((0.0, 1.0), |last| self.clock.between(last, state.t));
+        Ok(self.deriver.push(&self.moments, state, h, times))
+    }
+}
+
+pub(crate) fn too_far(turn: f64) -> String {
+    format!(
+        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not tell a turn from one that goes the other \
+         way round. Record the spin, or shorter steps"
+    )
 }

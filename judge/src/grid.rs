@@ -11,8 +11,10 @@ pub(crate) struct Grid {
     step: f64,
     /// How far the step may be off, s.
     off: f64,
-    /// Half a unit of the last digit of the times, s.
+    /// Half a unit of the last decimal of the times, s.
     half: f64,
+    /// The most significant digits that they have.
+    digits: i32,
     told: bool,
 }
 
@@ -21,7 +23,9 @@ impl Grid {
     pub(crate) fn of(probe: &[Raw], told: Option<f64>) -> Option<Self> {
         let (first, last) = (probe.first()?, probe.last()?);
         // Of those printed without the zeros at their ends some have all the digits there are.
-        let half = probe.iter().map(|raw| raw.half).fold(f64::INFINITY, f64::min);
+        let half = probe.iter().map(|raw| raw.printed.half).fold(f64::INFINITY, f64::min);
+        let digits = probe.iter().map(|raw| raw.printed.digits).max()?;
+        let digits = i32::try_from(digits).unwrap_or(i32::MAX);
         let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
         let least = steps.clone().fold(f64::INFINITY, f64::min);
         let most = steps.fold(0.0, f64::max);
@@ -36,8 +40,9 @@ impl Grid {
         let mean = Self {
             start: first.t,
             step: (last.t - first.t) / count,
-            off: 2.0 * half / count,
+            off: 2.0 * half_of(last, half, digits) / count,
             half,
+            digits,
             told: false,
         };
         let told = told.map(|step| Self { step, off: 0.0, told: true, ..mean });
@@ -50,7 +55,9 @@ impl Grid {
             let place = self.place(raw.t);
             let forward = place > last;
             last = place;
-            forward && (self.start + place * self.step - raw.t).abs() <= 2.01 * self.half
+            forward
+                && (self.start + place * self.step - raw.t).abs()
+                    <= 2.01 * half_of(raw, self.half, self.digits)
         })
     }
 
@@ -62,7 +69,7 @@ impl Grid {
     pub(crate) fn put(&self, raw: &mut Raw) {
         let time = self.start + self.place(raw.t) * self.step;
         // A row that is not on it, after all those looked at, keeps its own.
-        if (time - raw.t).abs() <= 2.01 * self.half {
+        if (time - raw.t).abs() <= 2.01 * half_of(raw, self.half, self.digits) {
             raw.t = time;
         }
     }
@@ -82,4 +89,9 @@ impl Grid {
             self.step
         )
     }
+}
+
+/// Half a unit of the last digit that a time can have, s: where all have so many decimals, or so many significant digits.
+fn half_of(raw: &Raw, half: f64, digits: i32) -> f64 {
+    half.max(0.5 * raw.printed.above * 10.0_f64.powi(-digits))
 }

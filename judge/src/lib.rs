@@ -8,6 +8,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod advice;
+mod clock;
 mod columns;
 mod comment;
 mod curve;
@@ -27,6 +28,7 @@ mod rows;
 mod state;
 mod suspects;
 mod text;
+mod trial;
 mod units;
 mod verdict;
 

@@ -9,6 +9,17 @@ use std::io::BufRead;
 /// A line longer than this is no row of numbers.
 const LONGEST_LINE: u64 = 1 << 16;
 
+/// How a time is printed. Nothing of it is known of a count of steps.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Printed {
+    /// Half a unit of its last digit, s.
+    pub half: f64,
+    /// Its significant digits.
+    pub digits: u32,
+    /// The power of ten next above it, s.
+    pub above: f64,
+}
+
 /// A row as it stands in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Raw {
@@ -20,16 +31,14 @@ pub(crate) struct Raw {
     pub vector: Vector3<f64>,
     /// Another vector, beside that one; zero where there is none.
     pub second: Vector3<f64>,
-    /// Half a unit of the last printed digit of the time.
-    pub half: f64,
+    /// How its time is printed.
+    pub printed: Printed,
     /// The most significant digits that any of its numbers has.
     pub digits: u32,
     /// Whether all but the time fit single precision.
     pub single: bool,
     /// What a one is worth in the last place of the number that is written most finely.
     pub place: f64,
-    /// The significant digits of its time, and what a one is worth in the last place.
-    pub time: (u32, f64),
 }
 
 /// Reads a record.
@@ -145,8 +154,8 @@ fn read(
     let wanted = |i: usize| {
         i == clock || columns.vectors(i) || columns.attitude.is_some_and(|places| places.contains(&i))
     };
-    let (mut digits, mut single, mut place, mut half) = (0, true, f64::INFINITY, 0.0);
-    let mut time = (0, 0.0);
+    let (mut digits, mut single, mut place) = (0, true, f64::INFINITY);
+    let mut printed = Printed::default();
     fields.clear();
     for (i, field) in columns.separator.split(text).enumerate() {
         let wrong = |problem: String| Error::Field {
@@ -178,8 +187,11 @@ fn read(
             return Err(Wrong::NotFinite(wrong(problem)));
         }
         if i == clock {
-            half = half_a_digit(field);
-            time = (significant(field), last_place(field));
+            printed.half = 0.5 * last_place(field);
+            printed.digits = significant(field);
+            if value != 0.0 {
+                printed.above = 10.0_f64.powf(value.abs().log10().floor() + 1.0);
+            }
         } else {
             digits = digits.max(significant(field));
             place = place.min(last_place(field));
@@ -204,7 +216,14 @@ fn read(
         Clock::Time(i) => fields[i] / columns.per_second,
         Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
     };
-    let half = if matches!(columns.clock, Clock::Time(_)) { half / columns.per_second } else { 0.0 };
+    let printed = match columns.clock {
+        Clock::Time(_) => Printed {
+            half: printed.half / columns.per_second,
+            above: printed.above / columns.per_second,
+            ..printed
+        },
+        Clock::Steps(_) => Printed::default(),
+    };
     let three = |places: Option<[usize; 3]>, unit: f64| {
         Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * unit
     };
@@ -214,10 +233,7 @@ fn read(
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
-    if matches!(columns.clock, Clock::Steps(_)) {
-        time = (17, 0.0);
-    }
-    Ok(Raw { line, t, attitude, vector, second, half, digits, single, place, time })
+    Ok(Raw { line, t, attitude, vector, second, printed, digits, single, place })
 }
 
 /// A field as an error shows it: not all of a long one.
@@ -243,14 +259,6 @@ fn no_number(field: &str) -> String {
     format!("`{shown}` is not a number{why}")
 }
 
-/// Half a unit of a number's last printed digit.
-pub(crate) fn half_a_digit(field: &str) -> f64 {
-    let (number, power) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
-    let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let decimals = i32::try_from(decimals).unwrap_or(i32::MAX);
-    0.5 * 10.0_f64.powi(power.parse::<i32>().unwrap_or(0).saturating_sub(decimals))
-}
-
 /// How many digits from the first that is not zero, before an exponent.
 fn significant(field: &str) -> u32 {
     let mut count = 0;
@@ -266,7 +274,7 @@ fn significant(field: &str) -> u32 {
 }
 
 /// What a one is worth in the last place: 0.001 in 1.250, 1e-9 in 1.5e-8.
-fn last_place(field: &str) -> f64 {
+pub(crate) fn last_place(field: &str) -> f64 {
     let (number, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
     let places = number.split_once('.').map_or(0, |(_, after)| after.len());
     let exponent: i32 = exponent.parse().unwrap_or(0);

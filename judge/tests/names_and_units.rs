@@ -117,6 +117,19 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
         assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{decimals} {head} {verdict}");
         assert!(verdict.notes.iter().any(|note| note.contains("few digits")));
     }
+    // Of so many significant digits, zeros at the end left off: later times are coarser.
+    for digits in [4, 5, 6] {
+        let mut text = String::from("# inertia: 1 2 2.5; dt: 1/60 s\nt,qw,qx,qy,qz,wx,wy,wz\n");
+        for (t, q, w) in good() {
+            let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:.16e}"));
+            let t: f64 = format!("{t:.*e}", digits - 1).parse().unwrap();
+            text += &format!("{t},{}\n", numbers.join(","));
+        }
+        let verdict = judged(&text);
+        assert_eq!(verdict.outcome, Outcome::Passed, "{digits} {verdict}");
+        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::Exact, "{verdict}");
+        assert!(verdict.notes.iter().any(|note| note.contains("few digits")), "{verdict}");
+    }
     // Times that no step explains stay as they are.
     let verdict = judged(&text(3, "# dt: 1/50 s\n"));
     assert!(!verdict.notes.iter().any(|note| note.contains("length told")), "{verdict}");
