@@ -228,9 +228,10 @@ impl Times {
         }
     }
 
-    /// The one of this number, from 0; the last for a number beyond.
+    /// The one of this number, s, from 0; the last for a number beyond.
+    #[must_use]
     #[allow(clippy::cast_precision_loss)]
-    fn nth(&self, n: u64) -> f64 {
+    pub fn nth(&self, n: u64) -> f64 {
         let n = n.min(self.count().saturating_sub(1));
         match self {
             Self::Given(times) => {

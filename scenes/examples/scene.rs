@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The columns are those asked for: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
-//! the angle between spin and momentum, rad. Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in
+//! the angle between spin and momentum, rad. Lines are in order of time, all bodies at each (of more than 256 bodies, block by block). Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in
 //! the summary; where only they are asked for it is printed anyway.
 //!
 //! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering the others; a file that
@@ -15,10 +15,13 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ffi::OsString;
+use std::fmt::Write as _;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal as _, Write};
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 use tumbling::Error;
 use tumbling::scene::{Plan, State, Wants};
+use tumbling_scenes::crowd::{self, Block};
 use tumbling_scenes::file::{self, File};
 
 const USAGE: &str = "usage: scene [--summary | --explain] FILE.toml";
@@ -96,12 +99,14 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
     if show == Show::States {
         writeln!(out, "{}", columns(wants).join(","))?;
     }
-    let bar = bar(if show == Show::States { scene.times().count() } else { 1 } * scene.bodies().len() as u64);
+    if show == Show::States {
+        return states(file, name, out);
+    }
     let mut failed = 0;
     for (index, (place, toss)) in file.bodies.iter().zip(scene.bodies()).enumerate() {
         let mut told = |error: Error| {
             failed += 1;
-            bar.suspend(|| complain(&format!("{name}: {}", place.wrong(toss, &error))));
+            complain(&format!("{name}: {}", place.wrong(toss, &error)));
         };
         let plan = match scene.plan(index) {
             Ok(plan) => plan,
@@ -111,16 +116,52 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
             }
         };
         let done = match show {
-            Show::States => states(&plan, index, out, &bar)?,
             Show::Summary => summary(&plan, index, wants, out)?,
-            Show::Plan => writeln!(out, "body {index}\n{}", plan.explain()).map(Ok)?,
+            _ => writeln!(out, "body {index}\n{}", plan.explain()).map(Ok)?,
         };
         if let Err(error) = done {
             told(Error::OfBody { index, source: Box::new(error) });
         }
     }
-    bar.finish_and_clear();
     Ok(failed)
+}
+
+/// Writes the states, block by block as they are answered.
+fn states(file: &File, name: &str, out: &mut impl Write) -> io::Result<usize> {
+    let bar = bar(file.scene.times().count().saturating_mul(file.scene.bodies().len() as u64));
+    let (mut failed, mut written) = (0, Ok(()));
+    crowd::run(&file.scene, lines, |block| {
+        let (lines, states, wrong) = block;
+        for (index, error) in wrong {
+            failed += 1;
+            if let (Some(place), Some(toss)) = (file.bodies.get(index), file.scene.bodies().get(index)) {
+                bar.suspend(|| complain(&format!("{name}: {}", place.wrong(toss, &error))));
+            }
+        }
+        written = out.write_all(lines.as_bytes());
+        bar.inc(states);
+        if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    bar.finish_and_clear();
+    written.map(|()| failed)
+}
+
+/// A block as it is printed, how many states that is, and the bodies that went wrong.
+fn lines(block: &Block<'_>) -> (String, u64, Vec<(usize, Error)>) {
+    let (mut text, mut count) = (String::new(), 0);
+    for (body, state) in block.states() {
+        let State { time, spin, attitude, energy, gap } = state;
+        count += 1;
+        let quaternion = attitude.map(|q| [q.w, q.i, q.j, q.k]);
+        let numbers = spin.iter().flatten().chain(quaternion.iter().flatten()).chain(energy).chain(gap);
+        // Text takes all that is written to it.
+        let _ = write!(text, "{body},{time:.16e}");
+        for x in numbers {
+            let _ = write!(text, ",{x:.16e}");
+        }
+        text.push('\n');
+    }
+    (text, count, block.wrong.to_vec())
 }
 
 /// A bar where somebody watches, and where the answers do not scroll it away.
@@ -152,36 +193,6 @@ fn columns(wants: Wants) -> Vec<&'static str> {
         names.push("gap [rad]");
     }
     names
-}
-
-fn states(
-    plan: &Plan<'_>,
-    index: usize,
-    out: &mut impl Write,
-    bar: &ProgressBar,
-) -> io::Result<Result<(), Error>> {
-    for state in plan.states() {
-        let State { time, spin, attitude, energy, gap } = match state {
-            Ok(state) => state,
-            Err(error) => return Ok(Err(error)),
-        };
-        write!(out, "{index},{time:.16e}")?;
-        for x in spin.iter().flatten() {
-            write!(out, ",{x:.16e}")?;
-        }
-        if let Some(attitude) = attitude {
-            let q = attitude.quaternion();
-            for x in [q.w, q.i, q.j, q.k] {
-                write!(out, ",{x:.16e}")?;
-            }
-        }
-        for x in energy.into_iter().chain(gap) {
-            write!(out, ",{x:.16e}")?;
-        }
-        writeln!(out)?;
-        bar.inc(1);
-    }
-    Ok(Ok(()))
 }
 
 fn summary(

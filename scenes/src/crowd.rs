@@ -1,0 +1,217 @@
+//! The bodies of a scene, however many: planned one by one, answered side by side.
+//!
+//! Bodies whose motion is known in closed form are asked in lanes, as [`many`](crate::many) does; those that stand still or are driven
+//! by a torque one after the other. Blocks of [`TILE`] bodies at some [`INSTANTS`] times come out in order: the room needed grows
+//! with neither the times nor, beyond some blocks, with the bodies. With the feature `threads` several blocks are worked on
+//! at once.
+//!
+//! An answer is to the bit that of [`Scene::run`].
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use std::ops::ControlFlow;
+//! use tumbling::scene::{Scene, Times, Toss, Wants};
+//! use tumbling_scenes::crowd;
+//!
+//! // A thousand boxes, and one that no body is.
+//! let box_of = |k: usize| {
+//!     let moments = if k == 500 { Vector3::new(1.0, 1.0, 3.0) } else { Vector3::new(1.0, 1.5, 2.0) };
+//!     Toss::spinning(moments, Vector3::new(0.1, 1.0 + 0.001 * k as f64, 0.2))
+//! };
+//! let wants = Wants { spin: true, attitude: true, ..Wants::NOTHING };
+//! let scene = Scene::new((0..1000).map(box_of).collect(), vec![], Times::every(0.5, 60.0), wants, 1e-9)?;
+//!
+//! // The work on a block is done on some thread, what it comes to is taken in on this one.
+//! let (mut states, mut wrong) = (0, Vec::new());
+//! crowd::run(
+//!     &scene,
+//!     |block| (block.states().count(), block.wrong.to_vec()),
+//!     |(some, others)| {
+//!         states += some;
+//!         wrong.extend(others);
+//!         ControlFlow::Continue(())
+//!     },
+//! );
+//! assert_eq!(states, 999 * 121);
+//! assert_eq!(wrong.len(), 1);
+//! assert!(wrong[0].1.to_string().starts_with("body 500: "));
+//! # Ok::<(), tumbling::Error>(())
+//! ```
+
+use crate::many::{Four, INSTANTS, TILE};
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
+use std::ops::{ControlFlow, Range};
+use tumbling::Error;
+use tumbling::exact::{Batch, FreeMotion, Spins};
+use tumbling::scene::{Plan, Scene, State, States};
+
+/// Fewer bodies than this are not worth the lanes.
+const WORTH: usize = 3;
+
+/// Some bodies of a scene at some of its times.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block<'a> {
+    /// Which bodies.
+    pub bodies: Range<usize>,
+    /// Which of the times.
+    pub times: Range<u64>,
+    /// All bodies at the first of these times, then all at the next; none of a body that has no answer (any more).
+    pub answers: &'a [Option<State>],
+    /// Bodies that have no answer from here on, by their number in the scene, and why.
+    pub wrong: &'a [(usize, Error)],
+}
+
+impl Block<'_> {
+    /// Each state with the number of its body: all bodies at the first of the times, then all at the next.
+    pub fn states(&self) -> impl Iterator<Item = (usize, &State)> {
+        let (first, count) = (self.bodies.start, self.bodies.len().max(1));
+        let place = move |(n, state): (usize, &'_ Option<State>)| state.as_ref().map(|_| first + n % count);
+        self.answers.iter().enumerate().filter_map(move |slot| Some((place(slot)?, slot.1.as_ref()?)))
+    }
+}
+
+/// Answers all of a scene. `work` is given block after block, with the feature `threads` several at once on as many threads; `take` is given
+/// what each came to, in order, on this thread: all times of the first bodies, then of those after them. It may break off.
+pub fn run<R: Send>(
+    scene: &Scene,
+    work: impl Fn(&Block<'_>) -> R + Sync,
+    mut take: impl FnMut(R) -> ControlFlow<()>,
+) {
+    let bodies = scene.bodies().len();
+    let times = scene.times().count();
+    let some = TILE * at_once();
+    for first in (0..bodies).step_by(some) {
+        let tiles: Vec<usize> = (first..bodies.min(first + some)).step_by(TILE).collect();
+        let planned = together(tiles, |tile| (tile, plans(scene, tile..bodies.min(tile + TILE))));
+        let mut desks = together(planned.iter().collect(), |(tile, plans)| Desk::new(scene, *tile, plans));
+        let mut from = 0;
+        while from < times {
+            let to = times.min(from + INSTANTS as u64);
+            for done in together(desks.iter_mut().collect(), |desk| work(&desk.block(from..to))) {
+                if take(done).is_break() {
+                    return;
+                }
+            }
+            desks.retain(|desk| desk.failed.iter().any(|failed| !failed));
+            from = to;
+        }
+    }
+}
+
+/// How many tiles are in hand at once.
+fn at_once() -> usize {
+    #[cfg(feature = "threads")]
+    return 4 * rayon::current_num_threads();
+    #[cfg(not(feature = "threads"))]
+    1
+}
+
+/// Each of them done, in order: on all threads where there are some.
+fn together<A: Send, B: Send>(all: Vec<A>, each: impl Fn(A) -> B + Sync + Send) -> Vec<B> {
+    #[cfg(feature = "threads")]
+    return all.into_par_iter().map(each).collect();
+    #[cfg(not(feature = "threads"))]
+    all.into_iter().map(each).collect()
+}
+
+type Planned<'s> = Vec<Result<Plan<'s>, Error>>;
+
+fn plans(scene: &Scene, bodies: Range<usize>) -> Planned<'_> {
+    bodies.map(|body| scene.plan(body)).collect()
+}
+
+/// A tile's bodies, being answered.
+struct Desk<'p> {
+    scene: &'p Scene,
+    first: usize,
+    plans: &'p [Result<Plan<'p>, Error>],
+    lanes: Lanes,
+    /// Which of the tile's bodies are in the lanes, in their order there.
+    places: Vec<usize>,
+    /// The others that have a plan.
+    walkers: Vec<(usize, States<'p>)>,
+    room: Vec<Option<State>>,
+    wrong: Vec<(usize, Error)>,
+    /// Those that have no answer any more.
+    failed: Vec<bool>,
+}
+
+enum Lanes {
+    Spins(Spins<Four>),
+    Instants(Batch<Four>),
+}
+
+impl<'p> Desk<'p> {
+    fn new(scene: &'p Scene, first: usize, plans: &'p [Result<Plan<'p>, Error>]) -> Self {
+        let of =
+            |(place, plan): (usize, &Result<Plan<'_>, Error>)| Some((place, plan.as_ref().ok()?.motion()?));
+        let mut moving: Vec<(usize, FreeMotion)> = plans.iter().enumerate().filter_map(of).collect();
+        if moving.len() < WORTH {
+            moving.clear();
+        }
+        let (places, motions): (Vec<_>, Vec<_>) = moving.into_iter().unzip();
+        let lanes = if scene.wants().attitude {
+            Lanes::Instants(Batch::new(&motions))
+        } else {
+            Lanes::Spins(Spins::new(&motions))
+        };
+        let alone = |place: &usize| places.binary_search(place).is_err();
+        let walkers = (0..plans.len())
+            .filter(alone)
+            .filter_map(|place| Some((place, plans.get(place)?.as_ref().ok()?.states())))
+            .collect();
+        let wrong = |(place, plan): (usize, &Result<Plan<'_>, Error>)| {
+            Some((first + place, plan.as_ref().err()?.clone()))
+        };
+        let wrong: Vec<_> = plans.iter().enumerate().filter_map(wrong).collect();
+        let failed = plans.iter().map(Result::is_err).collect();
+        Self { scene, first, plans, lanes, places, walkers, room: Vec::new(), wrong, failed }
+    }
+
+    fn block(&mut self, times: Range<u64>) -> Block<'_> {
+        let Self { scene, first, plans, lanes, places, walkers, room, wrong, failed } = self;
+        let (first, bodies) = (*first, plans.len());
+        // What is wrong is told once.
+        if times.start > 0 {
+            wrong.clear();
+        }
+        let at: Vec<f64> = times.clone().map(|n| scene.times().nth(n)).collect();
+        room.clear();
+        room.resize(bodies * at.len(), None);
+        let mut put = |time: usize, place: usize, state: Result<State, Error>| match state {
+            Ok(state) if !failed[place] => room[time * bodies + place] = Some(state),
+            Err(source) if !failed[place] => {
+                failed[place] = true;
+                wrong.push((first + place, Error::OfBody { index: first + place, source: Box::new(source) }));
+            }
+            _ => {}
+        };
+        let plan = |body: usize| Some((*places.get(body)?, plans.get(*places.get(body)?)?.as_ref().ok()?));
+        let answered = match lanes {
+            Lanes::Spins(spins) => spins.each(&at, |time, body, omega| {
+                if let Some((place, plan)) = plan(body) {
+                    put(time, place, plan.state(at[time], &omega, None));
+                }
+            }),
+            Lanes::Instants(batch) => batch.each(&at, |time, body, instant| {
+                if let Some((place, plan)) = plan(body) {
+                    put(time, place, plan.state(at[time], &instant.omega, Some(&instant.attitude)));
+                }
+            }),
+        };
+        // The times of a scene are finite; if one were not, no body in lanes would have an answer.
+        if let Err(error) = answered {
+            for &place in places.iter() {
+                put(0, place, Err(error.clone()));
+            }
+        }
+        for (place, states) in walkers {
+            for (time, state) in states.by_ref().take(at.len()).enumerate() {
+                put(time, *place, state);
+            }
+        }
+        wrong.sort_by_key(|(body, _)| *body);
+        Block { bodies: first..first + bodies, times, answers: room, wrong }
+    }
+}

@@ -1,0 +1,152 @@
+//! A scene of many bodies is answered as each of them would be alone, to the bit.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use std::ops::ControlFlow;
+use tumbling::Error;
+use tumbling::scene::{LetGo, Scene, State, Times, Toss, Wants, Way};
+use tumbling::step::Torque;
+use tumbling_scenes::crowd;
+
+type Answers = (Vec<(usize, State)>, Vec<(usize, Error)>);
+
+fn in_blocks(scene: &Scene) -> Answers {
+    let (mut states, mut wrong): Answers = Default::default();
+    crowd::run(
+        scene,
+        |block| {
+            (block.states().map(|(body, state)| (body, *state)).collect::<Vec<_>>(), block.wrong.to_vec())
+        },
+        |(some, others)| {
+            states.extend(some);
+            wrong.extend(others);
+            ControlFlow::Continue(())
+        },
+    );
+    // Blocks go by time; one by one they go by body.
+    states.sort_by_key(|(body, _)| *body);
+    (states, wrong)
+}
+
+fn one_by_one(scene: &Scene) -> Answers {
+    let (mut states, mut wrong): Answers = Default::default();
+    scene.run(|body, state| match state {
+        Ok(state) => states.push((body, state)),
+        Err(error) => wrong.push((body, error)),
+    });
+    (states, wrong)
+}
+
+fn bits(state: &State) -> Vec<Option<u64>> {
+    let q = state.attitude.map(|q| [q.w, q.i, q.j, q.k]);
+    let spin = (0..3).map(|i| state.spin.map(|w| w[i]));
+    let turn = (0..4).map(|i| q.map(|q| q[i]));
+    let all = [Some(state.time), state.energy, state.gap];
+    all.into_iter().chain(spin).chain(turn).map(|x| x.map(f64::to_bits)).collect()
+}
+
+/// Balls, coins, spins about an axis, both kinds of circulation, a flipping body, one at rest; turned, tilted in its box, slow and fast.
+fn mixed(bodies: usize) -> Vec<Toss> {
+    let kinds: [([f64; 3], [f64; 3]); 8] = [
+        ([2.0, 2.0, 2.0], [0.3, -1.0, 0.7]),
+        ([1.0, 2.0, 2.5], [0.0, 0.0, 0.0]),
+        ([1.0, 2.0, 2.5], [0.0, -3.0, 0.0]),
+        ([2.0, 2.0, 3.0], [0.4, 0.5, -1.0]),
+        ([1.0, 2.0, 2.5], [0.2, 0.3, 1.1]),
+        ([1.0, 2.0, 2.5], [1.3, 0.2, -0.1]),
+        ([1.0, 2.0, 2.5], [0.01, 1.0, 0.02]),
+        ([0.7, 2.0, 2.5], [0.1, -1.0, 0.3]),
+    ];
+    let body = |k: usize| {
+        #[expect(clippy::cast_precision_loss, reason = "a small number")]
+        let turn = k as f64;
+        let (moments, omega) = kinds[k % kinds.len()];
+        let with = Vector3::from(omega) * (1.0 + 0.37 * (k % 5) as f64);
+        let attitude = UnitQuaternion::from_euler_angles(0.3 * turn, -0.1 * turn, turn);
+        let moments = Vector3::from(moments);
+        match k % 3 {
+            0 => Toss::spinning(moments, with),
+            1 => Toss { attitude, ..Toss::spinning(moments, with) },
+            // Not along its principal axes, and let go with a momentum.
+            _ => {
+                let products = Vector3::new(0.0625, -0.03125, 0.0625);
+                Toss { products, attitude, with: LetGo::Momentum(2.0 * with), moments }
+            }
+        }
+    };
+    (0..bodies).map(body).collect()
+}
+
+#[test]
+fn a_crowd_answers_as_each_body_alone_whatever_is_asked() {
+    let mut tried = 0;
+    for asked in 1_u8..16 {
+        let on = |bit: u8| asked & bit != 0;
+        let wants = Wants { spin: on(1), attitude: on(2), energy: on(4), gap: on(8), ..Wants::NOTHING };
+        // A body at rest has no gap: it goes wrong, and alone.
+        let scene = Scene::new(mixed(300), vec![], Times::every(0.3, 10.0), wants, 1e-9).unwrap();
+        let (crowd, alone) = (in_blocks(&scene), one_by_one(&scene));
+        assert_eq!(crowd.1, alone.1, "{wants:?}");
+        assert_eq!(crowd.1.is_empty(), !wants.gap);
+        assert_eq!(crowd.0.len(), alone.0.len(), "{wants:?}");
+        for ((body, one), (other, two)) in crowd.0.iter().zip(&alone.0) {
+            assert_eq!((body, bits(one)), (other, bits(two)), "{wants:?}, body {body} at {} s", two.time);
+            tried += 1;
+        }
+    }
+    assert!(tried > 100_000, "{tried}");
+}
+
+#[test]
+fn of_a_few_bodies_and_of_none_that_moves_the_same_is_true() {
+    let wants = Wants { spin: true, attitude: true, ..Wants::NOTHING };
+    for bodies in [1, 2, 3, 4, 5, 256, 257] {
+        let times = Times::Given(vec![0.0, 0.0, 1e-9, 7.0]);
+        let scene = Scene::new(mixed(bodies), vec![], times, wants, 1e-9).unwrap();
+        let (crowd, alone) = (in_blocks(&scene), one_by_one(&scene));
+        assert_eq!(crowd, alone);
+        assert_eq!(crowd.0.len(), 4 * bodies);
+    }
+}
+
+#[test]
+fn driven_bodies_are_stepped_on_from_block_to_block() {
+    let bodies: Vec<Toss> = (0..3)
+        .map(|k| Toss::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 6.0 + f64::from(k))))
+        .collect();
+    let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), 4.0);
+    let wants = Wants { spin: true, attitude: true, energy: true, ..Wants::NOTHING };
+    let scene = Scene::new(bodies, vec![torque], Times::every(0.01, 1.0), wants, 1e-3).unwrap();
+    assert!(matches!(scene.plan(0).unwrap().way(), Way::Stepper(_) | Way::Controlled(_)));
+    let (crowd, alone) = (in_blocks(&scene), one_by_one(&scene));
+    assert_eq!(crowd, alone);
+    assert_eq!(crowd.0.len(), 303);
+}
+
+#[test]
+fn one_bad_body_among_many_is_named_and_the_others_are_answered() {
+    let mut bodies = mixed(5000);
+    bodies[4321].moments = Vector3::new(1.0, 1.0, 3.0);
+    bodies[17].attitude = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(f64::NAN, 0.0, 0.0, 0.0));
+    let wants = Wants { spin: true, ..Wants::NOTHING };
+    let scene = Scene::new(bodies, vec![], Times::every(1.0, 20.0), wants, 1e-9).unwrap();
+    let (states, wrong) = in_blocks(&scene);
+    assert_eq!(wrong.iter().map(|(body, _)| *body).collect::<Vec<_>>(), [17, 4321]);
+    assert!(wrong[1].1.to_string().starts_with("body 4321: "), "{}", wrong[1].1);
+    assert_eq!(states.len(), 4998 * 21);
+}
+
+#[test]
+fn who_breaks_off_is_given_no_more() {
+    let wants = Wants { spin: true, ..Wants::NOTHING };
+    let scene = Scene::new(mixed(10), vec![], Times::every(1.0, 1e9), wants, 1e-3).unwrap();
+    let mut blocks = 0;
+    crowd::run(
+        &scene,
+        |_| (),
+        |()| {
+            blocks += 1;
+            if blocks < 5 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        },
+    );
+    assert_eq!(blocks, 5);
+}
