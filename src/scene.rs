@@ -25,6 +25,7 @@
 //! accuracy beyond that is refused with what can be had. Under a torque a method and a step are chosen, and then tried: the run at that
 //! step is held against a finer one, and it is refined until the two agree to half of the accuracy. That is evidence, not proof.
 
+mod by;
 mod cost;
 mod driven;
 mod explain;

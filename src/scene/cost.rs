@@ -21,6 +21,8 @@ pub(super) const PAIR: f64 = 7000.0;
 pub(super) const ANEW: f64 = 2.0;
 /// A step of Moser and Veselov's method between two half kicks.
 pub(super) const KICKED: f64 = 1500.0;
+/// A step that linearises the damping.
+pub(super) const LINEARISED: f64 = 860.0;
 /// A step by the exact flow between two half kicks.
 pub(super) const FLOW: f64 = 11_000.0;
 
@@ -33,7 +35,8 @@ impl Plan<'_> {
     #[allow(clippy::cast_precision_loss)]
     pub fn cost(&self) -> Cost {
         let wants = self.scene.wants;
-        let driven = |driven: &Driven, each: f64, least: f64| {
+        let driven = |driven: &Driven| {
+            let (each, least) = (driven.by.price_of_step(), driven.by.least_steps());
             let steps = driven.steps as f64;
             let states = self.scene.times.count() as f64;
             // The last run that was tried, and the coarser one before it: half of it.
@@ -47,9 +50,7 @@ impl Plan<'_> {
             Way::SymmetricTop(_) => Cost { once: 2800.0, state: 430.0 },
             Way::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 750.0 },
             Way::Elliptic(_) => Cost { once: ELLIPTIC, state: 1300.0 },
-            Way::Stepper(one) | Way::Stiff(one) => driven(one, KICKED, 1.0),
-            Way::Flow(one) => driven(one, FLOW, 1.0),
-            Way::Controlled(one) => driven(one, PAIR, ANEW),
+            Way::Stepper(one) | Way::Stiff(one) | Way::Flow(one) | Way::Controlled(one) => driven(one),
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Ways to answer for a body under torques: chosen by how strong and how fast they are, and then tried.
 
-use super::plan::{By, Driven, Way};
+use super::by::By;
+use super::plan::{Driven, Way};
 use super::{Principal, Scene, cost};
 use crate::error::Error;
-use crate::flow;
 use crate::observe;
-use crate::step::{LEAST_TOLERANCE, Method, Motion, System, Torque, controlled_within};
+use crate::step::{LEAST_TOLERANCE, Method, Motion, System, Torque};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// Whether it does nothing, at whatever attitude and spin.
@@ -178,14 +178,17 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> By {
     }
 }
 
-/// Some of the times asked for, and the last.
+/// Some of the times asked for, in order: evenly chosen, with the last, and ever closer to the first, where what fades fast is still there.
 fn compared(scene: &Scene) -> Vec<f64> {
-    let count = scene.times.count();
-    let every = count.div_ceil(COMPARED).max(1);
-    let mut times: Vec<f64> = (1..=COMPARED).map(|k| scene.times.nth(k * every)).collect();
-    times.push(scene.times.end());
-    times.dedup();
-    times
+    let last = scene.times.count().saturating_sub(1);
+    let every = scene.times.count().div_ceil(COMPARED).max(1);
+    let doubled = (0..64).map(|k| 1_u64 << k);
+    let mut places: Vec<u64> =
+        (0..COMPARED).map(|k| k * every).chain(doubled).filter(|n| *n < last).collect();
+    places.push(last);
+    places.sort_unstable();
+    places.dedup();
+    places.into_iter().map(|n| scene.times.nth(n)).collect()
 }
 
 /// How it is stepped, how far from a coarser run, in how many steps.
@@ -236,7 +239,7 @@ impl Trial<'_> {
         let all = *left;
         let mut by = first;
         let mut best = f64::INFINITY;
-        let mut coarse = self.run(by, left, most);
+        let mut coarse = self.run(by, None, left, most);
         for _ in 0..ROUNDS {
             if let Err(Error::TooMany { .. }) = coarse {
                 break;
@@ -246,7 +249,7 @@ impl Trial<'_> {
             if finer == by || self.steps(finer) > (*left as f64).min(most) {
                 break;
             }
-            let fine = self.run(finer, left, most);
+            let fine = self.run(finer, Some(by), left, most);
             let difference = match (&coarse, &fine) {
                 (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
                 _ => f64::INFINITY,
@@ -257,7 +260,9 @@ impl Trial<'_> {
                 return Ok((finer, difference, *steps));
             }
             best = best.min(difference);
-            (by, coarse) = (finer, fine);
+            // What was cut for the comparison alone is put back before it is compared with the next.
+            coarse = if self.cuts(finer, by) { self.run(finer, None, left, most) } else { fine };
+            by = finer;
         }
         match coarse {
             _ if 2.0 * best < 1.0 => {
@@ -268,8 +273,24 @@ impl Trial<'_> {
         }
     }
 
+    /// Whether a finer step is not finer everywhere: between some of the times both are one step, or as many.
+    fn cuts(&self, finer: By, coarser: By) -> bool {
+        let mut from = 0.0;
+        self.times.iter().any(|&to| {
+            let between = to - std::mem::replace(&mut from, to);
+            between > 0.0 && finer.count(between) < coarser.count(between).map(|count| 2 * count)
+        })
+    }
+
+    /// With `over` a coarser step, at least twice as many between each two times: what takes one step either way would agree with itself.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
-    fn run(&self, by: By, left: &mut usize, most: f64) -> Result<(Vec<Motion<f64>>, usize), Error> {
+    fn run(
+        &self,
+        by: By,
+        over: Option<By>,
+        left: &mut usize,
+        most: f64,
+    ) -> Result<(Vec<Motion<f64>>, usize), Error> {
         let (mut now, mut motion) = (0.0, self.start.clone());
         let whole = (*left).min(most as usize);
         let mut of_run = whole;
@@ -277,7 +298,9 @@ impl Trial<'_> {
         let mut on = |of_run: &mut usize| {
             for &time in self.times {
                 if time > now {
-                    (motion, now) = (by.on(self.system, &motion, time - now, of_run)?, time);
+                    let between = time - now;
+                    let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
+                    (motion, now) = (by.on(self.system, &motion, between, least, of_run)?, time);
                 }
                 seen.push(motion.clone());
             }
@@ -313,81 +336,6 @@ impl Trial<'_> {
         }
         worst
     }
-}
-
-impl By {
-    /// `duration` seconds on, in steps that are taken off those left.
-    ///
-    /// # Errors
-    /// [`Error::TooMany`] when none is left, or as the steps.
-    pub(super) fn on(
-        self,
-        system: &System<f64>,
-        start: &Motion<f64>,
-        duration: f64,
-        left: &mut usize,
-    ) -> Result<Motion<f64>, Error> {
-        let (step, method) = match self {
-            Self::Control(tolerance) => {
-                return controlled_within(system, start, duration, tolerance, left).map(|run| run.end);
-            }
-            Self::Steps(method, step) => (step, Some(method)),
-            Self::Flow(step) => (step, None),
-        };
-        let (count, h) = parts(duration, step)?;
-        if count > *left {
-            return Err(Error::TooMany { what: "steps", count });
-        }
-        let mut motion = start.clone();
-        for _ in 0..count {
-            *left -= 1;
-            motion = match method {
-                Some(method) => method.step(system, &motion, &h)?,
-                None => flow::step(system, &motion, h)?,
-            };
-        }
-        Ok(motion)
-    }
-
-    /// What a step costs, in instructions.
-    fn price_of_step(self) -> f64 {
-        match self {
-            Self::Steps(..) => cost::KICKED,
-            Self::Flow(_) => cost::FLOW,
-            Self::Control(_) => cost::PAIR,
-        }
-    }
-
-    /// What so many states cost in so many steps, or in more where states are asked for more often.
-    #[allow(clippy::cast_precision_loss)]
-    fn price(self, states: u64, steps: usize) -> f64 {
-        let least = if let Self::Control(_) = self { cost::ANEW } else { 1.0 };
-        self.price_of_step() * (steps as f64).max(least * states as f64)
-    }
-
-    /// The same, finer: by half or more, aiming at an error so many times as large.
-    fn finer(self, share: f64) -> Self {
-        // Nothing seen yet: half, or a tenth of the tolerance.
-        let by = |order: i32, first: f64| {
-            if share > 0.0 { (0.8 * share.powf(1.0 / f64::from(order))).clamp(1e-2, 0.5) } else { first }
-        };
-        match self {
-            Self::Steps(method @ Method::LinearisedImplicit, step) => Self::Steps(method, step * by(1, 0.5)),
-            Self::Steps(method, step) => Self::Steps(method, step * by(2, 0.5)),
-            Self::Flow(step) => Self::Flow(step * by(2, 0.5)),
-            Self::Control(tolerance) => Self::Control((tolerance * by(1, 0.1)).max(LEAST_TOLERANCE)),
-        }
-    }
-}
-
-/// In how many equal parts none is longer than `step`.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and below 2^53
-fn parts(duration: f64, step: f64) -> Result<(usize, f64), Error> {
-    let count = (duration / step).ceil().max(1.0);
-    if count.is_nan() || count > 1.0 / f64::EPSILON {
-        return Err(Error::OutOfRange { what: "the number of steps", value: count });
-    }
-    Ok((count as usize, duration / count))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! How to answer for one body.
 
+use super::by::By;
 use super::states::States;
 use super::{Polhode, Principal, Scene, Toss, Wants, driven, free};
 use crate::error::{Error, finite};
@@ -66,17 +67,6 @@ pub struct Driven {
     pub(super) steps: usize,
     /// Whether damping is much faster than the motion.
     pub(super) stiff: bool,
-}
-
-/// How a driven body is stepped.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum By {
-    /// With this method, in steps of at most so many seconds.
-    Steps(Method, f64),
-    /// With the exact flow between kicks.
-    Flow(f64),
-    /// With this tolerance of a step.
-    Control(f64),
 }
 
 impl Driven {

@@ -183,7 +183,7 @@ fn walked(
 ) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
     let (mut now, mut motion) = walker.take().unwrap_or_else(|| (0.0, driven.start.clone()));
     if time > now {
-        motion = driven.by.on(&driven.system, &motion, time - now, &mut { usize::MAX })?;
+        motion = driven.by.on(&driven.system, &motion, time - now, 1, &mut { usize::MAX })?;
         now = time;
     }
     let spin = driven.system.omega(&motion.vector);
