@@ -1,7 +1,7 @@
 //! What a scene costs by what is asked of it, in processor instructions; and what each part of the workspace adds to a build.
 //!
-//! Three tables in one record: `executed` (counted by valgrind, the same to a few in every run), `compiled` (crates, and seconds of a build)
-//! and `scale` (many bodies). Each run renews its own tables and leaves the others as they are.
+//! Two tables in one record: `executed` (counted by valgrind, the same to a few in every run) and `compiled` (crates, and seconds of a build).
+//! Each run renews its own tables and leaves the others as they are.
 
 use crate::instructions::{Again, counted};
 use crate::record::{Record, Row, Wrong};
@@ -17,7 +17,7 @@ use tumbling::step::Torque;
 /// One number of one table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saving {
-    /// `executed`, `compiled` or `scale`.
+    /// `executed` or `compiled`.
     pub table: String,
     /// What it is of.
     pub row: String,
@@ -152,15 +152,17 @@ pub fn executed(again: &Again, tell: &mut dyn FnMut(&str)) -> Result<Vec<Saving>
 }
 
 /// What is built, each after those before it: what cargo is told, and what it is called.
-const BUILDS: [(&str, &[&str]); 8] = [
+const BUILDS: [(&str, &[&str]); 10] = [
     ("the library", &["-p", "tumbling"]),
     ("scenes", &["-p", "tumbling-scenes", "--no-default-features"]),
     ("scenes from files", &["-p", "tumbling-scenes"]),
+    ("scenes on all threads", &["-p", "tumbling-scenes", "--features", "threads"]),
     ("measuring", &["-p", "tumbling-measure"]),
     ("the judge", &["-p", "tumbling-judge"]),
     ("the proofs", &["-p", "tumbling-proofs"]),
     ("the figures", &["-p", "tumbling-figures"]),
     ("the book", &["-p", "tumbling-book"]),
+    ("the peers (in no default build)", &["--manifest-path", "measure/peers/Cargo.toml"]),
 ];
 
 /// Crates of the table `compiled`.
@@ -224,13 +226,6 @@ pub fn compiled(root: &Path, time: Option<&Path>, tell: &mut dyn FnMut(&str)) ->
             add(name, SECONDS, (10.0 * start.elapsed().as_secs_f64()).round() / 10.0);
         }
     }
-    let peers = tree(&["--manifest-path", "measure/peers/Cargo.toml"])?;
-    add("the peers (in no default build)", CRATES, peers.len() as f64);
-    add(
-        "the peers (in no default build)",
-        MORE,
-        peers.iter().filter(|one| !before.contains(one)).count() as f64,
-    );
     Ok(rows)
 }
 
@@ -244,7 +239,6 @@ pub fn head() -> Vec<(String, String)> {
             "compiled",
             "crates, with build programs; those that none before needed; seconds of the release build after those before",
         ),
-        ("scale", "states of many bodies"),
     ];
     let mut head: Vec<(String, String)> =
         what.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
@@ -262,7 +256,7 @@ pub fn renewed(old: Record<Saving>, rows: Vec<Saving>) -> Record<Saving> {
         .into_iter()
         .filter(|row| rows.iter().all(|new| new.table != row.table) || (row.what == SECONDS && !timed));
     let mut all: Vec<Saving> = rows.iter().cloned().chain(kept).collect();
-    let order = |row: &Saving| ["executed", "compiled", "scale"].iter().position(|table| *table == row.table);
+    let order = |row: &Saving| ["executed", "compiled"].iter().position(|table| *table == row.table);
     all.sort_by_key(|row| order(row).unwrap_or(usize::MAX));
     Record { head: head(), rows: all }
 }
