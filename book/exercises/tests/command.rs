@@ -1,0 +1,30 @@
+//! `cargo exercise NAME`, the program behind it: a name that no exercise has is no success.
+
+use std::process::{Command, Output};
+
+/// The program, which `cargo test` builds beside the tests.
+fn exercise(names: &[&str]) -> Output {
+    let mut path = std::env::current_exe().unwrap();
+    path.pop();
+    path.pop();
+    let program = path.join("examples").join(format!("exercise{}", std::env::consts::EXE_SUFFIX));
+    Command::new(program).args(names).output().unwrap()
+}
+
+#[test]
+fn a_misspelt_name_is_refused_with_the_nearest() {
+    let output = exercise(&["two_arows_1"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.starts_with("There is no exercise `two_arows_1`. Did you mean `two_arrows_1`, "), "{told}");
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn without_a_name_it_says_how_it_is_called() {
+    for names in [&[][..], &["--help"]] {
+        let output = exercise(names);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(String::from_utf8(output.stderr).unwrap().starts_with("usage: cargo exercise NAME"));
+    }
+}
