@@ -6,9 +6,12 @@
 //! cargo run --release --example scene -- --explain FILE.toml   what was chosen for each body, what was left out, what it costs
 //! ```
 //!
+//! With `--features tumbling-scenes/threads` a scene of many bodies is shared out over the processor's cores.
+//!
 //! The columns are those asked for: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
-//! the angle between spin and momentum, rad. Lines are in order of time, all bodies at each (of more than 256 bodies, block by block). Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in
-//! the summary; where only they are asked for it is printed anyway.
+//! the angle between spin and momentum, rad. Lines are in order of time, all bodies at each; of more than 256 bodies, block by
+//! block. Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in the summary; where only they are
+//! asked for it is printed anyway.
 //!
 //! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering the others; a file that
 //! cannot be read, with 2.
