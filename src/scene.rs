@@ -23,7 +23,8 @@
 //! One number: the most that any state may be off, as the angle of the attitude (rad), as the spin beside the largest spin that the
 //! motion has had, and as the energy beside the largest that it has had. A free body is answered in closed form, as exactly as its conditioning lets it be; an
 //! accuracy beyond that is refused with what can be had. Under a torque a method and a step are chosen, and then tried: the run at that
-//! step is held against a finer one, and it is refined until the two agree to half of the accuracy. That is evidence, not proof.
+//! step is held against a finer one, and it is refined until the two agree to half of the accuracy, or to a quarter if the
+//! coarser is to answer. That is evidence, not proof.
 
 mod by;
 mod cost;
@@ -72,7 +73,8 @@ pub enum TossPart {
 pub struct Toss {
     /// The diagonal of its inertia tensor, kg m²: its principal moments where the products are zero.
     pub moments: Vector3<f64>,
-    /// The off-diagonal entries xy, xz, yz of its tensor, kg m², signed so that `L = I w` holds.
+    /// The off-diagonal entries xy, xz, yz of its tensor, kg m², signed so that `L = I w` holds. Damping of such a body must be the same
+    /// along all axes: that of one axis is told along the principal axes, and these have no order to go by.
     pub products: Vector3<f64>,
     /// Body to world.
     pub attitude: UnitQuaternion<f64>,
@@ -379,7 +381,7 @@ impl Scene {
         Plan::new(self, toss).map_err(of_body)
     }
 
-    /// Answers all of it, body by body: `take` is given the number of each body and its states in order, or what is wrong with it, after which
+    /// Answers all of it, body by body and one after the other (the crate `tumbling-scenes` has many side by side): `take` is given the number of each body and its states in order, or what is wrong with it, after which
     /// the next is answered.
     pub fn run(&self, mut take: impl FnMut(usize, Result<State, Error>)) {
         for index in 0..self.bodies.len() {

@@ -331,6 +331,27 @@ fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
     assert!((end.spin.unwrap() - push.component_div(&uneven)).norm() < 1e-5);
 }
 
+/// Along x without products and along x with hardly any is not the same axis by its number: what cannot be told is refused.
+#[test]
+fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
+    let moments = Vector3::new(3.0, 1.5, 2.5);
+    let end = |products: Vector3<f64>, damping: Vector3<f64>| {
+        let toss = Toss { products, ..Toss::spinning(moments, Vector3::x()) };
+        let scene = one(toss, vec![Torque::Damping(damping)], Times::Given(vec![5.0]), SPIN, 1e-8);
+        scene.plan(0).map(|plan| states(&plan).pop().unwrap().spin.unwrap())
+    };
+    let (none, hardly) = (Vector3::zeros(), Vector3::new(1e-12, 0.0, 0.0));
+    let uneven = Vector3::new(0.5, 0.0, 0.0);
+    assert!((end(none, uneven).unwrap().x - (-0.5_f64 * 5.0 / 3.0).exp()).abs() < 1e-8);
+    let told = end(hardly, uneven).unwrap_err().to_string();
+    assert!(
+        told.contains("damping that differs from axis to axis is asked for, but it is told along"),
+        "{told}"
+    );
+    let even = Vector3::new(0.5, 0.5, 0.5);
+    assert!((end(none, even).unwrap() - end(hardly, even).unwrap()).norm() < 1e-8);
+}
+
 /// Two strong torques, no digit asked for to speak of, and a thousand seconds: the way there is longer than anybody waits.
 #[test]
 fn trials_end_after_so_many_steps_in_all() {

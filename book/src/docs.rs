@@ -14,7 +14,7 @@ const FOLDER: &str = "api";
 /// Cargo could not be run, or did not get through; it has said why.
 pub(crate) fn make() -> Result<(), String> {
     let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["doc", "--quiet", "--no-deps", "-p", "tumbling", "--manifest-path"])
+        .args(["doc", "--quiet", "--no-deps", "-p", "tumbling", "-p", "tumbling-scenes", "--manifest-path"])
         .arg(paths::repository().join("Cargo.toml"))
         .status()
         .map_err(|e| format!("cannot run cargo for the library's documentation: {e}"))?;
@@ -31,7 +31,8 @@ pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
         return Ok(false);
     };
     let beside = pages.join(FOLDER);
-    for part in ["tumbling", "src/tumbling", "static.files", "search.index", "trait.impl", "type.impl"] {
+    let ours = ["tumbling", "src/tumbling", "tumbling_scenes", "src/tumbling_scenes"];
+    for part in ours.into_iter().chain(["static.files", "search.index", "trait.impl", "type.impl"]) {
         if made.join(part).exists() {
             copy(&made.join(part), &beside.join(part))?;
         }

@@ -29,6 +29,27 @@ use tumbling_scenes::file::{self, File};
 
 const USAGE: &str = "usage: scene [--summary | --explain] FILE.toml";
 
+const HELP: &str = "
+FILE.toml says what there is and what is asked:
+
+    accuracy = 1e-9              # of angles (rad), and of spin and energy beside their largest
+    span = 10.0                  # s
+    every = 0.1                  # s; or instead of the two: times = [0.0, 0.5, 2.0]
+    wants = [\"spin\", \"flips\"]  # of spin, attitude, energy, gap, flips, polhode
+
+    [[body]]                     # as many as you like
+    moments = [1.0, 2.0, 2.5]    # kg m^2: xx, yy, zz; with products = [xy, xz, yz] where there are any
+    spin = [0.01, 10.0, 0.0]     # rad/s, body axes; or momentum = [..], kg m^2/s, world axes
+    attitude = [1, 0, 0, 0]      # body to world, scalar part first; this one if left out
+
+    [[torque]]                   # none, or as many as you like, each on every body: one of
+    damping = [0.1, 0.1, 0.1]    #   N m s, along the principal axes
+                                 #   in-body = [..], in-world = [..]: N m
+                                 #   arm = [..] (m, body axes) with field = [..] (N, world axes): a weight
+                                 #   dissipation = 0.1: turns spin into heat and keeps the momentum
+
+Files to begin with are in scenes/files.";
+
 #[derive(Clone, Copy, PartialEq)]
 enum Show {
     States,
@@ -45,7 +66,7 @@ fn main() -> ExitCode {
     let (show, path) = match asked() {
         Ok(Some(asked)) => asked,
         Ok(None) => {
-            let _ = writeln!(io::stdout(), "{USAGE}");
+            let _ = writeln!(io::stdout(), "{USAGE}\n{HELP}");
             return ExitCode::SUCCESS;
         }
         Err(why) => {
@@ -103,9 +124,13 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
         writeln!(out, "{}", columns(wants).join(","))?;
     }
     if show == Show::States {
+        if wants.flips || wants.polhode {
+            complain(&format!("{name}: flips and polhode belong to no one time: see --summary"));
+        }
         return states(file, name, out);
     }
     let mut failed = 0;
+    let mut alike: Vec<(String, Vec<usize>)> = Vec::new();
     for (index, (place, toss)) in file.bodies.iter().zip(scene.bodies()).enumerate() {
         let mut told = |error: Error| {
             failed += 1;
@@ -120,13 +145,34 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
         };
         let done = match show {
             Show::Summary => summary(&plan, index, wants, out)?,
-            _ => writeln!(out, "body {index}\n{}", plan.explain()).map(Ok)?,
+            _ => {
+                let text = plan.explain();
+                match alike.iter_mut().find(|(other, _)| *other == text) {
+                    Some((_, bodies)) => bodies.push(index),
+                    None => alike.push((text, vec![index])),
+                }
+                Ok(())
+            }
         };
         if let Err(error) = done {
             told(Error::OfBody { index, source: Box::new(error) });
         }
     }
+    for (text, bodies) in alike {
+        writeln!(out, "{}\n{text}", names(&bodies))?;
+    }
     Ok(failed)
+}
+
+/// The bodies that one plan is for.
+fn names(bodies: &[usize]) -> String {
+    const FEW: usize = 8;
+    let words: Vec<String> = bodies.iter().take(FEW).map(ToString::to_string).collect();
+    match (words.as_slice(), bodies.len()) {
+        ([one], _) => format!("body {one}"),
+        (_, count) if count > FEW => format!("bodies {}, ... ({count} of them)", words.join(", ")),
+        _ => format!("bodies {}", words.join(", ")),
+    }
 }
 
 /// Writes the states, block by block as they are answered.
@@ -179,18 +225,13 @@ fn bar(length: u64) -> ProgressBar {
 fn columns(wants: Wants) -> Vec<&'static str> {
     let mut names = vec!["body", "t [s]"];
     if wants.spin {
-        names.extend(["wx [rad/s; body axes]", "wy [rad/s; body axes]", "wz [rad/s; body axes]"]);
+        names.extend(["wx [rad/s]", "wy [rad/s]", "wz [rad/s]"]);
     }
     if wants.attitude {
-        names.extend([
-            "qw [body to world]",
-            "qx [body to world]",
-            "qy [body to world]",
-            "qz [body to world]",
-        ]);
+        names.extend(["qw", "qx", "qy", "qz"]);
     }
     if wants.energy {
-        names.push("energy [J]");
+        names.push("kinetic energy [J]");
     }
     if wants.gap {
         names.push("gap [rad]");
@@ -218,7 +259,7 @@ fn summary(
         writeln!(out, "  attitude  {:.16e} {:.16e} {:.16e} {:.16e}, body to world", q.w, q.i, q.j, q.k)?;
     }
     if let Some(energy) = last.energy {
-        writeln!(out, "  energy    {energy:.16e} J")?;
+        writeln!(out, "  energy    {energy:.16e} J, kinetic")?;
     }
     if let Some(gap) = last.gap {
         writeln!(out, "  gap       {gap:.16e} rad")?;
@@ -229,8 +270,8 @@ fn summary(
             Err(error) => return Ok(Err(error)),
         };
         writeln!(out, "  flips     {}", flips.remaining())?;
-        if let (Some(first), Some(end)) = (flips.clone().next(), flips.last()) {
-            writeln!(out, "            the first at {first:.16e} s, the last at {end:.16e} s")?;
+        for flip in flips {
+            writeln!(out, "            at {flip:.16e} s")?;
         }
     }
     if wants.polhode {

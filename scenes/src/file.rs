@@ -13,7 +13,7 @@
 //! attitude = [1, 0, 0, 0]     # body to world, scalar part first; may be left out
 //!
 //! [[torque]]                  # on every body; or in-body, in-world (N m), arm and field, dissipation
-//! damping = [0.1, 0.1, 0.1]   # N m s
+//! damping = [0.1, 0.1, 0.1]   # N m s along the principal axes; all alike for a body with products
 //! "#;
 //! let file = tumbling_scenes::file::read(text).unwrap();
 //! assert_eq!(file.scene.times().count(), 121);
@@ -162,7 +162,15 @@ impl<'a, 'i> Fields<'a, 'i> {
     }
 
     fn missing(&self, what: &str) -> Wrong {
-        Wrong { line: Some(self.lines.at(&self.span)), field: None, why: format!("{what} is missing") }
+        // Of the file itself no line is to blame.
+        let line = (self.span.start > 0).then(|| self.lines.at(&self.span));
+        Wrong { line, field: None, why: format!("{what} is missing") }
+    }
+
+    /// Of two fields that go together the one that is there.
+    fn alone(&self, there: &str, missing: &str) -> Wrong {
+        let span = self.get(there).map_or_else(|| self.span.clone(), Spanned::span);
+        self.lines.wrong(&span, there, format!("beside it {missing} is missing"))
     }
 
     fn expected(&self, name: &str, value: &Spanned<DeValue<'_>>, expected: &str) -> Wrong {
@@ -234,13 +242,38 @@ impl<'a, 'i> Fields<'a, 'i> {
     }
 }
 
+/// What others call what is meant here.
+const ELSEWHERE: [(&str, &str); 16] = [
+    ("omega", "spin"),
+    ("angular_velocity", "spin"),
+    ("w", "spin"),
+    ("inertia", "moments"),
+    ("tensor", "moments"),
+    ("angular_momentum", "momentum"),
+    ("quaternion", "attitude"),
+    ("orientation", "attitude"),
+    ("rotation", "attitude"),
+    ("dt", "every"),
+    ("step", "every"),
+    ("duration", "span"),
+    ("end", "span"),
+    ("tolerance", "accuracy"),
+    ("drag", "damping"),
+    ("gravity", "field"),
+];
+
 fn nearest(name: &str, known: &[&str]) -> String {
+    let lower = name.to_lowercase();
+    let meant = ELSEWHERE.iter().find(|(word, meant)| *word == lower && known.contains(meant));
+    if let Some((_, meant)) = meant {
+        return format!(" Did you mean `{meant}`?");
+    }
     let best = known
         .iter()
         .map(|known| (strsim::normalized_damerau_levenshtein(name, known), known))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     match best {
-        Some((likeness, name)) if likeness > 0.4 => format!(" Did you mean `{name}`?"),
+        Some((likeness, name)) if likeness >= 0.6 => format!(" Did you mean `{name}`?"),
         _ => format!(" There are `{}`.", known.join("`, `")),
     }
 }
@@ -306,8 +339,8 @@ fn times(root: &Fields<'_, '_>) -> Result<Times, Wrong> {
                 "either `times` or `every` and `span` are expected, not both",
             ))
         }
-        (None, None, Some(_)) => Err(root.missing("beside `span` the field `every`")),
-        (None, Some(_), None) => Err(root.missing("beside `every` the field `span`")),
+        (None, None, Some(_)) => Err(root.alone("span", "`every`")),
+        (None, Some(_), None) => Err(root.alone("every", "`span`")),
         (None, None, None) => Err(root.missing("`every` and `span`, or `times`,")),
     }
 }
@@ -367,8 +400,8 @@ fn torque(torque: &Fields<'_, '_>) -> Result<Torque<f64>, Wrong> {
         match (torque.vector("arm")?, torque.vector("field")?) {
             (Some(arm), Some(field)) => Some(Torque::Aligning { arm, field }),
             (None, None) => None,
-            (Some(_), None) => return Err(torque.missing("beside `arm` (m) the field `field` (N)")),
-            (None, Some(_)) => return Err(torque.missing("beside `field` (N) the field `arm` (m)")),
+            (Some(_), None) => return Err(torque.alone("arm", "`field` (N)")),
+            (None, Some(_)) => return Err(torque.alone("field", "`arm` (m)")),
         },
         torque.vector("damping")?.map(Torque::Damping),
         torque.number("dissipation")?.map(Torque::Dissipation),

@@ -42,8 +42,7 @@ fn the_states_are_printed_with_all_their_digits_under_names_and_units() {
     let mut lines = text.lines();
     assert_eq!(
         lines.next().unwrap(),
-        "body,t [s],wx [rad/s; body axes],wy [rad/s; body axes],wz [rad/s; body axes],qw [body to world],\
-         qx [body to world],qy [body to world],qz [body to world],energy [J],gap [rad]"
+        "body,t [s],wx [rad/s],wy [rad/s],wz [rad/s],qw,qx,qy,qz,kinetic energy [J],gap [rad]"
     );
     let moments = Vector3::new(0.833_333_333_333_333_4, 1.083_333_333_333_333_3, 0.416_666_666_666_666_7);
     let exact = FreeMotion::new(&moments, &Vector3::new(1.0, 0.01, 0.01)).unwrap();
@@ -64,12 +63,15 @@ fn every_story_is_answered_in_numbers_in_short_and_in_words() {
     for entry in std::fs::read_dir(story("")).unwrap() {
         let path = entry.unwrap().path();
         for (words, begins) in
-            [(&[][..], "body,t [s]"), (&["--summary"], "body 0\nat "), (&["--explain"], "body 0\nchosen: ")]
+            [(&[][..], "body,t [s]"), (&["--summary"], "body 0\nat "), (&["--explain"], "bod")]
         {
             let output = answered(words, &path);
             assert_eq!(output.status.code(), Some(0), "{path:?}");
             assert!(said(&output.stdout).starts_with(begins), "{path:?}");
-            assert!(output.stderr.is_empty(), "{path:?}");
+            // Who asks for flips is told where they are.
+            let elsewhere = words.is_empty() && path.ends_with("racket.toml");
+            assert_eq!(said(&output.stderr).contains("see --summary"), elsewhere, "{path:?}");
+            assert_eq!(output.stderr.is_empty(), !elsewhere, "{path:?}");
         }
     }
 }
@@ -79,6 +81,7 @@ fn the_summary_counts_the_flips() {
     let text = said(&answered(&["--summary"], &story("racket.toml")).stdout);
     // One each 1.63 s, half of the period in the table of truth, 3.263 s.
     assert!(text.contains("  flips     6\n"), "{text}");
+    assert_eq!(text.matches("            at ").count(), 6, "{text}");
 }
 
 #[test]
@@ -105,4 +108,33 @@ fn a_file_that_cannot_be_read_ends_with_two() {
         assert!(said(&output.stderr).contains("usage: scene"), "{words:?}");
     }
     assert_eq!(Command::new(program()).arg("--help").output().unwrap().status.code(), Some(0));
+}
+
+/// Bodies that are answered alike are explained once.
+#[test]
+fn a_crowd_is_explained_kind_by_kind() {
+    let ball = "[[body]]\nmoments = [1.0, 1.0, 1.0]\nspin = [0.0, 0.0, 1.0]\n";
+    let odd = "[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [1.0, 2.0, 1.0]\n";
+    let head = "accuracy = 1e-9\ntimes = [1.0]\nwants = [\"spin\"]\n";
+    let path = std::env::temp_dir().join(format!("tumbling-{}-kinds.toml", std::process::id()));
+    std::fs::write(&path, [head, &ball.repeat(20), odd, ball].concat()).unwrap();
+    let text = said(&answered(&["--explain"], &path).stdout);
+    std::fs::remove_file(path).unwrap();
+    assert!(
+        text.starts_with("bodies 0, 1, 2, 3, 4, 5, 6, 7, ... (21 of them)\nchosen: the spin as it is"),
+        "{text}"
+    );
+    assert_eq!(text.matches("chosen: ").count(), 2, "{text}");
+    assert!(text.contains("\nbody 20\nchosen: the spin by Jacobi"), "{text}");
+}
+
+/// What is printed here the judge of engines reads, and finds in order.
+#[test]
+fn what_is_printed_has_the_names_that_the_judge_knows() {
+    let text = said(&answered(&[], &story("box.toml")).stdout);
+    let inertia = Vector3::new(0.833_333_333_333_333_4, 1.083_333_333_333_333_3, 0.416_666_666_666_666_7);
+    let options = tumbling_judge::Options { inertia: Some(inertia), ..Default::default() };
+    let verdict = tumbling_judge::judge(text.as_bytes(), &options).unwrap();
+    assert_eq!(verdict.outcome, tumbling_judge::Outcome::Passed, "{verdict}");
+    assert_eq!(verdict.ignored, ["body", "kinetic energy [J]", "gap [rad]"]);
 }

@@ -39,8 +39,7 @@ impl Plan<'_> {
             let (each, least) = (driven.by.price_of_step(), driven.by.least_steps());
             let steps = driven.steps as f64;
             let states = self.scene.times.count() as f64;
-            // The last run that was tried, and the coarser one before it: half of it.
-            Cost { once: 1.5 * steps * each, state: each * (steps / states).max(least) }
+            Cost { once: driven.trials, state: each * (steps / states).max(least) }
         };
         match &self.way {
             Way::Nothing if wants.flips => Cost { once: ELLIPTIC, state: 160.0 },

@@ -18,14 +18,24 @@ pub(super) fn is_nothing(torque: &Torque<f64>) -> bool {
     }
 }
 
-/// A torque given in body axes, along the principal axes. Damping is along them already.
-fn along(body: &Principal, torque: &Torque<f64>) -> Torque<f64> {
+/// A torque given in body axes, along the principal axes.
+///
+/// # Errors
+/// Damping that differs from axis to axis, of a body whose principal axes are others.
+fn along(body: &Principal, torque: &Torque<f64>) -> Result<Torque<f64>, Error> {
     let turned = |v: &Vector3<f64>| body.frame.map_or(*v, |frame| frame.inverse() * v);
-    match torque {
+    Ok(match torque {
         Torque::InBody(value) => Torque::InBody(turned(value)),
         Torque::Aligning { arm, field } => Torque::Aligning { arm: turned(arm), field: *field },
+        Torque::Damping(c) if body.frame.is_some() && (c.x != c.y || c.y != c.z) => {
+            return Err(Error::Undefined {
+                what: "damping that differs from axis to axis",
+                why: "it is told along the principal axes, and those of a body with products of inertia have no order to go by: \
+                      give the body's moments along them, without products",
+            });
+        }
         Torque::InWorld(_) | Torque::Damping(_) | Torque::Dissipation(_) => torque.clone(),
-    }
+    })
 }
 
 /// How fast the torques change the motion, 1/s.
@@ -73,8 +83,9 @@ const MOST_STEPS: usize = 3_000_000;
 const COMPARED: u64 = 32;
 
 /// The cheapest way that was seen to be accurate enough.
+#[allow(clippy::cast_precision_loss)]
 pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
-    let torques = scene.torques.iter().map(|torque| along(body, torque)).collect();
+    let torques = scene.torques.iter().map(|torque| along(body, torque)).collect::<Result<_, _>>()?;
     let system = System::with(&body.moments, torques)?;
     let start = Motion { attitude: body.world.into_inner(), vector: system.momentum(&body.omega) };
     let (end, accuracy) = (scene.times.end(), scene.accuracy);
@@ -84,8 +95,8 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let energy = scene.wants.energy;
     let trial = Trial { system: &system, start: &start, times: &times, energy, accuracy, end, turned, lost };
     let stiff = loss > STIFF * spin.max(1.0 / end) && lost > LONG;
-    let way = |(by, seen, steps): Settled| {
-        let driven = Driven { system: system.clone(), start: start.clone(), by, seen, steps, stiff };
+    let way = |(by, seen, steps): Settled, trials: f64| {
+        let driven = Driven { system: system.clone(), start: start.clone(), by, seen, steps, trials, stiff };
         match by {
             By::Control(_) => Way::Controlled(driven),
             By::Flow(_) => Way::Flow(driven),
@@ -95,7 +106,7 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     };
     let pair = By::Control(first_tolerance(accuracy));
     if end == 0.0 {
-        return Ok(way((pair, 0.0, 0)));
+        return Ok(way((pair, 0.0, 0), 0.0));
     }
     let tried = if stiff {
         // Damping shortens the pair's steps, but its few may do. Of the others one takes the loss by its own law, one linearises it: which
@@ -111,7 +122,7 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     };
     let states = scene.times.count();
     let (mut best, mut refusal): (Option<(f64, Settled)>, Option<Error>) = (None, None);
-    let mut left = MOST_STEPS;
+    let (mut left, mut trials) = (MOST_STEPS, 0.0);
     for (k, &first) in tried.iter().enumerate() {
         if best.is_some() && !stiff {
             break;
@@ -132,9 +143,10 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
             Err(error) => refusal = Some(refusal.map_or(error.clone(), |other| kinder(other, error))),
         }
         left -= share - allowed;
+        trials += first.price_of_step() * (share - allowed) as f64;
     }
     match (best, refusal) {
-        (Some((_, settled)), _) => Ok(way(settled)),
+        (Some((_, settled)), _) => Ok(way(settled, trials)),
         (None, Some(error)) => Err(error),
         (None, None) => Err(Error::Disagreement { asked: accuracy, steps: 0 }),
     }
@@ -217,7 +229,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Refines until two runs agree to half of the accuracy, and takes the finer; by so many steps in all, none of a run that is
+    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a quarter, and takes the coarser; by so many steps in all, none of a run that is
     /// known to take more than `most`.
     #[allow(clippy::cast_precision_loss)]
     fn settled(&self, first: By, left: &mut usize, most: f64) -> Result<Settled, Error> {
@@ -254,6 +266,12 @@ impl Trial<'_> {
                 (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
                 _ => f64::INFINITY,
             };
+            // Halving the step halves an error at least: what is so much better than asked is right by the coarser run already.
+            if difference <= 0.25 * self.accuracy
+                && let Ok((_, steps)) = &coarse
+            {
+                return Ok((by, difference, *steps));
+            }
             if difference <= 0.5 * self.accuracy
                 && let Ok((_, steps)) = &fine
             {

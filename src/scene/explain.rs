@@ -127,7 +127,7 @@ impl Plan<'_> {
         match &self.way {
             Way::Stepper(driven) | Way::Flow(driven) | Way::Controlled(driven) | Way::Stiff(driven) => {
                 format!(
-                    "{asked:.0e} asked; a coarser run was off by {:.0e} from the one of {} steps that is chosen",
+                    "{asked:.0e} asked; two runs of different steps were {:.0e} apart, and one of {} steps is taken",
                     driven.seen(),
                     driven.steps()
                 )

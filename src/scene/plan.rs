@@ -61,10 +61,12 @@ pub struct Driven {
     pub(super) system: System<f64>,
     pub(super) start: Motion<f64>,
     pub(super) by: By,
-    /// The largest difference seen from a coarser run.
+    /// The largest difference seen between two runs of different steps.
     pub(super) seen: f64,
-    /// Steps of the run that was tried.
+    /// Steps of the run that was found good.
     pub(super) steps: usize,
+    /// What all runs that were tried took, in instructions.
+    pub(super) trials: f64,
     /// Whether damping is much faster than the motion.
     pub(super) stiff: bool,
 }
@@ -95,7 +97,7 @@ impl Driven {
         if let By::Control(tolerance) = self.by { Some(tolerance) } else { None }
     }
 
-    /// How far the run that was tried was from a coarser one, at most.
+    /// How far apart two runs were at most, the one that is taken and one of other steps.
     #[must_use]
     pub fn seen(&self) -> f64 {
         self.seen
