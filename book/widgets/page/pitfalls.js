@@ -168,8 +168,9 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             put("energy", `${share(row.energy)}${off < 1e-3 ? beside(off) : ""}${met}`, off);
             const far = Math.abs(row.size - 1);
             put("length", `${share(row.size)}${far < 1e-3 ? beside(far) : ""}`, far);
-            const angle = row.angle === 0 || row.angle >= 0.05 ? fixed(row.angle, 1) : short(row.angle);
-            put("angle", `${angle}° off`, row.angle * Math.PI / 180);
+            // A raised power and a sign of degrees beside it would run together.
+            const angle = row.angle === 0 || row.angle >= 0.05 ? `${fixed(row.angle, 1)}°` : `${short(row.angle)} degrees`;
+            put("angle", `${angle} off`, row.angle * Math.PI / 180);
             const first = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
             put("flips", `${row.flips} ${row.flips === 1 ? "time" : "times"}${first}; right: ${flipped.length}`);
             put("off", `${fixed(row.first.off, 1)}° off, energy ${share(row.first.energy)}`);

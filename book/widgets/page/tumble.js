@@ -207,7 +207,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     const solid = paper("body", (wide) => Math.round(wide < 480 ? 0.72 * wide : Math.min(0.62 * wide, 400)), null, (pen, width, height, canvas) => {
         const { setting, now } = state;
         const [cx, cy] = [width / 2, height / 2];
-        const scale = Math.min(cx, cy) - LABEL;
+        const scale = Math.max(Math.min(cx, cy) - LABEL, 1);
         const world = rows(now.attitude);
         // Body axes to the reader's.
         const seen = setting.eye.map((axis) => [0, 1, 2].map((j) => axis[0] * world[0][j] + axis[1] * world[1][j] + axis[2] * world[2][j]));
@@ -309,7 +309,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const { moments } = state.setting;
         const half = moments.map((m) => Math.sqrt(moments[2] / m));
         const extent = [0, 1].map((i) => Math.hypot(...half.map((h, k) => h * look[i][k])));
-        const scale = Math.min((0.5 * width - 26) / extent[0], (0.5 * height - 34) / extent[1]);
+        const scale = Math.max(Math.min((0.5 * width - 26) / extent[0], (0.5 * height - 34) / extent[1]), 1);
         const at = (p) => [width / 2 + scale * dot(look[0], p), height / 2 - scale * dot(look[1], p)];
         const before = (p) => dot(p.map((x, k) => x / half[k] ** 2), look[2]) >= 0;
         return { half, scale, at, before };
