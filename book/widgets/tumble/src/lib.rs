@@ -56,7 +56,9 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
 ///    the samples.
 /// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive side, on the ellipsoid of
 ///    energy whose longest half axis is 1.
+///
 /// 4 and 5. For other widgets, of any body: see [`beside::answer`], which counts them from 0.
+///
 /// 6. The parts of a body, for its drawing: see [`parts::answer`].
 pub fn answer(what: u32, row: &Numbers) -> usize {
     if what == 6 {
