@@ -411,7 +411,8 @@ async function tumble(page, wants) {
   /** What a drawing shows, summed up: another picture has another sum. */
   const picture = (what) => page.locator(`#live-tumble [data-draws=${what}]`).evaluate((canvas) => {
     let sum = 0;
-    for (const letter of canvas.toDataURL()) sum = (31 * sum + letter.charCodeAt(0)) % 1000000007;
+    const over = canvas.nextElementSibling; // what moves over it
+    for (const letter of canvas.toDataURL() + (over ? getComputedStyle(over).transform : "")) sum = (31 * sum + letter.charCodeAt(0)) % 1000000007;
     return sum;
   });
   /** How high above the middle the marked end stands: the mean height of the points in its colour. */
@@ -470,6 +471,102 @@ async function tumble(page, wants) {
     }
   }
 
+  // The solids drawn are those of the numbers: moments of what the faces enclose, by a sum over the faces alone.
+  for (const body of [0, 1, 2, 3, 4]) {
+    const { ours, theirs, open } = await page.evaluate(async (body) => {
+      const exact = await tumblingLive.module("tumble");
+      const [, ...moments] = exact.answer(0, body, 10, 0.01).slice(0, 4);
+      const centre = Array.from(exact.answer(0, body, 10, 0.01).slice(4, 7));
+      const { parts, strings } = tumblingLive.solids(exact.answer(6, body), body, centre);
+      const squares = [0, 0, 0]; // of the distances from the planes through the centre of mass, each by its mass
+      let open = 0;
+      for (const { corners, faces, mass } of parts) {
+        const at = corners.map((p) => p.map((x, k) => x - centre[k]));
+        const [about, area] = [[0, 0, 0], [0, 0, 0]];
+        let volume = 0;
+        // A cone from the centre of mass over each triangle of a face; a hole's count the other way.
+        const fan = (list, sign) => {
+          for (let i = 1; i + 1 < list.length; i += 1) {
+            const [a, b, c] = [list[0], list[i], list[i + 1]].map((k) => at[k]);
+            const normal = [0, 1, 2].map((k) => b[(k + 1) % 3] * c[(k + 2) % 3] - b[(k + 2) % 3] * c[(k + 1) % 3]);
+            const six = sign * a.reduce((sum, x, k) => sum + x * normal[k], 0);
+            volume += six / 6;
+            for (let k = 0; k < 3; k += 1) {
+              about[k] += six / 60 * (a[k] ** 2 + b[k] ** 2 + c[k] ** 2 + a[k] * b[k] + b[k] * c[k] + c[k] * a[k]);
+              const [u, v] = [(k + 1) % 3, (k + 2) % 3];
+              area[k] += sign * ((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
+            }
+          }
+        };
+        for (const { at: list, hole } of faces) {
+          fan(list, 1);
+          if (hole) fan(hole, -1);
+        }
+        open = Math.max(open, Math.max(...area.map(Math.abs)) / Math.abs(volume) ** (2 / 3));
+        for (let k = 0; k < 3; k += 1) squares[k] += (mass / volume) * about[k];
+      }
+      for (const { ends: [from, to], mass } of strings) {
+        for (let k = 0; k < 3; k += 1) {
+          const [a, b] = [from[k] - centre[k], to[k] - centre[k]];
+          squares[k] += mass * (a * a + a * b + b * b) / 3;
+        }
+      }
+      const [x, y, z] = squares;
+      return { ours: [y + z, z + x, x + y], theirs: moments, open };
+    }, body);
+    wants(`body ${body}: its drawing is closed all around, but for ${open}`, open < 1e-9);
+    wants(`body ${body}: what is drawn has the moments ${ours}, the motion ${theirs}`,
+      ours.every((moment, k) => Math.abs(moment / theirs[k] - 1) < 0.01));
+  }
+
+  // What names the arrows is off the body, off each other and within the drawing, at any instant and in any width.
+  const instants = () => page.locator("#live-tumble [data-draws=body]").evaluate((canvas) => {
+    const scrub = document.querySelector("#tumble-scrub");
+    const [from, to] = [Number(scrub.min), Number(scrub.max)];
+    const { width, height } = canvas.getBoundingClientRect();
+    const wrong = [];
+    for (let i = 0; i <= 120; i += 1) {
+      scrub.value = from + (to - from) * i / 120;
+      scrub.dispatchEvent(new Event("input"));
+      const { labels, body: { xs, ys, cx, cy } } = canvas.shows;
+      const says = (what) => wrong.push(`${what} at ${scrub.value}`);
+      if (labels.length !== 2) says(`${labels.length} labels`);
+      for (const { name, left, right, top, bottom } of labels) {
+        if (!(left >= 0 && right <= width && top >= 0 && bottom <= height)) says(`${name} leaves the drawing`);
+        // Off the body: some line through the label's corners, or the body's, has all of the one on this side and all of the other on that.
+        const corners = [[left, top], [left, bottom], [right, top], [right, bottom]];
+        let apart = false;
+        for (let turn = 0; turn < 360 && !apart; turn += 1) {
+          const [x, y] = [Math.cos(turn * Math.PI / 180), Math.sin(turn * Math.PI / 180)];
+          let far = -Infinity;
+          for (let k = 0; k < xs.length; k += 1) far = Math.max(far, (cx + xs[k]) * x + (cy + ys[k]) * y);
+          apart = Math.min(...corners.map(([u, v]) => u * x + v * y)) > far;
+        }
+        if (!apart) says(`${name} lies on the body`);
+      }
+      const [a, b] = labels;
+      if (a && b && a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) says("one label on the other");
+    }
+    return wrong;
+  });
+  const contents = () => page.evaluate(() => document.querySelector("#mdbook-sidebar-toggle-anchor").click());
+  await contents(); // away: in a narrow window they take the room of the text
+  for (const width of [390, 1400]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(100);
+    for (const body of [4, 3, 2, 1, 0]) {
+      await set(page, "#tumble-body", body);
+      for (const [spin, push] of [["10", "0.01"], ["-10", "0.4"], ["3", "-3"]]) {
+        await set(page, "#tumble-spin-number", spin);
+        await set(page, "#tumble-push-number", push);
+        const wrong = await instants();
+        wants(`${width} px, body ${body}, spin ${spin}, push ${push}: ${wrong.length} labels badly placed: ${wrong.slice(0, 3)}`, wrong.length === 0);
+      }
+    }
+  }
+  await contents();
+  await set(page, "#tumble-spin-number", "10");
+
   // Any instant, by the slider too.
   await set(page, "#tumble-push-number", "0.01");
   await set(page, "#tumble-time", "1e6");
@@ -495,6 +592,7 @@ async function tumble(page, wants) {
     wants("it goes by a step", (await page.textContent("#tumble-play")) === "Step" && (await shown(page, "tumble", "time")) === "0.10 s");
   } else {
     await page.waitForFunction(() => parseFloat(document.querySelector("#live-tumble [data-shows=time]").textContent) > 1.3);
+    await page.waitForTimeout(150); // numbers are told ten times a second
     wants("played, it has flipped", Number(await shown(page, "tumble", "flips")) >= 1);
     await page.click("#tumble-play");
   }

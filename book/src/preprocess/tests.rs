@@ -243,6 +243,64 @@ fn what_widgets_need_is_laid_beside_the_chapters_and_nothing_else() {
     assert!(!copies.join("old.js").exists());
 }
 
+#[test]
+fn a_widget_takes_along_the_parts_of_its_script_and_the_modules_that_it_asks() {
+    let repository = with_drawing(ARROWS);
+    let root = repository.path().join("book");
+    let widgets = root.join("widgets");
+    for (file, text) in [
+        ("page/steps.html", "<div class=\"live-stage\"></div>\n"),
+        ("page/steps.js", "steps"),
+        ("page/steps.path.js", "its path"),
+        ("page/steps.errors.js", "its errors"),
+        ("page/steps-two.js", "another's"),
+        ("page/tumble.js", "another's"),
+        ("page/steps.notes.txt", "no script"),
+        ("built/steps.wasm", "foo"),
+    ] {
+        fs::write(widgets.join(file), text).unwrap();
+    }
+    let run = || Preprocess.run(&context(&root), book_of(&[("x.md", "{{#widget steps}}\n")]));
+    // Steps ask the tumble's module for the exact motion: without it there is no book.
+    let missing = run().unwrap_err().to_string();
+    assert!(missing.contains("cannot read") && missing.contains("built/tumble.wasm"), "{missing}");
+    fs::write(widgets.join("built/tumble.wasm"), "foob").unwrap();
+    run().unwrap();
+    let copies = root.join("chapters/widgets");
+    let mut laid: Vec<String> = fs::read_dir(&copies)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    laid.sort();
+    assert_eq!(
+        laid,
+        ["live.js", "steps.errors.js", "steps.js", "steps.path.js", "steps.wasm.js", "tumble.wasm.js"]
+    );
+    let text = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
+    assert_eq!([text("steps.path.js"), text("steps.errors.js")], ["its path", "its errors"]);
+    assert_eq!(text("tumble.wasm.js"), "tumblingLive.carry(\"tumble\", \"Zm9vYg==\");\n");
+}
+
+#[test]
+fn a_widget_that_does_not_exist_stops_the_book_and_lays_nothing_out() {
+    let repository = with_drawing(ARROWS);
+    let root = repository.path().join("book");
+    let book = book_of(&[("x.md", "{{#widget dial}}\n"), ("y.md", "\n\n{{#widget dail}}\n")]);
+    let fault = Preprocess.run(&context(&root), book).unwrap_err().to_string();
+    assert!(fault.contains("book/chapters/y.md:3: there is no widget `dail`"), "{fault}");
+    assert!(fault.contains("page/dail.html"), "{fault}");
+    assert!(!root.join("chapters/widgets").exists());
+    // One with a place in the page and no script, or no module, is none either.
+    for gone in ["page/dial.js", "built/dial.wasm"] {
+        let repository = with_drawing(ARROWS);
+        let root = repository.path().join("book");
+        fs::remove_file(root.join("widgets").join(gone)).unwrap();
+        let book = book_of(&[("x.md", "{{#widget dial}}\n")]);
+        let fault = Preprocess.run(&context(&root), book).unwrap_err().to_string();
+        assert!(fault.contains("cannot read") && fault.contains(gone), "{fault}");
+    }
+}
+
 /// A book of these chapters.
 fn book_of(chapters: &[(&str, &str)]) -> Book {
     Book::new_with_items(

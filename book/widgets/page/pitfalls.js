@@ -22,6 +22,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         "Pitfall two: momentum taken for spin", "Pitfall three: no gyroscopic term"];
     const [STATE, PIECE, HEAD] = [9, 1000, 18]; // as in pitfalls/src/lib.rs
     const PARTS = 1200; // of a drawing
+    const JOINED = 24; // parts in one piece of an engine's line
 
     const still = matchMedia("(prefers-reduced-motion: reduce)");
     let start, stepping, length, exact, bundle, steps, frame = 0;
@@ -75,6 +76,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             Object.assign(row, { bins: [], count: 0, flips: 0, low: Infinity, high: -Infinity });
             told(row, engines.answer(0, ...start, row.which));
             row.first = { energy: row.energy, off: row.off };
+            row.redraw();
         }
         const tell = (input, what, value, unit) => {
             shown(what).textContent = `${value} ${unit}`;
@@ -113,17 +115,36 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         const x = (time) => left + (right - left) * time / length;
         const y = (value) => middle - reach * Math.max(-1.15, Math.min(1.15, exact.most > 0 ? value / exact.most : 0));
         draw("path", svg, { class: "live-axis", d: `M${left} ${middle}H${right}` });
-        const line = (name, points) => draw("path", svg, { class: name, d: `M${points.join("L")}` });
         const parts = exact.spins.length - 1;
-        line("live-exact", Array.from(exact.spins, (value, i) => `${x(length * i / parts).toFixed(1)} ${y(value).toFixed(1)}`));
-        const points = row.bins.flatMap(({ least, most, falls }, i) => {
-            const place = (at, value) => `${x((i + at) * bundle * stepping).toFixed(1)} ${y(value).toFixed(1)}`;
-            if (bundle === 1) return [place(0, most)];
-            return falls ? [place(0.25, most), place(0.75, least)] : [place(0.25, least), place(0.75, most)];
-        });
+        const points = Array.from(exact.spins, (value, i) => `${x(length * i / parts).toFixed(1)} ${y(value).toFixed(1)}`);
+        draw("path", svg, { class: "live-exact", d: `M${points.join("L")}` });
         const name = row.which === 0 ? "live-ran" : "live-ran live-wrongly";
-        line(name, points.length > 1 ? points : [points[0], points[0]]);
-        draw("circle", svg, { class: `${name} live-tip`, cx: x((row.count - 1) * stepping), cy: y(row.tip), r: 4 });
+        const tip = draw("circle", svg, { class: `${name} live-tip`, r: 4 });
+        row.pen = { svg, x, y, name, tip, pieces: [] };
+        follow(row);
+    }
+
+    /** Has a drawing follow its engine: only the last piece of its line is drawn anew. */
+    function follow(row) {
+        const { svg, x, y, name, tip, pieces } = row.pen ?? {};
+        if (!svg) return; // it has no width yet
+        const place = (i, at, value) => `${x((i + at) * bundle * stepping).toFixed(1)} ${y(value).toFixed(1)}`;
+        const points = (i) => {
+            const { least, most, falls } = row.bins[i];
+            if (bundle === 1) return [place(i, 0, most)];
+            return falls ? [place(i, 0.25, most), place(i, 0.75, least)] : [place(i, 0.25, least), place(i, 0.75, most)];
+        };
+        for (let piece = Math.max(0, pieces.length - 1); piece * JOINED < row.bins.length; piece += 1) {
+            // It begins where the one before ends.
+            const some = [];
+            for (let i = Math.max(0, piece * JOINED - 1); i < Math.min((piece + 1) * JOINED, row.bins.length); i += 1) some.push(...points(i));
+            if (some.length === 1) some.push(some[0]);
+            pieces[piece] ??= draw("path", svg, { class: name });
+            pieces[piece].setAttribute("d", `M${some.join("L")}`);
+        }
+        if (svg.lastChild !== tip) svg.append(tip);
+        tip.setAttribute("cx", x((row.count - 1) * stepping).toFixed(1));
+        tip.setAttribute("cy", y(row.tip).toFixed(1));
     }
 
     /** How long a bar is, in parts, that stands for so great an error. */
@@ -147,16 +168,17 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             put("energy", `${share(row.energy)}${off < 1e-3 ? beside(off) : ""}${met}`, off);
             const far = Math.abs(row.size - 1);
             put("length", `${share(row.size)}${far < 1e-3 ? beside(far) : ""}`, far);
-            const angle = row.angle === 0 || row.angle >= 0.05 ? fixed(row.angle, 1) : short(row.angle);
-            put("angle", `${angle}° off`, row.angle * Math.PI / 180);
+            // A raised power and a sign of degrees beside it would run together.
+            const angle = row.angle === 0 || row.angle >= 0.05 ? `${fixed(row.angle, 1)}°` : `${short(row.angle)} degrees`;
+            put("angle", `${angle} off`, row.angle * Math.PI / 180);
             const first = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
             put("flips", `${row.flips} ${row.flips === 1 ? "time" : "times"}${first}; right: ${flipped.length}`);
             put("off", `${fixed(row.first.off, 1)}° off, energy ${share(row.first.energy)}`);
             row.place.querySelector(".live-title").textContent = NAMES[row.which]
                 + (row.refused ? ": refused, for its numbers leave what an f64 holds" : "");
-            row.redraw();
             words.push(`${NAMES[row.which]}: energy ${share(row.energy)}, momentum ${share(row.size)}, ${row.flips} flips.`);
         }
+        for (const row of rows) follow(row);
         shown("time").textContent = `${fixed(time, 1)} s of ${plain(length)} s`;
         end.disabled = steps >= last();
         play.textContent = frame ? "Pause" : still.matches ? "Go on for a tenth" : "Play";
@@ -183,11 +205,15 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         // Time passes as it does for the reader, but never by leaps.
         let before = performance.now();
         let time = now();
+        let numbers = -Infinity; // when they were last shown
         const tick = (instant) => {
             time = Math.min(length, time + Math.min(0.1, Math.max(0, instant - before) / 1000));
             before = instant;
             go(Math.min(last(), Math.floor(time / stepping + 1e-9)));
             frame = steps < last() ? requestAnimationFrame(tick) : 0;
+            // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
+            if (frame && instant - numbers < 100) return rows.forEach(follow);
+            numbers = instant;
             const words = show();
             if (!frame) say(words);
         };
@@ -207,11 +233,13 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         });
     }
     for (const input of [body, about, spin, push, step, until]) input.addEventListener("input", () => say(begin()));
-    document.addEventListener("visibilitychange", () => {
-        if (document.hidden && frame) {
-            stop();
-            show();
-        }
-    });
+    // Out of sight it rests.
+    const rest = () => {
+        if (!frame) return;
+        stop();
+        show();
+    };
+    document.addEventListener("visibilitychange", () => document.hidden && rest());
+    new IntersectionObserver(([{ isIntersecting }]) => isIntersecting || rest()).observe(stage);
     begin();
 });

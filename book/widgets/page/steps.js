@@ -155,7 +155,7 @@ tumblingLive.widget("steps", async (stage, from) => {
         const put = (what, text) => { shown(what).textContent = chosen.reason ? "refused" : text(); };
         put("attitude", () => (Number.isFinite(chosen.attitude) ? `${rough(chosen.attitude)}°` : "lost"));
         const times = better();
-        put("better", () => (times === null ? "lost in rounding, or refused" : `${times < 1e4 ? fixed(times, 0) : short(times)} times better`));
+        put("better", () => (times === null ? "lost in rounding, or refused" : times < 1.5 ? "no better" : `${times < 1e4 ? fixed(times, 0) : short(times)} times better`));
         put("slope", () => (times === null ? "none to see" : fixed(steepness(), 1)));
         put("energy", () => size(chosen.energy));
         put("length", () => size(chosen.length));

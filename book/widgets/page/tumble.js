@@ -1,8 +1,9 @@
 // The tumble: a body spun about its middle axis, with a push; the module says where it is at any instant.
 "use strict";
 
-tumblingLive.widget("tumble", async (stage) => {
-    const { module, fixed, short, sayer } = tumblingLive;
+tumblingLive.widget("tumble", async (stage, from) => {
+    const { load, module, fixed, short, sayer } = tumblingLive;
+    await load(`${from}tumble.solids.js`);
     const exact = await module("tumble");
     const control = (id) => stage.querySelector(`#tumble-${id}`);
     const [scrub, play, reset, time, speed, body] = ["scrub", "play", "reset", "time", "speed", "body"].map(control);
@@ -28,68 +29,28 @@ tumblingLive.widget("tumble", async (stage) => {
         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
     ];
 
-    // ---- Bodies: convex parts of flat faces, counter-clockwise from outside, sizes in m as in the library's `bodies`.
-    /** A box about a place; `along` are the directions of its edges. */
-    function block([cx, cy, cz], half, kinds = {}, along = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
-        const corner = (bits) => [cx, cy, cz].map((c, k) =>
-            along.reduce((sum, edge, i) => sum + (bits >> i & 1 ? 1 : -1) * half[i] * edge[k], c));
-        const faces = [[1, 3, 7, 5, "+x"], [0, 4, 6, 2, "-x"], [2, 6, 7, 3, "+y"], [0, 1, 5, 4, "-y"], [4, 5, 7, 6, "+z"], [0, 2, 3, 1, "-z"]];
-        return { faces: faces.map(([a, b, c, d, side]) => ({ at: [a, b, c, d].map(corner), kind: kinds[side] ?? kinds.all ?? "plain" })) };
-    }
-    const bar = ([x, z], [toX, toZ], thick, kind) => {
-        const [ux, , uz] = unit([toX - x, 0, toZ - z]);
-        const half = [thick / 2, thick / 2, Math.hypot(toX - x, toZ - z) / 2];
-        return block([(x + toX) / 2, 0, (z + toZ) / 2], half, { all: kind }, [[uz, 0, -ux], [0, 1, 0], [ux, 0, uz]]);
-    };
-    const cuboid = (a, b, c, front) => () => ({ parts: [block([0, 0, 0], [a / 2, b / 2, c / 2], { "+x": "mark", "+y": front })], pin: a / 2 });
-    function racket() {
-        const [wide, long, middle] = [0.122, 0.165, 0.52];
-        const corner = (i) => [wide * Math.cos((i * Math.PI) / 16), middle + long * Math.sin((i * Math.PI) / 16)];
-        const parts = [];
-        for (let i = 0; i < 32; i += 1) parts.push(bar(corner(i), corner(i + 1), 0.016, corner(i + 0.5)[0] > 0 ? "mark" : "plain"));
-        for (const side of [-1, 1]) parts.push(bar([0.012 * side, 0.19], [0.08 * side, 0.395], 0.014, side > 0 ? "mark" : "plain"));
-        parts.push(block([0, 0, 0.095], [0.017, 0.0145, 0.095], { "+x": "mark" }));
-        const strings = [];
-        for (let i = -7; i <= 7; i += 1) {
-            const across = Math.sqrt(1 - (i / 8) ** 2);
-            strings.push([[wide * i / 8, 0, middle - long * across], [wide * i / 8, 0, middle + long * across]]);
-            strings.push([[-wide * across, 0, middle + long * i / 8], [wide * across, 0, middle + long * i / 8]]);
-        }
-        return { parts, strings, pin: wide };
-    }
-    function wingNut() {
-        const [radius, height, top, span, wing] = [0.00825, 0.0068, 0.0177, 0.0362, 0.0118];
-        const around = (x, r, i) => [x, r * Math.cos((i * Math.PI) / 12), r * Math.sin((i * Math.PI) / 12)];
-        const ring = (x, r) => Array.from({ length: 24 }, (_, i) => around(x, r, i));
-        const boss = { faces: ring(0, radius).map((_, i) => ({
-            at: [around(0, radius, i), around(0, radius, i + 1), around(height, radius, i + 1), around(height, radius, i)], kind: "plain", smooth: true,
-        })) };
-        boss.faces.push({ at: ring(height, radius), kind: "mark" }, { at: ring(height, 0.0045), kind: "hole" });
-        boss.faces.push({ at: ring(0, radius).reverse(), kind: "plain" }, { at: ring(0, 0.0045).reverse(), kind: "hole" });
-        const reach = span / 2 - radius;
-        const wings = [-1, 1].map((side) => block([top - wing / 2, 0, side * (radius + reach / 2)], [wing / 2, 0.00165, reach / 2], { "+x": "mark" }));
-        return { parts: [boss, ...wings], pin: height };
-    }
-    const makers = [cuboid(2, 1, 3, "plain"), cuboid(0.129, 0.02, 0.198, "front"), cuboid(0.0716, 0.0078, 0.1476, "front"), racket, wingNut];
-
-    /** A body's parts about its centre of mass, with normals, all within a ball of radius 1. */
+    // ---- Bodies.
+    /** A body about its centre of mass, all within a ball of radius 1: every place of it once, and what joins which places. */
     function modelled(which, centre) {
-        const { parts, strings = [], pin } = makers[which]();
-        const all = parts.flatMap((part) => part.faces.flatMap((face) => face.at));
-        const size = Math.max(...all.map((p) => Math.hypot(...p.map((x, i) => x - centre[i]))));
-        const place = (p) => p.map((x, i) => (x - centre[i]) / size);
-        const middle = (points) => [0, 1, 2].map((i) => points.reduce((sum, p) => sum + p[i], 0) / points.length);
-        const model = parts.map((part) => {
-            const faces = part.faces.map(({ at, kind, smooth }) => {
-                const [a, b, c] = at;
-                const normal = unit(cross(b.map((x, i) => x - a[i]), c.map((x, i) => x - b[i])));
-                return { at: at.map(place), normal, kind, smooth };
+        const { parts, strings, leaves, across } = tumblingLive.solids(exact.answer(6, which), which, centre);
+        const [places, model, lines] = [[], [], []];
+        const add = (some) => some.map((place) => places.push(place) - 1);
+        const mean = (some) => [0, 1, 2].map((i) => some.reduce((sum, p) => sum + p[i], 0) / some.length);
+        for (const { corners, faces } of parts) {
+            const from = places.length;
+            add(corners);
+            const shift = (list) => list?.map((i) => from + i);
+            model.push({
+                faces: faces.map((face) => ({ ...face, at: shift(face.at), hole: shift(face.hole), normal: unit(across(face, corners)) })),
+                middle: add([mean(corners)])[0],
             });
-            return { faces, middle: middle(faces.flatMap((face) => face.at)) };
-        });
-        const [from, to] = [[pin, centre[1], centre[2]], [pin + 0.3 * size, centre[1], centre[2]]].map(place);
-        model.push({ pin: [from, to], middle: middle([from, to]) });
-        return { model, strings: strings.map((ends) => ends.map(place)) };
+        }
+        for (const { ends } of strings) lines.push(add(ends));
+        const reach = (some) => Math.max(...some.map((p) => Math.hypot(...p.map((x, i) => x - centre[i]))));
+        const pin = [[leaves, centre[1], centre[2]], [leaves + 0.3 * reach(places), centre[1], centre[2]]];
+        model.push({ pin: add(pin), middle: add([mean(pin)])[0] });
+        const size = reach(places);
+        return { model, lines, places: Float64Array.from(places.flatMap((p) => p.map((x, i) => (x - centre[i]) / size))) };
     }
 
     // ---- Colours, from the page's theme.
@@ -134,38 +95,44 @@ tumblingLive.widget("tumble", async (stage) => {
         colours.font = `14px ${style.fontFamily}`;
         const symbols = getComputedStyle(document.documentElement).getPropertyValue("--fig-symbols").trim() || "serif";
         colours.symbols = `italic bold 17px ${symbols}`;
+        dip.font = colours.symbols;
+        colours.half = Object.fromEntries(["L", "ω"].map((name) => [name, [dip.measureText(name).width / 2 + 1, 9]]));
     }
 
     // ---- Paper to draw on, in the screen's own pixels.
     const papers = [];
+    const MOST = 2; // screen pixels for each of the page's: more are not told apart in what moves
+    /**
+     * A drawing as high as `shape` says for so wide a widget: `still` draws what keeps still from frame to frame, `moving` what does not,
+     * on the canvas or as a part of the page that the browser moves without painting anything.
+     */
     function paper(what, shape, still, moving) {
         const canvas = stage.querySelector(`[data-draws=${what}]`);
-        const back = document.createElement("canvas"); // what does not change from frame to frame
-        const [front, behind] = [canvas, back].map((c) => c.getContext("2d"));
+        const pen = canvas.getContext("2d");
         let [width, height, dots] = [0, 0, 1];
+        const clear = () => {
+            pen.setTransform(1, 0, 0, 1, 0, 0);
+            pen.clearRect(0, 0, canvas.width, canvas.height);
+            pen.setTransform(dots, 0, 0, dots, 0, 0);
+        };
         const it = {
-            /** What moves, over what keeps still. */
+            coarse: 1,
             draw() {
                 if (width === 0 || !state.now) return;
-                front.setTransform(1, 0, 0, 1, 0, 0);
-                front.clearRect(0, 0, canvas.width, canvas.height);
-                front.drawImage(back, 0, 0);
-                front.setTransform(dots, 0, 0, dots, 0, 0);
-                moving(front, width, height);
+                if (!still) clear();
+                moving(pen, width, height, canvas);
             },
             prepare() {
-                if (width === 0 || !state.now) return;
-                behind.setTransform(1, 0, 0, 1, 0, 0);
-                behind.clearRect(0, 0, back.width, back.height);
-                behind.setTransform(dots, 0, 0, dots, 0, 0);
-                still(behind, width, height);
+                if (width === 0 || !state.now || !still) return;
+                clear();
+                still(pen, width, height, canvas);
             },
             measure() {
-                dots = Math.min(devicePixelRatio || 1, 3);
+                dots = Math.max(Math.min(devicePixelRatio || 1, MOST) * it.coarse, Math.min(devicePixelRatio || 1, 1));
                 width = canvas.clientWidth;
                 height = shape(stage.querySelector(".tumble-drawings").clientWidth);
                 canvas.style.height = `${height}px`;
-                for (const c of [canvas, back]) [c.width, c.height] = [Math.round(width * dots), Math.round(height * dots)];
+                [canvas.width, canvas.height] = [Math.round(width * dots), Math.round(height * dots)];
                 it.prepare();
                 it.draw();
             },
@@ -179,12 +146,16 @@ tumblingLive.widget("tumble", async (stage) => {
         papers.push(it);
         return it;
     }
+    /** Sets a style of an element, unless it is so already. */
+    const place = (element, what, value) => {
+        if (element.style[what] !== value) element.style[what] = value;
+    };
     const path = (pen, points, closed) => {
         pen.beginPath();
         points.forEach(([x, y], i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
         if (closed) pen.closePath();
     };
-    function arrow(pen, [x, y], [toX, toY], colour, width, name) {
+    function arrow(pen, [x, y], [toX, toY], colour, width) {
         const length = Math.hypot(toX - x, toY - y);
         const [ux, uy] = length > 0 ? [(toX - x) / length, (toY - y) / length] : [0, -1];
         const head = Math.min(3.4 * width, length);
@@ -196,13 +167,10 @@ tumblingLive.widget("tumble", async (stage) => {
         pen.stroke();
         path(pen, [[toX, toY], [baseX - side * uy, baseY + side * ux], [baseX + side * uy, baseY - side * ux]], true);
         pen.fill();
-        pen.font = colours.symbols;
-        pen.textAlign = "center";
-        pen.fillText(name, toX + (name === "L" ? -14 : 15), toY + 6); // the two arrows are often one above the other
     }
 
     // ---- The body, in the world: momentum up, the reader before it and a little above.
-    const state = { t: 0, now: null, setting: null, window: null, playing: false };
+    const state = { t: 0, now: null, setting: null, window: null, playing: false, drawn: 0, side: 1 };
     const TURN = 0.5;
     const TILT = 0.38;
     /** From world axes to right, up and toward the reader. */
@@ -219,56 +187,115 @@ tumblingLive.widget("tumble", async (stage) => {
         ];
     }
     const LIGHT = unit([-0.45, 0.75, 0.6]);
-    paper("body", (wide) => Math.round(Math.min(0.62 * wide, 400)), () => {}, (pen, width, height) => {
+    const LABEL = 24; // px around the body for what names the arrows
+    let [xs, ys] = [new Float64Array(0), new Float64Array(0)]; // every place of the body, from the middle of the drawing
+    let zs = new Float64Array(0);
+    /** How far from the middle a label stands in a direction, wholly off the body and the tip of its arrow. */
+    function beyond(ux, uy, tip, [wide, high]) {
+        let far = tip;
+        for (let i = 0; i < xs.length; i += 1) far = Math.max(far, xs[i] * ux + ys[i] * uy);
+        return far + 4 + Math.abs(ux) * wide + Math.abs(uy) * high;
+    }
+    function label(pen, name, x, y, colour) {
+        const [wide, high] = colours.half[name];
+        pen.font = colours.symbols;
+        pen.textAlign = "center";
+        pen.fillStyle = colour;
+        pen.fillText(name, x, y + 6);
+        return { name, left: x - wide, right: x + wide, top: y - high, bottom: y + high };
+    }
+    const solid = paper("body", (wide) => Math.round(wide < 480 ? 0.72 * wide : Math.min(0.62 * wide, 400)), null, (pen, width, height, canvas) => {
         const { setting, now } = state;
-        const centre = [width / 2, height * 0.53];
-        const scale = Math.min(0.48 * width, 0.43 * height);
+        const [cx, cy] = [width / 2, height / 2];
+        const scale = Math.max(Math.min(cx, cy) - LABEL, 1);
         const world = rows(now.attitude);
-        const columns = [0, 1, 2].map((j) => world.map((row) => row[j]));
-        const seen = setting.eye.map((axis) => columns.map((column) => dot(axis, column))); // body axes to the reader's
-        const turned = (p) => [dot(seen[0], p), dot(seen[1], p), dot(seen[2], p)];
-        const at = (p) => [centre[0] + scale * dot(seen[0], p), centre[1] - scale * dot(seen[1], p)];
+        // Body axes to the reader's.
+        const seen = setting.eye.map((axis) => [0, 1, 2].map((j) => axis[0] * world[0][j] + axis[1] * world[1][j] + axis[2] * world[2][j]));
+        const [right, up, toward] = seen;
+        const { places } = setting;
+        const count = places.length / 3;
+        if (xs.length !== count) [xs, ys, zs] = [0, 1, 2].map(() => new Float64Array(count));
+        for (let i = 0; i < count; i += 1) {
+            const [x, y, z] = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
+            xs[i] = scale * (right[0] * x + right[1] * y + right[2] * z);
+            ys[i] = -scale * (up[0] * x + up[1] * y + up[2] * z);
+            zs[i] = toward[0] * x + toward[1] * y + toward[2] * z;
+        }
+        const trace = (list) => {
+            for (let i = 0; i < list.length; i += 1) {
+                if (i === 0) pen.moveTo(cx + xs[list[i]], cy + ys[list[i]]);
+                else pen.lineTo(cx + xs[list[i]], cy + ys[list[i]]);
+            }
+        };
         pen.lineJoin = "round";
         pen.strokeStyle = colours.faint;
         pen.lineWidth = 0.7;
-        for (const ends of setting.strings) {
-            path(pen, ends.map(at));
-            pen.stroke();
-        }
-        const order = setting.model.map((part) => [dot(seen[2], part.middle), part]).sort((a, b) => a[0] - b[0]);
-        for (const [, part] of order) {
+        pen.beginPath();
+        for (const ends of setting.lines) trace(ends);
+        pen.stroke();
+        setting.model.sort((a, b) => zs[a.middle] - zs[b.middle]);
+        for (const part of setting.model) {
             if (part.pin) {
-                const [from, to] = part.pin.map(at);
                 pen.strokeStyle = pen.fillStyle = colours["axis-mid"];
                 pen.lineWidth = 3;
-                path(pen, [from, to]);
+                pen.beginPath();
+                trace(part.pin);
                 pen.stroke();
                 pen.beginPath();
-                pen.arc(to[0], to[1], 4.5, 0, 2 * Math.PI);
+                pen.arc(cx + xs[part.pin[1]], cy + ys[part.pin[1]], 4.5, 0, 2 * Math.PI);
                 pen.fill();
                 continue;
             }
             for (const face of part.faces) {
-                const normal = turned(face.normal);
-                if (normal[2] <= 0) continue;
-                const light = Math.max(0, Math.min(1, 0.5 + 0.5 * dot(normal, LIGHT)));
-                path(pen, face.at.map(at), true);
-                pen.fillStyle = pen.strokeStyle = colours[face.kind][Math.round(32 * light)];
-                pen.fill();
+                const near = dot(toward, face.normal);
+                if (near <= 0) continue;
+                const light = 0.5 + 0.5 * (LIGHT[0] * dot(right, face.normal) + LIGHT[1] * dot(up, face.normal) + LIGHT[2] * near);
+                pen.beginPath();
+                trace(face.at);
+                pen.closePath();
+                if (face.hole) {
+                    trace(face.hole);
+                    pen.closePath();
+                }
+                pen.fillStyle = pen.strokeStyle = colours[face.kind][Math.round(32 * Math.max(0, Math.min(1, light)))];
+                pen.fill("evenodd");
                 pen.lineWidth = 0.8;
                 if (!face.smooth) pen.strokeStyle = colours.edge;
                 pen.stroke();
             }
         }
-        const project = (v, far) => [centre[0] + far * dot(setting.eye[0], v), centre[1] - far * dot(setting.eye[1], v)];
-        const reach = Math.min(1.08 * scale, 0.47 * height);
-        if (setting.up) arrow(pen, centre, project(setting.up, reach), colours.momentum, 5, "L");
+
+        // The arrows, and what names them: off the body, off each other, and within the drawing.
+        const onto = (v, far) => [far * dot(setting.eye[0], v), -far * dot(setting.eye[1], v)];
+        const labels = [];
+        let beside = 0; // how far on either side of the momentum another label may not stand
+        if (setting.up) {
+            const [x, y] = onto(setting.up, scale);
+            arrow(pen, [cx, cy], [cx + x, cy + y], colours.momentum, 5);
+            beside = Math.max(colours.half.L[0], 8) + 3;
+            labels.push(label(pen, "L", cx, cy - beyond(0, -1, -y, colours.half.L), colours.momentum));
+        }
         const spinning = unit(now.world);
-        if (spinning) arrow(pen, centre, project(spinning, 0.86 * reach), colours.omega, 3, "ω");
+        if (spinning) {
+            const [x, y] = onto(spinning, 0.86 * scale);
+            arrow(pen, [cx, cy], [cx + x, cy + y], colours.omega, 3);
+            // From the momentum's direction, which is up, to the right; what is right above changes sides late.
+            const angle = Math.atan2(x, -y);
+            if (Math.abs(angle) > 0.1) state.side = Math.sign(angle);
+            const half = colours.half.ω;
+            for (let turn = Math.abs(angle), i = 0; i < 40; turn += 0.05, i += 1) {
+                const [ux, uy] = [state.side * Math.sin(turn), -Math.cos(turn)];
+                const far = beyond(ux, uy, Math.hypot(x, y), half);
+                if (Math.abs(far * ux) < beside + half[0]) continue;
+                labels.push(label(pen, "ω", cx + far * ux, cy + far * uy, colours.omega));
+                break;
+            }
+        }
         pen.fillStyle = colours.fg;
         pen.beginPath();
-        pen.arc(centre[0], centre[1], 2.5, 0, 2 * Math.PI);
+        pen.arc(cx, cy, 2.5, 0, 2 * Math.PI);
         pen.fill();
+        canvas.shows = { labels, body: { xs, ys, cx, cy } }; // for those who test it
     });
 
     // ---- The ellipsoid of energy and its polhodes, in the body: the longest half axis, of the smallest moment, upright.
@@ -282,12 +309,13 @@ tumblingLive.widget("tumble", async (stage) => {
         const { moments } = state.setting;
         const half = moments.map((m) => Math.sqrt(moments[2] / m));
         const extent = [0, 1].map((i) => Math.hypot(...half.map((h, k) => h * look[i][k])));
-        const scale = Math.min((0.5 * width - 26) / extent[0], (0.5 * height - 34) / extent[1]);
+        const scale = Math.max(Math.min((0.5 * width - 26) / extent[0], (0.5 * height - 34) / extent[1]), 1);
         const at = (p) => [width / 2 + scale * dot(look[0], p), height / 2 - scale * dot(look[1], p)];
         const before = (p) => dot(p.map((x, k) => x / half[k] ** 2), look[2]) >= 0;
         return { half, scale, at, before };
     };
-    paper("polhode", (wide) => Math.round(Math.min(0.62 * wide, 400)), (pen, width, height) => {
+    const spot = stage.querySelector(".tumble-dot");
+    paper("polhode", (wide) => Math.round(wide < 480 ? 0.6 * wide : Math.min(0.62 * wide, 400)), (pen, width, height) => {
         const { setting } = state;
         const { half, scale, at, before } = ellipsoid(width, height);
         // The outline is where a ball's is, drawn out along the half axes.
@@ -327,7 +355,10 @@ tumblingLive.widget("tumble", async (stage) => {
             pen.lineWidth = k === 0 ? 2.4 : 1.2;
             path(pen, [at(from), at(to)]);
             pen.stroke();
-            const [x, y] = at(to.map((value) => (value === 0 ? 0 : value + (k === 0 ? 16 : 9) / scale)));
+            // Its name on from its tip, as one sees it.
+            const [[fromX, fromY], [tipX, tipY]] = [at(from), at(to)];
+            const long = Math.hypot(tipX - fromX, tipY - fromY);
+            const [x, y] = [tipX + 11 * (tipX - fromX) / long, tipY + 11 * (tipY - fromY) / long];
             pen.font = colours.font;
             pen.textAlign = "center";
             pen.fillText(name, x, y + 5);
@@ -335,21 +366,17 @@ tumblingLive.widget("tumble", async (stage) => {
     }, (pen, width, height) => {
         const { now, setting } = state;
         const point = now.omega.map((x) => x * setting.onto);
-        if (!point.every(Number.isFinite)) return;
+        const there = point.every(Number.isFinite);
+        place(spot, "visibility", there ? "visible" : "hidden");
+        if (!there) return;
         const { at, before } = ellipsoid(width, height);
         const [x, y] = at(point);
-        pen.beginPath();
-        pen.arc(x, y, 5.5, 0, 2 * Math.PI);
-        pen.globalAlpha = before(point) ? 1 : 0.45;
-        pen.fillStyle = colours.omega;
-        pen.strokeStyle = colours.bg;
-        pen.lineWidth = 1.5;
-        pen.fill();
-        pen.stroke();
-        pen.globalAlpha = 1;
+        place(spot, "transform", `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`);
+        place(spot, "opacity", before(point) ? "1" : "0.45");
     });
 
     // ---- The spin along the middle axis over time, and the flips predicted.
+    const cursor = stage.querySelector(".tumble-cursor");
     const EDGE = 8; // half a slider's thumb: the slider below has the same scale
     paper("strip", (wide) => Math.round(Math.min(Math.max(0.15 * wide, 84), 110)), (pen, width, height) => {
         const { window: { from, to, flips, samples }, setting } = state;
@@ -384,8 +411,8 @@ tumblingLive.widget("tumble", async (stage) => {
     }, (pen, width, height) => {
         const { from, to } = state.window;
         const x = EDGE + ((state.t - from) / (to - from)) * (width - 2 * EDGE);
-        pen.fillStyle = colours.fg;
-        pen.fillRect(x - 1, 4, 2, height - 22);
+        place(cursor, "height", `${height - 22}px`);
+        place(cursor, "transform", `translateX(${x.toFixed(1)}px)`);
     });
 
     // ---- What the module says.
@@ -424,8 +451,9 @@ tumblingLive.widget("tumble", async (stage) => {
         const side = [0, number(pushNumber), 0][around] < 0 ? -1 : 1;
         const turns = (20 * Math.PI) / Math.abs(number(spinNumber));
         const stretch = 6 * beat;
+        if (state.body !== body.value) [state.body, state.model] = [body.value, modelled(Number(body.value), [x, y, z])];
         state.setting = {
-            ...modelled(Number(body.value), [x, y, z]),
+            ...state.model,
             moments, onto, beat, instant,
             up: unit([lx, ly, lz]),
             eye: eye([lx, ly, lz]),
@@ -470,21 +498,28 @@ tumblingLive.widget("tumble", async (stage) => {
         state.t = t;
         const [x, y, z, qw, qx, qy, qz, wx, wy, wz, flips, ...next] = found;
         state.now = { omega: [x, y, z], attitude: [qw, qx, qy, qz], world: [wx, wy, wz] };
-        const coming = next.filter((flip) => !Number.isNaN(flip));
         if (state.flips !== flips && state.playing) say(`Flip ${flips} at ${instant(t)} s.`);
-        state.flips = flips;
+        [state.flips, state.next] = [flips, next];
+        // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
+        const now = performance.now();
+        if (!state.playing || !(now - state.told < 100)) {
+            state.told = now;
+            tell();
+        }
+        state.drawn += 1;
+        for (const it of papers) if (it === solid || solid.coarse === 1 || state.drawn % 3 === 0) it.draw();
+        return true;
+    }
+    /** The numbers of the instant, in the page. */
+    function tell() {
+        const { t, flips, next, now, setting: { instant } } = state;
+        const coming = next.filter((flip) => !Number.isNaN(flip));
         shown("time").textContent = `${instant(t)} s`;
         shown("flips").textContent = String(flips);
         shown("next").textContent = coming.length > 0 ? `${coming.map(instant).join(", ")} s` : "none: it never flips";
-        shown("spin").textContent = state.now.omega.map((w) => (Math.abs(w) < 1e4 ? fixed(w, 2) : short(w))).join(", ");
+        shown("spin").textContent = now.omega.map((w) => (Math.abs(w) < 1e4 ? fixed(w, 2) : short(w))).join(", ");
         scrub.value = t;
-        const now = performance.now();
-        if (!state.playing || !(now - state.told < 500)) {
-            state.told = now;
-            scrub.setAttribute("aria-valuetext", `${instant(t)} s, ${flips} flips so far`);
-        }
-        for (const it of papers) it.draw();
-        return true;
+        scrub.setAttribute("aria-valuetext", `${instant(t)} s, ${flips} ${flips === 1 ? "flip" : "flips"} so far`);
     }
     const told = () => {
         if (!state.setting || !wrong.hidden) return ""; // what is wrong is said by itself
@@ -495,24 +530,39 @@ tumblingLive.widget("tumble", async (stage) => {
     // ---- Time: it runs only when asked, and where less motion is preferred it goes by steps.
     const still = matchMedia("(prefers-reduced-motion: reduce)");
     const rate = () => 10 ** Number(speed.value);
-    function label() {
+    function name() {
         play.textContent = still.matches ? "Step" : state.playing ? "Pause" : "Play";
     }
     function pause() {
         if (!state.playing) return;
         state.playing = false;
-        label();
-        if (state.setting) scrub.setAttribute("aria-valuetext", `${state.setting.instant(state.t)} s, ${state.flips} flips so far`);
+        name();
+        if (state.setting) tell();
+        coarsen(1);
+    }
+    function coarsen(to) {
+        if (solid.coarse === to) return;
+        solid.coarse = to;
+        solid.measure();
+        for (const it of papers) it.draw();
     }
     function run() {
         state.playing = true;
-        label();
+        name();
         let last = null;
+        let [late, frames] = [0, 0];
         const frame = (now) => {
             if (!state.playing) return;
             // A page out of sight gets no frames: what it missed is not made up for.
             const passed = last === null ? 0 : Math.min((now - last) / 1000, 0.1);
             last = now;
+            // Where half of the frames come late, the body is drawn coarser while it moves, and the rest less often.
+            frames += 1;
+            if (passed > 0.022) late += 1;
+            if (frames === 12) {
+                if (late > 6 && solid.coarse > 0.5) coarsen(solid.coarse * 0.7);
+                [late, frames] = [0, 0];
+            }
             if (go(state.t + passed * rate())) requestAnimationFrame(frame);
         };
         requestAnimationFrame(frame);
@@ -526,7 +576,7 @@ tumblingLive.widget("tumble", async (stage) => {
     });
     still.addEventListener("change", () => {
         pause();
-        label();
+        name();
     });
     new IntersectionObserver(([{ isIntersecting }]) => isIntersecting || pause()).observe(stage);
     reset.addEventListener("click", () => {
@@ -546,7 +596,7 @@ tumblingLive.widget("tumble", async (stage) => {
     });
 
     // ---- The controls; a slider and the number beside it are one.
-    function name() {
+    function caption() {
         const times = Number(rate().toPrecision(2));
         shown("speed").textContent = times === 1 ? "as in life" : `${times} × life`;
         speed.setAttribute("aria-valuetext", times === 1 ? "as in life" : `${times} times as fast as in life`);
@@ -556,7 +606,7 @@ tumblingLive.widget("tumble", async (stage) => {
     }
     function change() {
         pause();
-        name();
+        caption();
         prepare();
         say(told());
     }
@@ -579,7 +629,7 @@ tumblingLive.widget("tumble", async (stage) => {
         change();
     });
     body.addEventListener("input", change);
-    speed.addEventListener("input", name);
+    speed.addEventListener("input", caption);
 
     dye();
     new MutationObserver(() => {
@@ -589,7 +639,7 @@ tumblingLive.widget("tumble", async (stage) => {
             it.draw();
         }
     }).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
-    label();
     name();
+    caption();
     prepare();
 });

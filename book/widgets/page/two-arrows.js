@@ -55,7 +55,7 @@ tumblingLive.widget("two-arrows", async (stage) => {
         arrow(svg, centre, omega, "live-omega", 3.5);
         draw("circle", svg, { class: "live-point", cx: centre[0], cy: centre[1], r: 4 });
 
-        draw("text", svg, { class: "live-omega", x: omega[0] + 8, y: omega[1] + (now.from > 60 ? -2 : 10) }, "ω");
+        draw("text", svg, { class: "live-omega", x: omega[0] + 8, y: omega[1] + (now.from > 60 ? -2 : now.from < 20 ? -7 : 10) }, "ω"); // low down, above the name of the axis
         // Beside the upright axis, L stands below what names that axis.
         const low = tip[0] < centre[0] + 40 ? Math.max(tip[1] - 8, 0.03 * height + 52) : tip[1] - 8;
         const aside = low > tip[1] - 8 || now.gap <= 12 ? 14 : 4;

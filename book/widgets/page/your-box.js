@@ -47,9 +47,16 @@ tumblingLive.widget("your-box", async (stage) => {
         const centre = [width / 2, height / 2];
         const tip = arrow(svg, centre, along(momentum), "live-momentum", 6);
         const end = arrow(svg, centre, along(spin), "live-omega", 3.5);
-        const aside = end[0] >= tip[0] ? 1 : -1;
-        draw("text", svg, { class: "live-omega", x: end[0] + 14 * aside, y: end[1] + 4, "text-anchor": "middle" }, "ω");
-        draw("text", svg, { class: "live-momentum", x: tip[0] - 14 * aside, y: tip[1] - 4, "text-anchor": "middle" }, "L");
+        // The spin's name on from its tip; the momentum's beside its own, on the side where the spin is not.
+        const toward = ([x, y]) => {
+            const [right, down] = [x - centre[0], y - centre[1]];
+            const far = Math.hypot(right, down);
+            return far > 1 ? [right / far, down / far] : [1, 0];
+        };
+        const [[ox, oy], [mx, my]] = [toward(end), toward(tip)];
+        const side = my * (end[0] - tip[0]) - mx * (end[1] - tip[1]) > 0 ? -1 : 1;
+        draw("text", svg, { class: "live-omega", x: end[0] + 15 * ox, y: end[1] + 15 * oy + 5, "text-anchor": "middle" }, "ω");
+        draw("text", svg, { class: "live-momentum", x: tip[0] + side * 20 * my - 6 * mx, y: tip[1] - side * 20 * mx - 6 * my + 6, "text-anchor": "middle" }, "L");
     });
 
     /** Shows what the module answers now; returns it in words. */

@@ -73,6 +73,9 @@ fn main() -> io::Result<()> {
         ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()))
     };
     tumble(1, &[1.0])?;
+    for body in 0..6 {
+        tumble(6, &[f64::from(body)])?;
+    }
     let pushes = [0.1, 0.01, 1e-3, 1e-6, 1e-9, 5e-324, 0.0, 1.0, -0.3, 1e200, f64::NAN];
     let spins = [10.0, 0.1, -7.3, 1e-300, 1e300, 0.0, f64::INFINITY];
     let times = [0.0, 0.69, 1.38, -2.5, 17.3, 1e6, 1e6 + 0.1, 1e12, 1e16, 1e300, f64::NAN];

@@ -1,6 +1,7 @@
 //! The tumble: a body spun about its middle axis with a push across it, at any instant, by the exact motion.
 
 mod beside;
+mod parts;
 
 use exchange::{Line, Numbers};
 use nalgebra::Vector3;
@@ -25,19 +26,20 @@ const MOST_SAMPLES: f64 = 1000.0;
 /// Principal moments, kg m², and the centre of mass from where the body's drawing has its origin, m. As all bodies of
 /// the book they lie with the smallest moment along z, the largest along y and the middle one along x.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
-    let cuboid = |size: [f64; 3], mass: f64| (cuboid_moments(&mass, &size[0], &size[1], &size[2]), [0.0; 3]);
     match which as u32 {
-        0 => cuboid([2.0, 1.0, 3.0], 1.0),
-        1 => cuboid([0.129, 0.020, 0.198], 0.340),
-        2 => cuboid([0.0716, 0.0078, 0.1476], 0.171),
         3 => (
             Vector3::new(0.014789238560963355, 0.01609241963415855, 0.0013185994065285297),
             [0.0, 0.0, 0.3422477064220185],
         ),
-        _ => (
+        4 => (
             Vector3::new(1.4534819741887386e-6, 1.6144214026235472e-6, 5.25917079096047e-7),
             [0.007002845511906693, 0.0, 0.0],
         ),
+        which => {
+            let cuboid = if matches!(which, 1 | 2) { which as usize } else { 0 };
+            let ([a, b, c], mass) = parts::CUBOIDS[cuboid];
+            (cuboid_moments(&mass, &a, &b, &c), [0.0; 3])
+        }
     }
 }
 
@@ -54,8 +56,14 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
 ///    the samples.
 /// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive side, on the ellipsoid of
 ///    energy whose longest half axis is 1.
+///
 /// 4 and 5. For other widgets, of any body: see [`beside::answer`], which counts them from 0.
+///
+/// 6. The parts of a body, for its drawing: see [`parts::answer`].
 pub fn answer(what: u32, row: &Numbers) -> usize {
+    if what == 6 {
+        return parts::answer(row.get(0), row);
+    }
     if let Some(what) = what.checked_sub(4) {
         return beside::answer(what, row);
     }
