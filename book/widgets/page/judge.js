@@ -158,12 +158,12 @@ tumblingLive.widget("judge", async (stage, from) => {
         const of = records[now];
         of.verdict = data.judged ? JSON.parse(data.said) : null;
         of.why = data.said;
-        if (records.length > 1) offered(now, of.verdict ? line(of.verdict) : `Cannot be judged: ${of.why}.`, of.verdict?.outcome !== "passed");
+        if (records.length > 1) offered(now, ...(of.verdict ? line(of.verdict) : ["Cannot be judged", `: ${of.why}.`]));
         if (now === wish) open(now);
         if (now + 1 < records.length) return next(now + 1);
         stage.removeAttribute("aria-busy");
         if (records.length > 1) return sum();
-        if (of.verdict) say(`${line(of.verdict)} ${of.verdict.laws.length} laws judged.`);
+        if (of.verdict) say(`${line(of.verdict).join("")} ${of.verdict.laws.length} laws judged.`);
         // Reading goes on at the verdict, unless the reader has gone elsewhere.
         if ([document.body, go, file, example, stop].includes(document.activeElement)) place.focus({ preventScroll: true });
     }
@@ -214,11 +214,12 @@ tumblingLive.widget("judge", async (stage, from) => {
         place.hidden = wrong.hidden = true;
     }
 
-    function offered(which, words, failed) {
+    function offered(which, outcome, words) {
         const [button, told] = list.children[which].children;
         button.disabled = false;
-        told.textContent = words;
-        told.className = failed ? "live-failed" : "";
+        told.replaceChildren();
+        put(told, "span", outcome, ["Failed", "Cannot be judged"].includes(outcome) ? "live-failed" : "");
+        told.append(words);
     }
 
     /** What became of them all, said. */
@@ -238,7 +239,10 @@ tumblingLive.widget("judge", async (stage, from) => {
         go.focus({ preventScroll: true });
     });
 
-    const lines = (name) => judge([{ name, record: new Blob([text.value]) }]);
+    const lines = (name) => {
+        file.value = ""; // it would name what is judged no more
+        judge([{ name, record: new Blob([text.value]) }]);
+    };
     const files = (all) => judge(all.map((record) => ({ name: record.name, record })));
     go.addEventListener("click", () => lines("the lines above"));
     file.addEventListener("click", () => { file.value = ""; }); // so that the same file may be chosen again, written anew
@@ -250,6 +254,7 @@ tumblingLive.widget("judge", async (stage, from) => {
     });
     for (const field of [moments, threshold, fit]) field.addEventListener("change", () => records.length > 0 && judge(records, Math.max(0, shown)));
     stage.addEventListener("live-files", ({ detail }) => {
+        file.value = "";
         files(detail);
         const { top } = list.parentElement.getBoundingClientRect();
         if (top < 0 || top > 0.7 * innerHeight) list.parentElement.scrollIntoView();

@@ -116,11 +116,11 @@ tumblingLive.judgeVerdict = (() => {
         put(put(more, "pre"), "code", verdict.words).tabIndex = 0;
     }
 
-    /** The verdict in a line. */
+    /** The verdict in a line: the outcome, and what there is to say of it. */
     function line({ outcome, laws, diagnosis }) {
         const worst = laws.filter(broken).map(({ law, words }) => (law === "separatrix" ? NAMES[law] : words));
         const rule = diagnosis ? ` ${RULES[diagnosis.sure]}: ${diagnosis.best.rule}.` : "";
-        return `${OUTCOMES[outcome]}${worst.length ? ` (${worst.join(", ")})` : ""}.${rule}`;
+        return [OUTCOMES[outcome], `${worst.length ? ` (${worst.join(", ")})` : ""}.${rule}`];
     }
 
     return { show, line, put };
