@@ -267,9 +267,109 @@ async function judge(page, wants) {
   await set(page, "#judge-fit", "");
   await told(verdict, "Passed: mujoco");
 
+  // A long record: how far it is read is shown, and said no more than by quarters; another file ends it, and so does a button.
+  const several = await Promise.all(["mujoco-4.0.0-rk4--middle", "rapier3d-f64-0.36.1--major"].map(async (name) =>
+    ({ name: `${name}.csv`, mimeType: "text/csv", buffer: await readFile(new URL(`../../tests/data/engines/${name}.csv`, import.meta.url)) })));
+  const reading = "#live-judge .live-reading";
+  const long = (where) => page.locator(where).evaluate((element) => {
+    const lines = Array.from({ length: 800000 }, (_, i) => `${i},0.1,2,0.1\n`);
+    const data = new DataTransfer();
+    data.items.add(new File(["# inertia: 1 2 3\n# dt: 0.01 s\nstep,wx,wy,wz\n", ...lines], "long.csv"));
+    // What is not prevented would make the browser leave the page for the file.
+    return ["dragenter", "dragover", "drop"].map((kind) =>
+      element.dispatchEvent(new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer: data }))).every((left) => !left);
+  }, undefined, { timeout: 60000 });
+  const said = await page.locator("#live-judge .live-said").evaluateHandle((place) => {
+    const said = [];
+    new MutationObserver(() => said.push(place.textContent)).observe(place, { childList: true });
+    return said;
+  });
+  wants("a file over the heading is taken", await long("main h1"));
+  await told(reading, "Judging long.csv: [\\d.]+ of 13.\\d MB are read");
+  wants("nothing of an earlier record is shown meanwhile", !(await page.isVisible(verdict)) && !(await page.isVisible(wrong)));
+  wants("the bar is where the words are", await page.locator("#judge-progress").evaluate((bar) => bar.position > 0 && bar.position <= 1));
+  await page.setInputFiles("#judge-file", several[0]);
+  await told(verdict, "Passed: mujoco");
+  wants("the long record has ended", !(await page.isVisible(reading)));
+  await page.waitForTimeout(1000);
+  wants("and does not come back", /Passed: mujoco/.test(await page.textContent(verdict)) && !(await page.isVisible(reading)));
+  await long("body");
+  await page.waitForSelector("#judge-stop", { state: "visible" }).catch(() => wants("there is a button that stops a long record", false));
+  await page.locator("#judge-stop").focus();
+  await page.keyboard.press("Enter");
+  await told(wrong, "Stopped: long.csv is not judged");
+  wants("stopped, it shows no verdict, and the keyboard has its place", !(await page.isVisible(verdict)) && !(await page.isVisible(reading)) &&
+    await page.evaluate(() => document.activeElement.id === "judge-go"));
+  await long("#live-judge");
+  await told(verdict, "long.csv[^]*800000 rows");
+  const heard = await said.jsonValue();
+  wants(`of long records it is said how far they are: ${heard.join(" | ")}`, heard.some((text) => text.startsWith("Judging long.csv: ")));
+  wants(`and not more than five times each: ${heard.join(" | ")}`, heard.filter((text) => text.startsWith("Judging")).length <= 15);
+  wants("words that are dragged are none of its business", await page.locator("main h1").evaluate((element) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", "1,2,3");
+    return element.dispatchEvent(new DragEvent("drop", { bubbles: true, cancelable: true, dataTransfer: data }));
+  }));
+
+  // Several at once: a line for each, and the whole of the one that is chosen.
+  const records = "#live-judge .live-records";
+  await page.setInputFiles("#judge-file", [...several, { name: "<b>none</b>.csv", mimeType: "text/csv", buffer: Buffer.from("t,wx\n0,1\n") }]);
+  await told(records, "Cannot be judged");
+  const each = await page.locator(`${records} li`).allTextContents();
+  wants(`each has its line: ${each}`, each.length === 3 && /^mujoco.*Passed\. Every step/.test(each[0]) &&
+    /^rapier.*Failed \(energy, .*Every step is made by: rescaled/.test(each[1]) && /^<b>none<\/b>.*Cannot be judged: line /.test(each[2]));
+  await told(verdict, "Passed: mujoco");
+  await page.locator(`${records} button`).first().focus();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await told(verdict, "Failed: rapier");
+  wants("the keyboard stays with the list", await page.evaluate((s) => document.activeElement.closest(s) !== null, records));
+  wants("one of them is shown as chosen", String(await page.locator(`${records} button`).evaluateAll((all) =>
+    all.map((button) => button.getAttribute("aria-pressed")))) === "false,true,false");
+  await page.click(`${records} li:last-child button`);
+  await told(wrong, "<b>none</b>.csv: line ");
+  await page.click(`${records} li:nth-child(2) button`);
+  await set(page, "#judge-threshold", "0.5");
+  await told(verdict, "Passed: rapier");
+  await set(page, "#judge-threshold", "0.01");
+  await told(verdict, "Failed: rapier");
+
+  // Dropped before the widget has come into view.
+  await page.reload();
+  await page.evaluate(() => scrollTo(0, 0));
+  await long("main h1");
+  await told(verdict, "long.csv[^]*800000 rows");
+
+  // The example is the record that the chapter reads.
   await page.locator("#judge-example").focus();
   await page.keyboard.press("Enter");
   await told(verdict, "the example");
+  const listing = (await page.locator("main pre").allTextContents()).find((text) => text.includes("changes sign"))?.replace(/\s+/g, " ") ?? "";
+  const example = (await page.textContent(verdict)).replace(/\s+/g, " ");
+  for (const part of [/[\d.]+ to [\d.]+/, /changes sign \d+ times \(exact: \d+\)/, /rescaled, .* a step/, /Rapier [\d.]+/, /faster than linear/]) {
+    const [words] = listing.match(part) ?? ["what it should say"];
+    wants(`the example says "${words}" as the chapter does`, example.includes(words));
+  }
+  const [most, last] = await page.locator(`${verdict} tbody tr`).first().locator("td").allTextContents();
+  const [, printed, ended] = listing.match(/energy (\S+) (\S+)/) ?? [];
+  wants(`the example's energy is off by ${most} and ${last}, the chapter's by ${printed} and ${ended}`,
+    most.startsWith(`${Number(printed)} `) && last === String(Number(ended)));
+
+  // Its table fits, with and without the contents beside the text.
+  for (const [width, contents] of [[320, false], [390, false], [700, false], [1000, true], [1400, true]]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.evaluate((open) => {
+      const anchor = document.querySelector("#mdbook-sidebar-toggle-anchor");
+      if (anchor.checked !== open) anchor.click();
+    }, contents);
+    // The contents glide in and out: what counts is where all comes to rest.
+    await page.waitForFunction((selector) => {
+      const place = document.querySelector(selector);
+      const edge = place.getBoundingClientRect().right + 0.5;
+      return document.getAnimations().length === 0 && [...place.querySelectorAll("table, th, td"), place].every((part) =>
+        part.scrollWidth <= part.clientWidth && part.getBoundingClientRect().right <= edge);
+    }, verdict, { timeout: 5000 }).catch(() => wants(`the table fits at ${width} px`, false));
+  }
   await page.waitForFunction((s) => document.querySelectorAll(`${s} [data-shows]`).length > 3, picture, { timeout: 5000 })
     .catch(() => wants("the example is drawn", false));
   wants("the example has its lines in view", /qw/.test(await page.inputValue("#judge-text")));

@@ -1,22 +1,21 @@
-// The judge: a record dropped, chosen or pasted is judged by the module, in a worker, piece by piece.
+// The judge: records dropped, chosen or pasted are judged by the module, in a worker, piece by piece, one after the other.
 "use strict";
 
 tumblingLive.widget("judge", async (stage, from) => {
-    const { bytes, load, short, sayer } = tumblingLive;
-    await load(`${from}judge.picture.js`);
+    const { bytes, load, sayer } = tumblingLive;
+    await Promise.all(["picture", "verdict"].map((part) => load(`${from}judge.${part}.js`)));
+    const { show, line, put } = tumblingLive.judgeVerdict;
     /** The laws that may have a limit of their own, in the judge's order. */
     const LAWS = ["energy", "momentum", "direction", "unit", "separatrix", "phase", "consistency"];
-    const UNTOLD = { direction: "the direction of L", unit: "the quaternion’s length", consistency: "whether it turns as the spin says" };
     const the = (id) => stage.querySelector(`#judge-${id}`);
-    const [file, text, moments, threshold, fit, go, example] =
-        ["file", "text", "moments", "threshold", "fit", "go", "example"].map(the);
-    const drop = stage.querySelector(".live-drop");
-    const wrong = stage.querySelector(".live-wrong");
-    const place = stage.querySelector(".live-verdict");
+    const [file, text, moments, threshold, fit, go, example, progress, stop] =
+        ["file", "text", "moments", "threshold", "fit", "go", "example", "progress", "stop"].map(the);
+    const [wrong, place, reading, list] = ["wrong", "verdict", "reading", "records"].map((name) => stage.querySelector(`.live-${name}`));
     const say = sayer(stage);
 
     /** What runs in the worker: it knows nothing of what is around it here. */
     function work() {
+        const PATIENCE = 200; // ms, so long nothing is told of a record, and then no more often
         let module;
         onmessage = async ({ data }) => {
             if (data.module) {
@@ -27,10 +26,15 @@ tumblingLive.widget("judge", async (stage, from) => {
             const reader = new FileReaderSync();
             let at = 0;
             let exports = null;
+            let told = performance.now();
             const more = (address, room) => {
                 const piece = new Uint8Array(reader.readAsArrayBuffer(record.slice(at, at + room)));
                 new Uint8Array(exports.memory.buffer).set(piece, address);
                 at += piece.length;
+                if (performance.now() - told > PATIENCE) {
+                    told = performance.now();
+                    postMessage({ turn, at });
+                }
                 return piece.length;
             };
             try {
@@ -41,17 +45,22 @@ tumblingLive.widget("judge", async (stage, from) => {
                 const said = new Uint8Array(exports.memory.buffer, exports.text(), exports.text_length());
                 postMessage({ turn, judged, said: new TextDecoder().decode(said) });
             } catch (why) {
-                postMessage({ turn, judged: false, said: `the record could not be read to its end (${why.message})` });
+                // A folder has no bytes, and a file written anew is no longer the one that was chosen.
+                postMessage({ turn, judged: false, said: `the record could not be read to its end (${why.message}); if it was written anew, choose it again` });
             }
         };
     }
     const code = URL.createObjectURL(new Blob([`"use strict";(${work})()`], { type: "text/javascript" }));
-    const worker = new Worker(code);
-    URL.revokeObjectURL(code);
-    worker.postMessage({ module: bytes("judge") });
+    const module = bytes("judge");
 
+    let worker = hire();
+    let busy = false;
     let turn = 0; // only the answer to the last question counts
-    let last = null;
+    let records = []; // those asked for last: each with its name, its bytes and, once judged, its answer
+    let now = 0; // which of them is being judged
+    let shown = -1; // which is to be seen
+    let wish = 0; // and which is to be seen once it is judged
+    let asked = [];
 
     /** Moments as typed: none, three numbers, or a complaint. */
     function typed() {
@@ -88,16 +97,51 @@ tumblingLive.widget("judge", async (stage, from) => {
         return rows;
     }
 
-    function judge(record, name) {
-        last = [record, name];
+    function hire() {
+        const hired = new Worker(code);
+        hired.onmessage = heard;
+        hired.postMessage({ module });
+        return hired;
+    }
+
+    /** Ends what is being judged. A worker that is busy hears nothing before it has read all: another takes its place. */
+    function halt() {
+        turn += 1;
+        if (busy) {
+            worker.terminate();
+            worker = hire();
+        }
+        busy = false;
+        stage.removeAttribute("aria-busy");
+        reading.hidden = true;
+    }
+
+    /** Judges these records, each `{ name, record }`, in place of all before. */
+    function judge(all, first = 0) {
+        halt();
+        wish = first;
+        records = all.map(({ name, record }) => ({ name, record }));
+        shown = -1;
+        list.hidden = true;
+        list.replaceChildren();
         try {
             const { most, own } = limits();
-            turn += 1;
-            worker.postMessage({ record, asked: [...typed(), most, fitted(), ...own], turn });
-            stage.setAttribute("aria-busy", "true");
+            asked = [...typed(), most, fitted(), ...own];
         } catch (why) {
             complain(why.message);
+            return;
         }
+        if (records.length > 1) offer();
+        next(0);
+    }
+
+    function next(which) {
+        now = which;
+        const { record } = records[now];
+        turn += 1;
+        busy = true;
+        worker.postMessage({ record, asked, turn });
+        stage.setAttribute("aria-busy", "true");
     }
 
     function complain(what) {
@@ -106,110 +150,113 @@ tumblingLive.widget("judge", async (stage, from) => {
         wrong.textContent = `${what}.`;
     }
 
-    worker.onmessage = ({ data }) => {
+    function heard({ data }) {
         if (data.turn !== turn) return;
+        if (data.at !== undefined) return tell(data.at);
+        busy = false;
+        reading.hidden = true;
+        const of = records[now];
+        of.verdict = data.judged ? JSON.parse(data.said) : null;
+        of.why = data.said;
+        if (records.length > 1) offered(now, ...(of.verdict ? line(of.verdict) : ["Cannot be judged", `: ${of.why}.`]));
+        if (now === wish) open(now);
+        if (now + 1 < records.length) return next(now + 1);
         stage.removeAttribute("aria-busy");
-        const [, name] = last;
-        if (!data.judged) return complain(`${name}: ${data.said}`);
+        if (records.length > 1) return sum();
+        if (of.verdict) say(`${line(of.verdict).join("")} ${of.verdict.laws.length} laws judged.`);
+        // Reading goes on at the verdict, unless the reader has gone elsewhere.
+        if ([document.body, go, file, example, stop].includes(document.activeElement)) place.focus({ preventScroll: true });
+    }
+
+    /** How far a long record is read. What is shown of another goes, so that nobody takes it for this one's. */
+    function tell(at) {
+        const { name, record: { size } } = records[now];
+        const unit = size < 1e6 ? ["kB", 1e3] : ["MB", 1e6];
+        const [read, whole] = [at, size].map((of) => (of / unit[1]).toFixed(1));
+        reading.hidden = false;
+        reading.firstElementChild.textContent = `Judging ${name}: ${read} of ${whole} ${unit[0]} are read.`;
+        progress.value = at / (size || 1);
+        if (records.length === 1) place.hidden = wrong.hidden = true;
+        // By quarters, since a voice takes longer than an eye.
+        const quarter = Math.floor(4 * at / (size || 1));
+        if (records[now].quarter === quarter) return;
+        records[now].quarter = quarter;
+        say(`Judging ${name}: ${["begun", "a quarter is read", "half is read", "three quarters are read", "all is read"][quarter]}.`);
+    }
+
+    /** Shows the verdict on one of the records. */
+    function open(which) {
+        shown = which;
+        const { name, verdict, why } = records[which];
+        [...list.children].forEach((item, i) => item.firstElementChild.setAttribute("aria-pressed", String(i === which)));
+        if (!verdict) return complain(`${name}: ${why}`);
         wrong.hidden = true;
-        show(JSON.parse(data.said), name);
-    };
-
-    /** An element with a text, which is never read as HTML: a record may hold any words. */
-    function put(parent, kind, words = "", name = "") {
-        const element = document.createElement(kind);
-        element.textContent = words;
-        if (name) element.className = name;
-        parent.append(element);
-        return element;
-    }
-
-    function list(title, items) {
-        if (items.length === 0) return;
-        put(place, "p", title, "live-title");
-        const all = put(place, "ul");
-        for (const item of items) put(all, "li", item);
-    }
-
-    function show(verdict, name) {
-        place.replaceChildren();
-        const outcome = { passed: "Passed", failed: "Failed", "nothing to judge": "Nothing to judge" }[verdict.outcome];
-        put(place, "p", `${outcome}: ${name}`, `live-outcome ${verdict.outcome === "failed" ? "live-failed" : ""}`);
-        const step = verdict.step ? `steps of ${short(verdict.step)} s` : "steps of various lengths";
-        put(place, "p", `${verdict.rows} rows, ${step}, judged over ${short(verdict.duration)} s; ` +
-            `moments ${verdict.moments.map((moment) => Number(moment.toPrecision(6))).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);
-
-        if (verdict.fit) {
-            const { rows, moved, left } = verdict.fit;
-            put(place, "p", `The start is fitted to the first ${rows} rows: ${short(moved)} rad/s from the first one; ${short(left)} rad/s are left.`);
-        }
-        const resets = verdict.resets.map(({ line, time, to_rest, to_start }) => {
-            const how = to_rest ? "is put to rest" : to_start ? "is put back to its start" : "jumps to another motion";
-            return `line ${line}, at ${short(time)} s: the body ${how}; judged up to there`;
-        });
-        const gaps = verdict.gaps ? [`rows are missing in ${verdict.gaps.count} places, the first before line ${verdict.gaps.line}`] : [];
-        const untold = verdict.untold.length ? [`it does not tell: ${verdict.untold.map((law) => UNTOLD[law] ?? law).join(", ")}`] : [];
-        list("The file", [...verdict.misread, ...resets, ...gaps, ...untold]);
-
-        tumblingLive.judgePicture(place, verdict);
-
-        if (verdict.laws.length > 0) {
-            const frame = put(place, "div", "", "table-wrapper");
-            const table = put(frame, "table");
-            const head = put(put(table, "thead"), "tr");
-            for (const title of ["law", "off by at most", "at the end", "how it grows"]) put(head, "th", title).scope = "col";
-            const body = put(table, "tbody");
-            for (const law of verdict.laws) {
-                const row = put(body, "tr");
-                put(row, "th", law.words).scope = "row";
-                for (const number of [law.most, law.last]) put(row, "td", number === null ? "beyond counting" : short(number));
-                put(row, "td", law.growth);
-            }
-        }
-        list("What is wrong besides", verdict.complaints);
-
-        if (verdict.diagnosis) {
-            const { best, sure, alike, hints, advice } = verdict.diagnosis;
-            const how = {
-                "to rounding": "Every step is made by", "most steps": "Most steps, but not all, are made by",
-                near: "Most like", "none fits": "None of the known rules fits. Nearest is",
-            }[sure];
-            put(place, "p", "What made it", "live-title");
-            put(place, "p", `${how}: ${best.rule}${best.engines.length ? ` (as in ${best.engines.join("; ")})` : ""}.`);
-            const others = alike.map(({ rule }) => rule);
-            if (others.length) put(place, "p", `Not to be told from it here: ${others.join("; ")}.`);
-            for (const hint of hints) put(place, "p", hint);
-            if (advice) put(place, "p", `What to do: ${advice}`);
-        }
-        const more = put(place, "details");
-        put(more, "summary", "As the command line prints it");
-        const printed = put(put(more, "pre"), "code", verdict.words);
-        printed.tabIndex = 0;
+        show(place, verdict, name);
         place.hidden = false;
-        place.focus({ preventScroll: true });
-        say(`${outcome}. ${verdict.laws.length} laws judged.`);
     }
 
-    const lines = () => new Blob([text.value]);
-    go.addEventListener("click", () => judge(lines(), "the lines above"));
-    file.addEventListener("change", () => file.files[0] && judge(file.files[0], file.files[0].name));
+    /** A line for each record, of which a button opens the whole. */
+    function offer() {
+        records.forEach(({ name }, which) => {
+            const item = put(list, "li");
+            const button = put(item, "button", name);
+            button.type = "button";
+            button.disabled = true;
+            button.addEventListener("click", () => {
+                wish = -1;
+                open(which);
+                say(`The verdict on ${name} is shown.`);
+            });
+            item.append(" ");
+            put(item, "span", "waits");
+        });
+        list.hidden = false;
+        place.hidden = wrong.hidden = true;
+    }
+
+    function offered(which, outcome, words) {
+        const [button, told] = list.children[which].children;
+        button.disabled = false;
+        told.replaceChildren();
+        put(told, "span", outcome, ["Failed", "Cannot be judged"].includes(outcome) ? "live-failed" : "");
+        told.append(words);
+    }
+
+    /** What became of them all, said. */
+    function sum() {
+        const count = (outcome) => records.filter(({ verdict }) => (verdict?.outcome ?? "none") === outcome).length;
+        const parts = [["passed", "passed"], ["failed", "failed"], ["nothing to judge", "with nothing to judge"], ["none", "cannot be judged"]];
+        say(`${records.length} records: ${parts.map(([outcome, words]) => [count(outcome), words]).filter(([n]) => n > 0).map((of) => of.join(" ")).join(", ")}.`);
+    }
+
+    stop.addEventListener("click", () => {
+        const left = records.slice(now);
+        halt();
+        for (let i = now; records.length > 1 && i < records.length; i += 1) list.children[i].lastElementChild.textContent = "not judged";
+        const what = `Stopped: ${left.length === 1 ? `${left[0].name} is` : `${left.length} records are`} not judged`;
+        if (records.length === 1) complain(what);
+        else say(`${what}.`);
+        go.focus({ preventScroll: true });
+    });
+
+    const lines = (name) => {
+        file.value = ""; // it would name what is judged no more
+        judge([{ name, record: new Blob([text.value]) }]);
+    };
+    const files = (all) => judge(all.map((record) => ({ name: record.name, record })));
+    go.addEventListener("click", () => lines("the lines above"));
+    file.addEventListener("click", () => { file.value = ""; }); // so that the same file may be chosen again, written anew
+    file.addEventListener("change", () => file.files.length > 0 && files([...file.files]));
     example.addEventListener("click", async () => {
         await load(`${from}judge.example.js`);
         text.value = new TextDecoder().decode(bytes("judge.example"));
-        judge(lines(), "the example");
+        lines("the example");
     });
-    for (const field of [moments, threshold, fit]) field.addEventListener("change", () => last && judge(...last));
-    for (const kind of ["dragenter", "dragover"]) {
-        drop.addEventListener(kind, (event) => {
-            event.preventDefault();
-            drop.classList.add("live-over");
-        });
-    }
-    drop.addEventListener("dragleave", () => drop.classList.remove("live-over"));
-    drop.addEventListener("drop", (event) => {
-        event.preventDefault();
-        drop.classList.remove("live-over");
-        const [dropped] = event.dataTransfer.files;
-        if (dropped) judge(dropped, dropped.name);
+    for (const field of [moments, threshold, fit]) field.addEventListener("change", () => records.length > 0 && judge(records, Math.max(0, shown)));
+    stage.addEventListener("live-files", ({ detail }) => {
+        file.value = "";
+        files(detail);
+        const { top } = list.parentElement.getBoundingClientRect();
+        if (top < 0 || top > 0.7 * innerHeight) list.parentElement.scrollIntoView();
     });
 });

@@ -3,7 +3,7 @@
 "use strict";
 
 tumblingLive.judgePicture = (() => {
-    const { short, draw, drawing } = tumblingLive;
+    const { raised, short, draw, drawing } = tumblingLive;
     /** What is smaller lies on the lower edge. */
     const FLOOR = -16;
     /** Spins are drawn up to so many times the exact motion's greatest. */
@@ -19,7 +19,6 @@ tumblingLive.judgePicture = (() => {
     const clamp = (x, least, most) => Math.min(Math.max(x, least), most);
     const finite = (x) => typeof x === "number" && Number.isFinite(x);
     const largest = (...rows) => rows.flat().reduce((most, x) => (finite(x) ? Math.max(most, Math.abs(x)) : most), 0);
-    const raised = (power) => Array.from(String(power), (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("");
     const decade = (power) => (power === 0 ? "1" : power === 1 ? "10" : `10${raised(power)}`);
     const times = (count) => (count === 1 ? "once" : `${count} times`);
 

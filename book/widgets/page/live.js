@@ -62,14 +62,16 @@ globalThis.tumblingLive ??= (() => {
         return number < 0 && /[1-9]/.test(digits) ? `−${digits}` : digits;
     }
 
+    /** A power of ten's raised figures. */
+    const raised = (power) => Array.from(String(power), (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("");
+
     /** A number of any size in few digits. */
     function short(number) {
         const size = Math.abs(number);
         if (size === 0) return "0";
         if (size >= 0.01 && size < 1e5) return fixed(number, size >= 100 ? 1 : 3);
         const [digits, power] = number.toExponential(2).split("e");
-        const raised = Array.from(power.replace("+", ""), (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("");
-        return `${digits} · 10${raised}`.replace("-", "−");
+        return `${digits} · 10${raised(Number(power))}`.replace("-", "−");
     }
 
     /** An element of a drawing. */
@@ -131,7 +133,14 @@ globalThis.tumblingLive ??= (() => {
         };
     }
 
-    async function enliven(box) {
+    const living = new Map(); // boxes that are live, or are about to be
+
+    function enliven(box) {
+        if (!living.has(box)) living.set(box, begin(box));
+        return living.get(box);
+    }
+
+    async function begin(box) {
         const { live: name, from } = box.dataset;
         const stage = box.querySelector(".live-stage");
         try {
@@ -163,9 +172,25 @@ globalThis.tumblingLive ??= (() => {
         seen.observe(box);
     }
 
+    // Files dropped anywhere go to the widget that takes them, live yet or not: without that the browser would leave the page.
+    const taker = [...boxes].find((box) => box.querySelector(".live-drop"));
+    const over = (is) => taker.querySelector(".live-drop").classList.toggle("live-over", is);
+    for (const kind of taker ? ["dragenter", "dragover", "dragleave", "drop"] : []) {
+        addEventListener(kind, (event) => {
+            if (!event.dataTransfer?.types.includes("Files")) return;
+            event.preventDefault();
+            // Only what leaves the whole window comes from nowhere.
+            over(kind !== "drop" && !(kind === "dragleave" && event.relatedTarget === null));
+            if (kind === "dragover") event.dataTransfer.dropEffect = "copy";
+            const files = [...event.dataTransfer.files];
+            if (kind !== "drop" || files.length === 0) return;
+            enliven(taker).then(() => taker.querySelector(".live-stage").dispatchEvent(new CustomEvent("live-files", { detail: files })));
+        });
+    }
+
     return {
         carry: (name, text) => carried.set(name, text),
         widget: (name, maker) => makers.set(name, maker),
-        load, bytes, module, fixed, short, draw, arrow, drawing, sayer,
+        load, bytes, module, fixed, raised, short, draw, arrow, drawing, sayer,
     };
 })();

@@ -1,0 +1,127 @@
+// A verdict in words and a table, and in a line. What the record itself says is never read as HTML.
+"use strict";
+
+tumblingLive.judgeVerdict = (() => {
+    const { raised, short } = tumblingLive;
+    /** Laws as the table names them, where their own name lacks a unit or cannot raise a power. */
+    const NAMES = { direction: "direction of L, rad", separatrix: "2 E I₂ / L²", phase: "phase, times round" };
+    const UNTOLD = { direction: "the direction of L", unit: "the quaternion’s length", consistency: "whether it turns as the spin says" };
+    const OUTCOMES = { passed: "Passed", failed: "Failed", "nothing to judge": "Nothing to judge" };
+    const RULES = {
+        "to rounding": "Every step is made by", "most steps": "Most steps, but not all, are made by",
+        near: "Most like", "none fits": "None of the known rules fits. Nearest is",
+    };
+
+    /** An element with a text. */
+    function put(parent, kind, words = "", name = "") {
+        const element = document.createElement(kind);
+        element.textContent = words;
+        if (name) element.className = name;
+        parent.append(element);
+        return element;
+    }
+
+    function list(place, title, items) {
+        if (items.length === 0) return;
+        put(place, "p", title, "live-title");
+        const all = put(place, "ul");
+        for (const item of items) put(all, "li", item);
+    }
+
+    /** Four digits, as the command line prints them. */
+    function digits(number) {
+        if (number === null) return "beyond counting";
+        if (number === 0) return "0";
+        const [front, power] = number.toExponential(3).split("e");
+        const small = power < -3 || power > 4;
+        return (small ? `${front} · 10${raised(Number(power))}` : number.toPrecision(4)).replace("-", "−");
+    }
+
+    /** Whether a law is broken by more than is allowed. */
+    const broken = ({ most, allowed }) => allowed !== null && !(most !== null && Math.abs(most) <= allowed);
+
+    /** What the file itself has to tell. */
+    function ofFile({ misread, resets, gaps, ignored, notes, untold }) {
+        return [
+            ...misread,
+            ...resets.map(({ line, time, to_rest, to_start }) => {
+                const how = to_rest ? "is put to rest" : to_start ? "is put back to its start" : "jumps to another motion";
+                return `line ${line}, at ${short(time)} s: the body ${how}; judged up to there`;
+            }),
+            ...(gaps ? [`rows are missing in ${gaps.count} places, the first before line ${gaps.line}`] : []),
+            ...(ignored.length ? [`columns that are not used: ${ignored.join(", ")}`] : []),
+            ...notes,
+            ...(untold.length ? [`it does not tell: ${untold.map((law) => UNTOLD[law] ?? law).join(", ")}`] : []),
+        ];
+    }
+
+    function table(place, laws) {
+        const table = put(put(place, "div", "", "table-wrapper"), "table");
+        // Narrow pages lay a row out in two lines: the roles stay what they are.
+        const part = (parent, kind, role, words) => {
+            const element = put(parent, kind, words);
+            element.setAttribute("role", role);
+            return element;
+        };
+        table.setAttribute("role", "table");
+        const head = part(part(table, "thead", "rowgroup"), "tr", "row");
+        for (const title of ["law", "off by at most", "at the end", "how it grows"]) part(head, "th", "columnheader", title).scope = "col";
+        const body = part(table, "tbody", "rowgroup");
+        for (const law of laws) {
+            const row = part(body, "tr", "row");
+            part(row, "th", "rowheader", NAMES[law.law] ?? law.words).scope = "row";
+            const most = part(row, "td", "cell", digits(law.most));
+            if (broken(law)) put(most, "span", ` (allowed: ${law.allowed})`, "live-failed");
+            part(row, "td", "cell", digits(law.last));
+            part(row, "td", "cell", law.growth);
+        }
+    }
+
+    function diagnosis(place, { best, sure, alike, hints, advice }) {
+        put(place, "p", "What made it", "live-title");
+        put(place, "p", `${RULES[sure]}: ${best.rule}.`);
+        if (best.engines.length) put(place, "p", `As in: ${best.engines.join("; ")}.`);
+        const others = alike.map(({ rule }) => rule);
+        if (others.length) put(place, "p", `Not to be told from it here: ${others.join("; ")}.`);
+        for (const hint of hints) put(place, "p", hint);
+        if (advice) put(place, "p", `What to do: ${advice}`);
+    }
+
+    /** The whole verdict, in place of what was there. */
+    function show(place, verdict, name) {
+        place.replaceChildren();
+        const failed = verdict.outcome === "failed";
+        put(place, "p", `${OUTCOMES[verdict.outcome]}: ${name}`, `live-outcome ${failed ? "live-failed" : ""}`);
+        const step = verdict.step ? `steps of ${digits(verdict.step)} s` : "steps of various lengths";
+        put(place, "p", `${verdict.rows} rows, ${step}, judged over ${short(verdict.duration)} s; ` +
+            `moments ${verdict.moments.map((moment) => Number(moment.toPrecision(6))).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);
+        if (verdict.fit) {
+            const { rows, moved, left } = verdict.fit;
+            put(place, "p", `The start is fitted to the first ${rows} rows: ${short(moved)} rad/s from the first one; ${short(left)} rad/s are left.`);
+        }
+        list(place, "The file", ofFile(verdict));
+        tumblingLive.judgePicture(place, verdict);
+        if (verdict.laws.length > 0) table(place, verdict.laws);
+        const { separatrix, flips, torque } = verdict;
+        if (separatrix?.every(Number.isFinite)) {
+            put(place, "p", `Where the spin is heading: ${NAMES.separatrix} goes from ${separatrix.map((of) => of.toFixed(6)).join(" to ")}; the separatrix is at 1.`);
+        }
+        if (flips && torque === null) {
+            put(place, "p", `The spin along the middle axis changes sign ${flips.found === 1 ? "once" : `${flips.found} times`} (exact: ${flips.exact}).`);
+        }
+        list(place, "What is wrong besides", verdict.complaints);
+        if (verdict.diagnosis) diagnosis(place, verdict.diagnosis);
+        const more = put(place, "details");
+        put(more, "summary", "As the command line prints it");
+        put(put(more, "pre"), "code", verdict.words).tabIndex = 0;
+    }
+
+    /** The verdict in a line: the outcome, and what there is to say of it. */
+    function line({ outcome, laws, diagnosis }) {
+        const worst = laws.filter(broken).map(({ law, words }) => (law === "separatrix" ? NAMES[law] : words));
+        const rule = diagnosis ? ` ${RULES[diagnosis.sure]}: ${diagnosis.best.rule}.` : "";
+        return [OUTCOMES[outcome], `${worst.length ? ` (${worst.join(", ")})` : ""}.${rule}`];
+    }
+
+    return { show, line, put };
+})();
