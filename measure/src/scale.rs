@@ -8,9 +8,12 @@ use crate::record::{Record, Row, Wrong, number, optional, parsed, perhaps};
 use crate::setup;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use tumbling::exact::{Batch, Spins};
+use tumbling::scene::{Scene, Times, Toss, Wants};
+use tumbling_scenes::crowd::{self, Block};
 use tumbling_scenes::many::{Chunk, Four, Given, INSTANTS, Many, Want};
 
 /// One crowd of one size.
@@ -196,6 +199,30 @@ where
     Ready { pass: Box::new(pass), bytes: Some(bytes) }
 }
 
+/// A scene of as many bodies, planned and answered anew in each pass.
+fn scene<'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a> {
+    let toss = |k| {
+        let Given { moments, omega, attitude } = body(k);
+        Toss { attitude, ..Toss::spinning(moments, omega) }
+    };
+    let tosses: Vec<Toss> = (0..bodies).map(toss).collect();
+    let wants = Wants { spin: true, attitude: true, ..Wants::NOTHING };
+    let pass = move |k: u32| {
+        #[allow(clippy::cast_precision_loss)]
+        let times = (0..instants).map(|n| 1.0 + 0.37 * n as f64 + f64::from(k)).collect();
+        let scene = Scene::new(tosses.clone(), Vec::new(), Times::Given(times), wants, 1e-9);
+        let digest = |block: &Block<'_>| {
+            black_box(block.answers.last().copied().flatten());
+        };
+        run(&mut || {
+            if let Ok(scene) = &scene {
+                crowd::run(scene, digest, |()| ControlFlow::Continue(()));
+            }
+        });
+    };
+    Ready { pass: Box::new(pass), bytes: None }
+}
+
 /// How a pass is run: on which threads.
 pub type Run<'r> = dyn Fn(&mut (dyn FnMut() + Send)) + Sync + 'r;
 
@@ -244,6 +271,14 @@ pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
             instants: 1,
             most: MOST,
             prepare: Box::new(move |n| ready::<Instants>(n, 1, one)),
+        },
+        Crowd {
+            name: "scene",
+            lanes: 4,
+            threads: 1,
+            instants: INSTANTS,
+            most: MOST / 10,
+            prepare: Box::new(move |n| scene(n, INSTANTS, one)),
         },
     ];
     if let Some(two) = two {
@@ -366,7 +401,7 @@ const HEAD: &[(&str, &str)] = &[
     ("what", "many bodies: states a second; each crowd at each number of bodies a line"),
     (
         "crowd",
-        "what is asked of each body: 16 instants in a pass; once is one; Rapier does one step of a sixtieth of a second",
+        "what is asked of each body: 16 instants in a pass; once is one; a scene is planned anew in each pass, the others are prepared before; Rapier does one step of a sixtieth of a second",
     ),
     ("build", "default is for any machine of the kind; native for this one: RUSTFLAGS=-C target-cpu=native"),
     (
@@ -490,7 +525,7 @@ mod tests {
         let alone: &Run<'_> = &|pass| pass();
         let effort = Effort { most: 1000, repeats: 1, least: 0.0, together: 1000 };
         let rows = measure("default", &ours(alone, Some(alone)), effort, &mut |_| {});
-        assert_eq!(rows.len(), 14);
+        assert_eq!(rows.len(), 16);
         let record = record(rows, &[], effort);
         let back = Record::<Scale>::read(&record.write()).unwrap();
         assert_eq!(back.write(), record.write());

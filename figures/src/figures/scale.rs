@@ -19,10 +19,10 @@ pub(super) fn draw() -> Drawing {
     let record = scale::committed()?;
     let rows = &record.rows;
     let canvas = Canvas::new(480);
-    let (low, high) = (1e5, 1e9);
+    let (low, high) = (1e6, 3e8);
     let plot = Plot::new(&canvas, 62.0, 50.0, 380.0, 410.0, Scale::log(70.0..1.5e7), Scale::log(low..high));
     plot.x_axis((2..=7).map(|n| (10_f64.powi(n), power_of_ten(n))), "bodies");
-    plot.y_axis((5..=9).map(|n| (10_f64.powi(n), power_of_ten(n))), "");
+    plot.y_axis((6..=8).map(|n| (10_f64.powi(n), power_of_ten(n))), "");
     canvas.label((20.0, 28.0), &Label::new("answers a second").bold());
     let mut ends = Vec::new();
     for (build, crowd, lanes, threads, ink, dashed, name) in CURVES {
