@@ -135,7 +135,18 @@ impl Toss {
         };
         finite_vector("the spin", &omega).map_err(start)?;
         let world = frame.map_or(attitude, |frame| attitude * frame);
-        Ok(Principal { moments, omega, frame, world, attitude })
+        // What the way to here has rounded: axes of a tensor to the size of its largest moment, a turned vector to its length.
+        let (greatest, length) = (moments.max(), moments.component_mul(&omega).norm());
+        let turned = frame.is_some() || attitude != UnitQuaternion::identity();
+        let rounded = Rounded {
+            moments: if frame.is_some() { Vector3::repeat(greatest) } else { moments },
+            omega: match (&self.with, frame) {
+                (LetGo::Momentum(_), _) if turned => moments.map(|moment| length / moment),
+                (LetGo::Spin(_), Some(_)) => Vector3::repeat(omega.norm()),
+                _ => omega.abs(),
+            },
+        };
+        Ok(Principal { moments, omega, frame, world, attitude, rounded })
     }
 }
 
@@ -150,6 +161,14 @@ struct Principal {
     world: UnitQuaternion<f64>,
     /// Body to world, at the start.
     attitude: UnitQuaternion<f64>,
+    rounded: Rounded,
+}
+
+/// The numbers of a body along its principal axes, each with what one rounding of it is a share of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Rounded {
+    moments: Vector3<f64>,
+    omega: Vector3<f64>,
 }
 
 impl Principal {
@@ -172,8 +191,8 @@ pub enum Times {
     },
 }
 
-/// A multiple is meant where the quotient is one to this.
-const MULTIPLE: f64 = 1e-9;
+/// A multiple is meant where the quotient is one to so many roundings: 0.3 / 0.1 is one below 3.
+const MULTIPLE: f64 = 4.0 * f64::EPSILON;
 
 impl Times {
     /// Every `step` seconds from 0 to `span`.
@@ -227,7 +246,12 @@ impl Times {
     pub fn count(&self) -> u64 {
         match self {
             Self::Given(times) => times.len() as u64,
-            Self::Every { step, span } => (span / step * (1.0 + MULTIPLE)).floor() as u64 + 1,
+            Self::Every { step, span } => {
+                let steps = span / step;
+                let whole = steps.round();
+                let whole = if (steps - whole).abs() <= MULTIPLE * steps { whole } else { steps.floor() };
+                whole as u64 + 1
+            }
         }
     }
 

@@ -46,6 +46,9 @@ use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Spins};
 use tumbling::scene::{Plan, Scene, State, States};
 
+/// So many tiles are in hand at once, on whatever threads, so that the order is always the same.
+const AT_ONCE: usize = 32;
+
 /// Fewer bodies than this are not worth the lanes.
 const WORTH: usize = 3;
 
@@ -80,7 +83,7 @@ pub fn run<R: Send>(
 ) {
     let bodies = scene.bodies().len();
     let times = scene.times().count();
-    let some = TILE * at_once();
+    let some = TILE * AT_ONCE;
     for first in (0..bodies).step_by(some) {
         let tiles: Vec<usize> = (first..bodies.min(first + some)).step_by(TILE).collect();
         let planned = together(tiles, |tile| (tile, plans(scene, tile..bodies.min(tile + TILE))));
@@ -97,14 +100,6 @@ pub fn run<R: Send>(
             from = to;
         }
     }
-}
-
-/// How many tiles are in hand at once.
-fn at_once() -> usize {
-    #[cfg(feature = "threads")]
-    return 4 * rayon::current_num_threads();
-    #[cfg(not(feature = "threads"))]
-    1
 }
 
 /// Each of them done, in order: on all threads where there are some.

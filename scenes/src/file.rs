@@ -430,7 +430,8 @@ fn list(numbers: &[f64]) -> String {
     format!("[{}]", numbers.join(", "))
 }
 
-/// The text of a file that holds the scene: [`read`] gives it back to the bit.
+/// The text of a file that holds the scene: [`read`] gives it back to the bit. A body whose numbers are not all finite is written
+/// as it is, and refused by [`read`].
 #[must_use]
 pub fn write(scene: &Scene) -> String {
     let mut text = format!("accuracy = {}\n", number(scene.accuracy()));
@@ -447,7 +448,7 @@ pub fn write(scene: &Scene) -> String {
     let _ = writeln!(text, "wants = [{}]", words.join(", "));
     for body in scene.bodies() {
         let _ = writeln!(text, "\n[[body]]\nmoments = {} # kg m²", list(body.moments.as_slice()));
-        if body.products != Vector3::zeros() {
+        if body.products.iter().any(|product| product.to_bits() != 0) {
             let _ = writeln!(text, "products = {} # kg m²", list(body.products.as_slice()));
         }
         let q = body.attitude.quaternion();

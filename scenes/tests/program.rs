@@ -138,3 +138,32 @@ fn what_is_printed_has_the_names_that_the_judge_knows() {
     assert_eq!(verdict.outcome, tumbling_judge::Outcome::Passed, "{verdict}");
     assert_eq!(verdict.ignored, ["body", "kinetic energy [J]", "gap [rad]"]);
 }
+
+#[test]
+fn flips_alone_are_given_in_the_summary() {
+    let text = "accuracy = 1e-9\nspan = 10.0\nevery = 1.0\nwants = [\"flips\"]\n[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [0.1, 5.0, 0.1]\n";
+    let output = of_text("flips", text);
+    assert!(said(&output.stdout).starts_with("body 0\n"), "{}", said(&output.stdout));
+    assert!(said(&output.stdout).contains("  flips     "));
+}
+
+/// A reader who has had enough ends the program quietly; a disk that is full does not.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_closed_pipe_ends_well_and_a_full_disk_does_not() {
+    use std::io::Read as _;
+    use std::process::Stdio;
+    let text = "accuracy = 1e-6\nspan = 1e4\nevery = 0.01\nwants = [\"spin\"]\n[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [0.1, 5.0, 0.1]\n";
+    let path = std::env::temp_dir().join(format!("tumbling-{}-long.toml", std::process::id()));
+    std::fs::write(&path, text).unwrap();
+    let mut child = Command::new(program()).arg(&path).stdout(Stdio::piped()).spawn().unwrap();
+    let mut pipe = child.stdout.take().unwrap();
+    pipe.read_exact(&mut [0; 100]).unwrap();
+    drop(pipe);
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let ended = Command::new(program()).arg(&path).stdout(full).output().unwrap();
+    std::fs::remove_file(path).unwrap();
+    assert_eq!(ended.status.code(), Some(2));
+    assert!(said(&ended.stderr).contains("the answers cannot be written"), "{}", said(&ended.stderr));
+}

@@ -2,7 +2,7 @@
 
 use super::by::By;
 use super::plan::{Driven, Way};
-use super::{Principal, Scene, cost};
+use super::{Principal, Scene, Wants, cost};
 use crate::error::Error;
 use crate::observe;
 use crate::step::{LEAST_TOLERANCE, Method, Motion, System, Torque};
@@ -79,8 +79,10 @@ const LONG: f64 = 300.0;
 const ROUNDS: usize = 30;
 /// The most steps of all runs on trial together.
 const MOST_STEPS: usize = 3_000_000;
-/// At so many times the runs are compared, beside the last.
+/// At so many times of those asked for the runs are compared, beside the last,
 const COMPARED: u64 = 32;
+/// and in so many even parts of the span. No step is longer than one, so that what is tried is what is done.
+const INNER: f64 = 16.0;
 
 /// The cheapest way that was seen to be accurate enough.
 #[allow(clippy::cast_precision_loss)]
@@ -92,8 +94,8 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let Rates { spin, push, loss } = rates(&system, &start, end);
     let times = compared(scene);
     let (turned, lost) = ((spin * end).max(1.0), loss * end);
-    let energy = scene.wants.energy;
-    let trial = Trial { system: &system, start: &start, times: &times, energy, accuracy, end, turned, lost };
+    let wants = scene.wants;
+    let trial = Trial { system: &system, start: &start, times: &times, wants, accuracy, end, turned, lost };
     let stiff = loss > STIFF * spin.max(1.0 / end) && lost > LONG;
     let way = |(by, seen, steps): Settled, trials: f64| {
         let driven = Driven { system: system.clone(), start: start.clone(), by, seen, steps, trials, stiff };
@@ -111,7 +113,7 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let tried = if stiff {
         // Damping shortens the pair's steps, but its few may do. Of the others one takes the loss by its own law, one linearises it: which
         // is better depends on what it works against. So all are tried, each only while it may be cheaper than those before.
-        let step = 0.1 / spin.max(10.0 / end);
+        let step = (0.1 / spin.max(10.0 / end)).min(end / INNER);
         vec![pair, By::Steps(Method::MoserVeselov8, step), By::Steps(Method::LinearisedImplicit, step)]
     } else {
         match cheapest(spin, push + loss / spin.max(f64::MIN_POSITIVE), end, scene) {
@@ -173,10 +175,10 @@ fn first_tolerance(accuracy: f64) -> f64 {
 fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> By {
     let (accuracy, turned) = (scene.accuracy, (spin * end).max(1.0));
     let least = scene.times.count() as f64;
-    let radians = (12.0 * accuracy / (push * turned).max(f64::MIN_POSITIVE)).sqrt();
+    let radians = (12.0 * accuracy / (push * turned).max(f64::MIN_POSITIVE)).sqrt().min(turned / INNER);
     let price = |each: f64, radians: f64, least: f64| each * (turned / radians).max(least);
     let turn = radians.min(0.25);
-    let step = |radians: f64| (radians / spin).min(end);
+    let step = |radians: f64| (radians / spin).min(end / INNER);
     let tolerance = first_tolerance(accuracy);
     let by_pair = price(cost::PAIR, 2.0 * tolerance.powf(0.2), cost::ANEW * least);
     let by_steps = price(cost::KICKED, turn, least);
@@ -190,7 +192,8 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> By {
     }
 }
 
-/// Some of the times asked for, in order: evenly chosen, with the last, and ever closer to the first, where what fades fast is still there.
+/// Times at which runs are compared, in order: of those asked for some evenly chosen, with the last, and ever closer to the first, where what
+/// fades fast is still there; and some between, for at one instant alone two wrong runs may meet.
 fn compared(scene: &Scene) -> Vec<f64> {
     let last = scene.times.count().saturating_sub(1);
     let every = scene.times.count().div_ceil(COMPARED).max(1);
@@ -200,7 +203,12 @@ fn compared(scene: &Scene) -> Vec<f64> {
     places.push(last);
     places.sort_unstable();
     places.dedup();
-    places.into_iter().map(|n| scene.times.nth(n)).collect()
+    let end = scene.times.end();
+    let inner = (1..INNER as u32).map(|k| end * (f64::from(k) / INNER));
+    let mut times: Vec<f64> = places.into_iter().map(|n| scene.times.nth(n)).chain(inner).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
 }
 
 /// How it is stepped, how far from a coarser run, in how many steps.
@@ -210,8 +218,8 @@ struct Trial<'a> {
     system: &'a System<f64>,
     start: &'a Motion<f64>,
     times: &'a [f64],
-    /// Whether the energy is asked for.
-    energy: bool,
+    /// What is asked for.
+    wants: Wants,
     accuracy: f64,
     end: f64,
     /// Radians from start to end.
@@ -330,7 +338,8 @@ impl Trial<'_> {
         done.map(|()| (seen, taken))
     }
 
-    /// The largest angle between two runs' attitudes, or difference of spin, or of energy if it is asked for, beside the largest so far.
+    /// The largest angle between two runs' attitudes, or difference of spin, or of energy, beside the largest so far; of attitude and energy
+    /// where they are asked for.
     fn apart(&self, a: &[Motion<f64>], b: &[Motion<f64>]) -> f64 {
         let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
         let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
@@ -338,7 +347,7 @@ impl Trial<'_> {
             let (w, v) = (self.system.omega(&one.vector), self.system.omega(&other.vector));
             fastest = fastest.max(v.norm());
             let spin = over((w - v).norm(), fastest);
-            let energy = if self.energy {
+            let energy = if self.wants.energy {
                 let [d, e] = [(&w, one), (&v, other)].map(|(w, motion)| observe::energy(w, &motion.vector));
                 richest = richest.max(e);
                 over((d - e).abs(), richest)
@@ -346,9 +355,10 @@ impl Trial<'_> {
                 0.0
             };
             let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
-            worst = worst.max(spin).max(energy).max(p.angle_to(&q));
+            let turn = if self.wants.attitude { p.angle_to(&q) } else { 0.0 };
+            worst = worst.max(spin).max(energy).max(turn);
             // A difference that is not a number is no agreement.
-            if spin.is_nan() || energy.is_nan() {
+            if spin.is_nan() || energy.is_nan() || turn.is_nan() {
                 return f64::INFINITY;
             }
         }
@@ -371,11 +381,27 @@ mod tests {
         });
         let apart = |energy| {
             let (times, accuracy, end, turned, lost) = (&[1.0][..], 0.1, 1.0, 10.0, 0.0);
-            let trial = Trial { system: &system, start: &a, times, energy, accuracy, end, turned, lost };
+            let wants = Wants { spin: true, energy, ..Wants::NOTHING };
+            let trial = Trial { system: &system, start: &a, times, wants, accuracy, end, turned, lost };
             trial.apart(std::slice::from_ref(&a), std::slice::from_ref(&b))
         };
         assert!((apart(false) - 0.01).abs() < 1e-5);
         // 0.005 + 0.005 J and 0.005 + 0.02 J.
         assert!((apart(true) - 0.6).abs() < 1e-12);
+    }
+
+    /// Between times that are closer than a step two runs would take the same one, and agree whatever it is worth.
+    #[test]
+    fn a_finer_run_has_twice_the_steps_between_any_two_times() {
+        let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
+        let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.1, 2.0, 0.3) };
+        let times = &[0.01, 0.02, 1.0][..];
+        let (accuracy, end, turned, lost) = (0.1, 1.0, 1.0, 0.0);
+        let wants = Wants { spin: true, ..Wants::NOTHING };
+        let trial = Trial { system: &system, start: &start, times, wants, accuracy, end, turned, lost };
+        let [coarse, fine] = [0.5, 0.25].map(|step| By::Steps(Method::MoserVeselov8, step));
+        let steps = |by, over| trial.run(by, over, &mut { 1000 }, f64::INFINITY).unwrap().1;
+        assert_eq!((steps(coarse, None), steps(fine, None), steps(fine, Some(coarse))), (4, 6, 8));
+        assert!(trial.cuts(fine, coarse) && !trial.cuts(By::Steps(Method::MoserVeselov8, 0.005), coarse));
     }
 }

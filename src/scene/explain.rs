@@ -50,6 +50,7 @@ impl Plan<'_> {
         let step = |step: Option<f64>| step.map_or_else(String::new, |step| format!("{step:.3e} s"));
         match &self.way {
             Way::Nothing if wants.flips => "the instants of the flips, from the period and the phase".into(),
+            Way::Nothing if !self.scene.torques.is_empty() => "nothing".into(),
             Way::Nothing => "what follows from energy and momentum".into(),
             Way::Constant { attitude: None, .. } => "the spin as it is at the start, for all time".into(),
             Way::Constant { .. } => "the body as it lies, for all time".into(),
@@ -103,7 +104,7 @@ impl Plan<'_> {
             }
         }
         let moves = !matches!(self.way, Way::Nothing);
-        if self.scene.torques.is_empty() {
+        if self.scene.torques.is_empty() || !moves {
             if moves {
                 out.push("steps through time, since no torque acts");
             }
@@ -132,7 +133,12 @@ impl Plan<'_> {
                     driven.steps()
                 )
             }
-            _ => format!("{asked:.0e} asked; the closed form is right to rounding"),
+            Way::Nothing if !self.scene.torques.is_empty() => {
+                format!("{asked:.0e} asked; nothing is computed")
+            }
+            _ => format!(
+                "{asked:.0e} asked; the closed form is as right as the rounding of the start leaves it"
+            ),
         }
     }
 }

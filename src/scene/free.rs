@@ -19,7 +19,7 @@ pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Re
     if !follows {
         if wants.flips && matches!(kind, Kind::Asymmetric(_)) {
             let motion = FreeMotion::new(&body.moments, &body.omega)?;
-            attainable(&motion, end, accuracy)?;
+            attainable(&motion, body, end, accuracy)?;
         }
         return Ok(Way::Nothing);
     }
@@ -28,7 +28,8 @@ pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Re
     let clock = times_power_of_two(1.0, exponent);
     let speed = body.omega.norm();
     let turned = (speed * end).max(1.0);
-    let elementary = || allowed(accuracy, ROUNDINGS * f64::EPSILON * turned);
+    let coarser = coarser(body);
+    let elementary = || allowed(accuracy, ROUNDINGS * f64::EPSILON * turned * coarser);
     match kind {
         Kind::Steady if !wants.attitude => Ok(Way::Constant { spin: in_body(true), attitude: None }),
         Kind::Steady if body.omega == Vector3::zeros() => {
@@ -46,7 +47,7 @@ pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Re
         }
         Kind::Asymmetric(_) => {
             let motion = Box::new(FreeMotion::new(&body.moments, &body.omega)?);
-            attainable(&motion, end, accuracy)?;
+            attainable(&motion, body, end, accuracy)?;
             Ok(if wants.attitude { Way::Elliptic(motion) } else { Way::EllipticSpin(motion) })
         }
     }
@@ -56,9 +57,18 @@ fn allowed(asked: f64, attainable: f64) -> Result<(), Error> {
     if asked >= attainable { Ok(()) } else { Err(Error::Unattainable { asked, attainable }) }
 }
 
+/// How many times as much as their own size some of the body's numbers may be rounded by.
+fn coarser(body: &Principal) -> f64 {
+    let share = |rounded: &Vector3<f64>, size: &Vector3<f64>| {
+        rounded.zip_map(size, |rounded, size| if rounded == 0.0 { 1.0 } else { rounded / size }).max()
+    };
+    let speed = Vector3::repeat(body.omega.norm().max(f64::MIN_POSITIVE));
+    share(&body.rounded.moments, &body.moments).max(share(&body.rounded.omega, &speed)).max(1.0)
+}
+
 /// Refuses an accuracy below what the conditioning of the motion leaves. Where a bound that costs nothing does not settle it, the
 /// derivatives of the motion by its start and its moments do, at the end and at the last flip, where the spin moves the most.
-fn attainable(motion: &FreeMotion, end: f64, accuracy: f64) -> Result<(), Error> {
+fn attainable(motion: &FreeMotion, body: &Principal, end: f64, accuracy: f64) -> Result<(), Error> {
     let speed = motion.omega(0.0)?.norm();
     if !(speed * end).is_finite() {
         return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
@@ -69,20 +79,22 @@ fn attainable(motion: &FreeMotion, end: f64, accuracy: f64) -> Result<(), Error>
     };
     let moments = motion.moments();
     let thin = moments.max() / moments.min();
-    let bound = ROUNDINGS * f64::EPSILON * thin * (speed * end).max(1.0) / (complement * complement);
+    let bound =
+        ROUNDINGS * f64::EPSILON * thin * coarser(body) * (speed * end).max(1.0) / (complement * complement);
     if accuracy >= bound {
         return Ok(());
     }
     let mut worst = 1.0_f64;
+    let rounded = body.rounded;
     let flip = motion.flips(0.0, end)?.next_back();
     for time in flip.into_iter().chain([end]) {
         let change = motion.sensitivity(time)?;
         let (by_omega, by_moments) = (change.turn_by_omega, change.turn_by_moments);
-        let start = motion.omega(0.0)?;
         for j in 0..3 {
-            let spin = change.omega_by_omega.column(j).norm() * start[j].abs()
-                + change.omega_by_moments.column(j).norm() * moments[j];
-            let turn = by_omega.column(j).norm() * start[j].abs() + by_moments.column(j).norm() * moments[j];
+            let (omega, moment) = (rounded.omega[j], rounded.moments[j]);
+            let spin = change.omega_by_omega.column(j).norm() * omega
+                + change.omega_by_moments.column(j).norm() * moment;
+            let turn = by_omega.column(j).norm() * omega + by_moments.column(j).norm() * moment;
             worst = worst.max(spin / speed).max(turn);
         }
     }

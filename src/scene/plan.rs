@@ -127,11 +127,12 @@ impl<'a> Plan<'a> {
         let body = toss.principal()?;
         let (wants, end) = (scene.wants, scene.times.end());
         let free = scene.torques.is_empty();
+        let moves = wants.spin || wants.attitude || wants.energy || wants.gap;
         let way = if free {
             free::way(&body, wants, end, scene.accuracy)?
         } else {
             refuse_of_driven(wants)?;
-            driven::way(&body, scene)?
+            if moves { driven::way(&body, scene)? } else { Way::Nothing }
         };
         let [a, b, c] = body.moments.into();
         let inertia = Inertia::from_moments(a, b, c)?;
