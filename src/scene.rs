@@ -23,7 +23,7 @@
 //! One number: the most that any state may be off, as the angle of the attitude (rad), as the spin beside the largest spin that the
 //! motion has had, and as the energy beside the largest that it has had. A free body is answered in closed form, as exactly as its conditioning lets it be; an
 //! accuracy beyond that is refused with what can be had. Under a torque a method and a step are chosen, and then tried: the run at that
-//! step is held against a finer one, and it is refined until the two agree to half of the accuracy, or to a quarter if the
+//! step is held against a finer one, and it is refined until the two agree to half of the accuracy, or to a tenth if the
 //! coarser is to answer. That is evidence, not proof.
 
 mod by;
@@ -141,7 +141,11 @@ impl Toss {
         let rounded = Rounded {
             moments: if frame.is_some() { Vector3::repeat(greatest) } else { moments },
             omega: match (&self.with, frame) {
-                (LetGo::Momentum(_), _) if turned => moments.map(|moment| length / moment),
+                (LetGo::Momentum(_), Some(_)) => {
+                    // The moment that the momentum is divided by is rounded too.
+                    moments.zip_map(&omega, |moment, w| (length + w.abs() * greatest) / moment)
+                }
+                (LetGo::Momentum(_), None) if turned => moments.map(|moment| length / moment),
                 (LetGo::Spin(_), Some(_)) => Vector3::repeat(omega.norm()),
                 _ => omega.abs(),
             },

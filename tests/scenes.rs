@@ -447,12 +447,20 @@ fn what_turning_to_the_principal_axes_rounds_is_not_promised() {
     let tensor = rotation * nalgebra::Matrix3::from_diagonal(&moments) * rotation.transpose();
     let products = Vector3::new(tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]);
     let l = frame * moments.component_mul(&Vector3::new(0.3, 0.2, 1.0));
+    let along = frame * Vector3::new(1e-8, 0.0, 0.0);
     for toss in [
         Toss {
             moments: tensor.diagonal(),
             products,
             attitude: UnitQuaternion::identity(),
             with: LetGo::Momentum(l),
+        },
+        // Here the light moment itself is what is lost.
+        Toss {
+            moments: tensor.diagonal(),
+            products,
+            attitude: UnitQuaternion::identity(),
+            with: LetGo::Momentum(along),
         },
         Toss {
             moments: Vector3::new(1e-8, 1.0, 1.0 + 0.5e-8),

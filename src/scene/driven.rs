@@ -237,7 +237,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a quarter, and takes the coarser; by so many steps in all, none of a run that is
+    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes the coarser; by so many steps in all, none of a run that is
     /// known to take more than `most`.
     #[allow(clippy::cast_precision_loss)]
     fn settled(&self, first: By, left: &mut usize, most: f64) -> Result<Settled, Error> {
@@ -258,7 +258,7 @@ impl Trial<'_> {
         }
         let all = *left;
         let mut by = first;
-        let mut best = f64::INFINITY;
+        let (mut best, mut before) = (f64::INFINITY, 0.0);
         let mut coarse = self.run(by, None, left, most);
         for _ in 0..ROUNDS {
             if let Err(Error::TooMany { .. }) = coarse {
@@ -274,13 +274,18 @@ impl Trial<'_> {
                 (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
                 _ => f64::INFINITY,
             };
+            // Steps that a loss is over within do not yet show how their errors fall: two differences must.
+            let shown = difference <= 0.6 * before || !self.outrun(by);
+            before = difference;
             // Halving the step halves an error at least: what is so much better than asked is right by the coarser run already.
-            if difference <= 0.25 * self.accuracy
+            if shown
+                && difference <= 0.1 * self.accuracy
                 && let Ok((_, steps)) = &coarse
             {
                 return Ok((by, difference, *steps));
             }
-            if difference <= 0.5 * self.accuracy
+            if shown
+                && difference <= 0.5 * self.accuracy
                 && let Ok((_, steps)) = &fine
             {
                 return Ok((finer, difference, *steps));
@@ -297,6 +302,12 @@ impl Trial<'_> {
             Err(error) if best.is_infinite() && !matches!(error, Error::TooMany { .. }) => Err(error),
             _ => Err(Error::Disagreement { asked: self.accuracy, steps: all - *left }),
         }
+    }
+
+    /// Whether a loss is over within one step.
+    fn outrun(&self, by: By) -> bool {
+        let (By::Steps(_, step) | By::Flow(step)) = by else { return false };
+        self.lost * step > self.end
     }
 
     /// Whether a finer step is not finer everywhere: between some of the times both are one step, or as many.
