@@ -261,9 +261,13 @@ impl Times {
 
     /// The one of this number, s, from 0; the last for a number beyond.
     #[must_use]
-    #[allow(clippy::cast_precision_loss)]
     pub fn nth(&self, n: u64) -> f64 {
-        let n = n.min(self.count().saturating_sub(1));
+        self.within(n.min(self.count().saturating_sub(1)))
+    }
+
+    /// The one of this number, which is below the count.
+    #[allow(clippy::cast_precision_loss)]
+    fn within(&self, n: u64) -> f64 {
         match self {
             Self::Given(times) => {
                 usize::try_from(n).ok().and_then(|n| times.get(n)).copied().unwrap_or_default()

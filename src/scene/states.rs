@@ -199,7 +199,7 @@ impl Iterator for States<'_> {
         if self.next >= self.end {
             return None;
         }
-        let time = self.plan.scene.times.nth(self.next);
+        let time = self.plan.scene.times.within(self.next);
         self.next += 1;
         let state = self.at(time);
         if state.is_err() {
