@@ -42,13 +42,13 @@ impl Plan<'_> {
             Cost { once: driven.trials, state: each * (steps / states).max(least) }
         };
         match &self.way {
-            Way::Nothing if wants.flips => Cost { once: ELLIPTIC, state: 160.0 },
-            Way::Nothing | Way::Constant { .. } => Cost { once: 1600.0, state: 160.0 },
-            Way::Rotation(_) => Cost { once: 2300.0, state: 400.0 },
-            Way::SymmetricTop(_) if wants.attitude => Cost { once: 2800.0, state: 950.0 },
-            Way::SymmetricTop(_) => Cost { once: 2800.0, state: 430.0 },
-            Way::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 750.0 },
-            Way::Elliptic(_) => Cost { once: ELLIPTIC, state: 1300.0 },
+            Way::Nothing if wants.flips => Cost { once: ELLIPTIC, state: 150.0 },
+            Way::Nothing | Way::Constant { .. } => Cost { once: 1900.0, state: 120.0 },
+            Way::Rotation(_) => Cost { once: 2500.0, state: 400.0 },
+            Way::SymmetricTop(_) if wants.attitude => Cost { once: 3100.0, state: 1000.0 },
+            Way::SymmetricTop(_) => Cost { once: 3100.0, state: 430.0 },
+            Way::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 720.0 },
+            Way::Elliptic(_) => Cost { once: ELLIPTIC, state: 1250.0 },
             Way::Stepper(one) | Way::Stiff(one) | Way::Flow(one) | Way::Controlled(one) => driven(one),
         }
     }
