@@ -12,7 +12,7 @@ import path from "node:path";
 import { pathToFileURL, fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { live } from "./live.mjs";
-import { keyboard, search, withoutScripts } from "./reader.mjs";
+import { codeFolds, keyboard, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -176,6 +176,7 @@ const widgets = await live({ open, bases, folder, pages, axe, fault, shots });
 for (const base of onlyLive ? [] : Object.values(bases)) {
   await keyboard(await open(base), base, fault);
   await search(await open(base), base, fault);
+  await codeFolds(await open(base), base, fault);
 }
 if (!onlyLive) await withoutScripts(open, bases.file, pages, fault);
 

@@ -51,6 +51,29 @@ export async function keyboard(page, base, fault) {
   await page.context().close();
 }
 
+/** Programs fold away and come back, here and on the next page, and each opens by itself. */
+export async function codeFolds(page, base, fault) {
+  const where = `code, ${base.slice(0, 4)}`;
+  const wants = (what, holds) => holds || fault(where, what);
+  const seen = () =>
+    page.evaluate(() => [...document.querySelectorAll("main > pre:has(> .language-rust), main .program > pre")].filter((e) => e.checkVisibility()).length);
+  await page.goto(base + "two-arrows.html");
+  const all = await seen();
+  wants("there is code to fold", all > 1);
+  await page.focus("#code-toggle");
+  await page.keyboard.press("Enter");
+  wants("the button folds all programs away", (await seen()) === 0);
+  wants("and says so", (await page.getAttribute("#code-toggle", "aria-pressed")) === "false");
+  await page.locator(".program > summary").first().click();
+  wants("one opens by itself", (await seen()) === 1);
+  await page.goto(base + "eulers-equations.html");
+  wants("the next page remembers", (await seen()) === 0 || base.startsWith("file"));
+  await page.goto(base + "two-arrows.html");
+  if ((await page.getAttribute("#code-toggle", "aria-pressed")) === "false") await page.click("#code-toggle");
+  wants("the button brings all back", (await seen()) === all);
+  await page.context().close();
+}
+
 /** A word of the book is found, and the find leads to its page. */
 export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
