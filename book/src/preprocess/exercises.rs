@@ -110,7 +110,9 @@ mod tests {
             let words = format!("{}\n\n{}", code(exercise.solution()), exercise.words);
             expected.push(("Solution".to_owned(), words.trim_end().to_owned()));
             let mut found = Vec::new();
-            for fold in format!("<details{folded}").split("</details>\n\n").filter(|fold| !fold.is_empty()) {
+            for fold in
+                format!("<details{folded}").split("</details>\n\n").filter(|fold| !fold.trim().is_empty())
+            {
                 let shut = fold.strip_prefix("<details class=\"fold\">\n<summary>");
                 let (title, inside) = shut.expect("every fold is shut").split_once("</summary>\n\n").unwrap();
                 found.push((title.to_owned(), inside.strip_suffix("\n\n").unwrap().to_owned()));
