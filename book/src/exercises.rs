@@ -1,11 +1,12 @@
 //! The reader's way through the exercises: what is done, what comes next, and a fresh start.
 //!
-//! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if it passes.
+//! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if it passes
+//! and nothing outside of its marks was changed.
 
-use crate::{complain, nearest, paths, say};
-use std::collections::HashMap;
+use crate::{complain, nearest, say};
+use std::collections::BTreeSet;
 use std::fs;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use tumbling_exercises::{self as exercises, Exercise};
 
 /// What is asked about them.
@@ -75,10 +76,9 @@ pub(crate) fn run(asked: &Asked) -> Result<ExitCode, String> {
             }
         }
         Asked::Untouched => {
-            let mut touched = exercises::unmatched(&all)?;
-            touched.extend(
-                all.iter().filter(|e| before_running(e) == Some(Standing::Begun)).map(|e| e.name.clone()),
-            );
+            let mut touched = BTreeSet::from_iter(exercises::unmatched(&all)?);
+            let open = |e: &&Exercise| before_running(e) == Some(Standing::Open);
+            touched.extend(all.iter().filter(|e| !open(e)).map(|e| e.name.clone()));
             for name in &touched {
                 complain!("book/exercises/stubs/{name}.md is not as the book has it");
             }
@@ -97,7 +97,7 @@ enum Standing {
     Begun,
     /// Passes.
     Done,
-    /// The file is not there.
+    /// The file is not there, or is no text.
     Gone,
 }
 
@@ -117,9 +117,9 @@ fn shown(exercise: &Exercise) -> String {
     format!("book/exercises/stubs/{}.md", exercise.name)
 }
 
-/// What the file alone tells: `Begun` where only a run can tell whether it is done; nothing where it is gone.
+/// What the file alone tells: `Begun` where only a run can tell whether it is done; nothing where it cannot be read.
 fn before_running(exercise: &Exercise) -> Option<Standing> {
-    let text = fs::read_to_string(exercises::stubs().join(format!("{}.md", exercise.name))).ok()?;
+    let text = exercises::file(exercise, &exercises::stubs()).ok()?;
     Some(if text.replace("\r\n", "\n") == exercise.stub() { Standing::Open } else { Standing::Begun })
 }
 
@@ -127,30 +127,21 @@ fn before_running(exercise: &Exercise) -> Option<Standing> {
 fn standings(all: &[Exercise]) -> Result<Vec<Standing>, String> {
     let mut standings: Vec<Standing> =
         all.iter().map(|e| before_running(e).unwrap_or(Standing::Gone)).collect();
-    let changed: Vec<&str> = all
-        .iter()
-        .zip(&standings)
-        .filter(|(_, standing)| **standing == Standing::Begun)
-        .map(|(exercise, _)| exercise.name.as_str())
-        .collect();
+    let mut changed: Vec<&str> = Vec::new();
+    for (exercise, _) in all.iter().zip(&standings).filter(|(_, standing)| **standing == Standing::Begun) {
+        match exercises::fault(exercise, &exercises::file(exercise, &exercises::stubs())?) {
+            Some(fault) => complain!("{fault}"),
+            None => changed.push(&exercise.name),
+        }
+    }
     if changed.is_empty() {
         return Ok(standings);
     }
+    exercises::readable(all, &exercises::stubs())?;
     complain!("{}", running(changed.len()));
-    let out = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["test", "--package", "tumbling-exercises", "--doc", "--features", "mine", "--"])
-        .args(&changed)
-        .env("CARGO_TERM_COLOR", "never")
-        .current_dir(paths::repository())
-        .output()
-        .map_err(|e| format!("cannot run cargo: {e}"))?;
-    let told = String::from_utf8_lossy(&out.stdout);
-    if !told.contains("test result: ") {
-        return Err(format!("the exercises could not be run:\n{}", String::from_utf8_lossy(&out.stderr)));
-    }
-    let passed = passed(&told);
+    let passed = exercises::passed(&exercises::run(&changed, |_| ())?);
     for (exercise, standing) in all.iter().zip(&mut standings) {
-        if *standing == Standing::Begun && passed.get(&exercise.name).copied().unwrap_or(false) {
+        if changed.contains(&exercise.name.as_str()) && passed.get(&exercise.name).copied().unwrap_or(false) {
             *standing = Standing::Done;
         }
     }
@@ -164,19 +155,6 @@ fn running(changed: usize) -> String {
     format!(
         "Running {what} that you have changed{count}. The first run compiles the library, and takes a while."
     )
-}
-
-/// Which exercises ran, by what `cargo test` prints, and whether all of each passed.
-fn passed(told: &str) -> HashMap<String, bool> {
-    let mut passed = HashMap::new();
-    for line in told.lines() {
-        if let Some((_, rest)) = line.strip_prefix("test ").and_then(|line| line.rsplit_once(" - mine::"))
-            && let Some((name, rest)) = rest.split_once(" (line ")
-        {
-            *passed.entry(name.to_owned()).or_insert(true) &= rest.ends_with("... ok");
-        }
-    }
-    passed
 }
 
 fn list(all: &[Exercise]) -> Result<(), String> {
@@ -206,7 +184,7 @@ fn next(all: &[Exercise], standings: &[Standing]) -> String {
     match next {
         None => "Nothing is left to do.".into(),
         Some((exercise, Standing::Gone)) => format!(
-            "Next: {}, whose file is gone; this brings it back:\n    cargo run --release -- exercises reset {}",
+            "Next: {}, whose file cannot be read; this brings it back:\n    cargo run --release -- exercises reset {}",
             exercise.name, exercise.name
         ),
         Some((exercise, _)) => {
@@ -242,19 +220,6 @@ mod tests {
         assert!(parsed(&["reset"]).unwrap_err().contains("takes the name"));
         assert!(parsed(&["nxt"]).unwrap_err().contains("Did you mean `next`?"));
         assert!(parsed(&["next", "one"]).unwrap_err().contains("`one`"));
-    }
-
-    #[test]
-    fn a_run_tells_which_pass_and_an_exercise_passes_if_all_of_its_blocks_do() {
-        let told = "running 4 tests\n\
-            test /a b/book/exercises/stubs/two_arrows_1.md - mine::two_arrows_1 (line 7) ... ok\n\
-            test /a b/book/exercises/stubs/proofs_2.md - mine::proofs_2 (line 9) ... FAILED\n\
-            test /a b/book/exercises/stubs/proofs_1.md - mine::proofs_1 (line 9) ... ok\n\
-            test /a b/book/exercises/stubs/proofs_1.md - mine::proofs_1 (line 30) ... FAILED\n\
-            test result: FAILED. 2 passed\n";
-        let passed = passed(told);
-        assert_eq!(passed.len(), 3);
-        assert!(passed["two_arrows_1"] && !passed["proofs_1"] && !passed["proofs_2"]);
     }
 
     #[test]

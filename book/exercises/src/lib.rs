@@ -2,18 +2,23 @@
 //!
 //! Each is one file, `whole/NAME.md`: the task, a Rust block with a place left open, hints, what to put there, and
 //! wrong answers. All else is made of it: the page's folds, the file that a reader edits (`stubs/NAME.md`, whose block
-//! is a doc-test of its own, run by `cargo exercise NAME`), and the program of `tests/proof.rs`, which runs every
+//! is a doc-test of its own, run by `cargo exercise NAME`, the program in `command/`), and the program of `tests/proof.rs`, which runs every
 //! block open, solved and answered wrongly.
 //!
 //! The reader's files are tested only with the feature `mine`: `cargo test` proves the exercises and stays green,
-//! however far the reader has come.
+//! however far the reader has come, as long as he keeps to the place between the marks.
 
+mod answer;
 mod exercise;
+mod run;
 
+pub use answer::fault;
 pub use exercise::{BEGIN, END, Exercise, Wrong};
+pub use run::{passed, run, verdict};
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Where the whole exercises are.
@@ -85,6 +90,33 @@ pub fn unmatched(exercises: &[Exercise]) -> Result<Vec<String>, String> {
         .collect();
     let names: BTreeSet<String> = exercises.iter().map(|e| e.name.clone()).collect();
     Ok(files.symmetric_difference(&names).cloned().collect())
+}
+
+/// The text of the file in this folder that the reader edits.
+///
+/// # Errors
+/// If it is missing or is no text, with what brings it back.
+pub fn file(exercise: &Exercise, folder: &Path) -> Result<String, String> {
+    let name = &exercise.name;
+    fs::read_to_string(folder.join(format!("{name}.md"))).map_err(|e| {
+        let why = match e.kind() {
+            ErrorKind::NotFound => "is missing".into(),
+            ErrorKind::InvalidData => "is no text in UTF-8".into(),
+            _ => format!("cannot be read: {e}"),
+        };
+        format!(
+            "book/exercises/stubs/{name}.md {why}, and no exercise runs without it. This brings it back, with its \
+             place open:\n    cargo run --release -- exercises reset {name}"
+        )
+    })
+}
+
+/// Whether all files that readers edit are there to be compiled: they are one program, which any of them stops.
+///
+/// # Errors
+/// The first that is not, with what brings it back.
+pub fn readable(exercises: &[Exercise], folder: &Path) -> Result<(), String> {
+    exercises.iter().try_for_each(|exercise| file(exercise, folder).map(drop))
 }
 
 #[cfg(all(doctest, feature = "mine"))]

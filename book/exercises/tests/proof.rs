@@ -98,14 +98,121 @@ fn every_chapter_has_three_to_five_exercises_and_every_exercise_a_file_to_edit()
 
 #[test]
 fn the_file_to_edit_differs_from_the_solution_in_the_marked_place_alone() {
+    // The files as they are: a reader may have filled the place, which is nothing against them.
     for exercise in exercises::all().unwrap() {
+        let text = exercises::file(&exercise, &exercises::stubs()).unwrap().replace("\r\n", "\n");
         let around = |text: &str| {
-            let (before, rest) = text.split_once(exercises::BEGIN).unwrap();
-            (before.to_owned(), rest.split_once(exercises::END).unwrap().1.to_owned())
+            let (before, rest) = text.split_once(exercises::BEGIN)?;
+            Some((before.to_owned(), rest.rsplit_once(exercises::END)?.1.to_owned()))
         };
-        assert_eq!(around(&exercise.open()), around(&exercise.solved()), "{}", exercise.name);
-        assert!(exercise.stub().contains(&exercise.open()), "{}", exercise.name);
-        assert!(!exercise.stub().contains(exercise.solution()), "{} tells its solution", exercise.name);
+        let (before, after) = around(&exercise.solved()).unwrap();
+        let same = around(&text).is_some_and(|(above, below)| {
+            above.ends_with(&format!("\n\n```rust,standalone_crate\n{before}"))
+                && above.contains(&exercise.task)
+                && below.starts_with(&format!("{after}```\n\n"))
+        });
+        let name = &exercise.name;
+        assert!(
+            same,
+            "book/exercises/stubs/{name}.md is not the exercise's outside of its marks; this brings it back: \
+             cargo run --release -- exercises reset {name}"
+        );
+        assert!(!exercise.stub().contains(exercise.solution()), "{name} tells its solution");
+    }
+}
+
+/// The file with this in its place.
+fn filled(exercise: &exercises::Exercise, answer: &str) -> String {
+    let stub = exercise.stub();
+    let (before, rest) = stub.split_once(exercises::BEGIN).unwrap();
+    let (_, after) = rest.split_once(exercises::END).unwrap();
+    format!("{before}{}\n{answer}\n{}{after}", exercises::BEGIN, exercises::END)
+}
+
+fn named(name: &str) -> exercises::Exercise {
+    exercises::all().unwrap().into_iter().find(|exercise| exercise.name == name).unwrap()
+}
+
+#[test]
+fn a_file_that_is_filled_between_its_marks_alone_may_count() {
+    for exercise in exercises::all().unwrap() {
+        let solved = filled(&exercise, exercise.solution());
+        for text in [&exercise.stub(), &solved, &solved.replace('\n', " \r\n"), &format!("{solved}\n\n")] {
+            assert_eq!(exercises::fault(&exercise, text), None, "{}", exercise.name);
+        }
+    }
+    // Inside of a function a `return` is its own affair, and so are new names.
+    let inside = filled(&named("toss_a_book_1"), "    let a = 1; // no return\n    return a;");
+    assert_eq!(exercises::fault(&named("toss_a_book_1"), &inside), None);
+    let words = filled(&named("worked_example_2"), "let tangent = 1.0; // return\nprintln!(\"return {{\");");
+    assert_eq!(exercises::fault(&named("worked_example_2"), &words), None);
+}
+
+#[test]
+fn a_file_that_was_changed_outside_of_its_marks_is_no_answer_and_says_which_line_brings_it_back() {
+    let exercise = named("two_arrows_4");
+    let solved = filled(&exercise, exercise.solution());
+    let line = |of: &str| solved.lines().position(|line| line.contains(of)).unwrap() + 1;
+    for (text, told) in [
+        (String::new(), " has not both marks".to_owned()),
+        (format!("{solved}\n{}\n", exercises::BEGIN), " has not both marks".to_owned()),
+        (
+            solved.replace("let degrees = 45.0_f64;", "let a = 1;"),
+            format!(":{}: `let a = 1;` stands where the exercise has `let degrees", line("let degrees")),
+        ),
+        (
+            solved.replace("    (yours - degrees).abs() < 1e-9,", "    true,"),
+            format!(":{}: `true,` stands where the exercise has `(yours", line("(yours - degrees)")),
+        ),
+        (
+            solved.replace("standalone_crate", "ignore"),
+            format!(":{}: ```", line("standalone_crate")).replace("```", "````rust,ignore` stands"),
+        ),
+        (
+            solved.split_once("assert!").unwrap().0.to_owned(),
+            format!(":{}: nothing stands where the exercise has `assert!(`", line("assert!(")),
+        ),
+        (filled(&exercise, "let angle = 0.0;\n```\n```text"), ": ``` ends the block".to_owned()),
+    ] {
+        let fault = exercises::fault(&exercise, &text).expect(&told);
+        assert!(fault.contains(&format!("stubs/two_arrows_4.md{told}")) || fault.contains(&told), "{fault}");
+        assert!(fault.contains("exercises reset two_arrows_4"), "{fault}");
+    }
+}
+
+#[test]
+fn an_answer_that_goes_round_the_check_is_none() {
+    for (name, answer, told) in [
+        ("two_arrows_4", "let angle = 0.0_f64;\nlet degrees = 0.0;", "`let degrees` hides the `degrees`"),
+        ("two_arrows_4", "let (angle, plate) = (0.0_f64, 1);", "`let plate` hides"),
+        ("worked_example_2", "let tangent = 0.0;\nreturn Ok(());", "`return` would end the program"),
+        ("worked_example_2", "if true { return Ok(()); }", "`return` would end"),
+        ("toss_a_book_1", "    std::process::exit(0)", "`process` would end"),
+    ] {
+        let fault = exercises::fault(&named(name), &filled(&named(name), answer)).expect(answer);
+        assert!(fault.contains(told) && fault.contains(name), "{fault}");
+    }
+}
+
+#[test]
+fn a_file_that_is_missing_or_no_text_is_named_with_what_brings_it_back() {
+    let folder = std::env::temp_dir().join(format!("tumbling-exercises-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let all = exercises::all().unwrap();
+    for exercise in &all {
+        std::fs::write(folder.join(format!("{}.md", exercise.name)), exercise.stub()).unwrap();
+    }
+    assert_eq!(exercises::readable(&all, &folder), Ok(()));
+    let file = folder.join("proofs_3.md");
+    std::fs::write(&file, [0xff, 0xfe, 0x00]).unwrap();
+    let no_text = exercises::readable(&all, &folder).unwrap_err();
+    std::fs::remove_file(&file).unwrap();
+    let missing = exercises::readable(&all, &folder).unwrap_err();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(no_text.starts_with("book/exercises/stubs/proofs_3.md is no text in UTF-8"), "{no_text}");
+    assert!(missing.starts_with("book/exercises/stubs/proofs_3.md is missing"), "{missing}");
+    for told in [no_text, missing] {
+        assert!(told.ends_with("cargo run --release -- exercises reset proofs_3"), "{told}");
     }
 }
 

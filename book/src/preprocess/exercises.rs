@@ -90,7 +90,38 @@ mod tests {
             assert_eq!(out.contains(exercise.solution().trim_end()), mine, "{}", exercise.name);
         }
         assert!(out.starts_with("# A\n\n## Exercises\n\nEach of these") && !out.contains("{{#"));
-        assert_eq!(out.matches("<details").count(), out.matches("</details>").count());
+        let here: Vec<_> =
+            tumbling_exercises::all().unwrap().into_iter().filter(|e| e.place().0 == "two-arrows").collect();
+        for exercise in &here {
+            let (_, from) = out.split_once(&format!("{{#{}}}\n", exercise.name)).unwrap();
+            let mine = from.split("\n### ").next().unwrap();
+            let (told, folded) = mine.split_once("<details").unwrap();
+            assert!(
+                told.contains(&exercise.task) && told.contains(&exercise.command()),
+                "before all folds: {told}"
+            );
+            // What each fold shows, in the order of the page, and what is in it.
+            let mut expected = vec![("The code to complete".to_owned(), code(&exercise.open()))];
+            for (at, hint) in exercise.hints.iter().enumerate() {
+                let of = exercise.hints.len();
+                let title = if of == 1 { "Hint".to_owned() } else { format!("Hint {} of {of}", at + 1) };
+                expected.push((title, hint.clone()));
+            }
+            let words = format!("{}\n\n{}", code(exercise.solution()), exercise.words);
+            expected.push(("Solution".to_owned(), words.trim_end().to_owned()));
+            let mut found = Vec::new();
+            for fold in
+                format!("<details{folded}").split("</details>\n\n").filter(|fold| !fold.trim().is_empty())
+            {
+                let shut = fold.strip_prefix("<details class=\"fold\">\n<summary>");
+                let (title, inside) = shut.expect("every fold is shut").split_once("</summary>\n\n").unwrap();
+                found.push((title.to_owned(), inside.strip_suffix("\n\n").unwrap().to_owned()));
+            }
+            assert_eq!(found, expected, "{}", exercise.name);
+        }
+        let hints: usize = here.iter().map(|e| e.hints.len()).sum();
+        assert!(hints > here.len(), "one of them has two hints");
+        assert_eq!(out.matches("<details class=\"fold\">\n").count(), 2 * here.len() + hints);
     }
 
     #[test]
