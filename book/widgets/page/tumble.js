@@ -418,10 +418,10 @@ tumblingLive.widget("tumble", async (stage, from) => {
     // ---- What the module says.
     const list = (numbers, size) => Array.from({ length: numbers.length / size }, (_, i) => Array.from(numbers.slice(size * i, size * (i + 1))));
     /** The library's own words on what is wrong, its numbers filled in. */
-    function complain() {
+    function complain(said) {
         const numbers = exact.left(2);
         let i = 0;
-        wrong.textContent = `${exact.words().replace(/#/g, () => {
+        wrong.textContent = said ?? `${exact.words().replace(/#/g, () => {
             const number = numbers[i++];
             return Number.isFinite(number) ? short(number) : String(number).replace("-", "−").replace("Infinity", "inf");
         })}.`;
@@ -431,13 +431,16 @@ tumblingLive.widget("tumble", async (stage, from) => {
     }
     const number = (field) => (field.value.trim() === "" ? NaN : Number(field.value));
 
+    const missing = (what) => `The field for the ${what} has no number in it: type a finite one.`;
+
     /** Prepares the motion of what the controls are set to, from its start. */
     function prepare() {
-        const found = exact.answer(0, Number(body.value), number(spinNumber), number(pushNumber));
+        const empty = [["spin", spinNumber], ["push", pushNumber]].find(([, field]) => Number.isNaN(number(field)));
+        const found = empty ? null : exact.answer(0, Number(body.value), number(spinNumber), number(pushNumber));
         if (!found) {
             state.setting = null;
             for (const what of ["beat", "next", "time", "flips", "spin"]) shown(what).textContent = "none";
-            complain();
+            complain(empty && missing(empty[0]));
             return;
         }
         wrong.hidden = true;
@@ -465,19 +468,16 @@ tumblingLive.widget("tumble", async (stage, from) => {
         state.window = null;
         shown("beat").textContent = Number.isNaN(beat) ? "none: it never flips" : `${spanned(beat)} s`;
         go(0);
-        for (const it of papers) {
-            it.prepare();
-            it.draw();
-        }
+        redraw();
     }
     const spanned = (beat) => (beat >= 100 && beat < 1e12 ? fixed(beat, 0) : state.setting.instant(beat));
 
     /** Shows the instant `t`; says whether there is one. */
     function go(t) {
         if (!state.setting) return false;
-        const found = exact.answer(1, t);
+        const found = Number.isNaN(t) ? null : exact.answer(1, t);
         if (!found) {
-            complain();
+            complain(Number.isNaN(t) ? missing("time") : undefined);
             return false;
         }
         const { stretch, instant } = state.setting;
@@ -498,7 +498,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         state.t = t;
         const [x, y, z, qw, qx, qy, qz, wx, wy, wz, flips, ...next] = found;
         state.now = { omega: [x, y, z], attitude: [qw, qx, qy, qz], world: [wx, wy, wz] };
-        if (state.flips !== flips && state.playing) say(`Flip ${flips} at ${instant(t)} s.`);
+        if (state.flips !== flips && state.playing) say(t < 0 ? `A flip at ${instant(t)} s.` : `Flip ${flips} at ${instant(t)} s.`);
         [state.flips, state.next] = [flips, next];
         // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
         const now = performance.now();
@@ -510,30 +510,38 @@ tumblingLive.widget("tumble", async (stage, from) => {
         for (const it of papers) if (it === solid || solid.coarse === 1 || state.drawn % 3 === 0) it.draw();
         return true;
     }
+    /** How the parts of a spin are written: with two decimals, where these tell of it. */
+    const speeds = (omega) => {
+        const most = Math.max(...omega.map(Math.abs));
+        return (w) => (most === 0 || (most >= 0.1 && Math.abs(w) < 1e4) ? fixed(w, 2) : short(w));
+    };
+    const count = () => `${state.flips} ${state.flips === 1 ? "flip" : "flips"} ${state.t < 0 ? "from here to the start" : "so far"}`;
     /** The numbers of the instant, in the page. */
     function tell() {
         const { t, flips, next, now, setting: { instant } } = state;
         const coming = next.filter((flip) => !Number.isNaN(flip));
         shown("time").textContent = `${instant(t)} s`;
-        shown("flips").textContent = String(flips);
+        shown("flips").textContent = t < 0 && flips > 0 ? `none: ${flips} from here to the start` : String(flips);
         shown("next").textContent = coming.length > 0 ? `${coming.map(instant).join(", ")} s` : "none: it never flips";
-        shown("spin").textContent = now.omega.map((w) => (Math.abs(w) < 1e4 ? fixed(w, 2) : short(w))).join(", ");
+        shown("spin").textContent = now.omega.map(speeds(now.omega)).join(", ");
         scrub.value = t;
-        scrub.setAttribute("aria-valuetext", `${instant(t)} s, ${flips} ${flips === 1 ? "flip" : "flips"} so far`);
+        scrub.setAttribute("aria-valuetext", `${instant(t)} s, ${count()}`);
     }
     const told = () => {
         if (!state.setting || !wrong.hidden) return ""; // what is wrong is said by itself
-        return `At ${shown("time").textContent} it has flipped ${state.flips} times; along the middle axis it spins at ${fixed(state.now.omega[0], 2)} rad/s. `
+        return `At ${shown("time").textContent} ${state.t < 0 ? `it has ${count()}` : `it has flipped ${state.flips} times`}; along the middle axis it spins at ${speeds(state.now.omega)(state.now.omega[0])} rad/s. `
             + `Time between flips: ${shown("beat").textContent}. Next flips at: ${shown("next").textContent}.`;
     };
 
     // ---- Time: it runs only when asked, and where less motion is preferred it goes by steps.
     const still = matchMedia("(prefers-reduced-motion: reduce)");
     const rate = () => 10 ** Number(speed.value);
+    let pending = 0; // the frame that was asked for last
     function name() {
         play.textContent = still.matches ? "Step" : state.playing ? "Pause" : "Play";
     }
     function pause() {
+        cancelAnimationFrame(pending);
         if (!state.playing) return;
         state.playing = false;
         name();
@@ -552,7 +560,6 @@ tumblingLive.widget("tumble", async (stage, from) => {
         let last = null;
         let [late, frames] = [0, 0];
         const frame = (now) => {
-            if (!state.playing) return;
             // A page out of sight gets no frames: what it missed is not made up for.
             const passed = last === null ? 0 : Math.min((now - last) / 1000, 0.1);
             last = now;
@@ -563,9 +570,9 @@ tumblingLive.widget("tumble", async (stage, from) => {
                 if (late > 6 && solid.coarse > 0.5) coarsen(solid.coarse * 0.7);
                 [late, frames] = [0, 0];
             }
-            if (go(state.t + passed * rate())) requestAnimationFrame(frame);
+            if (go(state.t + passed * rate())) pending = requestAnimationFrame(frame);
         };
-        requestAnimationFrame(frame);
+        pending = requestAnimationFrame(frame);
     }
     play.addEventListener("click", () => {
         if (!state.setting) return;
@@ -631,14 +638,19 @@ tumblingLive.widget("tumble", async (stage, from) => {
     body.addEventListener("input", change);
     speed.addEventListener("input", caption);
 
-    dye();
-    new MutationObserver(() => {
-        dye();
+    function redraw() {
         for (const it of papers) {
             it.prepare();
             it.draw();
         }
-    }).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
+    }
+    const recolour = () => {
+        dye();
+        redraw();
+    };
+    dye();
+    new MutationObserver(recolour).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
+    for (const query of ["(forced-colors: active)", "(prefers-color-scheme: dark)"]) matchMedia(query).addEventListener("change", recolour);
     name();
     caption();
     prepare();

@@ -1,5 +1,5 @@
 //! Wrong and right: the engines of the three pitfalls and the right one, stepped from one start. The exact motion beside them is another
-//! module's, `exact`.
+//! module's, the tumble's.
 //!
 //! The page keeps each engine's state between two questions, and never looks into it.
 
