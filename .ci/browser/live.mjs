@@ -3,6 +3,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawings.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 
@@ -442,6 +443,7 @@ async function pitfalls(page, wants) {
     }
   }
   wants("a screen reader is told of the step", /s$/.test(await page.getAttribute("#pitfalls-step", "aria-valuetext")));
+  await pitfallsDrawn(page, wants, set);
   await start(3);
   await end();
 }
@@ -704,12 +706,25 @@ async function tumble(page, wants) {
   await page.waitForTimeout(600);
   wants("and is told in words", /has flipped/.test(await page.textContent("#live-tumble .live-said")));
 
+  await tumbleDrawn(page, wants);
+  await tumblePlayed(page, wants, set);
+  await set(page, "#tumble-body", 0);
+  await set(page, "#tumble-spin-number", "10");
+  await set(page, "#tumble-push-number", "0.01");
+
+  // Before the start, and a spin of hardly anything.
+  await set(page, "#tumble-time", "-5");
+  wants(`before the start no flip has been yet: ${await all()}`, (await shown(page, "tumble", "flips")) === "none: 2 from here to the start");
+  await set(page, "#tumble-spin-number", "1e-150");
+  wants(`a spin of 1e-150 is told: ${await all()}`, (await shown(page, "tumble", "spin")).startsWith("1.00 · 10⁻¹⁵⁰, 1.00 · 10⁻¹⁵², 0"));
+  await set(page, "#tumble-spin-number", "10");
+
   // No push at all, no spin at all, and what is no number.
   await set(page, "#tumble-push", -1e9);
   wants(`without a push it never flips: ${await all()}`, /never/.test(await beat()) && (await page.inputValue("#tumble-push-number")) === "0");
   await set(page, "#tumble-time", "1e6");
   wants(`nor in a million seconds: ${await all()}`, (await along()) === 10 && (await shown(page, "tumble", "flips")) === "0");
-  for (const [field, value, says] of [["spin", "", "finite"], ["push", "", "finite"], ["time", "1e300", "f64"], ["spin", "1e-320", "f64"], ["push", "1e308", "finite"]]) {
+  for (const [field, value, says] of [["spin", "", "The field for the spin has no number"], ["push", "", "The field for the push has no number"], ["time", "", "The field for the time has no number"], ["time", "1e300", "f64"], ["spin", "1e-320", "f64"], ["push", "1e308", "finite"]]) {
     const selector = field === "time" ? "#tumble-time" : `#tumble-${field}-number`;
     await set(page, "#tumble-push-number", "0.01");
     await set(page, selector, value);

@@ -451,7 +451,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const decimals = beat < 0.05 ? Math.min(12, 1 - Math.floor(Math.log10(beat))) : 2;
         const instant = (t) => (Math.abs(t) < 1e12 && (t === 0 || Math.abs(t) >= 10 ** -decimals) ? fixed(t, decimals) : short(t));
         const own = around < 3 ? polhode(around, depth) : null;
-        const side = [0, number(pushNumber), 0][around] < 0 ? -1 : 1;
+        const side = [0, Math.sign(number(spinNumber)) * number(pushNumber), 0][around] < 0 ? -1 : 1;
         const turns = (20 * Math.PI) / Math.abs(number(spinNumber));
         const stretch = 6 * beat;
         if (state.body !== body.value) [state.body, state.model] = [body.value, modelled(Number(body.value), [x, y, z])];
