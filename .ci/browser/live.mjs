@@ -444,6 +444,20 @@ async function pitfalls(page, wants) {
   }
   wants("a screen reader is told of the step", /s$/.test(await page.getAttribute("#pitfalls-step", "aria-valuetext")));
   await pitfallsDrawn(page, wants, set);
+
+  // Asleep it has the room that it takes awake: what a link leads to below it stays where it is.
+  const wide = page.viewportSize();
+  for (const width of [390, wide.width]) {
+    await page.setViewportSize({ ...wide, width });
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.reload();
+    const high = () => page.locator("#live-pitfalls").evaluate((box) => box.clientHeight);
+    const asleep = await high();
+    await page.locator("#live-pitfalls").scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => document.querySelector("#live-pitfalls").dataset.state === "live");
+    await page.waitForTimeout(150);
+    wants(`${width} px: it is ${asleep} px high asleep, ${await high()} awake`, Math.abs((await high()) - asleep) < 40);
+  }
   await start(3);
   await end();
 }
@@ -539,7 +553,9 @@ async function tumble(page, wants) {
     return count > 0 ? sum / count : NaN;
   });
 
-  // The chapter's own table.
+  // It opens on the chapter's wing nut. The chapter's own table is of the box.
+  wants("it opens on the wing nut", (await page.inputValue("#tumble-body")) === "4");
+  await set(page, "#tumble-body", 0);
   const rows = await page.locator("main table").first().locator("tbody tr").evaluateAll((rows) =>
     rows.map((row) => [...row.cells].map((cell) => cell.textContent.trim())));
   wants("the chapter has a table of pushes", rows.length >= 5);
@@ -711,6 +727,32 @@ async function tumble(page, wants) {
   await set(page, "#tumble-body", 0);
   await set(page, "#tumble-spin-number", "10");
   await set(page, "#tumble-push-number", "0.01");
+
+  // Turned by hand and by keys: the body looks otherwise, and its labels keep off it.
+  const looks = [await picture("body")];
+  await page.locator("#live-tumble [data-draws=body]").scrollIntoViewIfNeeded();
+  const paper = await page.locator("#live-tumble [data-draws=body]").boundingBox();
+  await page.mouse.move(paper.x + 0.5 * paper.width, paper.y + 0.5 * paper.height);
+  await page.mouse.down();
+  await page.mouse.move(paper.x + 0.5 * paper.width + 40, paper.y + 0.5 * paper.height - 20, { steps: 5 });
+  await page.mouse.up();
+  const dragged = await Promise.all(["turn", "tilt"].map((id) => page.inputValue(`#tumble-${id}`)));
+  wants(`dragged, it is seen from ${dragged}`, String(dragged) === "48,12");
+  looks.push(await picture("body"));
+  await page.mouse.move(paper.x + 5, paper.y + 5);
+  wants("let go, it stays", (await picture("body")) === looks[1]);
+  await page.locator("#tumble-turn").focus();
+  await page.keyboard.press("ArrowRight");
+  looks.push(await picture("body"));
+  wants("each way of turning it shows", new Set(looks).size === 3);
+  for (const [turn, tilt] of [[-120, 60], [170, -70]]) {
+    await set(page, "#tumble-turn", turn);
+    await set(page, "#tumble-tilt", tilt);
+    const wrong = await instants();
+    wants(`seen from ${turn}, ${tilt}: ${wrong.length} labels badly placed: ${wrong.slice(0, 3)}`, wrong.length === 0);
+  }
+  await set(page, "#tumble-turn", 28);
+  await set(page, "#tumble-tilt", 22);
 
   // Before the start, and a spin of hardly anything.
   await set(page, "#tumble-time", "-5");

@@ -8,6 +8,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     const control = (id) => stage.querySelector(`#tumble-${id}`);
     const [scrub, play, reset, time, speed, body] = ["scrub", "play", "reset", "time", "speed", "body"].map(control);
     const [spin, spinNumber, push, pushNumber] = ["spin", "spin-number", "push", "push-number"].map(control);
+    const [turn, tilt] = ["turn", "tilt"].map(control);
     const wrong = stage.querySelector(".live-wrong");
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -169,21 +170,21 @@ tumblingLive.widget("tumble", async (stage, from) => {
         pen.fill();
     }
 
-    // ---- The body, in the world: momentum up, the reader before it and a little above.
+    // ---- The body, in the world: momentum up, the reader before it and at first a little above.
     const state = { t: 0, now: null, setting: null, window: null, playing: false, drawn: 0, side: 1 };
-    const TURN = 0.5;
-    const TILT = 0.38;
-    /** From world axes to right, up and toward the reader. */
+    const radians = (field) => (Number(field.value) * Math.PI) / 180;
+    /** From world axes to right, up and toward the reader, who goes around as `turn` says, and up as `tilt` does. */
     function eye(momentum) {
+        const [around, above] = [radians(turn), radians(tilt)];
         const up = unit(momentum) ?? [1, 0, 0];
         const right = unit(cross(up, [0, -1, 0].map((x, i) => x + dot([0, 1, 0], up) * up[i]))) ?? [0, 0, 1];
         const toward = cross(right, up);
-        const across = right.map((x, i) => Math.cos(TURN) * x + Math.sin(TURN) * toward[i]);
-        const near = toward.map((x, i) => Math.cos(TURN) * x - Math.sin(TURN) * right[i]);
+        const across = right.map((x, i) => Math.cos(around) * x + Math.sin(around) * toward[i]);
+        const near = toward.map((x, i) => Math.cos(around) * x - Math.sin(around) * right[i]);
         return [
             across,
-            up.map((x, i) => Math.cos(TILT) * x - Math.sin(TILT) * near[i]),
-            near.map((x, i) => Math.cos(TILT) * x + Math.sin(TILT) * up[i]),
+            up.map((x, i) => Math.cos(above) * x - Math.sin(above) * near[i]),
+            near.map((x, i) => Math.cos(above) * x + Math.sin(above) * up[i]),
         ];
     }
     const LIGHT = unit([-0.45, 0.75, 0.6]);
@@ -459,6 +460,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
             ...state.model,
             moments, onto, beat, instant,
             up: unit([lx, ly, lz]),
+            momentum: [lx, ly, lz],
             eye: eye([lx, ly, lz]),
             others: [0.25, 0.65].flatMap((part) => [polhode(1, between(part, b, a)), polhode(2, between(part, c, a))]),
             between: [polhode(1, a)],
@@ -636,6 +638,22 @@ tumblingLive.widget("tumble", async (stage, from) => {
         change();
     });
     body.addEventListener("input", change);
+    function view() {
+        for (const field of [turn, tilt]) field.setAttribute("aria-valuetext", `${field.value} degrees`);
+        if (!state.setting) return;
+        state.setting.eye = eye(state.setting.momentum);
+        solid.draw();
+    }
+    for (const field of [turn, tilt]) field.addEventListener("input", view);
+    // Dragged, the picture turns with the hand: half a degree for each pixel.
+    const picture = stage.querySelector("[data-draws=body]");
+    picture.addEventListener("pointerdown", (event) => picture.setPointerCapture(event.pointerId));
+    picture.addEventListener("pointermove", (event) => {
+        if (!picture.hasPointerCapture(event.pointerId)) return;
+        turn.value = ((Number(turn.value) + 0.5 * event.movementX + 540) % 360) - 180;
+        tilt.value = Number(tilt.value) + 0.5 * event.movementY;
+        view();
+    });
     speed.addEventListener("input", caption);
 
     function redraw() {
@@ -653,5 +671,6 @@ tumblingLive.widget("tumble", async (stage, from) => {
     for (const query of ["(forced-colors: active)", "(prefers-color-scheme: dark)"]) matchMedia(query).addEventListener("change", recolour);
     name();
     caption();
+    view();
     prepare();
 });
