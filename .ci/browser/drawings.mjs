@@ -111,6 +111,7 @@ async function looked(page, body, spin, push, parts) {
     const stretch = Array.from(module.answer(2, from, to, 480));
     const pen = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
     const probe = stage.appendChild(document.createElement("span"));
+    probe.hidden = true; // nor has it a transition from one colour to the next
     const colours = Object.fromEntries(["omega", "momentum", "axis-mid", "separatrix", "faint"].map((name) => {
       probe.style.color = `var(--fig-${name})`;
       pen.fillStyle = getComputedStyle(probe).color;
