@@ -814,6 +814,19 @@ function cutOff(widget) {
 export async function live({ open, bases, folder, pages, axe, fault, shots }) {
   const all = await placed(folder, pages);
   let count = 0;
+  // What moves by itself on any page, as the cover's drawing, is at rest before five seconds are over (WCAG 2.2.2), and does not move where less motion is asked for.
+  for (const name of pages.filter((name) => name !== "print.html")) {
+    for (const reducedMotion of ["no-preference", "reduce"]) {
+      const page = await open(bases.file, { reducedMotion });
+      await page.goto(bases.file + name);
+      const ends = await page.evaluate(() => document.getAnimations().map((glide) => glide.effect.getComputedTiming().endTime));
+      const most = reducedMotion === "reduce" ? 50 : 4500;
+      if (ends.some((end) => !(end <= most))) fault(`${name}, ${reducedMotion}`, `it moves by itself for ${Math.max(...ends)} ms`);
+      if (reducedMotion !== "reduce" && name === "introduction.html" && ends.length === 0) fault(name, "its cover does not draw itself, as the text says");
+      await page.context().close();
+    }
+  }
+
   for (const { name, widgets } of all) {
     if (name === "print.html") {
       const page = await open(bases.file);
