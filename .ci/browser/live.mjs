@@ -3,6 +3,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawings.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 
@@ -442,6 +443,21 @@ async function pitfalls(page, wants) {
     }
   }
   wants("a screen reader is told of the step", /s$/.test(await page.getAttribute("#pitfalls-step", "aria-valuetext")));
+  await pitfallsDrawn(page, wants, set);
+
+  // Asleep it has the room that it takes awake: what a link leads to below it stays where it is.
+  const wide = page.viewportSize();
+  for (const width of [390, wide.width]) {
+    await page.setViewportSize({ ...wide, width });
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.reload();
+    const high = () => page.locator("#live-pitfalls").evaluate((box) => box.clientHeight);
+    const asleep = await high();
+    await page.locator("#live-pitfalls").scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => document.querySelector("#live-pitfalls").dataset.state === "live");
+    await page.waitForTimeout(150);
+    wants(`${width} px: it is ${asleep} px high asleep, ${await high()} awake`, Math.abs((await high()) - asleep) < 40);
+  }
   await start(3);
   await end();
 }
@@ -537,7 +553,9 @@ async function tumble(page, wants) {
     return count > 0 ? sum / count : NaN;
   });
 
-  // The chapter's own table.
+  // It opens on the chapter's wing nut. The chapter's own table is of the box.
+  wants("it opens on the wing nut", (await page.inputValue("#tumble-body")) === "4");
+  await set(page, "#tumble-body", 0);
   const rows = await page.locator("main table").first().locator("tbody tr").evaluateAll((rows) =>
     rows.map((row) => [...row.cells].map((cell) => cell.textContent.trim())));
   wants("the chapter has a table of pushes", rows.length >= 5);
@@ -704,12 +722,51 @@ async function tumble(page, wants) {
   await page.waitForTimeout(600);
   wants("and is told in words", /has flipped/.test(await page.textContent("#live-tumble .live-said")));
 
+  await tumbleDrawn(page, wants);
+  await tumblePlayed(page, wants, set);
+  await set(page, "#tumble-body", 0);
+  await set(page, "#tumble-spin-number", "10");
+  await set(page, "#tumble-push-number", "0.01");
+
+  // Turned by hand and by keys: the body looks otherwise, and its labels keep off it.
+  const looks = [await picture("body")];
+  await page.locator("#live-tumble [data-draws=body]").scrollIntoViewIfNeeded();
+  const paper = await page.locator("#live-tumble [data-draws=body]").boundingBox();
+  await page.mouse.move(paper.x + 0.5 * paper.width, paper.y + 0.5 * paper.height);
+  await page.mouse.down();
+  await page.mouse.move(paper.x + 0.5 * paper.width + 40, paper.y + 0.5 * paper.height - 20, { steps: 5 });
+  await page.mouse.up();
+  const dragged = await Promise.all(["turn", "tilt"].map((id) => page.inputValue(`#tumble-${id}`)));
+  wants(`dragged, it is seen from ${dragged}`, String(dragged) === "48,12");
+  looks.push(await picture("body"));
+  await page.mouse.move(paper.x + 5, paper.y + 5);
+  wants("let go, it stays", (await picture("body")) === looks[1]);
+  await page.locator("#tumble-turn").focus();
+  await page.keyboard.press("ArrowRight");
+  looks.push(await picture("body"));
+  wants("each way of turning it shows", new Set(looks).size === 3);
+  for (const [turn, tilt] of [[-120, 60], [170, -70]]) {
+    await set(page, "#tumble-turn", turn);
+    await set(page, "#tumble-tilt", tilt);
+    const wrong = await instants();
+    wants(`seen from ${turn}, ${tilt}: ${wrong.length} labels badly placed: ${wrong.slice(0, 3)}`, wrong.length === 0);
+  }
+  await set(page, "#tumble-turn", 28);
+  await set(page, "#tumble-tilt", 22);
+
+  // Before the start, and a spin of hardly anything.
+  await set(page, "#tumble-time", "-5");
+  wants(`before the start no flip has been yet: ${await all()}`, (await shown(page, "tumble", "flips")) === "none: 2 from here to the start");
+  await set(page, "#tumble-spin-number", "1e-150");
+  wants(`a spin of 1e-150 is told: ${await all()}`, (await shown(page, "tumble", "spin")).startsWith("1.00 · 10⁻¹⁵⁰, 1.00 · 10⁻¹⁵², 0"));
+  await set(page, "#tumble-spin-number", "10");
+
   // No push at all, no spin at all, and what is no number.
   await set(page, "#tumble-push", -1e9);
   wants(`without a push it never flips: ${await all()}`, /never/.test(await beat()) && (await page.inputValue("#tumble-push-number")) === "0");
   await set(page, "#tumble-time", "1e6");
   wants(`nor in a million seconds: ${await all()}`, (await along()) === 10 && (await shown(page, "tumble", "flips")) === "0");
-  for (const [field, value, says] of [["spin", "", "finite"], ["push", "", "finite"], ["time", "1e300", "f64"], ["spin", "1e-320", "f64"], ["push", "1e308", "finite"]]) {
+  for (const [field, value, says] of [["spin", "", "The field for the spin has no number"], ["push", "", "The field for the push has no number"], ["time", "", "The field for the time has no number"], ["time", "1e300", "f64"], ["spin", "1e-320", "f64"], ["push", "1e308", "finite"]]) {
     const selector = field === "time" ? "#tumble-time" : `#tumble-${field}-number`;
     await set(page, "#tumble-push-number", "0.01");
     await set(page, selector, value);
@@ -757,6 +814,19 @@ function cutOff(widget) {
 export async function live({ open, bases, folder, pages, axe, fault, shots }) {
   const all = await placed(folder, pages);
   let count = 0;
+  // What moves by itself on any page, as the cover's drawing, is at rest before five seconds are over (WCAG 2.2.2), and does not move where less motion is asked for.
+  for (const name of pages.filter((name) => name !== "print.html")) {
+    for (const reducedMotion of ["no-preference", "reduce"]) {
+      const page = await open(bases.file, { reducedMotion });
+      await page.goto(bases.file + name);
+      const ends = await page.evaluate(() => document.getAnimations().map((glide) => glide.effect.getComputedTiming().endTime));
+      const most = reducedMotion === "reduce" ? 50 : 4500;
+      if (ends.some((end) => !(end <= most))) fault(`${name}, ${reducedMotion}`, `it moves by itself for ${Math.max(...ends)} ms`);
+      if (reducedMotion !== "reduce" && name === "introduction.html" && ends.length === 0) fault(name, "its cover does not draw itself, as the text says");
+      await page.context().close();
+    }
+  }
+
   for (const { name, widgets } of all) {
     if (name === "print.html") {
       const page = await open(bases.file);

@@ -22,6 +22,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         "Pitfall two: momentum taken for spin", "Pitfall three: no gyroscopic term"];
     const [STATE, PIECE, HEAD] = [9, 1000, 18]; // as in pitfalls/src/lib.rs
     const PARTS = 1200; // of a drawing
+    const BROKEN = 1e-3; // so great an error, in parts, is seen
     const JOINED = 24; // parts in one piece of an engine's line
 
     const still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -158,16 +159,20 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         const flipped = exact.flips.filter((t) => t <= time);
         const words = [];
         for (const row of rows) {
-            const put = (what, text, error) => {
+            const put = (what, text, error, worst = error) => {
                 const place = row.place.querySelector(`[data-of=${what}]`);
                 place.textContent = text;
-                if (error !== undefined) place.parentNode.querySelector(".live-bar > span").style.width = `${(100 * bar(error)).toFixed(1)}%`;
+                if (error === undefined) return;
+                place.textContent = `${text} (${worst < BROKEN ? "kept" : "broken"})`;
+                const filled = place.parentNode.querySelector(".live-bar > span");
+                filled.style.width = `${(100 * bar(error)).toFixed(1)}%`;
+                filled.classList.toggle("live-slight", worst < BROKEN);
             };
             const met = share(row.low) === share(row.high) ? "" : `; so far ${share(row.low)} to ${share(row.high)}`;
             const off = Math.abs(row.energy - 1);
-            put("energy", `${share(row.energy)}${off < 1e-3 ? beside(off) : ""}${met}`, off);
+            put("energy", `${share(row.energy)}${off < BROKEN ? beside(off) : ""}${met}`, off, Math.max(off, 1 - row.low, row.high - 1));
             const far = Math.abs(row.size - 1);
-            put("length", `${share(row.size)}${far < 1e-3 ? beside(far) : ""}`, far);
+            put("length", `${share(row.size)}${far < BROKEN ? beside(far) : ""}`, far);
             // A raised power and a sign of degrees beside it would run together.
             const angle = row.angle === 0 || row.angle >= 0.05 ? `${fixed(row.angle, 1)}°` : `${short(row.angle)} degrees`;
             put("angle", `${angle} off`, row.angle * Math.PI / 180);
@@ -226,6 +231,10 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         say(show());
     });
     reset.addEventListener("click", () => say(begin()));
+    still.addEventListener("change", () => {
+        stop();
+        show();
+    });
     for (const button of stage.querySelectorAll("[data-start]")) {
         button.addEventListener("click", () => {
             [body, about, spin, push, step, until].forEach((input, i) => { input.value = STARTS[button.dataset.start][i]; });

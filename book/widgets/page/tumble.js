@@ -8,6 +8,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     const control = (id) => stage.querySelector(`#tumble-${id}`);
     const [scrub, play, reset, time, speed, body] = ["scrub", "play", "reset", "time", "speed", "body"].map(control);
     const [spin, spinNumber, push, pushNumber] = ["spin", "spin-number", "push", "push-number"].map(control);
+    const [turn, tilt] = ["turn", "tilt"].map(control);
     const wrong = stage.querySelector(".live-wrong");
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -169,21 +170,21 @@ tumblingLive.widget("tumble", async (stage, from) => {
         pen.fill();
     }
 
-    // ---- The body, in the world: momentum up, the reader before it and a little above.
+    // ---- The body, in the world: momentum up, the reader before it and at first a little above.
     const state = { t: 0, now: null, setting: null, window: null, playing: false, drawn: 0, side: 1 };
-    const TURN = 0.5;
-    const TILT = 0.38;
-    /** From world axes to right, up and toward the reader. */
+    const radians = (field) => (Number(field.value) * Math.PI) / 180;
+    /** From world axes to right, up and toward the reader, who goes around as `turn` says, and up as `tilt` does. */
     function eye(momentum) {
+        const [around, above] = [radians(turn), radians(tilt)];
         const up = unit(momentum) ?? [1, 0, 0];
         const right = unit(cross(up, [0, -1, 0].map((x, i) => x + dot([0, 1, 0], up) * up[i]))) ?? [0, 0, 1];
         const toward = cross(right, up);
-        const across = right.map((x, i) => Math.cos(TURN) * x + Math.sin(TURN) * toward[i]);
-        const near = toward.map((x, i) => Math.cos(TURN) * x - Math.sin(TURN) * right[i]);
+        const across = right.map((x, i) => Math.cos(around) * x + Math.sin(around) * toward[i]);
+        const near = toward.map((x, i) => Math.cos(around) * x - Math.sin(around) * right[i]);
         return [
             across,
-            up.map((x, i) => Math.cos(TILT) * x - Math.sin(TILT) * near[i]),
-            near.map((x, i) => Math.cos(TILT) * x + Math.sin(TILT) * up[i]),
+            up.map((x, i) => Math.cos(above) * x - Math.sin(above) * near[i]),
+            near.map((x, i) => Math.cos(above) * x + Math.sin(above) * up[i]),
         ];
     }
     const LIGHT = unit([-0.45, 0.75, 0.6]);
@@ -418,10 +419,10 @@ tumblingLive.widget("tumble", async (stage, from) => {
     // ---- What the module says.
     const list = (numbers, size) => Array.from({ length: numbers.length / size }, (_, i) => Array.from(numbers.slice(size * i, size * (i + 1))));
     /** The library's own words on what is wrong, its numbers filled in. */
-    function complain() {
+    function complain(said) {
         const numbers = exact.left(2);
         let i = 0;
-        wrong.textContent = `${exact.words().replace(/#/g, () => {
+        wrong.textContent = said ?? `${exact.words().replace(/#/g, () => {
             const number = numbers[i++];
             return Number.isFinite(number) ? short(number) : String(number).replace("-", "−").replace("Infinity", "inf");
         })}.`;
@@ -431,13 +432,16 @@ tumblingLive.widget("tumble", async (stage, from) => {
     }
     const number = (field) => (field.value.trim() === "" ? NaN : Number(field.value));
 
+    const missing = (what) => `The field for the ${what} has no number in it: type a finite one.`;
+
     /** Prepares the motion of what the controls are set to, from its start. */
     function prepare() {
-        const found = exact.answer(0, Number(body.value), number(spinNumber), number(pushNumber));
+        const empty = [["spin", spinNumber], ["push", pushNumber]].find(([, field]) => Number.isNaN(number(field)));
+        const found = empty ? null : exact.answer(0, Number(body.value), number(spinNumber), number(pushNumber));
         if (!found) {
             state.setting = null;
             for (const what of ["beat", "next", "time", "flips", "spin"]) shown(what).textContent = "none";
-            complain();
+            complain(empty && missing(empty[0]));
             return;
         }
         wrong.hidden = true;
@@ -448,7 +452,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const decimals = beat < 0.05 ? Math.min(12, 1 - Math.floor(Math.log10(beat))) : 2;
         const instant = (t) => (Math.abs(t) < 1e12 && (t === 0 || Math.abs(t) >= 10 ** -decimals) ? fixed(t, decimals) : short(t));
         const own = around < 3 ? polhode(around, depth) : null;
-        const side = [0, number(pushNumber), 0][around] < 0 ? -1 : 1;
+        const side = [0, Math.sign(number(spinNumber)) * number(pushNumber), 0][around] < 0 ? -1 : 1;
         const turns = (20 * Math.PI) / Math.abs(number(spinNumber));
         const stretch = 6 * beat;
         if (state.body !== body.value) [state.body, state.model] = [body.value, modelled(Number(body.value), [x, y, z])];
@@ -456,6 +460,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
             ...state.model,
             moments, onto, beat, instant,
             up: unit([lx, ly, lz]),
+            momentum: [lx, ly, lz],
             eye: eye([lx, ly, lz]),
             others: [0.25, 0.65].flatMap((part) => [polhode(1, between(part, b, a)), polhode(2, between(part, c, a))]),
             between: [polhode(1, a)],
@@ -465,19 +470,16 @@ tumblingLive.widget("tumble", async (stage, from) => {
         state.window = null;
         shown("beat").textContent = Number.isNaN(beat) ? "none: it never flips" : `${spanned(beat)} s`;
         go(0);
-        for (const it of papers) {
-            it.prepare();
-            it.draw();
-        }
+        redraw();
     }
     const spanned = (beat) => (beat >= 100 && beat < 1e12 ? fixed(beat, 0) : state.setting.instant(beat));
 
     /** Shows the instant `t`; says whether there is one. */
     function go(t) {
         if (!state.setting) return false;
-        const found = exact.answer(1, t);
+        const found = Number.isNaN(t) ? null : exact.answer(1, t);
         if (!found) {
-            complain();
+            complain(Number.isNaN(t) ? missing("time") : undefined);
             return false;
         }
         const { stretch, instant } = state.setting;
@@ -498,7 +500,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         state.t = t;
         const [x, y, z, qw, qx, qy, qz, wx, wy, wz, flips, ...next] = found;
         state.now = { omega: [x, y, z], attitude: [qw, qx, qy, qz], world: [wx, wy, wz] };
-        if (state.flips !== flips && state.playing) say(`Flip ${flips} at ${instant(t)} s.`);
+        if (state.flips !== flips && state.playing) say(t < 0 ? `A flip at ${instant(t)} s.` : `Flip ${flips} at ${instant(t)} s.`);
         [state.flips, state.next] = [flips, next];
         // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
         const now = performance.now();
@@ -510,30 +512,38 @@ tumblingLive.widget("tumble", async (stage, from) => {
         for (const it of papers) if (it === solid || solid.coarse === 1 || state.drawn % 3 === 0) it.draw();
         return true;
     }
+    /** How the parts of a spin are written: with two decimals, where these tell of it. */
+    const speeds = (omega) => {
+        const most = Math.max(...omega.map(Math.abs));
+        return (w) => (most === 0 || (most >= 0.1 && Math.abs(w) < 1e4) ? fixed(w, 2) : short(w));
+    };
+    const count = () => `${state.flips} ${state.flips === 1 ? "flip" : "flips"} ${state.t < 0 ? "from here to the start" : "so far"}`;
     /** The numbers of the instant, in the page. */
     function tell() {
         const { t, flips, next, now, setting: { instant } } = state;
         const coming = next.filter((flip) => !Number.isNaN(flip));
         shown("time").textContent = `${instant(t)} s`;
-        shown("flips").textContent = String(flips);
+        shown("flips").textContent = t < 0 && flips > 0 ? `none: ${flips} from here to the start` : String(flips);
         shown("next").textContent = coming.length > 0 ? `${coming.map(instant).join(", ")} s` : "none: it never flips";
-        shown("spin").textContent = now.omega.map((w) => (Math.abs(w) < 1e4 ? fixed(w, 2) : short(w))).join(", ");
+        shown("spin").textContent = now.omega.map(speeds(now.omega)).join(", ");
         scrub.value = t;
-        scrub.setAttribute("aria-valuetext", `${instant(t)} s, ${flips} ${flips === 1 ? "flip" : "flips"} so far`);
+        scrub.setAttribute("aria-valuetext", `${instant(t)} s, ${count()}`);
     }
     const told = () => {
         if (!state.setting || !wrong.hidden) return ""; // what is wrong is said by itself
-        return `At ${shown("time").textContent} it has flipped ${state.flips} times; along the middle axis it spins at ${fixed(state.now.omega[0], 2)} rad/s. `
+        return `At ${shown("time").textContent} ${state.t < 0 ? `it has ${count()}` : `it has flipped ${state.flips} times`}; along the middle axis it spins at ${speeds(state.now.omega)(state.now.omega[0])} rad/s. `
             + `Time between flips: ${shown("beat").textContent}. Next flips at: ${shown("next").textContent}.`;
     };
 
     // ---- Time: it runs only when asked, and where less motion is preferred it goes by steps.
     const still = matchMedia("(prefers-reduced-motion: reduce)");
     const rate = () => 10 ** Number(speed.value);
+    let pending = 0; // the frame that was asked for last
     function name() {
         play.textContent = still.matches ? "Step" : state.playing ? "Pause" : "Play";
     }
     function pause() {
+        cancelAnimationFrame(pending);
         if (!state.playing) return;
         state.playing = false;
         name();
@@ -552,7 +562,6 @@ tumblingLive.widget("tumble", async (stage, from) => {
         let last = null;
         let [late, frames] = [0, 0];
         const frame = (now) => {
-            if (!state.playing) return;
             // A page out of sight gets no frames: what it missed is not made up for.
             const passed = last === null ? 0 : Math.min((now - last) / 1000, 0.1);
             last = now;
@@ -563,9 +572,9 @@ tumblingLive.widget("tumble", async (stage, from) => {
                 if (late > 6 && solid.coarse > 0.5) coarsen(solid.coarse * 0.7);
                 [late, frames] = [0, 0];
             }
-            if (go(state.t + passed * rate())) requestAnimationFrame(frame);
+            if (go(state.t + passed * rate())) pending = requestAnimationFrame(frame);
         };
-        requestAnimationFrame(frame);
+        pending = requestAnimationFrame(frame);
     }
     play.addEventListener("click", () => {
         if (!state.setting) return;
@@ -629,17 +638,39 @@ tumblingLive.widget("tumble", async (stage, from) => {
         change();
     });
     body.addEventListener("input", change);
+    function view() {
+        for (const field of [turn, tilt]) field.setAttribute("aria-valuetext", `${field.value} degrees`);
+        if (!state.setting) return;
+        state.setting.eye = eye(state.setting.momentum);
+        solid.draw();
+    }
+    for (const field of [turn, tilt]) field.addEventListener("input", view);
+    // Dragged, the picture turns with the hand: half a degree for each pixel.
+    const picture = stage.querySelector("[data-draws=body]");
+    picture.addEventListener("pointerdown", (event) => picture.setPointerCapture(event.pointerId));
+    picture.addEventListener("pointermove", (event) => {
+        if (!picture.hasPointerCapture(event.pointerId)) return;
+        turn.value = ((Number(turn.value) + 0.5 * event.movementX + 540) % 360) - 180;
+        tilt.value = Number(tilt.value) + 0.5 * event.movementY;
+        view();
+    });
     speed.addEventListener("input", caption);
 
-    dye();
-    new MutationObserver(() => {
-        dye();
+    function redraw() {
         for (const it of papers) {
             it.prepare();
             it.draw();
         }
-    }).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
+    }
+    const recolour = () => {
+        dye();
+        redraw();
+    };
+    dye();
+    new MutationObserver(recolour).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
+    for (const query of ["(forced-colors: active)", "(prefers-color-scheme: dark)"]) matchMedia(query).addEventListener("change", recolour);
     name();
     caption();
+    view();
     prepare();
 });

@@ -1,5 +1,5 @@
 //! Methods and steps: what a method makes of a motion at a step, and how its errors grow with it. The exact motion beside it is another
-//! module's, `exact`.
+//! module's, the tumble's.
 
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};

@@ -214,6 +214,43 @@ mod tests {
     use super::*;
     use tumbling::bodies;
 
+    /// Held by a test that prepares a motion: there is one for all.
+    static ALONE: Mutex<()> = Mutex::new(());
+
+    /// By symmetry: at time 0 the spin is at its most along x, so that it is nothing half a beat later and earlier, and each beat from there.
+    #[test]
+    fn one_more_flip_is_counted_at_each_half_beat_before_and_after_the_start() {
+        let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+        let row = Numbers::new();
+        for (which, spin, push) in [(3.0, 10.0, 0.3), (4.0, -7.3, 0.01)] {
+            row.fill(&[which, spin, push]);
+            assert_eq!(answer(0, &row), 13);
+            let beat = row.get(0);
+            let half = |count: u32| (f64::from(count) + 0.5) * beat;
+            for flip in 0..5 {
+                for (share, count) in [(-1e-6, flip), (1e-6, flip + 1)] {
+                    for way in [1.0, -1.0] {
+                        let t = way * (half(flip) + share * beat);
+                        row.set(0, t);
+                        assert_eq!(answer(1, &row), 14);
+                        assert_eq!(row.get(10), f64::from(count), "{which}, at {t}");
+                        let side = if count % 2 == 0 { 1.0 } else { -1.0 };
+                        assert!(row.get(0) * side * spin > 0.0, "{which}, at {t}: {}", row.get(0));
+                        if way > 0.0 {
+                            for later in 0..NEXT as u32 {
+                                let (told, right) = (row.get(11 + later as usize), half(count + later));
+                                assert!(
+                                    (told - right).abs() < 1e-9 * beat,
+                                    "{which}, at {t}: {told}, not {right}"
+                                );
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn the_bodies_are_those_of_the_book() {
         let theirs =
@@ -250,6 +287,7 @@ mod tests {
 
     #[test]
     fn the_polhode_passes_through_the_spin_of_every_instant() {
+        let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
         let row = Numbers::new();
         let push = 0.3;
         row.fill(&[3.0, 10.0, push]);

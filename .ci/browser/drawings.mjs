@@ -1,0 +1,423 @@
+// What the tumble and the pitfalls draw, read back from the page, and held to the modules' answers by arithmetic of its own.
+
+const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+const cross = (a, b) => [0, 1, 2].map((k) => a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]);
+const size = (a) => Math.hypot(...a);
+const unit = (a) => a.map((x) => x / size(a));
+const near = (a, b, most) => Math.abs(a - b) <= most;
+
+/** A vector turned by a unit quaternion (w, x, y, z): q v q*. */
+function turned([w, ...u], v) {
+  const once = cross(u, v).map((x, k) => x + w * v[k]); // of q v, the vector; its real part is -u.v
+  return cross(u, once).map((x, k) => dot(u, v) * u[k] + w * once[k] + x);
+}
+
+/** The linear map from places in space to those in the drawing that fits best: two rows; and the greatest distance left. */
+function fitted(pairs) {
+  const sums = [0, 1, 2].map((i) => [0, 1, 2].map((j) => pairs.reduce((sum, [p]) => sum + p[i] * p[j], 0)));
+  const [a, b, c] = sums;
+  const inverse = [cross(b, c), cross(c, a), cross(a, b)].map((row) => row.map((x) => x / dot(a, cross(b, c)))); // symmetric
+  const rows = [0, 1].map((k) => {
+    const right = [0, 1, 2].map((i) => pairs.reduce((sum, [p, q]) => sum + p[i] * q[k], 0));
+    return inverse.map((row) => dot(row, right));
+  });
+  const left = Math.max(...pairs.map(([p, q]) => Math.hypot(dot(rows[0], p) - q[0], dot(rows[1], p) - q[1])));
+  return { rows, left };
+}
+
+/** Has every canvas of a widget keep what is drawn on it since it was last cleared, in the page's pixels. */
+export const watch = (page, widget) => page.locator(`#live-${widget} canvas`).evaluateAll((all) => all.forEach((canvas) => {
+  const pen = canvas.getContext("2d");
+  let path = [];
+  canvas.drawn = [];
+  const around = (name, note) => {
+    const own = pen[name];
+    pen[name] = (...words) => {
+      note(...words);
+      return own.apply(pen, words);
+    };
+  };
+  around("clearRect", () => { canvas.drawn = []; });
+  around("beginPath", () => { path = []; });
+  for (const name of ["moveTo", "lineTo", "arc"]) around(name, (x, y) => path.push([x, y, name]));
+  around("stroke", () => canvas.drawn.push({ kind: "stroke", colour: pen.strokeStyle, wide: pen.lineWidth, dashed: pen.getLineDash().length > 0, path }));
+  around("fill", () => canvas.drawn.push({ kind: "fill", colour: pen.fillStyle, path }));
+  around("fillText", (text, x, y) => canvas.drawn.push({ kind: "text", text, path: [[x, y]] }));
+}));
+
+/** Frames that come when `step` is called, at the instants that it is given, ms; `end` puts the browser's own back. */
+export const byHand = (page) => page.evaluate(() => {
+  const own = [window.requestAnimationFrame, window.cancelAnimationFrame];
+  const waiting = new Map();
+  let last = 0;
+  window.requestAnimationFrame = (frame) => {
+    waiting.set(last += 1, frame);
+    return last;
+  };
+  window.cancelAnimationFrame = (id) => waiting.delete(id);
+  window.byHand = {
+    waiting,
+    step(at) {
+      for (const [id, frame] of [...waiting]) if (waiting.delete(id)) frame(at);
+    },
+    end() { [window.requestAnimationFrame, window.cancelAnimationFrame] = own; },
+  };
+});
+
+/** So many frames of so many ms each, from now on; the first begins them. */
+const pass = (page, frames, each) => page.evaluate(([frames, each]) => {
+  const from = performance.now();
+  for (let i = 0; i <= frames; i += 1) window.byHand.step(from + i * each);
+}, [frames, each]);
+const waiting = (page) => page.evaluate(() => window.byHand.waiting.size);
+
+/** A written number, also with a raised power of ten. */
+function read(text) {
+  const [, digits, power] = text.replace(/−/g, "-").match(/(-?[\d.]+)(?: · 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?/) ?? [];
+  return Number(`${digits}e${power ? Array.from(power, (sign) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(sign)]).join("") : 0}`);
+}
+
+/** The tumble at one setting: what it shows and draws at several instants, and what the module answers. */
+async function looked(page, body, spin, push, parts) {
+  return page.evaluate(async ([body, spin, push, parts]) => {
+    const put = (id, value, event) => {
+      const field = document.querySelector(`#tumble-${id}`);
+      field.value = value;
+      field.dispatchEvent(new Event(event));
+    };
+    put("body", body, "input");
+    put("spin-number", spin, "input");
+    put("push-number", push, "input");
+    const stage = document.querySelector("#live-tumble");
+    const shows = (what) => stage.querySelector(`[data-shows=${what}]`).textContent;
+    const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
+    const moved = (what) => (stage.querySelector(what).style.transform.match(/-?[\d.]+/g) ?? []).map(Number);
+    const module = await tumblingLive.module("tumble");
+    const prepared = Array.from(module.answer(0, body, spin, push));
+    const instants = parts.map((part) => {
+      const t = part * prepared[0];
+      put("time", t, "change");
+      const scrub = stage.querySelector("#tumble-scrub");
+      return {
+        t, from: Number(scrub.min), to: Number(scrub.max),
+        answer: Array.from(module.answer(1, t)),
+        body: canvas("body").drawn,
+        dot: moved(".tumble-dot"), opacity: stage.querySelector(".tumble-dot").style.opacity,
+        cursor: moved(".tumble-cursor")[0],
+        shown: Object.fromEntries(["beat", "next", "time", "flips", "spin"].map((what) => [what, shows(what)])),
+      };
+    });
+    const { from, to } = instants.at(-1);
+    const stretch = Array.from(module.answer(2, from, to, 480));
+    const pen = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+    const probe = stage.appendChild(document.createElement("span"));
+    probe.hidden = true; // nor has it a transition from one colour to the next
+    const colours = Object.fromEntries(["omega", "momentum", "axis-mid", "separatrix", "faint"].map((name) => {
+      probe.style.color = `var(--fig-${name})`;
+      pen.fillStyle = getComputedStyle(probe).color;
+      pen.fillRect(0, 0, 1, 1);
+      return [name, `#${[...pen.getImageData(0, 0, 1, 1).data.slice(0, 3)].map((part) => part.toString(16).padStart(2, "0")).join("")}`];
+    }));
+    probe.remove();
+    const middle = (what) => [canvas(what).clientWidth / 2, canvas(what).clientHeight / 2];
+    return {
+      prepared, instants, colours, stretch,
+      polhode: canvas("polhode").drawn, strip: canvas("strip").drawn,
+      middles: { body: middle("body"), polhode: middle("polhode"), strip: middle("strip") },
+    };
+  }, [body, spin, push, parts]);
+}
+
+/** The drawings of the tumble, and all numbers that it shows. */
+export async function tumbleDrawn(page, wants) {
+  await watch(page, "tumble");
+  const parts = [0, 0.13, 0.31, 0.48, 0.55, 0.77, 1.02, 1.37, 1.49, 1.71, 2.2, 6.68];
+  for (const [body, spin, push] of [[0, 10, 0.01], [2, -7, 0.4], [4, 12, -0.1]]) {
+    const name = `body ${body}, spin ${spin}, push ${push}`;
+    const { prepared, instants, colours, stretch, polhode, strip, middles } = await looked(page, body, spin, push, parts);
+    const from = (middle, [x, y]) => [x - middle[0], y - middle[1]];
+
+    // The body: the pin lies along its x, turned by the attitude, seen along some line in the world, the same at all instants.
+    const strokes = (drawn, colour) => drawn.filter((part) => part.kind === "stroke" && part.colour === colours[colour]);
+    const tips = (drawn, colour) => drawn.filter((part) => part.kind === "fill" && part.colour === colours[colour] && part.path.length === 3).map(({ path }) => path[0]);
+    const pins = instants.map(({ answer, body }) => [turned(answer.slice(3, 7), [1, 0, 0]), from(middles.body, strokes(body, "axis-mid")[0].path[1])]);
+    const view = fitted(pins);
+    wants(`${name}: the pin is drawn where the attitude turns it, but for ${view.left} px`, view.left < 0.01);
+    const [across, down] = view.rows;
+    wants(`${name}: it is seen as it is, neither drawn out nor mirrored`, near(size(across) / size(down), 1, 1e-6) && near(dot(across, down) / size(down) ** 2, 0, 1e-6));
+    const momentum = unit(prepared.slice(7, 10));
+    const sight = cross(across, down.map((x) => -x));
+    wants(`${name}: from a little above`, dot(unit(sight), momentum) > 0.2 && dot(unit(sight), momentum) < 0.6);
+    const onto = (v) => [dot(across, v), dot(down, v)];
+    for (const { t, answer, body } of instants) {
+      const [up] = tips(body, "momentum").map((tip) => from(middles.body, tip));
+      wants(`${name}, at ${t}: the momentum's arrow points straight up: ${up}`, up && near(up[0], 0, 0.01) && up[1] < -20);
+      const right = onto(momentum);
+      wants(`${name}: up is where the momentum is`, right[1] < 0 && near(right[0], 0, 0.01));
+      const [tip] = tips(body, "omega").map((tip) => from(middles.body, tip));
+      const spun = onto(unit(answer.slice(7, 10)));
+      const reach = size(tip ?? [0, 0]) / size(spun);
+      wants(`${name}, at ${t}: the spin's arrow ${tip} lies along ${spun}`, tip && Math.hypot(tip[0] - reach * spun[0], tip[1] - reach * spun[1]) < 0.01);
+      const world = turned(answer.slice(3, 7), answer.slice(0, 3));
+      wants(`${name}, at ${t}: the spin along the body's axes is that in the world`, Math.hypot(...world.map((x, k) => x - answer[7 + k])) < 1e-9 * Math.abs(spin));
+    }
+
+    // The polhode: the dot is the spin along the body's axes, seen along a line, z upright.
+    const spots = instants.map(({ answer, dot: spot }) => [answer.slice(0, 3).map((x) => x * prepared[12]), from(middles.polhode, spot)]);
+    const seen = fitted(spots);
+    const [right, low] = seen.rows;
+    wants(`${name}: the dot is where the spin is, but for ${seen.left} px`, seen.left < 0.3);
+    wants(`${name}: on an ellipsoid seen as it is`, near(size(right) / size(low), 1, 0.02) && near(dot(right, low) / size(low) ** 2, 0, 0.02));
+    wants(`${name}: whose z is upright`, near(right[2] / size(right), 0, 0.02) && low[2] < 0);
+    const toward = cross(right, low.map((x) => -x));
+    for (const [k, axis] of ["x", "y", "z"].entries()) {
+      const [, far] = polhode.filter((part) => part.text === axis).map(({ path: [[x, y]] }) => [0, from(middles.polhode, [x, y - 5])])[0] ?? [];
+      const along = [right[k], low[k]];
+      wants(`${name}: the axis ${axis} is named where it comes out: ${far}`,
+        far && dot(far, along) > 0 && Math.abs(far[0] * along[1] - far[1] * along[0]) / size(along) < 3);
+    }
+    const own = polhode.filter((part) => part.kind === "stroke" && part.colour === colours.omega).flatMap(({ path }) =>
+      path.flatMap(([x, y, how], i) => (how === "lineTo" ? [[path[i - 1], [x, y]]] : [])));
+    wants(`${name}: the spin's own polhode is drawn, in ${own.length} pieces`, own.length >= 240);
+    for (const { t, answer, dot: spot, opacity } of instants) {
+      const off = Math.min(...own.map(([a, b]) => {
+        const [u, v] = [[b[0] - a[0], b[1] - a[1]], [spot[0] - a[0], spot[1] - a[1]]];
+        const part = Math.max(0, Math.min(1, dot(u, v) / (dot(u, u) || 1)));
+        return Math.hypot(v[0] - part * u[0], v[1] - part * u[1]);
+      }));
+      wants(`${name}, at ${t}: the dot lies on it, but for ${off} px`, off < 1.5);
+      const facing = dot(unit(answer.slice(0, 3).map((x, k) => x * prepared[1 + k])), unit(toward));
+      if (Math.abs(facing) > 0.03) wants(`${name}, at ${t}: the dot is on the side that it shows`, (opacity === "1") === (facing > 0));
+    }
+
+    // The strip: time from left to right, the spin along the middle axis upward.
+    const { from: first, to: last } = instants.at(-1);
+    const [flips, samples] = [stretch.slice(1, 1 + stretch[0]), stretch.slice(1 + stretch[0])];
+    const [[left, level], [end]] = strokes(strip, "faint")[0].path;
+    const at = (t) => left + (end - left) * (t - first) / (last - first);
+    const marks = strokes(strip, "separatrix").map(({ path }) => path[0][0]);
+    wants(`${name}: the flips are marked at ${marks}, not ${flips.map(at)}`,
+      flips.length > 2 && marks.length === flips.length && flips.every((flip, i) => near(marks[i], at(flip), 0.05)));
+    for (const { text, path: [[x]] } of strip.filter(({ kind }) => kind === "text")) {
+      wants(`${name}: "${text}" stands below a flip`, flips.some((flip) => near(at(flip), x, 0.05) && near(read(text), flip, 0.0051)));
+    }
+    const [curve] = strokes(strip, "axis-mid").map(({ path }) => path);
+    const most = samples.reduce((best, x, i) => (Math.abs(x) > Math.abs(samples[best]) ? i : best), 0);
+    const high = (level - curve[most][1]) / samples[most];
+    wants(`${name}: the spin's curve is high enough, and upright`, high > 0 && high * Math.abs(samples[most]) > 0.3 * middles.strip[1]);
+    wants(`${name}: it is drawn as it goes`, curve.length === samples.length && curve.every(([x, y], i) =>
+      near(x, at(first + (last - first) * i / (samples.length - 1)), 0.01) && near(level - y, high * samples[i], 0.01)));
+    for (const { t, from: first, to: last, cursor } of instants) {
+      wants(`${name}, at ${t}: the cursor stands at ${cursor}`, near(cursor, left + (end - left) * (t - first) / (last - first), 0.06));
+    }
+
+    // Every number.
+    for (const { t, answer, shown } of instants) {
+      const [spins, next] = [shown.spin, shown.next].map((text) => text.split(", ").map(read));
+      wants(`${name}, at ${t}: ${Object.values(shown).join("; ")}`,
+        near(read(shown.beat), prepared[0], 0.0051) && near(read(shown.time), t, 0.0051) && Number(shown.flips) === answer[10]
+        && Math.round(t / prepared[0]) === answer[10]
+        && spins.length === 3 && spins.every((x, k) => near(x, answer[k], 0.0051))
+        && next.length === 3 && next.every((x, k) => near(x, answer[11 + k], 0.0051) && near(x, (answer[10] + k + 0.5) * prepared[0], 0.0051)));
+    }
+  }
+}
+
+/** The tumble's time: one loop however often the button is pressed, as fast as told, at rest out of sight. */
+export async function tumblePlayed(page, wants, set) {
+  const before = await page.evaluate(() => (matchMedia("(prefers-reduced-motion: reduce)").matches ? "reduce" : "no-preference"));
+  const [play, time] = ["#tumble-play", "#live-tumble [data-shows=time]"];
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await set(page, "#tumble-body", 0);
+  await set(page, "#tumble-spin-number", 10);
+  await set(page, "#tumble-push-number", 0.01);
+  await set(page, "#tumble-speed", 0);
+  await byHand(page);
+  await page.evaluate((play) => [1, 2, 3].forEach(() => document.querySelector(play).click()), play);
+  wants(`pressed three times it waits for one frame, not ${await waiting(page)}`, (await waiting(page)) === 1);
+  await pass(page, 50, 20);
+  await page.click(play);
+  wants(`a second is a second: ${await page.textContent(time)}`, (await page.textContent(time)) === "1.00 s");
+  wants("paused, it waits for none", (await waiting(page)) === 0);
+  await set(page, "#tumble-speed", -0.3);
+  await page.click(play);
+  await pass(page, 50, 20);
+  await page.click(play);
+  wants(`and half of one at half the pace: ${await page.textContent(time)}`, (await page.textContent(time)) === "1.50 s");
+  await page.click(play);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Step", play, { polling: 50, timeout: 5000 })
+    .catch(() => wants("asked for less motion it goes by steps", false));
+  wants("and waits for no frame", (await waiting(page)) === 0);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await page.click(play);
+  await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Play", play, { polling: 50, timeout: 5000 })
+    .catch(() => wants("out of sight it rests", false));
+  await page.evaluate(() => window.byHand.end());
+  await page.emulateMedia({ reducedMotion: before });
+  await page.locator("#live-tumble").scrollIntoViewIfNeeded();
+
+  // Forced colours are taken on at once.
+  const ink = () => page.locator("#live-tumble [data-draws=body]").evaluate((canvas) => {
+    const pen = document.createElement("canvas").getContext("2d");
+    const probe = document.body.appendChild(document.createElement("span"));
+    probe.style.color = matchMedia("(forced-colors: active)").matches ? "CanvasText" : "var(--fg)";
+    pen.fillStyle = getComputedStyle(probe).color;
+    probe.remove();
+    return [canvas.drawn.at(-1).colour, pen.fillStyle];
+  });
+  await page.emulateMedia({ forcedColors: "active" });
+  await page.waitForTimeout(100);
+  const [forced, meant] = await ink();
+  wants(`in forced colours it is drawn in ${meant}, not ${forced}`, forced === meant);
+  await page.emulateMedia({ forcedColors: "none" });
+  await page.waitForTimeout(100);
+  const [again, own] = await ink();
+  wants("and in its own again", again === own && again !== forced);
+}
+
+/** The drawings of the pitfalls, and all numbers that they show, as far as they have gone. */
+async function engines(page, wants, name) {
+  const rows = await page.evaluate(async () => {
+    const stage = document.querySelector("#live-pitfalls");
+    const chosen = (id) => stage.querySelector(`#pitfalls-${id}`).value;
+    const shows = (what) => stage.querySelector(`[data-shows=${what}]`).textContent;
+    const plain = (what) => parseFloat(shows(what)); // the tests choose no number that is written with a power
+    const [engines, motion] = [await tumblingLive.module("pitfalls"), await tumblingLive.module("tumble")];
+    const push = (axis) => (chosen("about") === "both" || chosen("about") === axis ? plain("push") : 0);
+    const start = [Number(chosen("body")), plain("spin"), push("y"), push("z")];
+    const [step, until, time] = [plain("step"), parseFloat(shows("until")), parseFloat(shows("time"))];
+    const exact = motion.answer(5, ...engines.answer(2, start[0]), ...start.slice(1), until, 1200);
+    const points = (d) => d.split(/[ML]/).filter(Boolean).map((point) => point.split(" ").map(Number));
+    return [...stage.querySelectorAll(".live-engine")].map((row, which) => {
+      const tip = ["cx", "cy"].map((x) => Number(row.querySelector(".live-tip").getAttribute(x)));
+      const axis = row.querySelector(".live-axis").getAttribute("d").match(/[\d.]+/g).map(Number);
+      // As many steps as the drawing has gone: from it alone the count cannot be told where steps are small beside a pixel.
+      const count = Math.round(time / step);
+      let found = engines.answer(0, ...start, which);
+      const first = Array.from(found.slice(0, 18));
+      const all = { spins: [found.at(-1)], low: found[13], high: found[14], flips: 0, turned: 0 };
+      for (let taken = 0; taken < count;) {
+        const some = Math.min(1000, count - taken);
+        found = engines.answer(1, ...start, which, step, taken, some, ...found.slice(1, 10));
+        taken += found[0];
+        all.spins.push(...found.slice(18));
+        all.low = Math.min(all.low, found[13]);
+        all.high = Math.max(all.high, found[14]);
+        if (found[15] > 0 && all.flips === 0) all.turned = found[16];
+        all.flips += found[15];
+        if (found[0] < some) break;
+      }
+      const [energy, length, angle] = found.slice(10, 13);
+      return {
+        ...all, energy, length, angle, first, step, until, time, tip, axis,
+        right: Array.from(exact.slice(1, 1 + exact[0])), spun: Array.from(exact.slice(1 + exact[0])),
+        exact: points(row.querySelector(".live-exact")?.getAttribute("d") ?? ""),
+        ran: [...row.querySelectorAll("path.live-ran")].flatMap((path) => points(path.getAttribute("d"))),
+        bars: [...row.querySelectorAll(".live-bar > span")].map((bar) => [parseFloat(bar.style.width), bar.classList.contains("live-slight")]),
+        shown: Object.fromEntries([...row.querySelectorAll("[data-of]")].map((place) => [place.dataset.of, place.textContent])),
+      };
+    });
+  });
+  for (const [which, row] of rows.entries()) {
+    const says = `${name}, engine ${which}`;
+    const { spins, step, until, time, tip, exact, ran, spun } = row;
+    const [left, middle, right] = row.axis;
+    const x = (t) => left + (right - left) * t / until;
+    const most = spun.reduce((best, value, i) => (Math.abs(value) > Math.abs(spun[best]) ? i : best), 0);
+    const high = (middle - exact[most]?.[1]) / spun[most];
+    wants(`${says}: the exact spin is drawn upright, ${high * Math.abs(spun[most])} px high`, high > 0 && high * Math.abs(spun[most]) > 20);
+    wants(`${says}: and as it goes`, exact.length === spun.length && exact.every(([across, y], i) =>
+      near(across, x(until * i / (spun.length - 1)), 0.06) && near(middle - y, high * spun[i], 0.12)));
+    const limit = 1.15 * Math.abs(spun[most]);
+    const y = (value) => middle - high * Math.max(-limit, Math.min(limit, value));
+    // A drawn point stands for some steps about its time.
+    const bundle = Math.ceil((until / step + 1) / 1200);
+    const strays = ran.filter(([across, up]) => {
+      const at = ((across - left) / (right - left)) * until / step;
+      const slack = bundle + 1 + 0.06 * until / step / (right - left);
+      const some = spins.slice(Math.max(0, Math.floor(at - slack)), Math.ceil(at + slack) + 1).map(y);
+      return !(up >= Math.min(...some) - 0.12 && up <= Math.max(...some) + 0.12);
+    });
+    wants(`${says}: ${strays.length} of ${ran.length} drawn points are not where it went, as ${strays[0]}`, strays.length === 0 && ran.length >= spins.length / bundle - 1);
+    wants(`${says}: its line has its highs and lows`, [Math.min, Math.max].every((best) =>
+      near(best(...ran.map(([, up]) => up)), best(...spins.map(y)), 0.12)));
+    wants(`${says}: its point stands at ${tip}, at the end of its line`, near(tip[0], x(step * (spins.length - 1)), 0.06) && near(tip[1], y(spins.at(-1)), 0.06));
+    if (which === 0 && time > 0) {
+      const off = Math.max(...ran.map(([across, up]) => Math.min(...exact.map(([a, b]) => Math.hypot(a - across, b - up)))));
+      wants(`${says}: the right one runs along the exact spin, but for ${off} px`, off < 3);
+    }
+
+    // Its numbers and bars. An error is written where it is less than a thousandth.
+    const errors = [Math.abs(row.energy - 1), Math.abs(row.length - 1), row.angle * Math.PI / 180];
+    const worst = [Math.max(1 - row.low, row.high - 1, errors[0]), errors[1], errors[2]];
+    for (const [k, law] of ["energy", "length", "angle"].entries()) {
+      const width = 100 * Math.max(0, Math.min(1, (Math.log10(errors[k]) + 15) / 16));
+      wants(`${says}: the bar of ${law} is ${row.bars[k]} long, not ${width}`, near(row.bars[k][0], width, 0.06) && row.bars[k][1] === worst[k] < 1e-3);
+      wants(`${says}: ${law} is told as ${row.shown[law]}`, row.shown[law].endsWith(worst[k] < 1e-3 ? "(kept)" : "(broken)"));
+    }
+    for (const [law, value, error] of [["energy", row.energy, errors[0]], ["length", row.length, errors[1]]]) {
+      const text = row.shown[law];
+      const off = text.match(/off by ([^;()]*)/)?.[1];
+      wants(`${says}: ${law} is ${value}, shown as ${text}`, near(read(text), 100 * value, Math.max(0.51, 0.006 * 100 * value))
+        && (error === 0 || error >= 1e-3 ? !off : near(read(off ?? "9") / error, 1, 0.01)));
+    }
+    const [, low, top] = row.shown.energy.match(/so far (.*?) % to (.*?) %/) ?? [0, row.shown.energy, row.shown.energy];
+    wants(`${says}: its energy goes from ${row.low} to ${row.high}, shown as ${row.shown.energy}`,
+      near(read(low), 100 * row.low, 0.51) && near(read(top), 100 * row.high, Math.max(0.51, 0.006 * 100 * row.high)));
+    wants(`${says}: its momentum is ${row.angle} degrees off, shown as ${row.shown.angle}`,
+      near(read(row.shown.angle), row.angle, row.angle >= 0.05 ? 0.051 : 0.01 * row.angle));
+    const passed = row.right.filter((t) => t <= time).length;
+    wants(`${says}: ${row.flips} flips, the first after ${row.turned}, right ${passed}, shown as ${row.shown.flips}`,
+      read(row.shown.flips) === row.flips && read(row.shown.flips.split("right: ")[1]) === passed
+      && (row.flips === 0 || near(read(row.shown.flips.split("after ")[1]), row.turned, 0.051)));
+    wants(`${says}: its spin starts ${row.first[17]} degrees off, with the energy ${row.first[10]}: ${row.shown.off}`,
+      near(read(row.shown.off), row.first[17], 0.051) && near(read(row.shown.off.split("energy ")[1]), 100 * row.first[10], 0.51));
+  }
+}
+
+export async function pitfallsDrawn(page, wants, set) {
+  const before = await page.evaluate(() => (matchMedia("(prefers-reduced-motion: reduce)").matches ? "reduce" : "no-preference"));
+  const [play, time] = ["#pitfalls-play", "#live-pitfalls [data-shows=time]"];
+  await page.click("#live-pitfalls [data-start='1']");
+  await engines(page, wants, "pitfall one, at the start");
+  await page.click("#pitfalls-end");
+  await engines(page, wants, "pitfall one, at the end");
+
+  // Played, a second is a second; then on, another body, another push.
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  for (const [control, value] of [["body", 1], ["about", "z"], ["spin", 5], ["push", 9], ["step", 2], ["until", 0]]) await set(page, `#pitfalls-${control}`, value);
+  await byHand(page);
+  await page.evaluate((play) => [1, 2, 3].forEach(() => document.querySelector(play).click()), play);
+  wants(`pressed three times it waits for one frame, not ${await waiting(page)}`, (await waiting(page)) === 1);
+  await pass(page, 40, 50);
+  await page.click(play);
+  wants(`two seconds are two seconds: ${await page.textContent(time)}`, (await page.textContent(time)) === "2.0 s of 5 s");
+  wants("paused, it waits for none", (await waiting(page)) === 0);
+  await page.click("#pitfalls-end");
+  await engines(page, wants, "the book, pushed about z, at the end");
+  await page.click("#pitfalls-reset");
+
+  // Less motion, asked for while it runs.
+  await page.click(play);
+  await pass(page, 4, 50);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Go on for a tenth", play, { polling: 50, timeout: 5000 })
+    .catch(() => wants("asked for less motion while it runs it goes by tenths", false));
+  wants("and waits for no frame", (await waiting(page)) === 0);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Play", play, { polling: 50, timeout: 5000 })
+    .catch(() => wants("motion allowed again it plays", false));
+  await page.evaluate(() => window.byHand.end());
+  await page.emulateMedia({ reducedMotion: before });
+
+  // Bars are seen in forced colours too.
+  await page.click("#live-pitfalls [data-start='1']");
+  await page.click("#pitfalls-end");
+  await page.emulateMedia({ forcedColors: "active" });
+  const bars = await page.locator("#live-pitfalls .live-bar > span").evaluateAll((all) => all.map((bar) =>
+    [bar, bar.parentNode].map((part) => getComputedStyle(part).backgroundColor)));
+  wants(`in forced colours a bar stands out from its ground: ${bars[0]}`, bars.every(([bar, ground]) => bar !== ground && bar !== "rgba(0, 0, 0, 0)"));
+  await page.emulateMedia({ forcedColors: "none" });
+}
