@@ -97,7 +97,7 @@ export async function boxDrawn(page, set, shown, wants) {
     for (let i = 0; i < fields.length; i += 1) await set(page, `#your-box-${fields[i]}`, values[i]);
   };
   const cases = [
-    [[2, 1, 3, 1, 1, 1, 0], ["circles the axis x"]], // put right below: the words come from the formula
+    [[2, 1, 3, 1, 1, 1, 0], []], // where it moves the words come from the formula below
     [[1, 2, 0.5, 2, 0.2, -0.5, 1.5], []],
     [[2, 1, 3, 1, 0, 0.2, 3], []],
     [[2, 1, 3, 1, 1, 0, 0], ["stands on the axis x, of the middle moment", "flip"]],
@@ -287,7 +287,7 @@ export async function stepsDrawn(page, set, shown, wants, methods) {
       }
       if (kind === "attitude" && start === 0) {
         // Where halving tells anything its slope is the order: no rounding, and far from a whole turn.
-        const steep = points.slice(1).map(([at, e], i) => [(e - points[i][1]) / (at - points[i][0]), points[i][1], e]).filter(([, a, b]) => Math.min(a, b) > -10 && Math.max(a, b) < 1);
+        const steep = points.slice(1).map(([at, e], i) => [(e - points[i][1]) / (at - points[i][0]), points[i][1], e]).filter(([, a, b]) => Math.min(a, b) > -10 && Math.max(a, b) < (power === 1 ? 1 : 0)); // higher orders show later
         says(`attitude rises by ${steep.map(([slope]) => slope)}`, (long || steep.length > 0) && steep.every(([slope]) => near(slope, power, 0.3)));
       }
     }
