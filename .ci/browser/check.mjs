@@ -2,15 +2,16 @@
 // would stumble over: a request to any other place, a word on the console, a page that scrolls
 // sideways, a control the keyboard cannot reach, a rule of accessibility broken.
 //
-//     node check.mjs [PAGES] [--shots DIR] [--live]
+//     node check.mjs [PAGES] [--shots DIR] [--live] [--figures]
 //
-// With --live it looks at the widgets alone.
+// With --live it looks at the widgets alone, of which ONLY=NAME takes one; with --figures at the figures on a phone and opened large.
 
 import { readFile, readdir, mkdir } from "node:fs/promises";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL, fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { figures } from "./figures.mjs";
 import { live } from "./live.mjs";
 import { codeFolds, keyboard, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
@@ -22,7 +23,10 @@ const HERE = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
 const at = words.indexOf("--shots");
 const shots = at >= 0 ? path.resolve(words.splice(at, 2)[1]) : null;
-const onlyLive = words.includes("--live") && words.splice(words.indexOf("--live"), 1).length > 0;
+const asks = (word) => words.includes(word) && words.splice(words.indexOf(word), 1).length > 0;
+const onlyWidgets = asks("--live");
+const onlyFigures = asks("--figures");
+const onlyLive = onlyWidgets || onlyFigures;
 const folder = path.resolve(words[0] ?? path.join(HERE, "../../book/html"));
 const names = (await readdir(folder)).filter((name) => name.endsWith(".html")).sort();
 const pages = names.filter((name) => name !== "toc.html"); // that one is a frame of the others
@@ -171,6 +175,8 @@ for (const name of onlyLive ? [] : pages) {
   }
 }
 
+const drawings = onlyWidgets ? 0 : await figures({ open, base: bases.file, pages, fault });
+if (onlyFigures) pages.length = 0;
 const widgets = await live({ open, bases, folder, pages, axe, fault, shots });
 
 for (const base of onlyLive ? [] : Object.values(bases)) {
@@ -187,4 +193,4 @@ if (faults.size > 0) {
   console.error(`browser: ${faults.size} faults`);
   process.exit(1);
 }
-console.log(`browser: ${pages.length} pages from disk and from a server, ${looks} looks, ${widgets} widgets tried, no fault`);
+console.log(`browser: ${pages.length} pages from disk and from a server, ${looks} looks, ${drawings} drawings opened, ${widgets} widgets tried, no fault`);

@@ -3,7 +3,8 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawings.mjs";
+import { pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawn.moving.mjs";
+import { arrowsDrawn, boxDrawn, read, stepsDrawn } from "./drawn.flat.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 
@@ -12,7 +13,8 @@ async function placed(folder, pages) {
   const all = [];
   for (const name of pages) {
     const html = await readFile(path.join(folder, name), "utf8");
-    const widgets = [...html.matchAll(/data-live="([a-z-]+)"/g)].map(([, widget]) => widget);
+    const widgets = [...html.matchAll(/data-live="([a-z-]+)"/g)].map(([, widget]) => widget)
+      .filter((widget) => !process.env.ONLY || process.env.ONLY === widget);
     if (widgets.length > 0) all.push({ name, widgets });
   }
   return all;
@@ -45,6 +47,8 @@ async function twoArrows(page, wants) {
   await set(page, "#two-arrows-between", 1);
   await set(page, spin, 45);
   wants(`the worked example's box shows ${await numbers()}`, String(await numbers()) === "45.0°,52.4°,7.4°");
+
+  await arrowsDrawn(page, set, shown, wants);
 
   // Both ends, all bodies.
   for (const body of [5, 4, 3, 2, 1, 0]) {
@@ -102,6 +106,7 @@ async function yourBox(page, wants) {
   await set(page, "#your-box-y", 0);
   wants("along an edge the gap is none", (await shown(page, "your-box", "gap")) === "0.0°");
   await set(page, "#your-box-y", 1);
+  await boxDrawn(page, set, shown, wants);
   for (const [field, value, says] of [
     ["a", "0", "above zero"], ["b", "-1", "above zero"], ["c", "", "Type a number"], ["m", "0", "above zero"], ["a", "1e200", "f64"],
     ["m", "1e-320", "f64"], ["x", "", "Type a number"],
@@ -157,11 +162,23 @@ async function judge(page, wants) {
   await set(page, "#judge-threshold", "0.01");
   await set(page, "#judge-moments", "");
 
+  // The rows that README.md begins with say too little.
+  const readme = await readFile(new URL("../../README.md", import.meta.url), "utf8");
+  const [, three] = readme.match(/```text\n(# inertia[^]*?)```/);
+  await set(page, "#judge-text", three);
+  await page.click("#judge-go");
+  await told(verdict, "^Too short to judge: the lines above[^]*eight rows at least");
+  const ink = () => page.locator(`${verdict} .live-outcome`).evaluate((line) => [getComputedStyle(line).color, getComputedStyle(line.parentElement).color]);
+  const plain = await ink();
+  wants(`what did not fail has the colour of the text: ${plain}`, plain[0] === plain[1]);
+
   // A file of many pieces, and words that would be markup.
   let rows = "# engine: <img src=x onerror=alert(1)>\n# inertia: 1 2 3\nt,wx,wy,wz\n";
   for (let i = 0; i < 60000; i += 1) rows += `${0.01 * i},0.1,2,0.1\n`;
   await page.setInputFiles("#judge-file", { name: "large.csv", mimeType: "text/csv", buffer: Buffer.from(rows) });
   await told(verdict, "large.csv[^]*60000 rows");
+  const red = await ink();
+  wants(`what failed has a colour of its own: ${red}`, red[0] !== red[1] && red[1] === plain[1]);
   wants("what a record says is no markup", (await page.locator(`${verdict} img`).count()) === 0);
 
   // Dropped.
@@ -288,7 +305,11 @@ async function judge(page, wants) {
   wants("a file over the heading is taken", await long("main h1"));
   await told(reading, "Judging long.csv: [\\d.]+ of 13.\\d MB are read");
   wants("nothing of an earlier record is shown meanwhile", !(await page.isVisible(verdict)) && !(await page.isVisible(wrong)));
-  wants("the bar is where the words are", await page.locator("#judge-progress").evaluate((bar) => bar.position > 0 && bar.position <= 1));
+  const bar = await page.locator("#judge-progress").evaluate((bar) => {
+    const [, read, whole] = bar.closest(".live-reading").textContent.match(/: ([\d.]+) of ([\d.]+) MB/);
+    return [bar.position, read / whole];
+  });
+  wants(`the bar is where the words are: ${bar}`, bar[0] > 0 && bar[0] < 1 && Math.abs(bar[0] - bar[1]) < 0.01);
   await page.setInputFiles("#judge-file", several[0]);
   await told(verdict, "Passed: mujoco");
   wants("the long record has ended", !(await page.isVisible(reading)));
@@ -319,6 +340,12 @@ async function judge(page, wants) {
   const each = await page.locator(`${records} li`).allTextContents();
   wants(`each has its line: ${each}`, each.length === 3 && /^mujoco.*Passed\. Every step/.test(each[0]) &&
     /^rapier.*Failed \(energy, .*Every step is made by: rescaled/.test(each[1]) && /^<b>none<\/b>.*Cannot be judged: line /.test(each[2]));
+  await told(verdict, "Passed: mujoco");
+  await page.setInputFiles("#judge-file", [several[0], { name: "three.csv", mimeType: "text/csv", buffer: Buffer.from(three) }]);
+  await told("#live-judge .live-said", "2 records: 1 passed, 1 too short to judge");
+  wants("each has its line, the short one too", /Too short to judge\./.test(await page.locator(`${records} li`).last().textContent()));
+  await page.setInputFiles("#judge-file", [...several, { name: "<b>none</b>.csv", mimeType: "text/csv", buffer: Buffer.from("t,wx\n0,1\n") }]);
+  await told(records, "Cannot be judged");
   await told(verdict, "Passed: mujoco");
   await page.locator(`${records} button`).first().focus();
   await page.keyboard.press("Tab");
@@ -478,8 +505,10 @@ async function steps(page, wants) {
     await choose(names[method]);
     await set(page, step, 6);
     const got = [await shown(page, "steps", "attitude"), await shown(page, "steps", "better")];
-    wants(`${method}: ${got}, the chapter ${off}, ${better}`, got[0].replace("−", "-") === off.replace("−", "-") && got[1] === `${better} better`);
+    wants(`${method}: ${got}, the chapter ${off}, ${better}`, read(got[0]) === read(off) && got[1] === `${better} better`);
   }
+
+  await stepsDrawn(page, set, shown, wants, methods);
 
   // Every method at every end, from every start.
   for (let which = 0; which < methods.length; which += 1) {
@@ -810,6 +839,21 @@ function cutOff(widget) {
   return found;
 }
 
+/** A module that came damaged: the page says so, and neither asks for scripts, which run, nor lets anything be tried. */
+async function damaged(page, address, widget, wants) {
+  await page.route(`**/${widget}.wasm.js`, (route) => route.fulfill({ contentType: "text/javascript", body: `tumblingLive.carry("${widget}", "${btoa("\0asm\x01\0\0\0damaged")}");` }));
+  await page.goto(address);
+  const box = page.locator(`#live-${widget}`);
+  await box.scrollIntoViewIfNeeded();
+  await page.waitForFunction((w) => document.querySelector(`#live-${w}`).dataset.state, widget, { timeout: 20000 }).catch(() => {});
+  const state = await box.getAttribute("data-state");
+  wants(`damaged, it does not come to life: ${state}`, /^failed/.test(state));
+  const says = await box.innerText();
+  wants(`damaged, it says so: ${says.slice(0, 200)}`, says.includes("could not be loaded") && !says.includes("With JavaScript"));
+  wants("damaged, it offers nothing to try", !(await box.locator(".live-stage").isVisible()));
+  await page.context().close();
+}
+
 /** Tests all widgets; returns how many. */
 export async function live({ open, bases, folder, pages, axe, fault, shots }) {
   const all = await placed(folder, pages);
@@ -901,6 +945,7 @@ export async function live({ open, bases, folder, pages, axe, fault, shots }) {
           }
         }
         await page.context().close();
+        if (kind === "http") await damaged(await open(base), base + name, widget, wants);
         count += 1;
       }
     }

@@ -106,6 +106,24 @@ pub enum Sure {
     NoneFits,
 }
 
+impl Sure {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::ToRounding, Self::MostSteps, Self::Near, Self::FewDigits, Self::NoneFits];
+
+    /// What a program calls it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::ToRounding => "to rounding",
+            Self::MostSteps => "most steps",
+            Self::Near => "near",
+            Self::FewDigits => "too few digits",
+            Self::NoneFits => "none fits",
+        }
+    }
+}
+
 /// What made the record.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {

@@ -1,10 +1,10 @@
 //! A verdict for programs.
 
 use crate::curve::Growth;
-use crate::diagnosis::{Diagnosis, Explanation, Sure};
+use crate::diagnosis::{Diagnosis, Explanation};
 use crate::laws::LawName;
 use crate::points::Point;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::Verdict;
 use nalgebra::Vector3;
 use serde_json::{Map, Value, json};
 
@@ -37,12 +37,8 @@ impl Verdict {
             .map(|reset| json!({"line": reset.line, "time": reset.time, "to_rest": reset.to_rest, "to_start": reset.to_start}))
             .collect();
         json!({
-            "outcome": match self.outcome {
-                Outcome::Passed => "passed",
-                Outcome::Failed => "failed",
-                Outcome::TooShort => "too short to judge",
-                Outcome::NothingToJudge => "nothing to judge",
-            },
+            "outcome": self.outcome.key(),
+            "reason": self.reason(),
             "grade": self.worst().map(|law| law.growth.name()),
             "threshold": self.options.threshold,
             "thresholds": thresholds(self),
@@ -132,13 +128,7 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
             .collect::<Vec<_>>(),
         "second": diagnosis.second.as_ref().map(explanation),
         "ratio": diagnosis.ratio(),
-        "sure": match diagnosis.sure {
-            Sure::ToRounding => "to rounding",
-            Sure::MostSteps => "most steps",
-            Sure::FewDigits => "too few digits",
-            Sure::Near => "near",
-            Sure::NoneFits => "none fits",
-        },
+        "sure": diagnosis.sure.key(),
         "steps": diagnosis.steps,
         "hints": diagnosis.hints,
         "advice": if diagnosis.names_a_rule() { diagnosis.best.rule.advice() } else { "" },

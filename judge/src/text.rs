@@ -42,45 +42,55 @@ impl fmt::Display for Verdict {
                 law.name.words()
             )?;
         }
-        let mut reasons: Vec<String> = Vec::new();
-        let (name, reason) = match self.outcome {
-            Outcome::Passed => ("PASSED", self.within()),
-            Outcome::NothingToJudge if self.torque.is_some() => (
-                "NOTHING TO JUDGE",
-                "a torque acts, and the laws judged here are those of a free body. What made the record is told above".into(),
-            ),
-            Outcome::NothingToJudge => (
-                "NOTHING TO JUDGE",
-                "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
-            ),
-            Outcome::TooShort => (
-                "TOO SHORT TO JUDGE",
-                "no law is broken, and too little is seen to say more: eight rows at least are wanted, in which the body turns once round \
-                 or its spin should change by a tenth".into(),
-            ),
-            Outcome::Failed => {
-                if !self.misread.is_empty() {
-                    reasons.push("the file is not what its names say".into());
-                }
-                if !self.resets.is_empty() {
-                    reasons.push("the motion does not go through".into());
-                }
-                reasons.extend(self.broken().map(|law| {
-                    let allowed = self.options.allowed(law.name).unwrap_or(f64::INFINITY);
-                    format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
-                }));
-                ("FAILED", String::new())
-            }
+        let name = match self.outcome {
+            Outcome::Passed => "PASSED",
+            Outcome::NothingToJudge => "NOTHING TO JUDGE",
+            Outcome::TooShort => "TOO SHORT TO JUDGE",
+            Outcome::Failed => "FAILED",
         };
-        reasons.extend(self.complaints.iter().cloned());
-        if !reason.is_empty() {
-            reasons.insert(0, reason);
+        let mut reasons: Vec<String> = self.reason().into_iter().collect();
+        if self.outcome == Outcome::Failed {
+            if !self.misread.is_empty() {
+                reasons.push("the file is not what its names say".into());
+            }
+            if !self.resets.is_empty() {
+                reasons.push("the motion does not go through".into());
+            }
+            reasons.extend(self.broken().map(|law| {
+                let allowed = self.options.allowed(law.name).unwrap_or(f64::INFINITY);
+                format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
+            }));
         }
+        reasons.extend(self.complaints.iter().cloned());
         write!(f, "{name}: {}", reasons.join(";\n  "))
     }
 }
 
 impl Verdict {
+    /// Why it ends so, in words; `None` where it failed, which has its reasons in the laws, the file and the complaints.
+    #[must_use]
+    pub fn reason(&self) -> Option<String> {
+        let words = match self.outcome {
+            Outcome::Failed => return None,
+            Outcome::Passed => return Some(self.within()),
+            Outcome::NothingToJudge if self.torque.is_some() => {
+                "a torque acts, and the laws judged here are those of a free body. What made the record is told above"
+            }
+            Outcome::NothingToJudge if self.untraceable => {
+                "the body turns so far from row to row that no number of double precision tells where it should be. Record it with shorter \
+                 steps, and look at the units"
+            }
+            Outcome::NothingToJudge => {
+                "the spin is constant, as it is right for this start. Push the body off its principal axis"
+            }
+            Outcome::TooShort => {
+                "no law is broken, and too little is seen to say more: eight rows at least are wanted, in which the body turns once round \
+                 or its spin should change by a tenth"
+            }
+        };
+        Some(words.into())
+    }
+
     /// What every law is kept within.
     fn within(&self) -> String {
         let mut text = format!("every law is kept within {}", self.options.threshold);

@@ -182,7 +182,7 @@ impl Trial {
         let still = free
             && laws.constant
             && !should_change(subject, sample.pairs(), floor)
-            && (laws.moved <= 100.0 * floor || laws.on_axis());
+            && (laws.on_axis() || !laws.untraceable() && laws.moved <= 100.0 * floor);
         let few = Floor { size: floor, few };
         let mut diagnosis = if still { None } else { diagnose(subject, &sample, few, kind.is_momentum()) };
         let mut kept = laws.kept(|law| options.allowed(law));
@@ -259,6 +259,9 @@ impl Trial {
             Outcome::NothingToJudge
         } else if broken || !complaints.is_empty() {
             Outcome::Failed
+        } else if laws.untraceable() {
+            // What is right here nobody can tell.
+            Outcome::NothingToJudge
         } else if rows < ENOUGH || laws.turned < TAU && laws.moved < 0.1 {
             Outcome::TooShort
         } else {
@@ -287,6 +290,7 @@ impl Trial {
             fit: None,
             ignored: Vec::new(),
             notes: Vec::new(),
+            untraceable: !still && laws.untraceable(),
             curve: laws.points.into_all(),
             outcome,
         }

@@ -67,10 +67,26 @@ pub enum Outcome {
     Passed,
     /// The file is not sound, or a law is broken.
     Failed,
-    /// The record has nothing that could be right or wrong.
+    /// The record has nothing that could be told right or wrong.
     NothingToJudge,
     /// No law is broken, and too little is seen for that to say anything.
     TooShort,
+}
+
+impl Outcome {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Passed, Self::Failed, Self::NothingToJudge, Self::TooShort];
+
+    /// What a program calls it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::NothingToJudge => "nothing to judge",
+            Self::TooShort => "too short to judge",
+        }
+    }
 }
 
 /// A row at which the motion starts anew.
@@ -144,6 +160,8 @@ pub struct Verdict {
     pub options: Options,
     /// How the start was fitted, if it was.
     pub fit: Option<Fit>,
+    /// Whether the body turns so far that no `f64` tells where in its motion it should be.
+    pub untraceable: bool,
     /// The run in at most 256 points, to draw it by.
     pub curve: Vec<Point>,
     /// The end of it.

@@ -65,6 +65,45 @@ fn the_exact_motion_at_another_pace_fails_and_at_its_own_passes() {
 }
 
 #[test]
+fn a_spin_too_fast_to_follow_is_never_passed_nor_said_to_be_right() {
+    let spin = Vector3::new(1.0, 2.0, 3.0);
+    let mut lost = 0;
+    for power in [3, 10, 16, 20, 30, 50, 100, 150, 153, 155, 200, 300, 307] {
+        let size: f64 = format!("1e{power}").parse().unwrap();
+        let rows: String = (0..40)
+            .map(|i| {
+                format!(
+                    "{},{:e},{:e},{:e}\n",
+                    0.1 * f64::from(i),
+                    spin.x * size,
+                    spin.y * size,
+                    spin.z * size
+                )
+            })
+            .collect();
+        let text = format!("# inertia: 1 2 3\nt,wx,wy,wz\n{rows}");
+        // Beyond what numbers hold the record may be refused.
+        let Ok(verdict) = judge(text.as_bytes(), &Options::default()) else { continue };
+        assert!(!verdict.to_string().contains("as it is right"), "1e{power}\n{verdict}");
+        match verdict.outcome {
+            Outcome::Failed => {}
+            Outcome::NothingToJudge => {
+                assert!(verdict.untraceable && power > 13, "1e{power}\n{verdict}");
+                assert!(verdict.reason().unwrap().contains("turns so far"), "{verdict}");
+                lost += 1;
+            }
+            other => panic!("1e{power}: {other:?}\n{verdict}"),
+        }
+    }
+    assert!(lost > 0);
+    // About an axis it is right at any speed; and a motion that can be followed is.
+    let axis = (0..40).map(|i| (0.1 * f64::from(i), Vector3::new(0.0, 0.0, 1e100)));
+    let verdict = judged(&spins([1.0, 2.0, 3.0], axis));
+    assert!(verdict.outcome == Outcome::NothingToJudge && !verdict.untraceable, "{verdict}");
+    assert!(!judged(&csv(&exact(SPIN, H, 600))).untraceable);
+}
+
+#[test]
 fn right_rules_of_second_order_do_not_fail_by_their_phase() {
     for method in [Method::ImplicitMidpoint, Method::Buss] {
         for spin in [SPIN, Vector3::new(0.1, 3.0, 0.2), Vector3::new(4.0, 0.5, 0.3)] {

@@ -58,10 +58,11 @@ pub(super) fn lay_out(shown: &Shown, folder: &Path) -> Result<(), String> {
     }
     for (name, (drawing, _)) in shown {
         let file = folder.join(file_name(name));
-        if fs::read(&file).is_ok_and(|old| old == drawing.alone().as_bytes()) {
+        let alone = drawing.alone();
+        if fs::read(&file).is_ok_and(|old| old == alone.as_bytes()) {
             continue;
         }
-        fs::write(&file, drawing.alone()).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        fs::write(&file, alone).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
     }
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let known = |file: &str| shown.keys().any(|name| file_name(name) == file);

@@ -40,9 +40,19 @@ impl Drawing {
         Ok(Self { text, title, description })
     }
 
-    /// The drawing as a document of its own.
-    pub(super) fn alone(&self) -> &str {
-        &self.text
+    /// The drawing as a document of its own: as large as the window it is opened in, in its middle.
+    pub(super) fn alone(&self) -> String {
+        let start = self.start_tag();
+        let mut sized = start.to_owned();
+        for side in [" width=\"", " height=\""] {
+            if let Some(at) = sized.find(side)
+                && let Some(end) = sized[at + side.len()..].find('"')
+            {
+                sized.replace_range(at..=at + side.len() + end, "");
+            }
+        }
+        let sized = sized.replacen("<svg", "<svg width=\"100%\" height=\"100%\"", 1);
+        self.text.replacen(start, &sized, 1)
     }
 
     /// The drawing as a part of a page, known by its own title and description, or where it has none

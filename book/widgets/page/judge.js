@@ -19,7 +19,7 @@ tumblingLive.widget("judge", async (stage, from) => {
         let module;
         onmessage = async ({ data }) => {
             if (data.module) {
-                module = WebAssembly.compile(data.module);
+                module = data.module;
                 return;
             }
             const { record, asked, turn } = data;
@@ -39,7 +39,7 @@ tumblingLive.widget("judge", async (stage, from) => {
             };
             try {
                 // A fresh one for each record: none has anything from the one before.
-                ({ exports } = await WebAssembly.instantiate(await module, { page: { more } }));
+                ({ exports } = await WebAssembly.instantiate(module, { page: { more } }));
                 new Float64Array(exports.memory.buffer, exports.numbers(), asked.length).set(asked);
                 const judged = exports.answer(0) === 1;
                 const said = new Uint8Array(exports.memory.buffer, exports.text(), exports.text_length());
@@ -51,7 +51,8 @@ tumblingLive.widget("judge", async (stage, from) => {
         };
     }
     const code = URL.createObjectURL(new Blob([`"use strict";(${work})()`], { type: "text/javascript" }));
-    const module = bytes("judge");
+    // Here, and not first in the worker: a damaged module is no fault of any record.
+    const module = await WebAssembly.compile(bytes("judge"));
 
     let worker = hire();
     let busy = false;
@@ -225,7 +226,8 @@ tumblingLive.widget("judge", async (stage, from) => {
     /** What became of them all, said. */
     function sum() {
         const count = (outcome) => records.filter(({ verdict }) => (verdict?.outcome ?? "none") === outcome).length;
-        const parts = [["passed", "passed"], ["failed", "failed"], ["nothing to judge", "with nothing to judge"], ["none", "cannot be judged"]];
+        const parts = [["passed", "passed"], ["failed", "failed"], ["nothing to judge", "with nothing to judge"],
+            ["too short to judge", "too short to judge"], ["none", "cannot be judged"]];
         say(`${records.length} records: ${parts.map(([outcome, words]) => [count(outcome), words]).filter(([n]) => n > 0).map((of) => of.join(" ")).join(", ")}.`);
     }
 

@@ -6,10 +6,11 @@ tumblingLive.judgeVerdict = (() => {
     /** Laws as the table names them, where their own name lacks a unit or cannot raise a power. */
     const NAMES = { direction: "direction of L, rad", separatrix: "2 E I₂ / L²", phase: "phase, times round" };
     const UNTOLD = { direction: "the direction of L", unit: "the quaternion’s length", consistency: "whether it turns as the spin says" };
-    const OUTCOMES = { passed: "Passed", failed: "Failed", "nothing to judge": "Nothing to judge" };
+    const OUTCOMES = { passed: "Passed", failed: "Failed", "nothing to judge": "Nothing to judge", "too short to judge": "Too short to judge" };
     const RULES = {
         "to rounding": "Every step is made by", "most steps": "Most steps, but not all, are made by",
         near: "Most like", "none fits": "None of the known rules fits. Nearest is",
+        "too few digits": "Too few digits to name the rule by its single steps. One that fits is",
     };
 
     /** An element with a text. */
@@ -92,6 +93,7 @@ tumblingLive.judgeVerdict = (() => {
         place.replaceChildren();
         const failed = verdict.outcome === "failed";
         put(place, "p", `${OUTCOMES[verdict.outcome]}: ${name}`, `live-outcome ${failed ? "live-failed" : ""}`);
+        if (verdict.reason) put(place, "p", `${verdict.reason[0].toUpperCase()}${verdict.reason.slice(1)}.`);
         const step = verdict.step ? `steps of ${digits(verdict.step)} s` : "steps of various lengths";
         put(place, "p", `${verdict.rows} rows, ${step}, judged over ${short(verdict.duration)} s; ` +
             `moments ${verdict.moments.map((moment) => Number(moment.toPrecision(6))).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);

@@ -149,7 +149,9 @@ globalThis.tumblingLive ??= (() => {
             stage.inert = false;
             box.dataset.state = "live";
         } catch (why) {
-            box.classList.remove("live-on"); // what stands there without scripts stands there again
+            box.classList.remove("live-on");
+            // Not what stands there without scripts: that tells the reader to use them.
+            box.querySelector(".live-still").textContent = `This part could not be loaded (${why.message}). Load the page again; the rest of it does without.`;
             box.dataset.state = `failed: ${why.message}`;
         }
     }

@@ -2,12 +2,13 @@
 "use strict";
 
 tumblingLive.widget("steps", async (stage, from) => {
-    const { load, module, fixed, short, draw, drawing, sayer } = tumblingLive;
+    const { load, module, fixed, raised, short, draw, drawing, sayer } = tumblingLive;
     await load(`${from}tumble.wasm.js`);
     const [methods, motion] = await Promise.all([module("steps"), module("tumble")]);
     const [method, body, start, step] = ["method", "body", "start", "step"].map((id) => stage.querySelector(`#steps-${id}`));
     const svgs = ["path", "errors"].map((what) => stage.querySelector(`[data-drawing=${what}]`));
     const wrong = stage.querySelector(".live-wrong");
+    const ran = stage.querySelector(".live-key-right");
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
 
@@ -84,7 +85,7 @@ tumblingLive.widget("steps", async (stage, from) => {
         const [from, to] = [Math.log10(UNTIL / CURVE[0]) - 0.1, Math.log10(UNTIL / CURVE.at(-1)) + 0.1];
         const x = (step) => left + (right - left) * (Math.log10(step) - from) / (to - from);
         const y = (error) => bottom - (bottom - top) * (Math.max(LEAST, Math.min(MOST, error > 0 ? Math.log10(error) : error === 0 ? LEAST : MOST)) - LEAST) / (MOST - LEAST);
-        const power = (n) => `10${Array.from(String(n), (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("")}`;
+        const power = (n) => `10${raised(n)}`;
         for (let n = LEAST; n <= MOST; n += 4) {
             draw("path", svg, { class: "live-grid", d: `M${left} ${y(10 ** n)}H${right}` });
             draw("text", svg, { x: left - 6, y: y(10 ** n) + 5, "text-anchor": "end" }, n === 0 ? "1" : power(n));
@@ -139,16 +140,24 @@ tumblingLive.widget("steps", async (stage, from) => {
     }
     function steepness() {
         const times = better();
-        return times === null ? null : Math.log2(times);
+        return times === null || tooLong() ? null : Math.log2(times);
     }
+    /** Where the errors are as large as they can be they have no slope. */
+    const tooLong = () => !(Math.max(chosen.attitude, half.attitude) < 45) || (chosen.attitude > 1 && half.attitude > chosen.attitude);
     /** As the chapter prints it. */
-    const rough = (number) => (number === 0 ? "0" : number.toExponential(0).replace("e+", "e").replace("-", "−"));
+    const rough = (number) => {
+        const [digit, power] = number.toExponential(0).split("e").map(Number);
+        return power < -2 || power > 4 ? `${digit} · 10${raised(power)}` : String(Number(number.toPrecision(1)));
+    };
     const size = (number) => (number === 0 ? "nothing" : Number.isFinite(number) ? short(number) : "more than an f64 holds");
 
     function show() {
         asked();
         const chosenStep = `${short(chosen.step)} s, ${chosen.count} steps`;
         shown("step").textContent = chosenStep;
+        const astray = chosen.reason || off(chosen);
+        ran.className = astray ? "live-key-wrong" : "live-key-right";
+        ran.textContent = astray ? "this method, astray" : "this method";
         wrong.hidden = !chosen.reason;
         const refused = chosen.reason && `refused: ${chosen.reason}${chosen.taken ? `, after ${chosen.taken} steps` : ""}`;
         wrong.textContent = refused;
@@ -156,14 +165,14 @@ tumblingLive.widget("steps", async (stage, from) => {
         put("attitude", () => (Number.isFinite(chosen.attitude) ? `${rough(chosen.attitude)}°` : "lost"));
         const times = better();
         put("better", () => (times === null ? "lost in rounding, or refused" : times < 1.5 ? "no better" : `${times < 1e4 ? fixed(times, 0) : short(times)} times better`));
-        put("slope", () => (times === null ? "none to see" : fixed(steepness(), 1)));
+        put("slope", () => (times === null ? "none to see" : tooLong() ? "none: the step is too long" : fixed(steepness(), 1)));
         put("energy", () => size(chosen.energy));
         put("length", () => size(chosen.length));
         shown("order").textContent = `${told.order}${told.implicit ? ", implicit" : ""}`;
         shown("keeps").textContent = told.keeps.join(", ") || "nothing";
         drawPath();
         drawErrors();
-        const words = chosen.reason ? refused : `Attitude off by ${rough(chosen.attitude)}°, energy by ${size(chosen.energy)}, momentum by ${size(chosen.length)}${off(chosen) ? ": it has lost its way" : ""}`;
+        const words = chosen.reason ? refused : `Attitude off by ${Number.isFinite(chosen.attitude) ? `${rough(chosen.attitude)}°` : "more than can be told"}, energy by ${size(chosen.energy)}, momentum by ${size(chosen.length)}${off(chosen) ? ": it has lost its way" : ""}`;
         step.setAttribute("aria-valuetext", `${chosenStep}. ${words}`);
         return `${told.name}, step ${chosenStep}. ${words}.`;
     }

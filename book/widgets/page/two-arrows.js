@@ -47,21 +47,32 @@ tumblingLive.widget("two-arrows", async (stage) => {
             class: name, d: `M${at(from, radius).join(" ")}A${radius} ${radius} 0 0 0 ${at(to, radius).join(" ")}`,
         });
         if (now.from > 0) arc(0, now.from, 0.28 * reach, "live-arc live-omega");
-        if (now.gap > 0) arc(now.from, now.to, 0.66 * reach, "live-arc");
+        // As long as the largest momentum of such a spin is the spin's arrow; a short one is drawn longer, so that the arc stays inside.
+        const long = Math.hypot(now.along, now.up) / now.heavy;
+        const drawn = Math.max(long, 0.5) * reach;
+        const inside = Math.min(0.66 * reach, 0.8 * drawn);
+        if (now.gap > 0) arc(now.from, now.to, inside, "live-arc live-gap");
+        if (drawn > long * reach * 1.001) {
+            draw("text", svg, { class: "live-note", x: 0.97 * width, y: 0.985 * height, "text-anchor": "end" }, "L drawn longer than to scale");
+        }
 
         const omega = at(now.from, reach);
-        const momentum = at(now.to, (reach * Math.hypot(now.along, now.up)) / now.heavy);
+        const momentum = at(now.to, drawn);
         const tip = arrow(svg, centre, momentum, "live-momentum", 6);
         arrow(svg, centre, omega, "live-omega", 3.5);
         draw("circle", svg, { class: "live-point", cx: centre[0], cy: centre[1], r: 4 });
 
-        draw("text", svg, { class: "live-omega", x: omega[0] + 8, y: omega[1] + (now.from > 60 ? -2 : now.from < 20 ? -7 : 10) }, "ω"); // low down, above the name of the axis
+        // Low down, above the name of the axis.
+        const beside = omega[1] + (now.from > 60 ? -2 : now.from < 20 ? -9 : 10);
+        draw("text", svg, { class: "live-omega", x: omega[0] + 10, y: beside }, "ω");
+        draw("text", svg, { x: omega[0] + 10, y: beside + (now.from < 20 ? -17 : 17) }, "drag");
+        draw("circle", svg, { class: "live-arc live-omega live-ring", cx: omega[0], cy: omega[1], r: 7 });
         // Beside the upright axis, L stands below what names that axis.
         const low = tip[0] < centre[0] + 40 ? Math.max(tip[1] - 8, 0.03 * height + 52) : tip[1] - 8;
         const aside = low > tip[1] - 8 || now.gap <= 12 ? 14 : 4;
         draw("text", svg, { class: "live-momentum", x: tip[0] - aside, y: low, "text-anchor": "end" }, "L");
         if (now.gap >= 8) {
-            const label = at((now.from + now.to) / 2, 0.66 * reach + 22);
+            const label = at((now.from + now.to) / 2, inside + 22);
             draw("text", svg, { class: "live-strong", x: label[0], y: label[1] + 5, "text-anchor": "middle" }, `${fixed(now.gap, 1)}°`);
         }
         const handle = draw("circle", svg, { class: "live-handle", cx: omega[0], cy: omega[1], r: 16 });

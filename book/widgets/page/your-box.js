@@ -7,9 +7,11 @@ tumblingLive.widget("your-box", async (stage) => {
     const svg = stage.querySelector("svg");
     const fields = ["a", "b", "c", "m", "x", "y", "z"].map((id) => stage.querySelector(`#your-box-${id}`));
     const wrong = stage.querySelector(".live-wrong");
+    const numbers = stage.querySelector("dl");
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
     let found = null;
+    let last = null; // the last box that was right, and its answer
 
     /** A place in the box, in its own axes, as seen from before it, a little to the right and above: x right, y away, z up. */
     const [turn, tilt] = [0.55, 0.4];
@@ -19,8 +21,8 @@ tumblingLive.widget("your-box", async (stage) => {
     ];
 
     const redraw = drawing(svg, (width) => Math.round(Math.min(0.72 * width, 360)), (width, height) => {
-        if (!found) return;
-        const values = fields.map((field) => Number(field.value));
+        if (!last) return;
+        const { values, found } = last;
         const largest = Math.max(...values.slice(0, 3));
         const half = values.slice(0, 3).map((edge) => edge / largest);
         const scale = 0.3 * height;
@@ -62,10 +64,14 @@ tumblingLive.widget("your-box", async (stage) => {
     /** Shows what the module answers now; returns it in words. */
     function show() {
         found = box.answer(0, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
+        if (found) last = { values: fields.map((field) => Number(field.value)), found };
         wrong.hidden = found !== null;
+        svg.classList.toggle("live-dim", !found);
+        numbers.style.visibility = found ? "" : "hidden";
         const empty = fields.find((field) => field.value === "");
         wrong.textContent = found ? "" : empty ? `Type a number for ${empty.getAttribute("aria-label")}.` : `${box.words()}.`;
-        const put = (what, text) => { shown(what).textContent = found ? text() : "none"; };
+        if (wrong.textContent && last) wrong.textContent += " The drawing is of the last box that was right.";
+        const put = (what, text) => { shown(what).textContent = found ? text() : ""; };
         const three = (from) => Array.from(found.slice(from, from + 3), short).join(", ");
         put("moments", () => three(0));
         put("momentum", () => three(3));
