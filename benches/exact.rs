@@ -14,17 +14,17 @@ use nalgebra::{Quaternion, Vector3};
 use ratios::Work;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Motion, rk4};
-use tumbling::{attitude, euler};
+use tumbling::step::{State, rk4};
+use tumbling::{body::attitude, dynamics::euler};
 
 fn works() -> Vec<Work> {
     let moments = Vector3::new(0.8333, 1.0833, 0.4167);
     let none = Vector3::zeros();
-    let law = move |m: &Motion<f64>| Motion {
-        attitude: attitude::rate(&m.attitude, &m.vector),
-        vector: euler::angular_acceleration(&moments, &m.vector, &none),
+    let law = move |m: &State<f64>| State {
+        attitude: attitude::rate(&m.attitude, &m.momentum),
+        momentum: euler::angular_acceleration(&moments, &m.momentum, &none),
     };
-    let mut state = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 1.0, 0.3) };
+    let mut state = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 1.0, 0.3) };
     let mut plain = [1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.3];
     let ratios = black_box([
         (moments.y - moments.z) / moments.x,

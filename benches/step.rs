@@ -14,16 +14,16 @@ mod ratios;
 use nalgebra::{Quaternion, Vector3};
 use ratios::Work;
 use std::hint::black_box;
-use tumbling::step::{Method, Motion, System, game};
+use tumbling::step::{Method, State, System, game};
 
-type Step = dyn Fn(&System<f64>, &Motion<f64>, f64) -> Motion<f64>;
+type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
 
 const H: f64 = 1.0 / 60.0;
 
 fn works() -> Vec<Work> {
     let system = System::free(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)).expect("a body");
     let vector = system.momentum(&Vector3::new(10.0, 0.1, 0.1));
-    let start = Motion { attitude: Quaternion::identity(), vector };
+    let start = State { attitude: Quaternion::identity(), momentum: vector };
     let mut works: Vec<Work> = Vec::new();
     let mut add = |name, step: Box<Step>| {
         let (system, start, mut motion) = (system.clone(), start.clone(), start.clone());

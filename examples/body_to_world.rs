@@ -3,10 +3,10 @@
 //! `cargo run --example body_to_world`
 
 use nalgebra::{UnitQuaternion, Vector3};
-use tumbling::{Body, bodies};
+use tumbling::{Body, body::named};
 
 fn main() -> Result<(), tumbling::Error> {
-    let inertia = bodies::the_box()?.inertia();
+    let inertia = named::the_box()?.inertia();
     let inverse = inertia.inverse()?; // once, in the body frame
     println!("moments in the body: {:.3?}", inertia.matrix().diagonal().as_slice());
     println!("their inverses:      {:.3?}", inverse.matrix().diagonal().as_slice());

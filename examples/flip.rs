@@ -4,12 +4,12 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
-use tumbling::stability::time_between_flips;
+use tumbling::dynamics::stability::time_between_flips;
 use tumbling::step::Engine;
-use tumbling::{Axis, Body, bodies};
+use tumbling::{Axis, Body, body::named};
 
 fn main() -> Result<(), tumbling::Error> {
-    let book = bodies::book()?.inertia();
+    let book = named::book()?.inertia();
     let axes = book.principal();
     // Two turns a second about the middle axis, and a twentieth of that about the others.
     let along = Vector3::new(0.05, 1.0, 0.05) * (2.0 * TAU);

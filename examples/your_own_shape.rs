@@ -3,8 +3,8 @@
 //! `cargo run --example your_own_shape`
 
 use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::dynamics::stability::{Stability, of_spin};
 use tumbling::solid::{Compound, Cuboid, Cylinder, MassProperties, Mesh, Solid};
-use tumbling::stability::{Stability, of_spin};
 use tumbling::{Axis, Error};
 
 fn main() -> Result<(), Error> {

@@ -1,6 +1,11 @@
 //! A body in flight: its inertia, its attitude, its angular momentum. Spin is derived.
 
-use crate::attitude;
+pub mod attitude;
+pub mod named;
+mod state;
+
+pub use state::State;
+
 use crate::error::{Error, finite_vector};
 use crate::inertia::{Inertia, InverseInertia, omega_world};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};

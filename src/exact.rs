@@ -26,6 +26,7 @@
 mod batch;
 mod circulating;
 mod elementary;
+pub mod elliptic;
 mod flips;
 mod geometry;
 mod klein;
@@ -38,10 +39,10 @@ pub use regime::Regime;
 pub use sensitivity::Sensitivity;
 
 use crate::body::Body;
+use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, finite, finite_vector};
 use crate::inertia::possible_moments;
-use crate::invariants::{Kind, classify};
-use crate::scale::times_power_of_two;
+use crate::number::power_of_two::times_power_of_two;
 use circulating::Elliptic;
 pub(crate) use elementary::{Precession, Turn, scaled};
 use flips::Clock;
@@ -218,7 +219,7 @@ impl FreeMotion {
     /// # Errors
     /// An attitude whose length is not 1 to a billionth, or that is not finite.
     pub fn facing(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let attitude = crate::attitude::checked(attitude)?;
+        let attitude = crate::body::attitude::checked(attitude)?;
         let (frame, omega) = match &self.mount {
             Some(mount) => (mount.frame, mount.omega),
             // As it is already.

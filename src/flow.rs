@@ -4,44 +4,44 @@
 //! So all the error is that of the kicks: none without a torque, however long the step; small for a weak one. It costs a new
 //! [`FreeMotion`] a step.
 
-use crate::attitude;
+use crate::body::attitude;
 use crate::error::{Error, finite};
 use crate::exact::FreeMotion;
-use crate::step::{Motion, System};
+use crate::step::{State, System};
 
 /// One step of `h` seconds: half a kick, the exact free motion, half a kick. Errors fall as `h^2`, in proportion to the
 /// torque; a step back undoes it. Keeps the attitude's length.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::step::{Motion, System, Torque};
+/// use tumbling::step::{State, System, Torque};
 /// // A free body, an hour in one step.
 /// let moments = Vector3::new(1.0, 2.0, 2.5);
 /// let free = System::free(&moments)?;
-/// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.1, 2.0, 0.3) };
+/// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
 /// let end = tumbling::flow::step(&free, &start, 3600.0)?;
-/// let energy = |motion: &Motion<f64>| 0.5 * motion.vector.dot(&free.omega(&motion.vector));
+/// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&free.omega(&motion.momentum));
 /// assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-14);
 /// // A step forth and one back, under a torque.
 /// let weight = Torque::gravity(Vector3::new(0.0, 0.0, 0.1), 3.0);
 /// let top = System::with(&moments, vec![weight])?;
 /// let there = tumbling::flow::step(&top, &start, 0.1)?;
 /// let back = tumbling::flow::step(&top, &there, -0.1)?;
-/// assert!((back.vector - start.vector).norm() < 1e-14);
+/// assert!((back.momentum - start.momentum).norm() < 1e-14);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
 /// # Errors
 /// A step that is not finite, or a motion that leaves what the [exact motion](FreeMotion::new) answers.
-pub fn step(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
+pub fn step(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     finite("the step", h)?;
     let half = 0.5 * h;
     let kicked = if system.is_free() { start.clone() } else { system.kicked(start, &half) };
-    let omega = system.omega(&kicked.vector);
+    let omega = system.omega(&kicked.momentum);
     let drift = FreeMotion::new(system.moments(), &omega)?.at(h)?;
-    let end = Motion {
+    let end = State {
         attitude: attitude::product(&kicked.attitude, &drift.attitude.into_inner()),
-        vector: system.momentum(&drift.omega),
+        momentum: system.momentum(&drift.omega),
     };
     let end = if system.is_free() { end } else { system.kicked_back(&end, &half) };
     end.whole()

@@ -3,11 +3,14 @@
 //! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
-use crate::double::{Double, difference_of_products};
+mod principal;
+
+pub use principal::{Axis, PrincipalAxes};
+
 use crate::error::{Error, finite, finite_vector, not_negative, positive};
-use crate::principal::PrincipalAxes;
-use crate::scalar::Ring;
-use crate::scale::{exponent, times_power_of_two, ulp};
+use crate::number::Ring;
+use crate::number::double_double::{Double, difference_of_products};
+use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// How many units in the last place of the largest moment count as rounding: twice what was seen when
@@ -263,7 +266,7 @@ impl Inertia {
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::attitude::matrix(attitude)?;
+        let rotation = crate::body::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
         let tensor = evened(&turned(&rotation, &self.tensor));
         in_range("a turned moment", &tensor)?;
@@ -330,7 +333,7 @@ impl InverseInertia {
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::attitude::matrix(attitude)?;
+        let rotation = crate::body::attitude::matrix(attitude)?;
         let matrix = evened(&turned(&rotation, &self.matrix));
         in_range("an inverse moment", &matrix)?;
         Ok(Self { matrix })

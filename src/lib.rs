@@ -7,7 +7,7 @@
 //! ```
 //! use nalgebra::{UnitQuaternion, Vector3};
 //! use tumbling::solid::{Cuboid, Solid};
-//! use tumbling::{Body, observe::sign_changes, step::Engine};
+//! use tumbling::{Body, dynamics::observe::sign_changes, step::Engine};
 //!
 //! // A box of 2 x 1 x 3 m and 1 kg, spun halfway between two of its edges.
 //! let inertia = Cuboid::new(2.0, 1.0, 3.0)?.with_mass(1.0)?.inertia();
@@ -26,12 +26,12 @@
 //!
 //! Data flows one way, and each stop is a module or a type:
 //!
-//! - [`solid`]: a shape and a mass give [`MassProperties`]: mass, centre, tensor. [`bodies`] has ready ones.
-//! - [`Inertia`]: apply, invert once, shift, turn to the world, measure the gap. [`PrincipalAxes`] follow from it.
-//! - [`Body`]: inertia, attitude and angular momentum; the spin is derived.
-//! - [`euler`]: the equations of motion. [`stability`]: what becomes of a small push.
+//! - [`solid`]: a shape and a mass give [`MassProperties`]: mass, centre, tensor.
+//! - [`inertia`]: the tensor: apply, invert once, shift, turn to the world. [`PrincipalAxes`] follow from it.
+//! - [`body`]: inertia, attitude and angular momentum; the spin is derived. [`body::named`] has ready ones.
+//! - [`dynamics`]: Euler's equations, stability, what to read off a motion.
 //! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong. [`flow`]: exact flow between
-//!   kicks of torque. [`observe`]: what to read off the motion.
+//!   kicks of torque.
 //! - [`scene`]: what is asked of which bodies, answered in the cheapest way that is accurate enough.
 //!
 //! # Conventions
@@ -41,9 +41,9 @@
 //!
 //! # Many kinds of number
 //!
-//! The laws ([`euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in [`solid`]) are generic
-//! over [`scalar::Ring`] or [`scalar::Field`]: the same functions run on `f64`, on exact rationals, on dual numbers, or on
-//! numbers that [count](counted) what a formula costs.
+//! The laws ([`dynamics::euler`], [`inertia::turned`], [`body::attitude::rate`], [`step::rk4`], the moments in [`solid`]) are generic
+//! over [`number::Ring`] or [`number::Field`]: the same functions run on `f64`, on exact rationals, on dual numbers, or on
+//! numbers that [count](number::counted) what a formula costs.
 //!
 //! # Errors
 //!
@@ -55,32 +55,20 @@
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-pub mod attitude;
-pub mod bodies;
-pub mod counted;
-pub mod elliptic;
-pub mod euler;
+pub mod body;
+pub mod dynamics;
 pub mod exact;
 pub mod flow;
 pub mod inertia;
-pub mod observe;
+pub mod number;
 pub mod references;
-pub mod scalar;
 pub mod scene;
 pub mod solid;
-pub mod stability;
 pub mod step;
 
-mod body;
-mod double;
 mod error;
-mod invariants;
-mod principal;
-mod scale;
-mod wide;
 
-pub use body::Body;
+pub use body::{Body, State};
 pub use error::Error;
-pub use inertia::{Inertia, InverseInertia};
-pub use principal::{Axis, PrincipalAxes};
+pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes};
 pub use solid::{MassProperties, Solid};

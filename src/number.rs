@@ -2,11 +2,15 @@
 //!
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials
 //! and over [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64`
-//! and `f32`, exact rationals, dual numbers, or the counting number [`Counted`](crate::counted::Counted).
+//! and `f32`, exact rationals, dual numbers, or the counting number [`Counted`](crate::number::counted::Counted).
 //! Whatever branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64` side
 //! by side.
 
+pub mod counted;
+pub(crate) mod double_double;
+pub(crate) mod extended;
 mod lane;
+pub(crate) mod power_of_two;
 
 pub use lane::Lane;
 pub(crate) use lane::gathered;
@@ -18,7 +22,7 @@ use std::ops::Neg;
 /// A commutative ring: add, subtract, multiply, with 0 and 1. Implemented for every type that can.
 ///
 /// ```
-/// use tumbling::scalar::Ring;
+/// use tumbling::number::Ring;
 /// assert_eq!(f64::integer(12), 12.0);
 /// assert_eq!(f32::integer(0), 0.0);
 /// ```
@@ -68,7 +72,7 @@ pub trait Analytic: Field {
     /// turns to quaternions needs.
     ///
     /// ```
-    /// use tumbling::scalar::Analytic;
+    /// use tumbling::number::Analytic;
     /// let (cosine, sinc) = 4.0_f64.cos_sinc_of_root();
     /// assert_eq!((cosine, sinc), (2.0_f64.cos(), 2.0_f64.sin() / 2.0));
     /// assert_eq!(0.0_f64.cos_sinc_of_root(), (1.0, 1.0));

@@ -38,9 +38,9 @@ mod states;
 pub use cost::Cost;
 pub use plan::{Driven, Plan, Way};
 pub use polhode::Polhode;
-pub use states::{State, States};
+pub use states::{Answer, States};
 
-use crate::attitude;
+use crate::body::attitude;
 use crate::error::{Error, finite, finite_vector, not_negative, positive};
 use crate::inertia::{Inertia, possible_moments};
 use crate::step::Torque;
@@ -415,7 +415,7 @@ impl Scene {
 
     /// Answers all of it, body by body and one after the other (the crate `tumbling-scenes` has many side by side): `take` is given the number of each body and its states in order, or what is wrong with it, after which
     /// the next is answered.
-    pub fn run(&self, mut take: impl FnMut(usize, Result<State, Error>)) {
+    pub fn run(&self, mut take: impl FnMut(usize, Result<Answer, Error>)) {
         for index in 0..self.bodies.len() {
             match self.plan(index) {
                 Ok(plan) => plan.states().for_each(|state| take(index, state)),

@@ -51,8 +51,8 @@ pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
 pub use tube::{Tube, tube_moments};
 
 use crate::error::{Error, positive};
-use crate::scalar::Ring;
-use crate::wide::Wide;
+use crate::number::Ring;
+use crate::number::extended::Wide;
 use nalgebra::{Matrix3, Vector3};
 
 /// A shape filled evenly with mass.

@@ -6,7 +6,7 @@ use common::*;
 use proptest::prelude::*;
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_2;
-use tumbling::elliptic::{Jacobi, carlson_rf};
+use tumbling::exact::elliptic::{Jacobi, carlson_rf};
 
 /// Half a unit in the last place, relative: the rounding of one number.
 const ROUNDING: f64 = f64::EPSILON / 2.0;

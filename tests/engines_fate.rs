@@ -6,9 +6,9 @@ use common::record::{H, Record};
 use common::{attitude, generic_spin};
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::attitude::rotation_matrix;
+use tumbling::body::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion, PHYSICS_ENGINES, System};
+use tumbling::step::{Method, PHYSICS_ENGINES, State, System};
 
 /// The rules of physics engines.
 const RULES: [Method; 8] = [
@@ -22,23 +22,23 @@ const RULES: [Method; 8] = [
     Method::TurnedRungeKutta4,
 ];
 
-fn energy(system: &System<f64>, motion: &Motion<f64>) -> f64 {
-    motion.vector.dot(&system.omega(&motion.vector)) / 2.0
+fn energy(system: &System<f64>, motion: &State<f64>) -> f64 {
+    motion.momentum.dot(&system.omega(&motion.momentum)) / 2.0
 }
 
-fn world(motion: &Motion<f64>) -> Vector3<f64> {
-    rotation_matrix(&motion.attitude) * motion.vector
+fn world(motion: &State<f64>) -> Vector3<f64> {
+    rotation_matrix(&motion.attitude) * motion.momentum
 }
 
 /// What became of a body: energy and `|L|` beside those at the start, and `2 E I2 / L^2`, which is `I2/I3` for a body that spins about
 /// its largest moment, `I2/I1` about its smallest, and 1 where it flips.
-fn fate(system: &System<f64>, start: &Motion<f64>, end: &Motion<f64>) -> [f64; 3] {
+fn fate(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 3] {
     let mut moments = *system.moments();
     moments.as_mut_slice().sort_by(f64::total_cmp);
     [
         energy(system, end) / energy(system, start),
-        end.vector.norm() / start.vector.norm(),
-        2.0 * energy(system, end) * moments.y / end.vector.norm_squared(),
+        end.momentum.norm() / start.momentum.norm(),
+        2.0 * energy(system, end) * moments.y / end.momentum.norm_squared(),
     ]
 }
 
@@ -81,7 +81,7 @@ fn the_fates_of_the_recorded_bodies_are_the_fates_by_the_rules() {
         assert_eq!(last.step, 1200);
         let start = record.motion(first);
         let recorded = fate(&record.system, &start, &record.motion(last));
-        let turned = |motion: &Motion<f64>| world(&start).angle(&world(motion)).to_degrees();
+        let turned = |motion: &State<f64>| world(&start).angle(&world(motion)).to_degrees();
         let most = record.rows.iter().map(|row| turned(&record.motion(row))).fold(0.0, f64::max);
         let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 4e-4;
         assert!((0..3).all(|k| near(recorded[k], expected[k])), "{name} {story} {recorded:?}");
@@ -93,7 +93,7 @@ fn the_fates_of_the_recorded_bodies_are_the_fates_by_the_rules() {
         let (mut motion, mut signs, mut most) = (start.clone(), vec![first.omega[main]], 0.0_f64);
         for _ in 0..1200 {
             motion = engine.step(&record.system, &motion, H).unwrap();
-            signs.push(motion.vector[main]);
+            signs.push(motion.momentum[main]);
             most = most.max(turned(&motion));
         }
         let ours = fate(&record.system, &start, &motion);
@@ -167,7 +167,7 @@ fn one_newton_step_of_implicit_euler_can_multiply_the_energy_of_a_fast_body_and_
 fn one_newton_step_of_implicit_euler_can_add_energy_to_a_rod_that_turns_by_an_eighth_of_a_radian() {
     let system = System::free(&Vector3::new(0.61281739, 0.00620431, 0.61012591)).unwrap();
     let omega = Vector3::new(0.79206796, 0.00766532, -0.61038478);
-    let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let end = Method::OneNewton.step(&system, &start, &0.1316947).unwrap();
     // By MuJoCo 4.0.0 itself, implicitfast: 4.17863e-6.
     let gain = energy(&system, &end) / energy(&system, &start) - 1.0;
@@ -175,18 +175,18 @@ fn one_newton_step_of_implicit_euler_can_add_energy_to_a_rod_that_turns_by_an_ei
 }
 
 /// Bodies with three well different moments, turned and spun every way.
-fn body() -> impl Strategy<Value = (System<f64>, Motion<f64>)> {
+fn body() -> impl Strategy<Value = (System<f64>, State<f64>)> {
     ((0.1..0.3, 0.4..0.6, 0.7..1.0), attitude(), generic_spin()).prop_map(|(half, q, omega)| {
         let (x, y, z): (f64, f64, f64) = half;
         let moments = Vector3::new(y + z, z + x, x + y);
         let vector = moments.component_mul(&omega);
-        (System::free(&moments).unwrap(), Motion { attitude: q.into_inner(), vector })
+        (System::free(&moments).unwrap(), State { attitude: q.into_inner(), momentum: vector })
     })
 }
 
 /// By how much a run of 50 steps of 0.3 s breaks energy, `|L|`, `L` in the world, the attitude's length; and a step there and back,
 /// the state.
-fn broken(method: Method, system: &System<f64>, start: &Motion<f64>) -> [f64; 5] {
+fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] {
     let h = 0.3;
     let mut most = [0.0_f64; 5];
     let mut motion = start.clone();
@@ -195,10 +195,10 @@ fn broken(method: Method, system: &System<f64>, start: &Motion<f64>) -> [f64; 5]
         let back = method.step(system, &next, &-h).unwrap();
         let found = [
             energy(system, &next) / energy(system, start) - 1.0,
-            next.vector.norm() / start.vector.norm() - 1.0,
-            (world(&next) - world(start)).norm() / start.vector.norm(),
+            next.momentum.norm() / start.momentum.norm() - 1.0,
+            (world(&next) - world(start)).norm() / start.momentum.norm(),
             next.attitude.norm() - 1.0,
-            (back.vector - motion.vector).norm() / start.vector.norm()
+            (back.momentum - motion.momentum).norm() / start.momentum.norm()
                 + (back.attitude - motion.attitude).norm(),
         ];
         most = std::array::from_fn(|k| most[k].max(found[k].abs()));
@@ -226,11 +226,11 @@ proptest! {
     #[test]
     fn every_explicit_gyroscopic_step_adds_energy_and_momentum((system, start) in body(), h in 0.01..3.0_f64) {
         let end = Method::SemiImplicitEuler.step(&system, &start, &h).unwrap();
-        let rate = system.rate(&start).vector;
+        let rate = system.rate(&start).momentum;
         let gain = h * h * rate.dot(&system.omega(&rate)) / 2.0;
         prop_assert!((energy(&system, &end) - energy(&system, &start) - gain).abs() < 1e-13 * energy(&system, &end));
-        let longer = end.vector.norm_squared() - start.vector.norm_squared() - (h * rate).norm_squared();
-        prop_assert!(longer.abs() < 1e-13 * end.vector.norm_squared());
+        let longer = end.momentum.norm_squared() - start.momentum.norm_squared() - (h * rate).norm_squared();
+        prop_assert!(longer.abs() < 1e-13 * end.momentum.norm_squared());
     }
 
     #[test]
@@ -242,14 +242,14 @@ proptest! {
     #[test]
     fn a_body_without_gyroscopic_term_never_flips(q in attitude(), push in 1e-3..0.1_f64) {
         let system = System::free(&Vector3::new(1.0, 2.0, 3.0)).unwrap();
-        let start = Motion { attitude: q.into_inner(), vector: system.momentum(&Vector3::new(push, 10.0, push)) };
+        let start = State { attitude: q.into_inner(), momentum: system.momentum(&Vector3::new(push, 10.0, push)) };
         let mut motion = start.clone();
         for _ in 0..600 {
             motion = Method::ConstantSpin.step(&system, &motion, &H).unwrap();
         }
-        prop_assert!((system.omega(&motion.vector) - system.omega(&start.vector)).norm() < 1e-13);
+        prop_assert!((system.omega(&motion.momentum) - system.omega(&start.momentum)).norm() < 1e-13);
         // The exact one flips within these 10 s.
-        let exact = FreeMotion::new(system.moments(), &system.omega(&start.vector)).unwrap();
+        let exact = FreeMotion::new(system.moments(), &system.omega(&start.momentum)).unwrap();
         prop_assert!(exact.flips(0.0, 10.0).unwrap().count() > 0);
     }
 }

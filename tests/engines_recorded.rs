@@ -5,7 +5,7 @@ mod common;
 use common::record::{H, Record};
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::step::{Limits, Method, Motion, PHYSICS_ENGINES, PhysicsEngine, System, Torque};
+use tumbling::step::{Limits, Method, PHYSICS_ENGINES, PhysicsEngine, State, System, Torque};
 
 /// Free motions of 20 s.
 const STORIES: [&str; 4] = ["box-middle", "major", "middle", "minor"];
@@ -41,9 +41,9 @@ fn attitudes_apart(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
 
 /// The errors of one step: of the spin beside the larger of its values before and after, of the attitude beside the angle turned
 /// where that is over 1, since its own rounding is as large.
-fn errors(engine: &PhysicsEngine, system: &System<f64>, ends: [&Motion<f64>; 2], before: f64) -> [f64; 2] {
+fn errors(engine: &PhysicsEngine, system: &System<f64>, ends: [&State<f64>; 2], before: f64) -> [f64; 2] {
     let [ours, theirs] = ends;
-    let omega = [ours, theirs].map(|motion| system.omega(&motion.vector));
+    let omega = [ours, theirs].map(|motion| system.omega(&motion.momentum));
     let speed = omega[1].norm();
     let angle = if engine.limits.turn.is_some() { 1.0 } else { (speed * H).max(1.0) };
     [
@@ -61,7 +61,7 @@ fn one_step(engine: &PhysicsEngine, record: &Record) -> (f64, usize) {
         }
         let start = record.motion(from);
         let end = engine.step(&record.system, &start, H).unwrap();
-        let apart = |motion: &Motion<f64>| {
+        let apart = |motion: &State<f64>| {
             let [spin, turn] = errors(engine, &record.system, [&end, motion], from.omega.norm());
             spin.max(turn) / f64::EPSILON
         };
@@ -69,8 +69,8 @@ fn one_step(engine: &PhysicsEngine, record: &Record) -> (f64, usize) {
         // units off, one way or another, the record may be off too.
         let four = 4.0 * f64::EPSILON;
         let jolted = [[1.0, 1.0, 1.0], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]].map(|signs| {
-            let vector = start.vector.component_mul(&Vector3::from(signs.map(|sign| 1.0 + four * sign)));
-            apart(&engine.step(&record.system, &Motion { vector, ..start.clone() }, H).unwrap())
+            let vector = start.momentum.component_mul(&Vector3::from(signs.map(|sign| 1.0 + four * sign)));
+            apart(&engine.step(&record.system, &State { momentum: vector, ..start.clone() }, H).unwrap())
         });
         let excess = apart(&record.motion(to)) - jolted.into_iter().fold(0.0, f64::max);
         worst = worst.max(excess);
@@ -157,8 +157,8 @@ fn followed(engine: &PhysicsEngine, record: &Record) -> Vec<(usize, f64, f64)> {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         if seed >> 63 == 1 { 1.0 + 8.0 * f64::EPSILON } else { 1.0 - 8.0 * f64::EPSILON }
     };
-    let apart = |a: &Motion<f64>, b: &Motion<f64>| {
-        let spin = (a.vector - b.vector).norm() / a.vector.norm().max(f64::MIN_POSITIVE);
+    let apart = |a: &State<f64>, b: &State<f64>| {
+        let spin = (a.momentum - b.momentum).norm() / a.momentum.norm().max(f64::MIN_POSITIVE);
         spin.max(attitudes_apart(&a.attitude, &b.attitude))
     };
     let mut result = Vec::new();
@@ -169,7 +169,7 @@ fn followed(engine: &PhysicsEngine, record: &Record) -> Vec<(usize, f64, f64)> {
             let Ok(next) = engine.step(&record.system, &ours, H) else { return result };
             ours = next;
             for motion in &mut jolted {
-                motion.vector.apply(|x| *x *= noise());
+                motion.momentum.apply(|x| *x *= noise());
                 motion.attitude.coords.apply(|x| *x *= noise());
                 let Ok(next) = engine.step(&record.system, motion, H) else { return result };
                 *motion = next;
@@ -215,10 +215,10 @@ fn whole_runs_follow_the_records_as_far_as_rounding_lets_any_run_follow() {
     }
 }
 
-fn body() -> impl Strategy<Value = (Vector3<f64>, Motion<f64>)> {
+fn body() -> impl Strategy<Value = (Vector3<f64>, State<f64>)> {
     (common::moments(), common::attitude(), common::generic_spin()).prop_map(|(moments, q, omega)| {
         let vector = moments.component_mul(&omega);
-        (moments, Motion { attitude: q.into_inner(), vector })
+        (moments, State { attitude: q.into_inner(), momentum: vector })
     })
 }
 
@@ -231,9 +231,9 @@ proptest! {
             [Method::OneNewton, Method::LinearisedImplicit].map(|method| method.step(system, &start, &H).unwrap())
         };
         let [a, b] = both(&system);
-        prop_assert!((a.vector - b.vector).norm() <= 8.0 * f64::EPSILON * start.vector.norm());
+        prop_assert!((a.momentum - b.momentum).norm() <= 8.0 * f64::EPSILON * start.momentum.norm());
         let pushed = System::with(&moments, vec![Torque::InBody(Vector3::new(1.0, 2.0, -1.0))]).unwrap();
         let [a, b] = both(&pushed);
-        prop_assert!((a.vector - b.vector).norm() > 1e-6);
+        prop_assert!((a.momentum - b.momentum).norm() > 1e-6);
     }
 }

@@ -6,8 +6,8 @@ use common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use serde_json::Value;
+use tumbling::dynamics::stability::time_between_flips;
 use tumbling::exact::{FreeMotion, Instant, Regime};
-use tumbling::stability::time_between_flips;
 use tumbling::{Axis, Body, Error, Inertia};
 
 /// The rounding of one input, relative.
@@ -103,13 +103,13 @@ proptest! {
         let h = 1e-4;
         let [before, at, after] = [t - h, t, t + h].map(|t| motion.at(t).unwrap());
         let slope = (after.omega - before.omega) / (2.0 * h);
-        let law = tumbling::euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
+        let law = tumbling::dynamics::euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
         let fast = 1.0 + at.omega.norm().powi(3);
         prop_assert!((slope - law).norm() < 1e-5 * fast, "{slope} {law}");
         let sign = if before.attitude.coords.dot(&after.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
         let turn = (after.attitude.coords * sign - before.attitude.coords) / (2.0 * h);
         let sign = if sign * before.attitude.coords.dot(&at.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
-        let rate: Quaternion<f64> = tumbling::attitude::rate(at.attitude.quaternion(), &at.omega);
+        let rate: Quaternion<f64> = tumbling::body::attitude::rate(at.attitude.quaternion(), &at.omega);
         let off = (turn - rate.coords * sign).norm().min((turn + rate.coords * sign).norm());
         prop_assert!(off < 1e-5 * fast, "{off:e}");
     }

@@ -5,8 +5,8 @@ mod common;
 use common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::step::{Engine, Motion, rk4};
-use tumbling::{Body, Inertia, attitude, euler, observe};
+use tumbling::step::{Engine, State, rk4};
+use tumbling::{Body, Inertia, body::attitude, dynamics::euler, dynamics::observe};
 
 proptest! {
     #[test]
@@ -103,11 +103,11 @@ fn the_plain_stepper_converges_at_fourth_order_to_the_closed_form() {
 #[test]
 fn one_step_of_a_steady_spin_is_the_exponential_series_to_fourth_order_and_no_further() {
     let spin = Vector3::new(0.6, -0.3, 0.5);
-    let law = |m: &Motion<f64>| Motion {
-        attitude: attitude::rate(&m.attitude, &m.vector),
-        vector: Vector3::zeros(),
+    let law = |m: &State<f64>| State {
+        attitude: attitude::rate(&m.attitude, &m.momentum),
+        momentum: Vector3::zeros(),
     };
-    let start = Motion { attitude: Quaternion::identity(), vector: spin };
+    let start = State { attitude: Quaternion::identity(), momentum: spin };
     let error = |h: f64| {
         let stepped = rk4(&start, &h, law).attitude;
         let exact = UnitQuaternion::from_scaled_axis(spin * h).into_inner();

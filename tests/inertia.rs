@@ -143,11 +143,11 @@ proptest! {
                 }
             }
         }
-        let _ = tumbling::stability::time_between_flips(&m, &v);
+        let _ = tumbling::dynamics::stability::time_between_flips(&m, &v);
         for axis in tumbling::Axis::ALL {
-            let _ = tumbling::stability::of_spin(m.into(), axis, mass);
+            let _ = tumbling::dynamics::stability::of_spin(m.into(), axis, mass);
         }
-        let _ = tumbling::observe::sign_changes([(m.x, v.x), (m.y, v.y), (m.z, v.z)]);
+        let _ = tumbling::dynamics::observe::sign_changes([(m.x, v.x), (m.y, v.y), (m.z, v.z)]);
     }
 
     #[test]

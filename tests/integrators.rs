@@ -7,22 +7,22 @@ use common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion, System, controlled};
+use tumbling::step::{Method, State, System, controlled};
 
-fn start(system: &System<f64>, omega: &Vector3<f64>) -> Motion<f64> {
-    Motion { attitude: Quaternion::identity(), vector: system.momentum(omega) }
+fn start(system: &System<f64>, omega: &Vector3<f64>) -> State<f64> {
+    State { attitude: Quaternion::identity(), momentum: system.momentum(omega) }
 }
 
-fn run(method: Method, system: &System<f64>, from: &Motion<f64>, h: f64, count: usize) -> Motion<f64> {
+fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: usize) -> State<f64> {
     (0..count).fold(from.clone(), |motion, _| method.step(system, &motion, &h).unwrap())
 }
 
-fn energy(system: &System<f64>, motion: &Motion<f64>) -> f64 {
-    0.5 * motion.vector.dot(&system.omega(&motion.vector))
+fn energy(system: &System<f64>, motion: &State<f64>) -> f64 {
+    0.5 * motion.momentum.dot(&system.omega(&motion.momentum))
 }
 
-fn in_world(motion: &Motion<f64>) -> Vector3<f64> {
-    tumbling::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.vector
+fn in_world(motion: &State<f64>) -> Vector3<f64> {
+    tumbling::body::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.momentum
 }
 
 /// Errors of spin (relative) and attitude at `t`.
@@ -30,7 +30,7 @@ fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, c
     let system = System::free(moments).unwrap();
     let end = run(method, &system, &start(&system, omega), t / count as f64, count);
     let truth = FreeMotion::new(moments, omega).unwrap().at(t).unwrap();
-    let spin = (system.omega(&end.vector) - truth.omega).norm() / omega.norm();
+    let spin = (system.omega(&end.momentum) - truth.omega).norm() / omega.norm();
     let q = truth.attitude.coords;
     spin.max((end.attitude.coords - q).norm().min((end.attitude.coords + q).norm()))
 }
@@ -66,10 +66,10 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
         let mut motion = from.clone();
         for _ in 0..count {
             motion = method.step(&system, &motion, &h).unwrap();
-            let l = from.vector.norm();
+            let l = from.momentum.norm();
             let found = [
                 energy(&system, &motion) / energy(&system, &from) - 1.0,
-                motion.vector.norm() / l - 1.0,
+                motion.momentum.norm() / l - 1.0,
                 (in_world(&motion) - in_world(&from)).norm() / l,
                 motion.attitude.norm() - 1.0,
             ];
@@ -88,7 +88,8 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
         }
         let there = run(method, &system, &from, h, 20);
         let back = run(method, &system, &there, -h, 20);
-        let off = (back.vector - from.vector).norm() + (back.attitude.coords - from.attitude.coords).norm();
+        let off =
+            (back.momentum - from.momentum).norm() + (back.attitude.coords - from.attitude.coords).norm();
         assert_eq!(off < 1e-12, keeps.reversible, "{method:?}: the way back off by {off:e}");
     }
 }
@@ -100,13 +101,14 @@ fn single_precision_runs_the_same_methods() {
     let double = System::free(&moments.cast()).unwrap();
     let omega = Vector3::new(0.5, 1.0, -0.25);
     for &method in Method::ALL {
-        let mut a = Motion { attitude: Quaternion::identity(), vector: single.momentum(&omega) };
+        let mut a = State { attitude: Quaternion::identity(), momentum: single.momentum(&omega) };
         let mut b = start(&double, &omega.cast());
         for _ in 0..100 {
             a = method.step(&single, &a, &0.0625).unwrap();
             b = method.step(&double, &b, &0.0625).unwrap();
         }
-        let off = (a.vector.cast() - b.vector).norm() + (a.attitude.cast().coords - b.attitude.coords).norm();
+        let off =
+            (a.momentum.cast() - b.momentum).norm() + (a.attitude.cast().coords - b.attitude.coords).norm();
         assert!(off < 1e-4, "{method:?} {off}");
     }
 }
@@ -137,12 +139,12 @@ proptest! {
 
     #[test]
     fn no_input_makes_a_method_panic(moments in any_vector(), momentum in any_vector(), q in [anything(), anything(), anything(), anything()], h in anything()) {
-        let from = Motion { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), vector: momentum };
+        let from = State { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), momentum: momentum };
         // Also numbers that the constructor refuses.
         for system in [System::free(&moments).ok(), Some(System::of_numbers(moments, Vec::new()))].into_iter().flatten() {
             for &method in Method::ALL {
                 if let Ok(end) = method.step(&system, &from, &h) {
-                    prop_assert!(end.attitude.coords.iter().chain(&end.vector).all(|x| x.is_finite()), "{method:?} {end:?}");
+                    prop_assert!(end.attitude.coords.iter().chain(&end.momentum).all(|x| x.is_finite()), "{method:?} {end:?}");
                 }
             }
             let _ = tumbling::flow::step(&system, &from, h);
@@ -159,7 +161,8 @@ fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
         // A step that turns it by a hundredth of a radian, and one in which it does not move.
         assert!(method.step(&system, &slow, &1e160).is_err(), "{method:?}");
         let end = method.step(&system, &slow, &0.01).unwrap();
-        let moved = (end.attitude.coords - slow.attitude.coords).norm() + (end.vector - slow.vector).norm();
+        let moved =
+            (end.attitude.coords - slow.attitude.coords).norm() + (end.momentum - slow.momentum).norm();
         assert!(moved < 1e-160, "{method:?}: {moved:e}");
     }
     assert!(controlled(&system, &slow, 1e162, 1e-10).is_err());
@@ -171,7 +174,7 @@ fn a_game_steps_a_needle_in_as_many_parts_as_it_turns_and_no_more() {
     let system = System::free(&Vector3::new(1e-8, 1.0, 1.0)).unwrap();
     let from = start(&system, &Vector3::new(0.0, 6.0, 0.6));
     let end = tumbling::step::game(&system, &from, 1.0 / 60.0).unwrap();
-    assert!((end.vector.norm() / from.vector.norm() - 1.0).abs() < 1e-14);
+    assert!((end.momentum.norm() / from.momentum.norm() - 1.0).abs() < 1e-14);
 }
 
 #[test]
@@ -182,7 +185,7 @@ fn buss_augments_the_mean_spin_by_a_twelfth() {
     let omega = Vector3::new(0.9, 1.1, -0.7);
     let system = System::free(&moments).unwrap();
     let none = Vector3::zeros();
-    let rate = |w: &Vector3<f64>| tumbling::euler::angular_acceleration(&moments, w, &none);
+    let rate = |w: &Vector3<f64>| tumbling::dynamics::euler::angular_acceleration(&moments, w, &none);
     let e = 1e-4;
     let second = (rate(&(omega + rate(&omega) * e)) - rate(&(omega - rate(&omega) * e))) / (2.0 * e);
     // In the axes of the start the spin changes by w'' + w' x w, turned along with the body.

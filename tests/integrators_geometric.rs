@@ -7,9 +7,9 @@ use common::{any_vector, anything, attitude, generic_spin, moments};
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::Error;
-use tumbling::bodies;
+use tumbling::body::named;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion, System, Torque, controlled, game};
+use tumbling::step::{Method, State, System, Torque, controlled, game};
 
 const GEOMETRIC: [Method; 12] = [
     Method::ImplicitMidpoint,
@@ -26,26 +26,26 @@ const GEOMETRIC: [Method; 12] = [
     Method::MoserVeselov10,
 ];
 
-fn energy(system: &System<f64>, motion: &Motion<f64>) -> f64 {
-    0.5 * motion.vector.dot(&system.omega(&motion.vector))
+fn energy(system: &System<f64>, motion: &State<f64>) -> f64 {
+    0.5 * motion.momentum.dot(&system.omega(&motion.momentum))
 }
 
-fn in_world(motion: &Motion<f64>) -> Vector3<f64> {
-    tumbling::attitude::rotation_matrix(&motion.attitude) * motion.vector
+fn in_world(motion: &State<f64>) -> Vector3<f64> {
+    tumbling::body::attitude::rotation_matrix(&motion.attitude) * motion.momentum
 }
 
 /// How far apart two motions are, attitude and momentum each by its own size.
-fn apart(a: &Motion<f64>, b: &Motion<f64>) -> f64 {
-    (a.attitude.coords - b.attitude.coords).norm() + (a.vector - b.vector).norm() / b.vector.norm()
+fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
+    (a.attitude.coords - b.attitude.coords).norm() + (a.momentum - b.momentum).norm() / b.momentum.norm()
 }
 
 /// Energy, momentum, its direction and the attitude's length: how far each has moved, of one.
-fn changes(system: &System<f64>, start: &Motion<f64>, end: &Motion<f64>) -> [f64; 4] {
+fn changes(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 4] {
     let relative = |x: f64, y: f64| (x / y - 1.0).abs();
     [
         relative(energy(system, end), energy(system, start)),
-        relative(end.vector.norm(), start.vector.norm()),
-        (in_world(end) - in_world(start)).norm() / start.vector.norm(),
+        relative(end.momentum.norm(), start.momentum.norm()),
+        (in_world(end) - in_world(start)).norm() / start.momentum.norm(),
         relative(end.attitude.norm(), start.attitude.norm()),
     ]
 }
@@ -53,10 +53,10 @@ fn changes(system: &System<f64>, start: &Motion<f64>, end: &Motion<f64>) -> [f64
 fn run(
     method: Method,
     system: &System<f64>,
-    start: &Motion<f64>,
+    start: &State<f64>,
     h: f64,
     count: usize,
-) -> Result<Motion<f64>, Error> {
+) -> Result<State<f64>, Error> {
     (0..count).try_fold(start.clone(), |motion, _| method.step(system, &motion, &h))
 }
 
@@ -72,7 +72,7 @@ proptest! {
         h in 0.02..0.2,
     ) {
         let system = System::free(&moments)?;
-        let start = Motion { attitude: *attitude.quaternion(), vector: system.momentum(&omega) };
+        let start = State { attitude: *attitude.quaternion(), momentum: system.momentum(&omega) };
         // Energy weighs the momentum by moments that differ; roundings of momentum count by as much.
         let bound = 100.0 * 16.0 * f64::EPSILON * moments.max() / moments.min();
         for method in GEOMETRIC {
@@ -102,8 +102,8 @@ proptest! {
         let torques = if driven { vec![Torque::InWorld(torque), Torque::Damping(torque.abs())] } else { Vec::new() };
         let sound = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
         for system in [System::with(&moments, torques).unwrap_or(sound.clone()), sound] {
-            let start = Motion { attitude: Quaternion::new(w, x, y, z), vector: momentum };
-            let finite = |motion: Motion<f64>| motion.attitude.coords.iter().chain(&motion.vector).all(|x| x.is_finite());
+            let start = State { attitude: Quaternion::new(w, x, y, z), momentum: momentum };
+            let finite = |motion: State<f64>| motion.attitude.coords.iter().chain(&motion.momentum).all(|x| x.is_finite());
             for method in GEOMETRIC {
                 prop_assert!(method.step(&system, &start, &h).map_or(true, finite), "{method:?}");
             }
@@ -116,7 +116,7 @@ proptest! {
 fn laws_that_are_said_to_be_broken_are_broken_by_far_more_than_rounding() {
     let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
     let start =
-        Motion { attitude: Quaternion::identity(), vector: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+        State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
     for method in GEOMETRIC {
         let keeps = method.about().keeps;
         let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
@@ -139,7 +139,7 @@ fn laws_that_are_said_to_be_broken_are_broken_by_far_more_than_rounding() {
 fn the_energy_of_the_splittings_swings_and_does_not_grow() {
     let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
     let start =
-        Motion { attitude: Quaternion::identity(), vector: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+        State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
     for method in
         [Method::ThreeRotations2, Method::ThreeRotations4, Method::ThreeRotations6, Method::SymmetricTop]
     {
@@ -157,8 +157,8 @@ fn the_energy_of_the_splittings_swings_and_does_not_grow() {
 /// The error after one second at two steps, the second half the first: its ratio is two to the power of the order.
 fn order_of(
     method: Method,
-    error: impl Fn(&Motion<f64>) -> f64,
-    end: impl Fn(f64, usize) -> Motion<f64>,
+    error: impl Fn(&State<f64>) -> f64,
+    end: impl Fn(f64, usize) -> State<f64>,
     n: usize,
 ) -> f64 {
     let errors = [n, 2 * n].map(|n| error(&end(1.0 / n as f64, n)));
@@ -171,9 +171,9 @@ fn errors_of_free_motion_fall_with_the_order_in_floating_point_too() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let omega = Vector3::new(1.0, 1.5, -0.8);
     let system = System::free(&moments).unwrap();
-    let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let truth = FreeMotion::new(&moments, &omega).unwrap().at(1.0).unwrap();
-    let truth = Motion { attitude: truth.attitude.into_inner(), vector: system.momentum(&truth.omega) };
+    let truth = State { attitude: truth.attitude.into_inner(), momentum: system.momentum(&truth.omega) };
     for method in GEOMETRIC {
         // The higher the order, the coarser the steps that still show it above rounding.
         let n = match method.about().order {
@@ -201,7 +201,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
     ];
     let system = System::with(&Vector3::new(1.0, 2.0, 2.5), torques).unwrap();
     let vector = system.momentum(&Vector3::new(1.0, 1.5, -0.8));
-    let start = Motion { attitude: Quaternion::identity(), vector };
+    let start = State { attitude: Quaternion::identity(), momentum: vector };
     let truth = controlled(&system, &start, 1.0, 1e-14).unwrap().end;
     for method in GEOMETRIC {
         let (said, n) = match method {
@@ -213,7 +213,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
             order_of(method, |m| apart(m, &truth), |h, n| run(method, &system, &start, h, n).unwrap(), n);
         assert!((order - said).abs() < 0.1, "{method:?}: {order}");
     }
-    type Step = dyn Fn(&System<f64>, &Motion<f64>, f64) -> Result<Motion<f64>, Error>;
+    type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> Result<State<f64>, Error>;
     let others: [&Step; 3] =
         [&game, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, &h)];
     for (k, step) in others.into_iter().enumerate() {
@@ -228,7 +228,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
 fn a_step_too_long_for_an_implicit_method_is_refused() {
     let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
     let start =
-        Motion { attitude: Quaternion::identity(), vector: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+        State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
     // A turn by p takes h L / 2 = p0 K p + p x K p, whose size is at most that of K p: with |L| about 3.7, no turn takes a step of 3 s.
     // The iteration of the stages does not settle over many turns.
     for (method, h) in [(Method::MoserVeselov2, 3.0), (Method::Gauss4, 30.0), (Method::Gauss6, 30.0)] {
@@ -243,7 +243,7 @@ fn a_step_too_long_for_an_implicit_method_is_refused() {
 
 /// Moments of the named bodies, the box first among them: smallest, middle, largest.
 fn named() -> impl Iterator<Item = (&'static str, Vector3<f64>)> {
-    bodies::all()
+    named::all()
         .iter()
         .map(|body| (body.name(), body.properties().expect("a body").inertia().principal().moments()))
 }
@@ -259,11 +259,12 @@ fn a_game_counts_every_flip_of_ten_minutes_at_60_hertz() {
                 let omega = Vector3::new(push, 1.0, push) * spin;
                 let flips: Vec<f64> =
                     FreeMotion::new(&moments, &omega).unwrap().flips(0.0, 600.0).unwrap().collect();
-                let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+                let mut motion =
+                    State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
                 let mut seen = Vec::new();
                 for step in 0..36_000 {
                     let next = game(&system, &motion, h).unwrap();
-                    let (before, after) = (motion.vector.y, next.vector.y);
+                    let (before, after) = (motion.momentum.y, next.momentum.y);
                     if (before > 0.0) != (after > 0.0) {
                         seen.push(h * (f64::from(step) + before / (before - after)));
                     }
@@ -287,11 +288,11 @@ fn a_push_as_small_as_rounding_is_where_a_game_miscounts() {
     let omega = Vector3::new(1e-8, 1.0, 1e-8) * 15.0;
     let system = System::free(&moments).unwrap();
     let flips = FreeMotion::new(&moments, &omega).unwrap().flips(0.0, 600.0).unwrap().count();
-    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut seen = 0;
     for _ in 0..36_000 {
         let next = game(&system, &motion, 1.0 / 60.0).unwrap();
-        seen += usize::from((motion.vector.y > 0.0) != (next.vector.y > 0.0));
+        seen += usize::from((motion.momentum.y > 0.0) != (next.momentum.y > 0.0));
         motion = next;
     }
     assert!(seen > flips + 3 && seen < 2 * flips, "{seen} of {flips}");
@@ -304,12 +305,12 @@ fn a_stable_spin_stays_where_it_is_for_an_hour_in_a_game() {
         for axis in [0, 2] {
             let mut omega = Vector3::new(0.3, 0.3, 0.3);
             omega[axis] = 10.0;
-            let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+            let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
             let angles = FreeMotion::new(&moments, &omega).unwrap().angles_to_momentum(axis).unwrap();
             let mut motion = start.clone();
             for _ in 0..36_000 {
                 motion = game(&system, &motion, 0.1).unwrap();
-                let angle = (motion.vector[axis] / motion.vector.norm()).acos();
+                let angle = (motion.momentum[axis] / motion.momentum.norm()).acos();
                 assert!(
                     angle > angles[0] - 1e-9 && angle < angles[1] + 1e-9,
                     "{name}: {angle} off {angles:?}"
@@ -326,7 +327,7 @@ fn a_step_of_many_turns_is_taken_in_parts_in_a_game() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let omega = Vector3::new(3.0, 100.0, 20.0);
     let system = System::free(&moments).unwrap();
-    let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let end = game(&system, &start, 1.0).unwrap();
     let truth = FreeMotion::new(&moments, &omega).unwrap().at(1.0).unwrap();
     let off = (end.attitude.coords - truth.attitude.coords).norm();
@@ -341,7 +342,7 @@ fn a_game_steps_spheres_tops_and_bodies_of_any_mass() {
         for mass in [1.0, 1e-150, 1e150] {
             let moments = Vector3::from(shape) * mass;
             let system = System::free(&moments).unwrap();
-            let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+            let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
             for _ in 0..60 {
                 motion = tumbling::step::game(&system, &motion, 1.0 / 60.0).unwrap();
             }

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
 use tumbling::solid::*;
-use tumbling::{Error, Inertia, bodies};
+use tumbling::{Error, Inertia, body::named};
 
 fn attitude() -> impl Strategy<Value = UnitQuaternion<f64>> {
     proptest::array::uniform4(-1.0..1.0_f64)
@@ -31,7 +31,7 @@ proptest! {
 
     #[test]
     fn moving_the_parts_moves_the_whole(offset in vector(-5.0..5.0)) {
-        let parts = [lopsided(), bodies::hammer().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
+        let parts = [lopsided(), named::hammer().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
         let moved = parts.map(|p| p.moved(&offset).unwrap());
         let whole = MassProperties::combine(&parts).unwrap().moved(&offset).unwrap();
         assert_same("moved", &MassProperties::combine(&moved).unwrap(), &whole, 1e-14, 10.0);
@@ -39,7 +39,7 @@ proptest! {
 
     #[test]
     fn turning_the_parts_turns_the_whole(q in attitude()) {
-        let parts = [lopsided(), bodies::hammer().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
+        let parts = [lopsided(), named::hammer().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
         let turned = parts.map(|p| p.turned(&q).unwrap());
         let whole = MassProperties::combine(&parts).unwrap().turned(&q).unwrap();
         assert_same("turned", &MassProperties::combine(&turned).unwrap(), &whole, 1e-14, 10.0);

@@ -1,11 +1,11 @@
 //! The book's named bodies: what they weigh, how they lie, and how near they are to measured ones.
 
 use nalgebra::Vector3;
-use tumbling::{Axis, bodies};
+use tumbling::{Axis, body::named};
 
 #[test]
 fn every_named_body_flips_about_x_and_lies_along_z() {
-    let names: Vec<_> = bodies::all().iter().map(|b| b.name()).collect();
+    let names: Vec<_> = named::all().iter().map(|b| b.name()).collect();
     assert_eq!(
         names,
         [
@@ -19,7 +19,7 @@ fn every_named_body_flips_about_x_and_lies_along_z() {
             "the T-handle"
         ]
     );
-    for body in bodies::all() {
+    for body in named::all() {
         let name = body.name();
         let principal = body.properties().unwrap().inertia().principal();
         for (axis, direction) in
@@ -36,7 +36,7 @@ fn every_named_body_flips_about_x_and_lies_along_z() {
 
 #[test]
 fn the_box_has_the_moments_of_the_worked_example() {
-    let the_box = bodies::the_box().unwrap();
+    let the_box = named::the_box().unwrap();
     let moments = the_box.inertia().matrix().diagonal() * 12.0;
     assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
 }
@@ -44,7 +44,7 @@ fn the_box_has_the_moments_of_the_worked_example() {
 // Brody's Wilson T-2000, another racket of the same kind: ours must be of its size, not its copy.
 #[test]
 fn the_tennis_racket_is_within_a_seventh_of_a_measured_one() {
-    let racket = bodies::tennis_racket().unwrap();
+    let racket = named::tennis_racket().unwrap();
     let moments = racket.inertia().principal().moments();
     for (ours, measured) in moments.iter().zip([0.00121, 0.01638, 0.01748]) {
         assert!((ours / measured - 1.0).abs() < 1.0 / 7.0, "{ours} {measured}");
@@ -57,7 +57,7 @@ fn the_tennis_racket_is_within_a_seventh_of_a_measured_one() {
 
 #[test]
 fn the_wing_nut_weighs_what_the_table_says_within_a_tenth() {
-    let mass = bodies::wing_nut().unwrap().mass();
+    let mass = named::wing_nut().unwrap().mass();
     assert!((mass / 0.0135 - 1.0).abs() < 0.1, "{mass}");
 }
 
@@ -71,7 +71,7 @@ fn the_t_handle_is_its_crossbar_and_its_stem() {
     let along_stem = bar * (3.0 * 36.0 + 1e4) / 12.0 + stem * 18.0;
     let along_bar = bar * (18.0 + centre * centre)
         + stem * ((3.0 * 36.0 + 2500.0) / 12.0 + (31.0 - centre) * (31.0 - centre));
-    let handle = bodies::t_handle().unwrap();
+    let handle = named::t_handle().unwrap();
     let tensor = handle.inertia().matrix() * 1e9;
     assert!((handle.centre().x * 1e3 - centre).abs() < 1e-12);
     assert!((tensor[(0, 0)] / along_stem - 1.0).abs() < 1e-13, "{tensor} {along_stem}");
@@ -91,9 +91,9 @@ fn the_book_the_phone_and_the_remote_control_are_boxes_of_their_published_sizes(
     let paper = leaf * (160.0 * 80.0 + 2.0 * 250.0);
     assert_eq!(paper.round(), 340.0);
     for (body, mass, edges) in [
-        (bodies::book(), 340.0, [129.0, 160.0 * 0.125, 198.0]),
-        (bodies::phone(), 171.0, [71.6, 7.80, 147.6]),
-        (bodies::remote_control(), 63.0, [35.0, 9.25, 136.0]),
+        (named::book(), 340.0, [129.0, 160.0 * 0.125, 198.0]),
+        (named::phone(), 171.0, [71.6, 7.80, 147.6]),
+        (named::remote_control(), 63.0, [35.0, 9.25, 136.0]),
     ] {
         let body = body.unwrap();
         assert!((body.mass() * 1e3 - mass).abs() < 1e-12 * mass, "{}", body.mass());
@@ -116,7 +116,7 @@ fn the_hammer_is_its_head_and_its_handle() {
     let about_x = head * 2.0 * 32.0 * 32.0 / 12.0 + stick + lever;
     let about_y = head * (1e4 + 32.0 * 32.0) / 12.0 + stick + lever;
     let about_z = head * (1e4 + 32.0 * 32.0) / 12.0 + handle * 14.5 * 14.5 / 2.0;
-    let hammer = bodies::hammer().unwrap();
+    let hammer = named::hammer().unwrap();
     assert!((hammer.mass() * 1e3 / (head + handle) - 1.0).abs() < 1e-14);
     assert!((hammer.centre() * 1e3 - Vector3::new(0.0, 0.0, centre)).amax() < 1e-11);
     let (tensor, expected) = (hammer.inertia().matrix() * 1e9, Vector3::new(about_x, about_y, about_z));
@@ -165,7 +165,7 @@ fn the_tennis_racket_is_its_hoop_strings_throat_and_handle() {
     let wide: f64 = points.iter().map(|p| p.0 * p.1 * p.1).sum::<f64>() + 0.110 * 0.034 * 0.034 / 12.0;
     let long: f64 = points.iter().map(|p| p.0 * (p.2 - centre).powi(2)).sum();
     let thick = 0.110 * 0.029 * 0.029 / 12.0;
-    let racket = bodies::tennis_racket().unwrap();
+    let racket = named::tennis_racket().unwrap();
     assert!((racket.mass() - 0.327).abs() < 1e-14 && (mass - 0.327).abs() < 1e-14);
     assert!((racket.centre() - Vector3::new(0.0, 0.0, centre)).amax() < 1e-14);
     let expected = Vector3::new(long + thick, wide + long, wide + thick);

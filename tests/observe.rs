@@ -1,7 +1,7 @@
 //! What is read off a sampled motion.
 
-use tumbling::counted::Counted;
-use tumbling::observe::sign_changes;
+use tumbling::dynamics::observe::sign_changes;
+use tumbling::number::counted::Counted;
 
 #[test]
 fn a_sample_of_exactly_zero_is_where_the_sign_changes() {

@@ -4,7 +4,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::scene::{LetGo, Plan, Scene, State, Times, Toss, Wants, Way};
+use tumbling::scene::{Answer, LetGo, Plan, Scene, Times, Toss, Wants, Way};
 use tumbling::step::{Method, Torque};
 use tumbling::{Body, Error, Inertia};
 
@@ -17,12 +17,12 @@ fn one(toss: Toss, torques: Vec<Torque<f64>>, times: Times, wants: Wants, accura
     Scene::new(vec![toss], torques, times, wants, accuracy).unwrap()
 }
 
-fn states(plan: &Plan<'_>) -> Vec<State> {
+fn states(plan: &Plan<'_>) -> Vec<Answer> {
     plan.states().collect::<Result<_, _>>().unwrap()
 }
 
 /// The larger of the attitudes' angle and the spins' difference as a share.
-fn apart(a: &State, b: &State) -> f64 {
+fn apart(a: &Answer, b: &Answer) -> f64 {
     let (w, v) = (a.spin.unwrap(), b.spin.unwrap());
     let turn = match (a.attitude, b.attitude) {
         (Some(p), Some(q)) => p.angle_to(&q),

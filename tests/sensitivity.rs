@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use serde_json::Value;
 use tumbling::exact::{FreeMotion, Sensitivity};
-use tumbling::{Body, Error, Inertia, euler};
+use tumbling::{Body, Error, Inertia, dynamics::euler};
 
 /// The rounding of one input, relative.
 const ROUNDING: f64 = f64::EPSILON / 2.0;

@@ -4,9 +4,9 @@ mod common;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion, System, Torque};
+use tumbling::step::{Method, State, System, Torque};
 
-type Step = dyn Fn(&System<f64>, &Motion<f64>, f64) -> Motion<f64>;
+type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
 
 /// Every method that goes to the truth, and the exact flow between kicks.
 fn steppers() -> Vec<(String, u32, Box<Step>)> {
@@ -25,18 +25,18 @@ fn steppers() -> Vec<(String, u32, Box<Step>)> {
     all
 }
 
-fn run(step: &Step, system: &System<f64>, from: &Motion<f64>, t: f64, count: usize) -> Motion<f64> {
+fn run(step: &Step, system: &System<f64>, from: &State<f64>, t: f64, count: usize) -> State<f64> {
     (0..count).fold(from.clone(), |motion, _| step(system, &motion, t / count as f64))
 }
 
-fn apart(a: &Motion<f64>, b: &Motion<f64>) -> f64 {
+fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
     let turn =
         (a.attitude.coords - b.attitude.coords).norm().min((a.attitude.coords + b.attitude.coords).norm());
-    turn + (a.vector - b.vector).norm() / b.vector.norm()
+    turn + (a.momentum - b.momentum).norm() / b.momentum.norm()
 }
 
 /// That every stepper goes to the truth: close at a fine step, and closer at a finer one.
-fn go_to(truth: &Motion<f64>, system: &System<f64>, from: &Motion<f64>, t: f64) {
+fn go_to(truth: &State<f64>, system: &System<f64>, from: &State<f64>, t: f64) {
     for (name, order, step) in steppers() {
         let errors = [1000, 2000, 4000].map(|count| apart(&run(&*step, system, from, t, count), truth));
         // With a torque a method of higher order may fall to the second, never to the first.
@@ -56,8 +56,8 @@ fn drag_in_proportion_to_the_momentum_only_slows_the_free_motion_down() {
     let left = (-c * t).exp();
     let free = FreeMotion::new(&moments, &omega).unwrap().at((1.0 - left) / c).unwrap();
     let truth =
-        Motion { attitude: free.attitude.into_inner(), vector: system.momentum(&(free.omega * left)) };
-    let from = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+        State { attitude: free.attitude.into_inner(), momentum: system.momentum(&(free.omega * left)) };
+    let from = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     go_to(&truth, &system, &from, t);
 }
 
@@ -66,11 +66,11 @@ fn a_thruster_along_a_principal_axis_speeds_the_spin_up_evenly() {
     let (moments, rate, push, t) = (Vector3::new(1.0, 2.0, 2.6), 0.7, 0.5, 3.0);
     let system = System::with(&moments, vec![Torque::InBody(Vector3::new(0.0, push, 0.0))]).unwrap();
     let angle = rate * t + 0.5 * push / moments.y * t * t;
-    let truth = Motion {
+    let truth = State {
         attitude: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle).into_inner(),
-        vector: Vector3::new(0.0, moments.y * rate + push * t, 0.0),
+        momentum: Vector3::new(0.0, moments.y * rate + push * t, 0.0),
     };
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, moments.y * rate, 0.0) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, moments.y * rate, 0.0) };
     go_to(&truth, &system, &from, t);
 }
 
@@ -92,7 +92,7 @@ fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
         let attitude = tilted(turn);
         let vertical = attitude.inverse() * Vector3::z();
         let omega = vertical * precession + Vector3::z() * spin;
-        Motion { attitude: attitude.into_inner(), vector: system.momentum(&omega) }
+        State { attitude: attitude.into_inner(), momentum: system.momentum(&omega) }
     };
     go_to(&motion(t), &system, &motion(0.0), t);
 }
@@ -101,11 +101,11 @@ fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
 fn a_torque_that_stands_in_the_world_adds_evenly_to_the_momentum_there() {
     let push = Vector3::new(0.3, -0.2, 0.1);
     let system = System::with(&Vector3::new(1.0, 2.0, 2.6), vec![Torque::InWorld(push)]).unwrap();
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.4, 3.0, -0.8) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.4, 3.0, -0.8) };
     for (name, _, step) in steppers() {
         let end = run(&*step, &system, &from, 4.0, 4000);
-        let world = tumbling::attitude::rotation_matrix(&end.attitude.normalize()) * end.vector;
-        let off = (world - from.vector - push * 4.0).norm();
+        let world = tumbling::body::attitude::rotation_matrix(&end.attitude.normalize()) * end.momentum;
+        let off = (world - from.momentum - push * 4.0).norm();
         assert!(off < 1e-2, "{name}: {off}");
     }
 }
@@ -115,9 +115,9 @@ fn loss_inside_a_body_keeps_its_momentum_and_ends_on_the_largest_moment() {
     // Explorer 1, 1958: spun about its long axis, it ended tumbling end over end.
     let moments = Vector3::new(0.2, 2.0, 2.1);
     let system = System::with(&moments, vec![Torque::Dissipation(2.0)]).unwrap();
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 0.01, 0.02) };
-    let l = from.vector.norm();
-    let energy = |motion: &Motion<f64>| 0.5 * motion.vector.dot(&system.omega(&motion.vector));
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 0.01, 0.02) };
+    let l = from.momentum.norm();
+    let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
     let mut motion = from.clone();
     let mut before = energy(&motion);
     for _ in 0..60_000 {
@@ -126,20 +126,20 @@ fn loss_inside_a_body_keeps_its_momentum_and_ends_on_the_largest_moment() {
         assert!(now <= before * (1.0 + 1e-14), "{now} after {before}");
         before = now;
     }
-    assert!((motion.vector.norm() / l - 1.0).abs() < 1e-10);
+    assert!((motion.momentum.norm() / l - 1.0).abs() < 1e-10);
     assert!((before / (0.5 * l * l / 2.1) - 1.0).abs() < 1e-6, "{before}");
 }
 
 #[test]
 fn damping_however_strong_slows_a_kick_and_never_turns_it_round() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 2.0, -3.0) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, -3.0) };
     for strength in [1e-2, 1.0, 1e2, 1e4, 1e6] {
         let drag = vec![Torque::Damping(Vector3::new(strength, 0.5 * strength, 2.0 * strength))];
         let system = System::with(&moments, drag).unwrap();
         let kicked = system.kicked(&from, &1.0);
         for i in 0..3 {
-            let left = kicked.vector[i] / from.vector[i];
+            let left = kicked.momentum[i] / from.momentum[i];
             assert!((0.0..1.0).contains(&left), "{strength}: {left}");
         }
     }
@@ -149,16 +149,16 @@ fn damping_however_strong_slows_a_kick_and_never_turns_it_round() {
 fn loss_inside_a_body_in_one_long_kick_is_the_limit_of_many_short_ones() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let system = System::with(&moments, vec![Torque::Dissipation(0.7)]).unwrap();
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 0.2, -0.3) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 0.2, -0.3) };
     let once = system.kicked(&from, &2.0);
     let many = (0..64).fold(from.clone(), |motion, _| system.kicked(&motion, &(2.0 / 64.0)));
-    assert!((once.vector - many.vector).norm() < 1e-13);
+    assert!((once.momentum - many.momentum).norm() < 1e-13);
     // Its rate at the start is the torque.
     let h = 1e-6;
-    let rate = (system.kicked(&from, &h).vector - system.kicked(&from, &-h).vector) / (2.0 * h);
+    let rate = (system.kicked(&from, &h).momentum - system.kicked(&from, &-h).momentum) / (2.0 * h);
     assert!((rate - system.torque(&from)).norm() < 1e-8);
     let far = system.kicked(&from, &1e300);
-    assert!((far.vector - Vector3::new(0.0, 0.0, -from.vector.norm())).norm() < 1e-15, "{far:?}");
+    assert!((far.momentum - Vector3::new(0.0, 0.0, -from.momentum.norm())).norm() < 1e-15, "{far:?}");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let losses = vec![Torque::Damping(moments), Torque::Dissipation(0.1)];
     let system = System::with(&moments, losses).unwrap();
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.1, 2.0, 0.3) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
     let h = 1.0 / 60.0;
     let steps: [(&str, Box<Step>); 3] = [
         ("game", Box::new(|s, m, h| tumbling::step::game(s, m, h).unwrap())),
@@ -193,7 +193,7 @@ fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
         for _ in 0..60 * 800 {
             motion = step(&system, &motion, h);
         }
-        assert!(motion.vector.norm() < 1e-300, "{name}: {motion:?}");
+        assert!(motion.momentum.norm() < 1e-300, "{name}: {motion:?}");
         assert!((motion.attitude.norm() - 1.0).abs() < 1e-9, "{name}: {motion:?}");
     }
 }
@@ -224,12 +224,12 @@ fn a_game_never_calls_a_motion_whole_that_is_not() {
     assert!(
         tumbling::step::game(
             &system,
-            &Motion { attitude: Quaternion::identity(), vector: Vector3::repeat(1e-10) },
+            &State { attitude: Quaternion::identity(), momentum: Vector3::repeat(1e-10) },
             1e-3
         )
         .is_ok()
     );
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::repeat(1e-10) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::repeat(1e-10) };
     // Back in time a drag winds up without bound.
     let end = tumbling::step::game(&system, &from, -1.5);
     assert!(end.is_err(), "{end:?}");
@@ -243,7 +243,7 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
     let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull };
     let system = System::with(&Vector3::new(1.0, 1.5, moment), vec![aligning]).unwrap();
     let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
-    let from = Motion { attitude, vector: Vector3::zeros() };
+    let from = State { attitude, momentum: Vector3::zeros() };
     // The pendulum's period through the arithmetic-geometric mean of 1 and cos(angle / 2).
     let (mut a, mut g) = (1.0_f64, (angle / 2.0).cos());
     for _ in 0..5 {
@@ -252,27 +252,27 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
     let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
     for tolerance in [1e-6, 1e-9, 1e-12] {
         let run = tumbling::step::controlled(&system, &from, period, tolerance).unwrap();
-        let off = (run.end.attitude.coords - attitude.coords).norm() + run.end.vector.norm();
+        let off = (run.end.attitude.coords - attitude.coords).norm() + run.end.momentum.norm();
         assert!(off < 100.0 * tolerance, "{tolerance:e}: {off:e}");
         assert!(run.steps > 5);
     }
     let pushed = System::with(&Vector3::new(1.0, 1.5, 2.0), vec![Torque::InBody(Vector3::z())]).unwrap();
-    let rest = Motion { attitude: Quaternion::identity(), vector: Vector3::zeros() };
+    let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
     let run = tumbling::step::controlled(&pushed, &rest, 2.0, 1e-10).unwrap();
-    assert!((run.end.vector - Vector3::z() * 2.0).norm() < 1e-9);
+    assert!((run.end.momentum - Vector3::z() * 2.0).norm() < 1e-9);
 }
 
 #[test]
 fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
-    let from = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, 0.0, 1.0) };
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 1.0) };
     for strength in [0.1, 2.0, 1e3, 1e6] {
         let system = System::with(&moments, vec![Torque::Damping(moments * strength)]).unwrap();
         let end = Method::LinearisedImplicit.step(&system, &from, &1.0).unwrap();
         // L (1 + c h) = L before.
         // What is left of a difference from one.
-        assert!((end.vector.z - 1.0 / (1.0 + strength)).abs() < 1e-15, "{strength}: {end:?}");
-        assert!(end.vector.z > 0.0);
+        assert!((end.momentum.z - 1.0 / (1.0 + strength)).abs() < 1e-15, "{strength}: {end:?}");
+        assert!(end.momentum.z > 0.0);
     }
 }
 
@@ -284,10 +284,10 @@ fn a_controlled_run_takes_back_steps_that_were_too_long() {
     let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * -pull };
     let system = System::with(&Vector3::new(1.0, 1.5, moment), vec![aligning]).unwrap();
     let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 1e-3).into_inner();
-    let from = Motion { attitude, vector: Vector3::zeros() };
-    let energy = |m: &Motion<f64>| {
-        let arm = tumbling::attitude::rotation_matrix(&m.attitude).column(0).x;
-        0.5 * m.vector.dot(&system.omega(&m.vector)) + pull * arm
+    let from = State { attitude, momentum: Vector3::zeros() };
+    let energy = |m: &State<f64>| {
+        let arm = tumbling::body::attitude::rotation_matrix(&m.attitude).column(0).x;
+        0.5 * m.momentum.dot(&system.omega(&m.momentum)) + pull * arm
     };
     let run = tumbling::step::controlled(&system, &from, 40.0, 1e-9).unwrap();
     assert!(run.rejected > 0, "{run:?}");

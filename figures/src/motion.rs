@@ -1,7 +1,7 @@
 //! Free motions, as the library's right engine steps them.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use tumbling::stability::{Stability, of_spin};
+use tumbling::dynamics::stability::{Stability, of_spin};
 use tumbling::step::Engine;
 use tumbling::{Axis, Body, Error, Inertia};
 

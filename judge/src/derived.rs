@@ -2,7 +2,7 @@
 
 use crate::clock::Clock;
 use crate::error::Error;
-use crate::state::{Pair, State};
+use crate::state::{Pair, Row};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
 
@@ -25,8 +25,8 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
         let got = from * motion.attitude(pair.h).ok()?.into_inner();
         // What is left of the turn, in the axes of the first attitude.
         let left = Pair {
-            from: State { attitude: Some(got), ..pair.to },
-            to: State { attitude: Some(to), ..pair.to },
+            from: Row { attitude: Some(got), ..pair.to },
+            to: Row { attitude: Some(to), ..pair.to },
             h: pair.h,
         };
         let left = motion.attitude(pair.h).ok()? * left.turn()?;
@@ -44,7 +44,7 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
 /// A row with the spin that it does not tell, or why it has none.
 pub(crate) enum Derived {
     /// Its spin is known.
-    Known(State),
+    Known(Row),
     /// There is no row before or after that tells it.
     Unknown,
     /// The attitude turns by so much up to this line, rad.
@@ -54,17 +54,17 @@ pub(crate) enum Derived {
 /// Rows in, rows with spins out: each as soon as the next one is there.
 #[derive(Debug, Default)]
 pub(crate) struct Deriver {
-    waiting: Option<State>,
+    waiting: Option<Row>,
 }
 
 impl Deriver {
     /// One more row, so many steps and seconds after the last.
-    pub(crate) fn push(&mut self, moments: &Vector3<f64>, state: &State, h: f64, times: f64) -> Derived {
+    pub(crate) fn push(&mut self, moments: &Vector3<f64>, state: &Row, h: f64, times: f64) -> Derived {
         let Some(from) = self.waiting.replace(*state) else { return Derived::Unknown };
         let pair = Pair { from, to: *state, h };
         let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
         match spin(moments, &pair) {
-            Some(omega) => Derived::Known(State { omega, ahead, ..from }),
+            Some(omega) => Derived::Known(Row { omega, ahead, ..from }),
             None if times == 1.0 => {
                 let turn = pair.turn().map_or(f64::NAN, |turn| turn.norm());
                 Derived::TooFar { line: state.line, turn }
@@ -88,7 +88,7 @@ pub(crate) struct Feed {
 }
 
 impl Feed {
-    pub(crate) fn push(&mut self, state: &State) -> Result<Derived, Error> {
+    pub(crate) fn push(&mut self, state: &Row) -> Result<Derived, Error> {
         if state.attitude.is_some_and(|q| q.norm() == 0.0) {
             let problem = "the quaternion has no length: it is no attitude".into();
             return Err(Error::Line { line: state.line, problem });

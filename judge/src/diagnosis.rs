@@ -3,11 +3,11 @@
 use crate::advice::significant;
 use crate::fitted::{compound, momentum_for_spin};
 use crate::laws::{angle_between, ordered};
-use crate::state::{Pair, State, middle_and_most};
+use crate::state::{Pair, Row, middle_and_most};
 use crate::suspects::{Rule, Spin, Steps, Subject, simple, straight};
 use nalgebra::Vector3;
 use tumbling::step::Method;
-use tumbling::{attitude, euler};
+use tumbling::{body::attitude, dynamics::euler};
 
 /// How much of the record is tried, at most, evenly through it.
 const PAIRS: usize = 2048;
@@ -146,8 +146,8 @@ pub struct Diagnosis {
 
 /// A whole run, from its first row to its last.
 pub(crate) struct Run {
-    pub first: State,
-    pub last: State,
+    pub first: Row,
+    pub last: Row,
     pub h: f64,
     /// How often the spin along the middle axis changes sign.
     pub flips: Option<u64>,
@@ -159,9 +159,9 @@ const RUN: f64 = 20_000.0;
 
 impl Run {
     /// The logarithms of the ratios of energy and momentum, last to first.
-    fn drift(subject: &Subject, from: &State, to: &State) -> [f64; 2] {
-        let angular = |state: &State| subject.moments.component_mul(&state.omega);
-        let energy = |state: &State| state.omega.dot(&angular(state));
+    fn drift(subject: &Subject, from: &Row, to: &Row) -> [f64; 2] {
+        let angular = |state: &Row| subject.moments.component_mul(&state.omega);
+        let energy = |state: &Row| state.omega.dot(&angular(state));
         [(energy(to) / energy(from)).ln(), (angular(to).norm() / angular(from).norm()).ln()]
     }
 
@@ -420,7 +420,7 @@ mod tests {
     fn a_sample_is_no_larger_however_long_the_record_and_from_all_of_it() {
         let mut sample = Sample::new();
         for line in 0..1_000_000 {
-            let state = State { line, t: 0.0, attitude: None, omega: Vector3::zeros(), ahead: None };
+            let state = Row { line, t: 0.0, attitude: None, omega: Vector3::zeros(), ahead: None };
             sample.push(&Pair { from: state, to: state, h: 1.0 });
             assert!(sample.pairs().len() <= PAIRS);
         }

@@ -1,7 +1,7 @@
 //! A start fitted to the first rows, for records of few digits.
 
 use crate::error::Error;
-use crate::state::State;
+use crate::state::Row;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::exact::FreeMotion;
 
@@ -20,7 +20,7 @@ pub struct Fit {
 const ROUNDS: usize = 40;
 
 /// The spin at the time of the first row whose exact motion is nearest to the spins of all of them, in the least squares.
-pub(crate) fn start(moments: &Vector3<f64>, rows: &[State]) -> Result<(Vector3<f64>, Fit), Error> {
+pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64>, Fit), Error> {
     let none = |problem: &str| Error::Fit { rows: rows.len(), problem: problem.into() };
     let [first, .., last] = rows else { return Err(none("it takes two rows at least")) };
     let left = |omega: &Vector3<f64>| -> Result<f64, tumbling::Error> {

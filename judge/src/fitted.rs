@@ -3,7 +3,7 @@
 use crate::state::{Pair, median};
 use crate::suspects::{Base, Rule, Subject, When};
 use nalgebra::Vector3;
-use tumbling::euler;
+use tumbling::dynamics::euler;
 
 /// To how many pairs of rows, at most.
 const FITTED: usize = 96;

@@ -2,11 +2,11 @@
 
 use crate::curve::{Curve, Growth};
 use crate::points::{Point, Points};
-use crate::state::{Pair, State};
+use crate::state::{Pair, Row};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{Axis, attitude, observe};
+use tumbling::{Axis, body::attitude, dynamics::observe};
 
 /// What is held against the record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,7 +110,7 @@ pub struct FlipCount {
 /// Everything that is followed from row to row.
 pub(crate) struct Laws {
     moments: Vector3<f64>,
-    first: State,
+    first: Row,
     pub exact: FreeMotion,
     energy: f64,
     momentum: f64,
@@ -127,7 +127,7 @@ pub(crate) struct Laws {
     change: f64,
     /// Steps since the first row; rows where a step has no one length.
     steps: f64,
-    pub last: State,
+    pub last: Row,
     /// Whether the spin has ever left its first value by more than rounding.
     pub constant: bool,
     /// How far the exact spin ever is from its first value, beside the first speed.
@@ -151,7 +151,7 @@ impl Laws {
     /// From the first row; `floor` is the rounding of the numbers, beside 1.
     pub(crate) fn new(
         moments: &Vector3<f64>,
-        first: &State,
+        first: &Row,
         direction: Option<Vector3<f64>>,
         floor: f64,
     ) -> Result<Self, tumbling::Error> {
@@ -216,7 +216,7 @@ impl Laws {
     }
 
     /// One more row, so many steps after the last.
-    pub(crate) fn push(&mut self, state: &State, steps: f64) -> Result<(), tumbling::Error> {
+    pub(crate) fn push(&mut self, state: &Row, steps: f64) -> Result<(), tumbling::Error> {
         let t = state.t - self.first.t;
         self.steps += steps;
         let angular = self.moments.component_mul(&state.omega);
@@ -297,7 +297,7 @@ impl Laws {
         (self.moments[a] - self.moments[b]).signum() * self.first.omega[a].signum()
     }
 
-    fn flip(&mut self, t: f64, state: &State) {
+    fn flip(&mut self, t: f64, state: &Row) {
         let Some(middle) = self.middle else { return };
         let over = self.circled.is_some_and(|[axis, ..]| state.omega[axis] * self.first.omega[axis] < 0.0);
         if over {
@@ -361,7 +361,7 @@ impl Laws {
     /// The first, and the last, `2 E I2 / L²`.
     pub(crate) fn separatrix(&self) -> Option<[f64; 2]> {
         let middle = self.moments[ordered(&self.moments)[1]];
-        let at = |state: &State| {
+        let at = |state: &Row| {
             let angular = self.moments.component_mul(&state.omega);
             2.0 * observe::energy(&state.omega, &angular) * middle / angular.norm_squared()
         };

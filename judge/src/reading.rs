@@ -5,9 +5,9 @@
 
 use crate::columns::Kind;
 use crate::rows::Raw;
-use crate::state::{Pair, State, median};
+use crate::state::{Pair, Row, median};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::euler;
+use tumbling::dynamics::euler;
 
 /// A mistake of a file: what its numbers seem to be, against what its names say.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -172,7 +172,7 @@ impl Reading {
     }
 
     /// A row, read so.
-    pub(crate) fn state(&self, raw: &Raw, moments: &Vector3<f64>) -> State {
+    pub(crate) fn state(&self, raw: &Raw, moments: &Vector3<f64>) -> Row {
         let attitude = raw.attitude.map(|q| {
             let q = match self.order {
                 Order::AsNamed => q,
@@ -201,7 +201,7 @@ impl Reading {
             (_, kind) => kind,
         };
         let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
-        State { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
+        Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 
     /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain one does not.
@@ -221,9 +221,9 @@ impl Reading {
                 .filter_map(|triple| {
                     let [a, b, c] = triple.map(|(raw, _)| reading.state(&raw, moments));
                     let h = triple[2].1;
-                    let spin = |from: State, to: State| Some(Pair { from, to, h }.turn()? / h);
+                    let spin = |from: Row, to: Row| Some(Pair { from, to, h }.turn()? / h);
                     let (first, second) = (spin(a, b)?, spin(b, c)?);
-                    Some(Pair { from: State { omega: first, ..a }, to: State { omega: second, ..b }, h })
+                    Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
                 })
                 .collect();
             law(pairs.into_iter(), moments).0

@@ -1,11 +1,11 @@
 //! A body at one instant, as the judge takes it, and two of them one step apart.
 
 use nalgebra::{Quaternion, Vector3};
-use tumbling::attitude;
+use tumbling::body::attitude;
 
 /// One row, understood.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct State {
+pub(crate) struct Row {
     pub line: usize,
     /// Seconds.
     pub t: f64,
@@ -20,8 +20,8 @@ pub(crate) struct State {
 /// Two rows that follow one another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair {
-    pub from: State,
-    pub to: State,
+    pub from: Row,
+    pub to: Row,
     /// The step between them, s.
     pub h: f64,
 }

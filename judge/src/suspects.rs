@@ -1,11 +1,11 @@
 //! Rules that may have made a record: each takes a row one step further.
 
 use crate::laws::unit;
-use crate::state::{Pair, State};
+use crate::state::{Pair, Row};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Engine, Limits, Method, Motion, PHYSICS_ENGINES, PhysicsEngine, System, Torque};
-use tumbling::{Body, Inertia, attitude, euler};
+use tumbling::step::{Engine, Limits, Method, PHYSICS_ENGINES, PhysicsEngine, State, System, Torque};
+use tumbling::{Body, Inertia, body::attitude, dynamics::euler};
 
 /// A rule, as a diagnosis names it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,10 +177,10 @@ impl Subject {
         Ok(Self { moments, torque, system: System::with(&moments, torques)? })
     }
 
-    fn motion(&self, state: &State) -> Motion<f64> {
-        Motion {
+    fn motion(&self, state: &Row) -> State<f64> {
+        State {
             attitude: state.attitude.unwrap_or_else(Quaternion::identity),
-            vector: self.system.momentum(&state.omega),
+            momentum: self.system.momentum(&state.omega),
         }
     }
 
@@ -188,7 +188,7 @@ impl Subject {
     fn based(
         &self,
         base: Base,
-        from: &State,
+        from: &Row,
         h: f64,
     ) -> Result<(Quaternion<f64>, Vector3<f64>), tumbling::Error> {
         match base {
@@ -199,7 +199,7 @@ impl Subject {
             }
             Base::Method(method, parts) => {
                 let end = bare(method, parts).step(&self.system, &self.motion(from), h)?;
-                Ok((end.attitude, self.system.omega(&end.vector)))
+                Ok((end.attitude, self.system.omega(&end.momentum)))
             }
         }
     }
@@ -208,7 +208,7 @@ impl Subject {
     fn after(
         &self,
         rule: &Rule,
-        from: &State,
+        from: &Row,
         h: f64,
     ) -> Result<(Quaternion<f64>, Vector3<f64>), tumbling::Error> {
         let start = from.attitude.unwrap_or_else(Quaternion::identity);
@@ -218,7 +218,7 @@ impl Subject {
             Rule::Method(method, parts) => self.based(Base::Method(*method, *parts), from, h),
             Rule::Engine(engine) => {
                 let end = engine.step(&self.system, &self.motion(from), h)?;
-                Ok((end.attitude, self.system.omega(&end.vector)))
+                Ok((end.attitude, self.system.omega(&end.momentum)))
             }
             Rule::FrozenTensor(Steps::First) => {
                 let rotation = attitude::rotation_matrix(&start);
@@ -236,7 +236,7 @@ impl Subject {
             }
             Rule::FrozenAt(first, steps) => {
                 // In the axes that the body had at first the tensor is frozen at the identity.
-                let from = State { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
+                let from = Row { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
                 let (q, omega) = self.after(&Rule::FrozenTensor(*steps), &from, h)?;
                 Ok((attitude::product(first, &q), omega))
             }
@@ -252,14 +252,14 @@ impl Subject {
                 Ok((turned(&omega), omega))
             }
             Rule::Damped(factor, base, When::Before) => {
-                self.based(*base, &State { omega: from.omega * *factor, ..*from }, h)
+                self.based(*base, &Row { omega: from.omega * *factor, ..*from }, h)
             }
             Rule::DampedByAxis(factors, base, When::After) => {
                 let omega = self.based(*base, from, h)?.1.component_mul(factors);
                 Ok((turned(&omega), omega))
             }
             Rule::DampedByAxis(factors, base, When::Before) => {
-                self.based(*base, &State { omega: from.omega.component_mul(factors), ..*from }, h)
+                self.based(*base, &Row { omega: from.omega.component_mul(factors), ..*from }, h)
             }
             Rule::SmallTurn(angle, base) => {
                 let (q, omega) = self.based(*base, from, h)?;
@@ -299,11 +299,11 @@ impl Subject {
     }
 
     /// One step more, of a body that goes by a rule.
-    pub(crate) fn next(&self, rule: &Rule, from: &State, h: f64) -> Option<State> {
+    pub(crate) fn next(&self, rule: &Rule, from: &Row, h: f64) -> Option<Row> {
         let (q, omega) = self.after(rule, from, h).ok()?;
         let attitude = from.attitude.map(|_| q);
         let sound = omega.iter().chain(q.coords.iter()).all(|x| x.is_finite());
-        sound.then_some(State { t: from.t + h, attitude, omega, ..*from })
+        sound.then_some(Row { t: from.t + h, attitude, omega, ..*from })
     }
 
     /// The spin that a rule makes of a row.
@@ -319,8 +319,8 @@ impl Subject {
         let mut least = f64::INFINITY;
         let mut after = None;
         for _ in 0..60 {
-            let (q, spin) = self.after(rule, &State { omega, ..pair.from }, pair.h).ok()?;
-            let left = Pair { from: State { attitude: Some(q), ..pair.to }, ..*pair }.turn()?;
+            let (q, spin) = self.after(rule, &Row { omega, ..pair.from }, pair.h).ok()?;
+            let left = Pair { from: Row { attitude: Some(q), ..pair.to }, ..*pair }.turn()?;
             let size = left.norm();
             if size >= least || size.is_nan() {
                 break;
@@ -330,7 +330,7 @@ impl Subject {
         }
         let turn = pair.from.omega.norm() * pair.h;
         let (q, _) =
-            self.after(rule, &State { attitude: Some(middle), omega: after?, ..pair.to }, pair.h).ok()?;
+            self.after(rule, &Row { attitude: Some(middle), omega: after?, ..pair.to }, pair.h).ok()?;
         let off = (crate::laws::angle_between(&q, ahead) + least) / turn;
         off.is_finite().then_some(off)
     }

@@ -8,12 +8,12 @@ use crate::error::Error;
 use crate::faults::{wrong_pace, wrong_rule};
 use crate::laws::{LawName, Laws, angle_between};
 use crate::reading::Reading;
-use crate::state::{Pair, State};
+use crate::state::{Pair, Row};
 use crate::suspects::Subject;
 use crate::verdict::{Gaps, Options, Outcome, Reset, Verdict};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
-use tumbling::euler;
+use tumbling::dynamics::euler;
 
 /// Fewer rows than this pass nothing, nor does a record in which the body neither turns once round nor should change its spin by a tenth.
 const ENOUGH: u64 = 8;
@@ -21,13 +21,13 @@ const ENOUGH: u64 = 8;
 /// A trial as far as it has come.
 pub(crate) struct Trial {
     pub laws: Laws,
-    pub first: State,
+    pub first: Row,
     pub sample: Sample,
     pub clock: Clock,
     pub rows: u64,
     pub resets: Vec<Reset>,
     pub gaps: Option<Gaps>,
-    pub last: Option<State>,
+    pub last: Option<Row>,
     pub moments: Vector3<f64>,
     pub torque: Option<Vector3<f64>>,
     /// The most that a step was off the law, and how many steps there were.
@@ -54,7 +54,7 @@ pub(crate) struct Trial {
 const RESETS: usize = 16;
 
 impl Trial {
-    pub(crate) fn row(&mut self, state: &State) -> Result<(), Error> {
+    pub(crate) fn row(&mut self, state: &Row) -> Result<(), Error> {
         let mut steps = 0.0;
         if let Some(last) = self.last.replace(*state) {
             let (h, times) = self.clock.between(last.t, state.t);
@@ -127,7 +127,7 @@ impl Trial {
 
     /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any before: a record without attitudes
     /// that starts anew where the spin is near its first value anyway.
-    fn comes_back(&self, last: &State, state: &State, times: f64) -> bool {
+    fn comes_back(&self, last: &Row, state: &Row, times: f64) -> bool {
         let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
         let h = state.t - last.t;
         if self.steps < 8
@@ -146,14 +146,14 @@ impl Trial {
     fn torque(&self, pair: &Pair) -> Vector3<f64> {
         match (self.torque, pair.from.attitude) {
             (Some(torque), Some(q)) => {
-                tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
+                tumbling::body::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
             }
             _ => Vector3::zeros(),
         }
     }
 
     /// A body that moves is at rest all of a sudden, or back at the start without a way there.
-    fn starts_anew(&self, last: &State, state: &State) -> bool {
+    fn starts_anew(&self, last: &Row, state: &Row) -> bool {
         let (before, now) = (last.omega.norm(), state.omega.norm());
         if before > 0.0 && now == 0.0 {
             return before > 1e-3 * self.first.omega.norm();

@@ -11,7 +11,7 @@ use crate::laws::{FlipCount, Law, LawName, Laws, angle_between, turned};
 use crate::points::Point;
 use crate::reading::{Misread, Reading};
 use crate::rows::{Raw, Rows};
-use crate::state::{State, median};
+use crate::state::{Row, median};
 use crate::suspects::Subject;
 use crate::trial::Trial;
 use nalgebra::Vector3;
@@ -344,7 +344,7 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
 
 /// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without attitudes.
 fn momentum_of(
-    rows: &[State],
+    rows: &[Row],
     moments: &Vector3<f64>,
     omega: &Vector3<f64>,
 ) -> Result<Option<Vector3<f64>>, tumbling::Error> {

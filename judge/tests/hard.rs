@@ -5,8 +5,8 @@ mod common;
 use common::{exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
-use tumbling::attitude::rotation_matrix;
-use tumbling::step::{Method, Motion, System};
+use tumbling::body::attitude::rotation_matrix;
+use tumbling::step::{Method, State, System};
 use tumbling_judge::{Options, Outcome, judge};
 
 fn error(text: impl AsRef<[u8]>) -> String {
@@ -99,9 +99,9 @@ fn record(
     #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
     let round = |x: f64| if single { f64::from(x as f32) } else { x };
     let system = System::free(moments).unwrap();
-    let mut motion = Motion {
+    let mut motion = State {
         attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
-        vector: system.momentum(&omega),
+        momentum: system.momentum(&omega),
     };
     let names = [
         "t,qx,qy,qz,qw,wx,wy,wz",
@@ -110,12 +110,12 @@ fn record(
     ];
     let mut text = format!("# inertia: {:?} {:?} {:?}\n{}\n", moments.x, moments.y, moments.z, names[style]);
     for i in 0..400 {
-        let (q, omega) = (motion.attitude.coords.map(round), system.omega(&motion.vector).map(round));
+        let (q, omega) = (motion.attitude.coords.map(round), system.omega(&motion.momentum).map(round));
         let q = Quaternion::from_vector(q);
-        motion = Motion { attitude: q, vector: system.momentum(&omega) };
+        motion = State { attitude: q, momentum: system.momentum(&omega) };
         let t = h * f64::from(i);
         let world = rotation_matrix(&q) * omega / q.norm_squared();
-        let momentum = rotation_matrix(&q) * motion.vector / q.norm_squared();
+        let momentum = rotation_matrix(&q) * motion.momentum / q.norm_squared();
         let (fields, separator) = match style {
             0 => ([t, q.i, q.j, q.k, q.w, omega.x, omega.y, omega.z], ","),
             1 => ([world.x, world.y, world.z, t, q.w, q.i, q.j, q.k], ";"),
@@ -130,7 +130,7 @@ fn record(
             .collect();
         writeln!(text, "{}", fields.join(separator)).unwrap();
         match method.step(&system, &motion, &h) {
-            Ok(next) if next.vector.norm() < 1e3 * motion.vector.norm().max(1.0) => motion = next,
+            Ok(next) if next.momentum.norm() < 1e3 * motion.momentum.norm().max(1.0) => motion = next,
             _ => break,
         }
     }

@@ -4,8 +4,8 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion, System};
-use tumbling::{attitude, observe};
+use tumbling::step::{Method, State, System};
+use tumbling::{body::attitude, dynamics::observe};
 
 struct Answer {
     t: f64,
@@ -169,14 +169,14 @@ fn the_implicit_midpoint_does_what_the_kit_asks_of_a_step() {
         for step in &steps[..3] {
             let h = seconds(step);
             let mut motion =
-                Motion { attitude: story.attitude.into_inner(), vector: system.momentum(&story.spin) };
+                State { attitude: story.attitude.into_inner(), momentum: system.momentum(&story.spin) };
             let mut n = 0.0;
             for answer in &story.answers {
                 while n < (answer.t / h).round() {
                     motion = Method::ImplicitMidpoint.step(&system, &motion, &h).unwrap();
                     n += 1.0;
                 }
-                let found = errors(answer, &system.omega(&motion.vector), &motion.attitude);
+                let found = errors(answer, &system.omega(&motion.momentum), &motion.attitude);
                 for (error, allowed) in found.into_iter().zip(answer.within[step].as_array().unwrap()) {
                     let Some(allowed) = allowed.as_f64() else { continue };
                     held += 1;

@@ -4,8 +4,8 @@ mod common;
 
 use common::{MOMENTS, Row, csv, exact, judged, stepped_by};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::attitude::turn;
-use tumbling::step::{Method, Motion, System};
+use tumbling::body::attitude::turn;
+use tumbling::step::{Method, State, System};
 use tumbling_judge::{Diagnosis, Outcome, Rule, Sure};
 
 const H: f64 = 1.0 / 60.0;
@@ -22,8 +22,8 @@ fn altered(
     let system = System::free(&MOMENTS).unwrap();
     stepped_by(spin, H, count, |motion| {
         let end = method.step(&system, motion, &H).unwrap();
-        let (attitude, omega) = how(&motion.attitude, end.attitude, system.omega(&end.vector));
-        Motion { attitude, vector: system.momentum(&omega) }
+        let (attitude, omega) = how(&motion.attitude, end.attitude, system.omega(&end.momentum));
+        State { attitude, momentum: system.momentum(&omega) }
     })
 }
 
@@ -97,8 +97,8 @@ fn damping_by_axis_is_named_with_its_sizes() {
         assert!((found - factors).norm() < 1e-9, "{found}");
         let system = System::free(&MOMENTS).unwrap();
         let rows = stepped_by(SPIN, H, 400, |motion| {
-            let omega = system.omega(&motion.vector).component_mul(&factors);
-            method.step(&system, &Motion { vector: system.momentum(&omega), ..motion.clone() }, &H).unwrap()
+            let omega = system.omega(&motion.momentum).component_mul(&factors);
+            method.step(&system, &State { momentum: system.momentum(&omega), ..motion.clone() }, &H).unwrap()
         });
         let diagnosis = diagnosed(&rows);
         let Rule::DampedByAxis(found, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };

@@ -4,7 +4,7 @@ mod common;
 
 use common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
 use nalgebra::Vector3;
-use tumbling::step::{Engine, Method, Motion, System};
+use tumbling::step::{Engine, Method, State, System};
 use tumbling::{Body, Inertia};
 use tumbling_judge::{Growth, LawName, Outcome, Rule, Sure, Verdict};
 
@@ -111,9 +111,9 @@ fn a_wrong_triple_of_moments_is_named_with_the_moments() {
             let spin = Vector3::new(1.0, 2.0, 1.5);
             let rows = stepped_by(spin, 0.005, 1000, |motion| {
                 let start =
-                    Motion { vector: system.momentum(&right.omega(&motion.vector)), ..motion.clone() };
+                    State { momentum: system.momentum(&right.omega(&motion.momentum)), ..motion.clone() };
                 let end = method.step(&system, &start, &0.005).unwrap();
-                Motion { vector: right.momentum(&system.omega(&end.vector)), ..end }
+                State { momentum: right.momentum(&system.omega(&end.momentum)), ..end }
             });
             let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
             let Rule::OtherMoments(found, _) = diagnosis.best.rule else {
@@ -133,7 +133,7 @@ fn damping_left_on_is_named_with_its_size() {
         let spin = Vector3::new(1.0, 2.0, 1.5);
         let rows = stepped_by(spin, 0.01, 1000, |motion| {
             let mut start = motion.clone();
-            start.vector *= 0.999;
+            start.momentum *= 0.999;
             method.step(&system, &start, &0.01).unwrap()
         });
         let verdict = judged(&csv(&rows));
@@ -149,10 +149,10 @@ fn a_cap_on_the_spin_is_named() {
     let system = System::free(&MOMENTS).unwrap();
     let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 1000, |motion| {
         let end = Method::SemiImplicitEuler.step(&system, motion, &0.02).unwrap();
-        let omega = system.omega(&end.vector);
+        let omega = system.omega(&end.momentum);
         let omega = omega * (2.6 / omega.norm()).min(1.0);
-        let q = motion.attitude * tumbling::attitude::turn(&(omega * 0.02));
-        Motion { attitude: q, vector: system.momentum(&omega) }
+        let q = motion.attitude * tumbling::body::attitude::turn(&(omega * 0.02));
+        State { attitude: q, momentum: system.momentum(&omega) }
     });
     let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
     assert!(matches!(diagnosis.best.rule, Rule::Capped(most, _) if (most - 2.6).abs() < 1e-9), "{diagnosis}");
@@ -168,7 +168,7 @@ fn a_rule_that_none_knows_is_not_given_a_name() {
     });
     let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 500, |motion| {
         let mut end = Method::Gauss6.step(&system, motion, &0.02).unwrap();
-        end.vector = end.vector.map(|x| x + 0.3 * (noise.borrow_mut())());
+        end.momentum = end.momentum.map(|x| x + 0.3 * (noise.borrow_mut())());
         end
     });
     let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
@@ -185,15 +185,15 @@ fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
             for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
                 for direction in SPINS {
                     let omega = Vector3::from(direction).normalize() * speed;
-                    let mut motion = Motion {
+                    let mut motion = State {
                         attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
-                        vector: system.momentum(&omega),
+                        momentum: system.momentum(&omega),
                     };
                     let mut rows = Vec::new();
                     for i in 0..300 {
-                        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.vector)));
+                        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.momentum)));
                         match engine.step(&system, &motion, h) {
-                            Ok(next) if next.vector.norm() < 1e4 * speed => motion = next,
+                            Ok(next) if next.momentum.norm() < 1e4 * speed => motion = next,
                             _ => break,
                         }
                     }

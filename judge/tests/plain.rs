@@ -5,9 +5,9 @@ mod common;
 use common::{Row, stepped_by};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
-use tumbling::attitude::product;
-use tumbling::euler::angular_acceleration;
-use tumbling::step::{Method, Motion, System};
+use tumbling::body::attitude::product;
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::step::{Method, State, System};
 use tumbling_judge::{LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
@@ -18,12 +18,12 @@ const H: f64 = 1.0 / 60.0;
 fn plain(gyroscopic: bool, by_old: bool, count: u32) -> Vec<Row> {
     let system = System::free(&BODY).unwrap();
     stepped_by(SPIN, H, count, |motion| {
-        let old = system.omega(&motion.vector);
+        let old = system.omega(&motion.momentum);
         let rate = angular_acceleration(&BODY, &old, &Vector3::zeros());
         let new = if gyroscopic { old + rate * H } else { old };
         let by = if by_old { old } else { new };
         let q = motion.attitude + product(&motion.attitude, &Quaternion::from_imag(by * (H / 2.0)));
-        Motion { attitude: q / q.norm(), vector: system.momentum(&new) }
+        State { attitude: q / q.norm(), momentum: system.momentum(&new) }
     })
 }
 

@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use tumbling::Error;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{About, Method, Motion};
+use tumbling::step::{About, Method, State};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -80,7 +80,7 @@ pub enum Setting {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ended {
     /// Attitude, and momentum in body axes.
-    pub motion: Motion<f64>,
+    pub motion: State<f64>,
     /// Steps done.
     pub steps: u64,
     /// How often the law was evaluated, where that was counted.
@@ -217,7 +217,7 @@ fn asked(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) -> Re
         watch.told(exact.flips(0.0, story.end)?.count());
     }
     let vector = story.system.moments().component_mul(&there.omega);
-    let motion = Motion { attitude: there.attitude.into_inner(), vector };
+    let motion = State { attitude: there.attitude.into_inner(), momentum: vector };
     Ok(Ended { motion, steps: 1, evaluations: None })
 }
 
@@ -248,7 +248,7 @@ impl Contestant for Exact {
 
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
         let moments = black_box(story.system.moments());
-        let omega = story.system.omega(&story.start.vector);
+        let omega = story.system.omega(&story.start.momentum);
         let exact = FreeMotion::new(moments, &omega)?;
         asked(&exact, story, watch)
     }
@@ -282,7 +282,7 @@ impl Contestant for Prepared {
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
         let mut kept = self.0.borrow_mut();
         if kept.as_ref().is_none_or(|(name, _)| *name != story.name) {
-            let omega = story.system.omega(&story.start.vector);
+            let omega = story.system.omega(&story.start.momentum);
             *kept = Some((story.name, FreeMotion::new(story.system.moments(), &omega)?));
         }
         let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };

@@ -4,7 +4,7 @@ use crate::contestant::{Ended, Failure};
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::Motion;
+use tumbling::step::State;
 
 /// What came of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,10 +49,10 @@ pub struct Watch<'a> {
     story: &'a Story,
     middle: usize,
     world: Vector3<f64>,
-    before: Option<(f64, Motion<f64>)>,
+    before: Option<(f64, State<f64>)>,
     flips: u64,
     /// The last state before the last change of sign, and when.
-    last: Option<(f64, Motion<f64>)>,
+    last: Option<(f64, State<f64>)>,
     worst: [f64; 3],
     finite: bool,
 }
@@ -65,7 +65,7 @@ impl<'a> Watch<'a> {
         Self {
             story,
             middle: story.middle(),
-            world: in_world(&start.attitude, &start.vector),
+            world: in_world(&start.attitude, &start.momentum),
             before: Some((0.0, start.clone())),
             flips: 0,
             last: None,
@@ -75,18 +75,18 @@ impl<'a> Watch<'a> {
     }
 
     /// The motion after a step.
-    pub fn see(&mut self, time: f64, motion: &Motion<f64>) {
-        if !motion.attitude.coords.iter().chain(&motion.vector).all(|x| x.is_finite()) {
+    pub fn see(&mut self, time: f64, motion: &State<f64>) {
+        if !motion.attitude.coords.iter().chain(&motion.momentum).all(|x| x.is_finite()) {
             self.finite = false;
             return;
         }
         if let Some((t, before)) = self.before.take() {
             // A component of exactly zero has the sign that it had before.
-            if motion.vector[self.middle] == 0.0 {
+            if motion.momentum[self.middle] == 0.0 {
                 self.before = Some((t, before));
                 return;
             }
-            if (before.vector[self.middle] < 0.0) != (motion.vector[self.middle] < 0.0) {
+            if (before.momentum[self.middle] < 0.0) != (motion.momentum[self.middle] < 0.0) {
                 self.flips += 1;
                 self.last = Some((t, before));
             }
@@ -97,8 +97,8 @@ impl<'a> Watch<'a> {
             self.worst[0] = self.worst[0].max(off);
         }
         if self.story.system.is_free() {
-            self.worst[1] = self.worst[1].max(relative(motion.vector.norm(), self.world.norm()));
-            let world = in_world(&motion.attitude, &motion.vector);
+            self.worst[1] = self.worst[1].max(relative(motion.momentum.norm(), self.world.norm()));
+            let world = in_world(&motion.attitude, &motion.momentum);
             self.worst[2] = self.worst[2].max(angle(&world, &self.world));
         }
     }
@@ -115,15 +115,15 @@ impl<'a> Watch<'a> {
             Err(failure) => return (failure.clone().into(), Errors::default()),
             Ok(end) => &end.motion,
         };
-        if !self.finite || !end.attitude.coords.iter().chain(&end.vector).all(|x| x.is_finite()) {
+        if !self.finite || !end.attitude.coords.iter().chain(&end.momentum).all(|x| x.is_finite()) {
             return (Outcome::NotFinite, Errors::default());
         }
         let truth = &self.story.truth;
-        let true_world = in_world(&truth.motion.attitude, &truth.motion.vector);
-        let end_world = in_world(&end.attitude, &end.vector);
+        let true_world = in_world(&truth.motion.attitude, &truth.motion.momentum);
+        let end_world = in_world(&end.attitude, &end.momentum);
         let at_end = [
             relative(self.story.energy(end), truth.energy),
-            relative(end.vector.norm(), true_world.norm()),
+            relative(end.momentum.norm(), true_world.norm()),
             angle(&end_world, &true_world),
         ];
         let largest = |i: usize| Some(self.worst[i].max(at_end[i]));
@@ -146,7 +146,7 @@ impl<'a> Watch<'a> {
     /// flips, so that no interpolation stands between the method and its error.
     fn last_flip(&self) -> Option<f64> {
         let (t, state) = self.last.as_ref()?;
-        let omega = self.story.system.omega(&state.vector);
+        let omega = self.story.system.omega(&state.momentum);
         let on = FreeMotion::new(self.story.system.moments(), &omega).ok()?.next_flip(0.0).ok()??;
         Some(t + on)
     }

@@ -7,17 +7,17 @@ use crate::operations::evaluations_of_step;
 use crate::record::Long;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::TAU;
-use tumbling::step::{Method, Motion, System};
+use tumbling::step::{Method, State, System};
 
 /// Steps in a turn of the spin.
 pub const STEPS: u32 = 20;
 
 /// The document's box, and spins that differ a little from start to start.
-fn start(k: u32) -> Option<(System<f64>, Motion<f64>, f64)> {
+fn start(k: u32) -> Option<(System<f64>, State<f64>, f64)> {
     let system = System::free(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)).ok()?;
     let omega = Vector3::new(0.6 + 0.07 * f64::from(k), 0.5, 0.7 - 0.05 * f64::from(k));
     let h = TAU / (f64::from(STEPS) * omega.norm());
-    Some((system.clone(), Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) }, h))
+    Some((system.clone(), State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) }, h))
 }
 
 /// Errors gathered over a window.
@@ -106,12 +106,13 @@ pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
 fn one(
     method: Method,
     system: &System<f64>,
-    start: Motion<f64>,
+    start: State<f64>,
     h: f64,
     ends: &[u64],
 ) -> (Vec<Window>, Outcome) {
-    let energy = |m: &Motion<f64>| tumbling::observe::energy(&system.omega(&m.vector), &m.vector);
-    let (energy0, momentum0) = (energy(&start), start.vector.norm());
+    let energy =
+        |m: &State<f64>| tumbling::dynamics::observe::energy(&system.omega(&m.momentum), &m.momentum);
+    let (energy0, momentum0) = (energy(&start), start.momentum.norm());
     let mut windows = Vec::new();
     let mut motion = start;
     let mut done = 0;
@@ -127,7 +128,7 @@ fn one(
                 window.sum += off;
                 window.count += 1.0;
                 window.energy = window.energy.max(off.abs());
-                window.momentum = window.momentum.max((motion.vector.norm() / momentum0 - 1.0).abs());
+                window.momentum = window.momentum.max((motion.momentum.norm() / momentum0 - 1.0).abs());
             }
         }
         done = end;

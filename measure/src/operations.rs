@@ -4,8 +4,8 @@ use nalgebra::{Quaternion, Vector3};
 use num_traits::{One, Zero};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use tumbling::scalar::Analytic;
-use tumbling::step::{Method, Motion, System, Torque};
+use tumbling::number::Analytic;
+use tumbling::step::{Method, State, System, Torque};
 
 thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
@@ -148,12 +148,12 @@ const STEPS: u32 = 16;
 pub fn evaluations_of_step(
     method: Method,
     system: &System<f64>,
-    start: &Motion<f64>,
+    start: &State<f64>,
     step: f64,
 ) -> Option<f64> {
     let system = counting(system)?;
     let [x, y, z, w] = start.attitude.coords.map(Tallied::new).into();
-    let mut motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&start.vector) };
+    let mut motion = State { attitude: Quaternion::new(w, x, y, z), momentum: vector(&start.momentum) };
     let (_, law) = counted(|| system.rate(&motion));
     let h = Tallied::new(step);
     let (done, steps) = counted(|| {

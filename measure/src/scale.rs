@@ -180,7 +180,7 @@ impl Digest for Vector3<f64> {
 /// The exact motion, prepared as `W` and asked at `instants` times in a pass, with `run` to see it through.
 fn ready<'a, W: Want + 'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a>
 where
-    W::State: Digest,
+    W::Answer: Digest,
 {
     let many = Many::<W>::prepare(bodies, body, |_| {});
     let bytes = many.bytes();
@@ -188,7 +188,7 @@ where
         #[allow(clippy::cast_precision_loss)]
         let times: Vec<f64> = (0..instants).map(|n| 1.0 + 0.37 * n as f64 + f64::from(k)).collect();
         let digest = AtomicU64::new(0);
-        let put = |chunk: Chunk<'_, W::State>| {
+        let put = |chunk: Chunk<'_, W::Answer>| {
             let last = chunk.answers.last().map_or(0.0, Digest::digest);
             digest.fetch_xor(black_box(last).to_bits(), Ordering::Relaxed);
         };

@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Motion, System, Torque};
+use tumbling::step::{State, System, Torque};
 
 /// What went wrong with a story, in words.
 pub type Wrong = Box<dyn std::error::Error>;
@@ -18,7 +18,7 @@ pub struct Story {
     /// The body and its torques.
     pub system: System<f64>,
     /// Attitude, and momentum in body axes, at time 0.
-    pub start: Motion<f64>,
+    pub start: State<f64>,
     /// When it ends, s.
     pub end: f64,
     /// Where it truly is then.
@@ -29,7 +29,7 @@ pub struct Story {
 #[derive(Debug, Clone)]
 pub struct Truth {
     /// Attitude, and momentum in body axes.
-    pub motion: Motion<f64>,
+    pub motion: State<f64>,
     /// Kinetic energy and that of its place, J.
     pub energy: f64,
     /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a free body alone.
@@ -54,7 +54,7 @@ impl Story {
     /// The spin at the start, rad/s: what a step is judged by.
     #[must_use]
     pub fn speed(&self) -> f64 {
-        self.system.omega(&self.start.vector).norm()
+        self.system.omega(&self.start.momentum).norm()
     }
 
     /// How many times a body turning at that speed turns from start to end.
@@ -74,8 +74,9 @@ impl Story {
 
     /// Kinetic energy and that of its place, J. The attitude may have any length.
     #[must_use]
-    pub fn energy(&self, motion: &Motion<f64>) -> f64 {
-        let kinetic = tumbling::observe::energy(&self.system.omega(&motion.vector), &motion.vector);
+    pub fn energy(&self, motion: &State<f64>) -> f64 {
+        let kinetic =
+            tumbling::dynamics::observe::energy(&self.system.omega(&motion.momentum), &motion.momentum);
         let place = |torque: &Torque<f64>| match torque {
             Torque::Aligning { arm, field } => -arm.dot(&in_body(&motion.attitude, field)),
             _ => 0.0,
@@ -101,9 +102,9 @@ impl Story {
         }
         let system = System::with(&moments, torques)?;
         let start =
-            Motion { attitude: Quaternion::identity(), vector: system.momentum(&vector(&entry["omega"])?) };
+            State { attitude: Quaternion::identity(), momentum: system.momentum(&vector(&entry["omega"])?) };
         let [w, x, y, z] = numbers(&entry["attitude"])?;
-        let motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: vector(&entry["momentum"])? };
+        let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: vector(&entry["momentum"])? };
         let end = number(&entry["t"])?;
         let flips = if system.is_free() { Some(flips(&system, &start, end)?) } else { None };
         let truth = Truth { motion, energy: number(&entry["energy"])?, flips };
@@ -112,8 +113,8 @@ impl Story {
 }
 
 /// Those of a free body, by the exact motion.
-fn flips(system: &System<f64>, start: &Motion<f64>, end: f64) -> Result<Flips, Wrong> {
-    let exact = FreeMotion::new(system.moments(), &system.omega(&start.vector))?;
+fn flips(system: &System<f64>, start: &State<f64>, end: f64) -> Result<Flips, Wrong> {
+    let exact = FreeMotion::new(system.moments(), &system.omega(&start.momentum))?;
     let times: Vec<f64> = exact.flips(0.0, end)?.collect();
     let [.., before, last] = times.as_slice() else { return Err("fewer than two flips".into()) };
     Ok(Flips { count: u64::try_from(times.len())?, last: *last, apart: last - before })
@@ -148,13 +149,13 @@ pub fn all() -> Result<Vec<Story>, Wrong> {
 
 /// A world vector in the axes of a body with this attitude, of whatever length.
 fn in_body(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    tumbling::attitude::rotation_matrix(attitude).tr_mul(v) / attitude.norm_squared()
+    tumbling::body::attitude::rotation_matrix(attitude).tr_mul(v) / attitude.norm_squared()
 }
 
 /// A body vector in the axes of the world.
 #[must_use]
 pub fn in_world(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    tumbling::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
+    tumbling::body::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
 }
 
 fn number(value: &Value) -> Result<f64, Wrong> {

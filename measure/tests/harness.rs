@@ -2,7 +2,7 @@
 
 use nalgebra::Quaternion;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion};
+use tumbling::step::{Method, State};
 use tumbling_measure::contestant::{Contestant, Ended, Exact, Failure, Group, Knob, Ours, Setting, ours};
 use tumbling_measure::errors::{Outcome, Watch, turn};
 use tumbling_measure::measure::{Effort, measure};
@@ -43,7 +43,7 @@ fn a_method_of_order_four_shows_slope_four() {
 #[test]
 fn the_exact_motion_is_where_the_table_says() {
     for story in story::all().unwrap().iter().filter(|story| story.system.is_free()) {
-        let omega = story.system.omega(&story.start.vector);
+        let omega = story.system.omega(&story.start.momentum);
         let there = FreeMotion::new(story.system.moments(), &omega).unwrap().at(story.end).unwrap();
         let off = turn(there.attitude.quaternion(), &story.truth.motion.attitude);
         // A radian of turn loses at most some units of rounding.
@@ -65,14 +65,14 @@ fn the_table_keeps_the_laws() {
             assert!(story.truth.energy < started, "{}", story.name);
         }
         if story.system.is_free() {
-            let moved = in_world(&end.attitude, &end.vector) - story.start.vector;
-            assert!(moved.norm() < 1e-14 * story.start.vector.norm(), "{}", story.name);
+            let moved = in_world(&end.attitude, &end.momentum) - story.start.momentum;
+            assert!(moved.norm() < 1e-14 * story.start.momentum.norm(), "{}", story.name);
         }
     }
 }
 
 /// A contestant that is right but for one thing.
-struct Broken(fn(Motion<f64>) -> Result<Motion<f64>, Failure>);
+struct Broken(fn(State<f64>) -> Result<State<f64>, Failure>);
 
 impl Contestant for Broken {
     fn name(&self) -> &str {
@@ -102,14 +102,14 @@ fn what_is_broken_shows_as_broken() {
     let stories = story::all().unwrap();
     let [wobble] = [&stories[1]];
     assert_eq!(judged(&Broken(Ok), wobble, 8192).0, Outcome::Right);
-    let lost = Broken(|motion| Ok(Motion { attitude: motion.attitude * f64::NAN, ..motion }));
+    let lost = Broken(|motion| Ok(State { attitude: motion.attitude * f64::NAN, ..motion }));
     assert_eq!(judged(&lost, wobble, 8192), (Outcome::NotFinite, None));
     let refuses = Broken(|_| Err(Failure::Refused("not today".into())));
     assert_eq!(judged(&refuses, wobble, 8192).0, Outcome::Refused("not today".into()));
     // Turned by a tenth of a radian about some axis, the attitude is off by just that, and nothing else is.
     let turned = Broken(|motion| {
         let by = Quaternion::new(0.05_f64.cos(), 0.0, 0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin());
-        Ok(Motion { attitude: by * motion.attitude, ..motion })
+        Ok(State { attitude: by * motion.attitude, ..motion })
     });
     let (outcome, attitude) = judged(&turned, wobble, 1 << 16);
     assert_eq!(outcome, Outcome::Right);
@@ -145,16 +145,16 @@ fn a_slow_clock_shows_as_phase() {
             story.system.is_free()
         }
         fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
-            let omega = story.system.omega(&story.start.vector);
+            let omega = story.system.omega(&story.start.momentum);
             let exact = FreeMotion::new(story.system.moments(), &omega)?;
             let mut motion = story.start.clone();
             let watch = watch.unwrap();
             for k in 1..=10_000_u32 {
                 let t = story.end * f64::from(k) / 1e4;
                 let there = exact.at(t * (1.0 - 1e-6))?;
-                motion = Motion {
+                motion = State {
                     attitude: there.attitude.into_inner(),
-                    vector: story.system.momentum(&there.omega),
+                    momentum: story.system.momentum(&there.omega),
                 };
                 watch.see(t, &motion);
             }

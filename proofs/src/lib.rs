@@ -5,7 +5,7 @@
 //! is the law itself, and whether two laws agree is decided, not sampled.
 //!
 //! ```
-//! use tumbling::euler::coupling;
+//! use tumbling::dynamics::euler::coupling;
 //! use tumbling_proofs::symbols::vector;
 //!
 //! // Euler's equations for every body and every spin, and why they keep the energy: w . (I w') is nothing.

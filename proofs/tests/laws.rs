@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 use proptest::prelude::*;
-use tumbling::scalar::Field;
+use tumbling::number::Field;
 use tumbling_proofs::{
     BigInt, BigRational, Derivation, Fraction, Monomial, Polynomial, Rational, Relations, Series, Symbol,
 };

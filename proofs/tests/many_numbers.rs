@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_dual::Dual64;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use tumbling::scalar::Field;
-use tumbling::step::{Motion, rk4};
-use tumbling::{attitude, euler, inertia, observe, stability};
+use tumbling::number::Field;
+use tumbling::step::{State, rk4};
+use tumbling::{body::attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia};
 use tumbling_proofs::{Fraction, Rational, Series};
 use wide::f64x4;
 
@@ -66,10 +66,10 @@ fn laws<T: Field>(spin: Vector3<T>, h: T) -> Vec<T> {
     let tilted = Quaternion::new(n(4) / n(5), n(2) / n(5), n(2) / n(5), n(1) / n(5));
     let rotation = attitude::rotation_matrix(&tilted);
     let momentum = spin.component_mul(&moments);
-    let start = Motion { attitude: tilted.clone(), vector: momentum.clone() };
-    let law = |m: &Motion<T>| Motion {
-        attitude: attitude::rate(&m.attitude, &(&inverse * &m.vector)),
-        vector: euler::momentum_rate(&inverse, &m.vector, &torque),
+    let start = State { attitude: tilted.clone(), momentum: momentum.clone() };
+    let law = |m: &State<T>| State {
+        attitude: attitude::rate(&m.attitude, &(&inverse * &m.momentum)),
+        momentum: euler::momentum_rate(&inverse, &m.momentum, &torque),
     };
     let end = rk4(&start, &h, law);
     let mut all = Vec::new();
@@ -78,7 +78,7 @@ fn laws<T: Field>(spin: Vector3<T>, h: T) -> Vec<T> {
     all.extend(inertia::turned(&rotation, &tensor).iter().cloned());
     all.extend(inertia::omega_world(&rotation, &inverse, &momentum).iter().cloned());
     all.extend(end.attitude.coords.iter().cloned());
-    all.extend(end.vector.iter().cloned());
+    all.extend(end.momentum.iter().cloned());
     all.push(observe::energy(&spin, &momentum));
     all.push(stability::rate_squared(&spin.y, &moments.y, &moments.x, &moments.z));
     all

@@ -23,7 +23,7 @@ use std::io::{self, BufWriter, ErrorKind, IsTerminal as _, Write};
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use tumbling::Error;
-use tumbling::scene::{Plan, State, Wants};
+use tumbling::scene::{Answer, Plan, Wants};
 use tumbling_scenes::crowd::{self, Block};
 use tumbling_scenes::file::{self, File};
 
@@ -199,7 +199,7 @@ fn states(file: &File, name: &str, out: &mut impl Write) -> io::Result<usize> {
 fn lines(block: &Block<'_>) -> (String, u64, Vec<(usize, Error)>) {
     let (mut text, mut count) = (String::new(), 0);
     for (body, state) in block.states() {
-        let State { time, spin, attitude, energy, gap } = state;
+        let Answer { time, spin, attitude, energy, gap } = state;
         count += 1;
         let quaternion = attitude.map(|q| [q.w, q.i, q.j, q.k]);
         let numbers = spin.iter().flatten().chain(quaternion.iter().flatten()).chain(energy).chain(gap);

@@ -44,7 +44,7 @@ use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Spins};
-use tumbling::scene::{Plan, Scene, State, States};
+use tumbling::scene::{Answer, Plan, Scene, States};
 
 /// So many tiles are in hand at once, on whatever threads, so that the order is always the same.
 const AT_ONCE: usize = 32;
@@ -60,16 +60,16 @@ pub struct Block<'a> {
     /// Which of the times.
     pub times: Range<u64>,
     /// All bodies at the first of these times, then all at the next; none of a body that has no answer (any more).
-    pub answers: &'a [Option<State>],
+    pub answers: &'a [Option<Answer>],
     /// Bodies that have no answer from here on, by their number in the scene, and why.
     pub wrong: &'a [(usize, Error)],
 }
 
 impl Block<'_> {
     /// Each state with the number of its body: all bodies at the first of the times, then all at the next.
-    pub fn states(&self) -> impl Iterator<Item = (usize, &State)> {
+    pub fn states(&self) -> impl Iterator<Item = (usize, &Answer)> {
         let (first, count) = (self.bodies.start, self.bodies.len().max(1));
-        let place = move |(n, state): (usize, &'_ Option<State>)| state.as_ref().map(|_| first + n % count);
+        let place = move |(n, state): (usize, &'_ Option<Answer>)| state.as_ref().map(|_| first + n % count);
         self.answers.iter().enumerate().filter_map(move |slot| Some((place(slot)?, slot.1.as_ref()?)))
     }
 }
@@ -126,7 +126,7 @@ struct Desk<'p> {
     places: Vec<usize>,
     /// The others that have a plan.
     walkers: Vec<(usize, States<'p>)>,
-    room: Vec<Option<State>>,
+    room: Vec<Option<Answer>>,
     wrong: Vec<(usize, Error)>,
     /// Those that have no answer any more.
     failed: Vec<bool>,
@@ -174,7 +174,7 @@ impl<'p> Desk<'p> {
         let at: Vec<f64> = times.clone().map(|n| scene.times().nth(n)).collect();
         room.clear();
         room.resize(bodies * at.len(), None);
-        let mut put = |time: usize, place: usize, state: Result<State, Error>| match state {
+        let mut put = |time: usize, place: usize, state: Result<Answer, Error>| match state {
             Ok(state) if !failed[place] => room[time * bodies + place] = Some(state),
             Err(source) if !failed[place] => {
                 failed[place] = true;

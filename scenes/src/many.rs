@@ -208,12 +208,12 @@ impl<W: Want> Many<W> {
         &self,
         times: &[f64],
         tell: impl Fn(Progress) + Sync,
-        put: impl Fn(Chunk<'_, W::State>) + Sync,
+        put: impl Fn(Chunk<'_, W::Answer>) + Sync,
     ) -> Result<(), Error> {
         check(times)?;
         let of = self.bodies.saturating_mul(times.len());
         let done = AtomicUsize::new(0);
-        let work = |room: &mut Vec<W::State>, tile: &Tile<W>| {
+        let work = |room: &mut Vec<W::Answer>, tile: &Tile<W>| {
             for (n, span) in times.chunks(INSTANTS).enumerate() {
                 put(tile.ask(span, n * INSTANTS, room)?);
             }
@@ -238,7 +238,7 @@ impl<W: Want> Many<W> {
         &self,
         times: &[f64],
         mut tell: impl FnMut(Progress),
-        mut put: impl FnMut(Chunk<'_, W::State>),
+        mut put: impl FnMut(Chunk<'_, W::Answer>),
     ) -> Result<(), Error> {
         check(times)?;
         let mut progress = Progress { done: 0, of: self.bodies.saturating_mul(times.len()) };
@@ -284,8 +284,8 @@ impl<W: Want> Tile<W> {
         &self,
         times: &[f64],
         number: usize,
-        room: &'a mut Vec<W::State>,
-    ) -> Result<Chunk<'a, W::State>, Error> {
+        room: &'a mut Vec<W::Answer>,
+    ) -> Result<Chunk<'a, W::Answer>, Error> {
         let bodies = self.bodies;
         let whole = self.places.is_empty();
         if !whole || room.len() != bodies * times.len() {

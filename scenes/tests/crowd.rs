@@ -3,11 +3,11 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use std::ops::ControlFlow;
 use tumbling::Error;
-use tumbling::scene::{LetGo, Scene, State, Times, Toss, Wants, Way};
+use tumbling::scene::{Answer, LetGo, Scene, Times, Toss, Wants, Way};
 use tumbling::step::Torque;
 use tumbling_scenes::crowd;
 
-type Answers = (Vec<(usize, State)>, Vec<(usize, Error)>);
+type Answers = (Vec<(usize, Answer)>, Vec<(usize, Error)>);
 
 fn in_blocks(scene: &Scene) -> Answers {
     let (mut states, mut wrong): Answers = Default::default();
@@ -36,7 +36,7 @@ fn one_by_one(scene: &Scene) -> Answers {
     (states, wrong)
 }
 
-fn bits(state: &State) -> Vec<Option<u64>> {
+fn bits(state: &Answer) -> Vec<Option<u64>> {
     let q = state.attitude.map(|q| [q.w, q.i, q.j, q.k]);
     let spin = (0..3).map(|i| state.spin.map(|w| w[i]));
     let turn = (0..4).map(|i| q.map(|q| q[i]));

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use std::sync::Mutex;
 use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Instant, Regime, Spins};
-use tumbling::scalar::Lane;
+use tumbling::number::Lane;
 use tumbling_scenes::many::{Four, Given, INSTANTS, Many, TILE, Want};
 
 fn given(moments: [f64; 3], omega: [f64; 3]) -> Given {
@@ -64,7 +64,7 @@ fn times_of(speed: f64) -> Vec<f64> {
         .to_vec()
 }
 
-fn answers<W: Want>(all: &[Given], times: &[f64]) -> Vec<Option<W::State>> {
+fn answers<W: Want>(all: &[Given], times: &[f64]) -> Vec<Option<W::Answer>> {
     let mut found = vec![None; all.len() * times.len()];
     Many::<W>::prepare(all.len(), |k| all[k], |_| {})
         .in_order(

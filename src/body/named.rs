@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use tumbling::Axis;
-//! for body in tumbling::bodies::all() {
+//! for body in tumbling::body::named::all() {
 //!     let principal = body.properties()?.inertia().principal();
 //!     assert!(principal.axis(Axis::Middle).x > 1.0 - 1e-12, "{}", body.name());
 //! }

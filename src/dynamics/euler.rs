@@ -3,7 +3,7 @@
 //! Written component by component, as they are printed, and without a division, for any number type. All vectors here are
 //! in the body frame. Source: [Eul65](crate::references); the momentum form is [Arn66](crate::references)'s.
 
-use crate::scalar::{Field, Ring};
+use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
 
 /// The right-hand sides `(I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2`, in N m: what each `I w'`
@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// let coupling = tumbling::euler::coupling(&Vector3::new(2, 3, 4), &Vector3::new(1, 10, 100));
+/// let coupling = tumbling::dynamics::euler::coupling(&Vector3::new(2, 3, 4), &Vector3::new(1, 10, 100));
 /// assert_eq!(coupling, Vector3::new(-1000, 200, -10));
 /// ```
 pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
@@ -27,9 +27,9 @@ pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T>
 /// ```
 /// use nalgebra::Vector3;
 /// let (moments, omega) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 2.0));
-/// let free = tumbling::euler::angular_acceleration(&moments, &omega, &Vector3::zeros());
+/// let free = tumbling::dynamics::euler::angular_acceleration(&moments, &omega, &Vector3::zeros());
 /// assert_eq!(free, Vector3::new(-2.0, 0.0, 0.0));
-/// let pushed = tumbling::euler::angular_acceleration(&moments, &omega, &Vector3::new(2.0, 0.0, 3.0));
+/// let pushed = tumbling::dynamics::euler::angular_acceleration(&moments, &omega, &Vector3::new(2.0, 0.0, 3.0));
 /// assert_eq!(pushed, Vector3::new(0.0, 0.0, 1.0));
 /// ```
 pub fn angular_acceleration<T: Field>(
@@ -46,7 +46,7 @@ pub fn angular_acceleration<T: Field>(
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
 /// let inverse = Matrix3::from_diagonal(&Vector3::new(3, 2, 1));
-/// let rate = tumbling::euler::momentum_rate(&inverse, &Vector3::new(0, 1, 1), &Vector3::zeros());
+/// let rate = tumbling::dynamics::euler::momentum_rate(&inverse, &Vector3::new(0, 1, 1), &Vector3::zeros());
 /// assert_eq!(rate, Vector3::new(-1, 0, 0));
 /// ```
 pub fn momentum_rate<T: Ring>(
@@ -62,7 +62,7 @@ pub fn momentum_rate<T: Ring>(
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
 /// let tensor = Matrix3::from_diagonal(&Vector3::new(2, 3, 4));
-/// let rate = tumbling::euler::tensor_times_acceleration(&tensor, &Vector3::new(1, 10, 100), &Vector3::zeros());
+/// let rate = tumbling::dynamics::euler::tensor_times_acceleration(&tensor, &Vector3::new(1, 10, 100), &Vector3::zeros());
 /// assert_eq!(rate, Vector3::new(-1000, 200, -10));
 /// ```
 pub fn tensor_times_acceleration<T: Ring>(

@@ -1,13 +1,13 @@
 //! What can be read off a motion: energy, length of momentum, flips, closeness to the separatrix.
 
-use crate::scalar::Field;
+use crate::number::Field;
 use nalgebra::Vector3;
 
 /// Kinetic energy, J: half of `w . L`, the same in body and world axes as long as both vectors share them.
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// let energy = tumbling::observe::energy(&Vector3::new(1.0, 1.0, 0.0), &Vector3::new(2.0, 4.0, 0.0));
+/// let energy = tumbling::dynamics::observe::energy(&Vector3::new(1.0, 1.0, 0.0), &Vector3::new(2.0, 4.0, 0.0));
 /// assert_eq!(energy, 3.0);
 /// ```
 pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
@@ -22,7 +22,7 @@ pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
 /// finite are passed over.
 ///
 /// ```
-/// use tumbling::observe::sign_changes;
+/// use tumbling::dynamics::observe::sign_changes;
 /// let times = sign_changes([(0.0, 2.0), (1.0, 1.0), (2.0, -1.0), (3.0, 0.0), (4.0, -1.0), (5.0, 3.0)]);
 /// assert_eq!(times, [1.5, 4.25]);
 /// ```

@@ -4,9 +4,9 @@
 //! difference that matters, which is taken in twice the precision; nothing that is small is formed by
 //! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
 
-use crate::double::{Double, exact_products, exact_sum};
-use crate::elliptic::quarter_period_from_root;
-use crate::scale::{exponent, times_power_of_two};
+use crate::exact::elliptic::quarter_period_from_root;
+use crate::number::double_double::{Double, exact_products, exact_sum};
+use crate::number::power_of_two::{exponent, times_power_of_two};
 
 /// What kind of free motion this is, decided without rounding.
 #[allow(clippy::large_enum_variant)] // made once and taken apart at once

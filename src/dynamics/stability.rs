@@ -1,10 +1,10 @@
 //! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
 
+use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, finite, finite_vector, positive};
-use crate::invariants::{Kind, classify};
-use crate::principal::Axis;
-use crate::scalar::Field;
-use crate::scale::times_power_of_two;
+use crate::inertia::Axis;
+use crate::number::Field;
+use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
 /// The square of the rate at which a small wobble changes, (1/s)²: positive where it grows, negative
@@ -16,9 +16,9 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// // The middle of 1, 2, 3 grows, the ends do not.
-/// assert!(tumbling::stability::rate_squared(&1.0, &2.0, &1.0, &3.0) > 0.0);
-/// assert!(tumbling::stability::rate_squared(&1.0, &1.0, &2.0, &3.0) < 0.0);
-/// assert!(tumbling::stability::rate_squared(&1.0, &3.0, &1.0, &2.0) < 0.0);
+/// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &2.0, &1.0, &3.0) > 0.0);
+/// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &1.0, &2.0, &3.0) < 0.0);
+/// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &3.0, &1.0, &2.0) < 0.0);
 /// ```
 pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T {
     let [w, i, a, b] = [omega, about, first, second].map(T::clone);
@@ -58,7 +58,7 @@ fn sorted(moments: [f64; 3]) -> Result<[f64; 3], Error> {
 /// in any order (kg m²).
 ///
 /// ```
-/// use tumbling::{Axis, stability::{Stability, of_spin}};
+/// use tumbling::{Axis, dynamics::stability::{Stability, of_spin}};
 /// let moments = [1.0, 2.0, 3.0];
 /// let Stability::Growth { rate } = of_spin(moments, Axis::Middle, 10.0)? else { panic!() };
 /// assert_eq!(format!("{rate:.4}"), "5.7735"); // 10 / sqrt(3)
@@ -106,7 +106,7 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::stability::time_between_flips;
+/// use tumbling::dynamics::stability::time_between_flips;
 /// let moments = Vector3::new(1.0, 2.0, 3.0);
 /// let book = time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.001))?;
 /// assert_eq!(format!("{:.4}", book.unwrap()), "3.4805");

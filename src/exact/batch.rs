@@ -4,7 +4,7 @@ use super::circulating::{Elliptic, Going, Lingering, LingeringTurn, Waving, Wavi
 use super::elementary::{Precession, Turn, Turns, Wobbles};
 use super::{FreeMotion, Instant, Law, klein, real_first};
 use crate::error::{Error, finite};
-use crate::scalar::{Lane, gathered};
+use crate::number::{Lane, gathered};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::mem::size_of;
 

@@ -1,10 +1,10 @@
 //! The motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
 use super::klein;
-use crate::double::Double;
-use crate::elliptic::sin_cos_of_turns;
-use crate::scalar::{Lane, gathered};
-use crate::scale::{exponent, times_power_of_two};
+use crate::exact::elliptic::sin_cos_of_turns;
+use crate::number::double_double::Double;
+use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{Lane, gathered};
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::PI;
 

@@ -43,7 +43,7 @@ impl Values {
 /// Carlson's `R_F(x, y, z)`, half the integral of `1/sqrt((t+x)(t+y)(t+z))` over positive `t` [Car95](crate::references).
 ///
 /// ```
-/// let value = tumbling::elliptic::carlson_rf(1.0, 1.0, 4.0)?;
+/// let value = tumbling::exact::elliptic::carlson_rf(1.0, 1.0, 4.0)?;
 /// assert!((value - 2_f64.acosh() / 3_f64.sqrt()).abs() < 1e-15);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
@@ -55,9 +55,9 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> Result<f64, Error> {
         not_negative("an argument of R_F", number)?;
     }
     // Homogeneous of degree -1/2: bring the largest near 1.
-    let half = crate::scale::exponent(x.max(y).max(z)) / 2;
-    let root = |a: f64| crate::scale::times_power_of_two(a, -2 * half).sqrt();
+    let half = crate::number::power_of_two::exponent(x.max(y).max(z)) / 2;
+    let root = |a: f64| crate::number::power_of_two::times_power_of_two(a, -2 * half).sqrt();
     let scaled = rf_of_roots(root(x), root(y), root(z));
-    let value = crate::scale::times_power_of_two(scaled, -half);
+    let value = crate::number::power_of_two::times_power_of_two(scaled, -half);
     if value.is_finite() { Ok(value) } else { Err(Error::OutOfRange { what: "R_F", value }) }
 }

@@ -1,8 +1,8 @@
 //! When a free body flips: every instant, in order, without a list.
 
-use crate::double::Double;
 use crate::error::Error;
-use crate::scale::times_power_of_two;
+use crate::number::double_double::Double;
+use crate::number::power_of_two::times_power_of_two;
 use std::iter::FusedIterator;
 
 /// Beyond this many flips from the start an `f64` cannot number them one by one.

@@ -1,10 +1,10 @@
 //! What can be read off a whole motion: its period, its angles to the momentum, how far it twists.
 
 use super::{FreeMotion, Law, Regime};
+use crate::dynamics::stability::{Stability, of_spin};
 use crate::error::{Error, finite};
+use crate::inertia::Axis;
 use crate::inertia::unit;
-use crate::principal::Axis;
-use crate::stability::{Stability, of_spin};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

@@ -13,8 +13,8 @@
 //! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the quaternion one of length 1; nothing has to
 //! be integrated, no angle unwound.
 
-use crate::double::Double;
-use crate::scalar::{Lane, gathered};
+use crate::number::double_double::Double;
+use crate::number::{Lane, gathered};
 use nalgebra::Quaternion;
 
 /// `a + b j`, not of length 1.
@@ -324,6 +324,6 @@ impl<T: Lane> HyperbolicPair<T> {
 /// Cosine and sine of the common phase.
 #[inline(always)]
 pub(crate) fn phase<T: Lane>(turns: Double<T>) -> [T; 2] {
-    let (sin, cos) = crate::elliptic::sin_cos_of_turns(turns);
+    let (sin, cos) = crate::exact::elliptic::sin_cos_of_turns(turns);
     [cos, sin]
 }

@@ -1,6 +1,6 @@
 //! Which kind of free motion it is, with the numbers that belong to that kind.
 
-use crate::principal::Axis;
+use crate::inertia::Axis;
 
 /// The kinds of free motion, each with its own constants.
 ///

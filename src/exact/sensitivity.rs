@@ -7,9 +7,9 @@ mod series;
 use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
 use super::{FreeMotion, Law};
-use crate::double::Double;
 use crate::error::{Error, finite};
-use crate::scale::{exponent, times_power_of_two};
+use crate::number::double_double::Double;
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Vector3};
 
 /// Derivatives of spin and attitude at one instant; see [`FreeMotion::sensitivity`].

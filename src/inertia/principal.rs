@@ -1,6 +1,6 @@
 //! Principal axes: the three perpendicular directions about which a body spins cleanly.
 
-use crate::scale::{exponent, times_power_of_two, ulp};
+use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// Which of a body's three principal axes, by its moment.

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use nalgebra::{Matrix3, Vector3};
-//! use tumbling::counted::{Counted, count};
+//! use tumbling::number::counted::{Counted, count};
 //!
 //! let r = Matrix3::<f64>::identity().map(Counted::new);
 //! let v = Vector3::new(1.0, 2.0, 3.0).map(Counted::new);
@@ -37,7 +37,7 @@ thread_local! {
 /// finds counts for the outer one too.
 ///
 /// ```
-/// use tumbling::counted::{Counted, count};
+/// use tumbling::number::counted::{Counted, count};
 /// let x = Counted::new(3.0);
 /// let (_, outer) = count(|| x * count(|| -x * x + x).0);
 /// assert_eq!((outer.multiplications, outer.additions), (2, 1));

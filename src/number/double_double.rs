@@ -4,8 +4,8 @@
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
-use crate::scalar::Lane;
-use crate::scale::times_power_of_two;
+use crate::number::Lane;
+use crate::number::power_of_two::times_power_of_two;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.

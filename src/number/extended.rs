@@ -5,7 +5,7 @@
 //! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
 
 use crate::error::Error;
-use crate::scale::{exponent, times_power_of_two};
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -18,7 +18,7 @@ use std::ops::{Add, Mul, Sub};
 /// The functions for an index of a lane are called with those below [`WIDTH`](Self::WIDTH) only.
 ///
 /// ```
-/// use tumbling::scalar::Lane;
+/// use tumbling::number::Lane;
 /// // Written once, for any number of bodies side by side.
 /// fn swapped<T: Lane>(low: T, high: T) -> [T; 2] {
 ///     let wrong = high.below(low);

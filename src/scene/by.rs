@@ -3,7 +3,7 @@
 use super::cost;
 use crate::error::Error;
 use crate::flow;
-use crate::step::{LEAST_TOLERANCE, Method, Motion, System, controlled_within};
+use crate::step::{LEAST_TOLERANCE, Method, State, System, controlled_within};
 
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,11 +30,11 @@ impl By {
     pub(super) fn on(
         self,
         system: &System<f64>,
-        start: &Motion<f64>,
+        start: &State<f64>,
         duration: f64,
         least: usize,
         left: &mut usize,
-    ) -> Result<Motion<f64>, Error> {
+    ) -> Result<State<f64>, Error> {
         let (step, method) = match self {
             Self::Control(tolerance) => {
                 return controlled_within(system, start, duration, tolerance, left).map(|run| run.end);

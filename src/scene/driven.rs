@@ -3,9 +3,9 @@
 use super::by::By;
 use super::plan::{Driven, Way};
 use super::{Principal, Scene, Wants, cost};
+use crate::dynamics::observe;
 use crate::error::Error;
-use crate::observe;
-use crate::step::{LEAST_TOLERANCE, Method, Motion, System, Torque};
+use crate::step::{LEAST_TOLERANCE, Method, State, System, Torque};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// Whether it does nothing, at whatever attitude and spin.
@@ -48,8 +48,8 @@ struct Rates {
     loss: f64,
 }
 
-fn rates(system: &System<f64>, start: &Motion<f64>, end: f64) -> Rates {
-    let omega = system.omega(&start.vector);
+fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
+    let omega = system.omega(&start.momentum);
     let (mut torque, mut loss, mut swing) = (0.0_f64, 0.0_f64, 0.0_f64);
     let lightest = system.inverse().max();
     for one in system.torques() {
@@ -60,13 +60,13 @@ fn rates(system: &System<f64>, start: &Motion<f64>, end: f64) -> Rates {
                 swing = swing.max((arm.norm() * field.norm() * lightest).sqrt());
             }
             Torque::Damping(c) => loss = loss.max(c.component_mul(system.inverse()).max()),
-            Torque::Dissipation(k) => loss = loss.max(k * start.vector.norm_squared() * lightest),
+            Torque::Dissipation(k) => loss = loss.max(k * start.momentum.norm_squared() * lightest),
         }
     }
     // A constant torque spins the body up; one that aligns swings it.
     let gained = (torque * lightest * end).min(if swing > 0.0 { swing } else { f64::INFINITY });
     let spin = omega.norm().max(gained).max(swing);
-    let momentum = start.vector.norm().max(spin / lightest);
+    let momentum = start.momentum.norm().max(spin / lightest);
     let push = if momentum * spin > 0.0 { torque / (momentum * spin) } else { 0.0 };
     Rates { spin, push, loss }
 }
@@ -89,7 +89,7 @@ const INNER: f64 = 16.0;
 pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let torques = scene.torques.iter().map(|torque| along(body, torque)).collect::<Result<_, _>>()?;
     let system = System::with(&body.moments, torques)?;
-    let start = Motion { attitude: body.world.into_inner(), vector: system.momentum(&body.omega) };
+    let start = State { attitude: body.world.into_inner(), momentum: system.momentum(&body.omega) };
     let (end, accuracy) = (scene.times.end(), scene.accuracy);
     let Rates { spin, push, loss } = rates(&system, &start, end);
     let times = compared(scene);
@@ -216,7 +216,7 @@ type Settled = (By, f64, usize);
 
 struct Trial<'a> {
     system: &'a System<f64>,
-    start: &'a Motion<f64>,
+    start: &'a State<f64>,
     times: &'a [f64],
     /// What is asked for.
     wants: Wants,
@@ -327,7 +327,7 @@ impl Trial<'_> {
         over: Option<By>,
         left: &mut usize,
         most: f64,
-    ) -> Result<(Vec<Motion<f64>>, usize), Error> {
+    ) -> Result<(Vec<State<f64>>, usize), Error> {
         let (mut now, mut motion) = (0.0, self.start.clone());
         let whole = (*left).min(most as usize);
         let mut of_run = whole;
@@ -351,15 +351,15 @@ impl Trial<'_> {
 
     /// The largest angle between two runs' attitudes, or difference of spin, or of energy, beside the largest so far; of attitude and energy
     /// where they are asked for.
-    fn apart(&self, a: &[Motion<f64>], b: &[Motion<f64>]) -> f64 {
+    fn apart(&self, a: &[State<f64>], b: &[State<f64>]) -> f64 {
         let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
         let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
         for (one, other) in a.iter().zip(b) {
-            let (w, v) = (self.system.omega(&one.vector), self.system.omega(&other.vector));
+            let (w, v) = (self.system.omega(&one.momentum), self.system.omega(&other.momentum));
             fastest = fastest.max(v.norm());
             let spin = over((w - v).norm(), fastest);
             let energy = if self.wants.energy {
-                let [d, e] = [(&w, one), (&v, other)].map(|(w, motion)| observe::energy(w, &motion.vector));
+                let [d, e] = [(&w, one), (&v, other)].map(|(w, motion)| observe::energy(w, &motion.momentum));
                 richest = richest.max(e);
                 over((d - e).abs(), richest)
             } else {
@@ -386,9 +386,9 @@ mod tests {
     #[test]
     fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_asked_for() {
         let system = System::free(&Vector3::new(1e-4, 1.0, 1.0)).unwrap();
-        let [a, b] = [0.1, 0.2].map(|heavy| Motion {
+        let [a, b] = [0.1, 0.2].map(|heavy| State {
             attitude: Quaternion::identity(),
-            vector: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
+            momentum: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
         });
         let apart = |energy| {
             let (times, accuracy, end, turned, lost) = (&[1.0][..], 0.1, 1.0, 10.0, 0.0);
@@ -405,7 +405,7 @@ mod tests {
     #[test]
     fn a_finer_run_has_twice_the_steps_between_any_two_times() {
         let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
-        let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.1, 2.0, 0.3) };
+        let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
         let times = &[0.01, 0.02, 1.0][..];
         let (accuracy, end, turned, lost) = (0.1, 1.0, 1.0, 0.0);
         let wants = Wants { spin: true, ..Wants::NOTHING };

@@ -2,10 +2,10 @@
 
 use super::plan::{Rotation, Top, Way};
 use super::{Principal, Wants};
+use crate::dynamics::regime::{Kind, classify};
 use crate::error::Error;
 use crate::exact::{FreeMotion, Precession, Regime, Turn, scaled};
-use crate::invariants::{Kind, classify};
-use crate::scale::times_power_of_two;
+use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
 /// So many roundings of its own the closed form may be off, each as large as the motion makes that of an input.

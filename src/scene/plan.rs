@@ -6,7 +6,7 @@ use super::{Polhode, Principal, Scene, Toss, Wants, driven, free};
 use crate::error::{Error, finite};
 use crate::exact::{Flips, FreeMotion, Precession, Turn};
 use crate::inertia::Inertia;
-use crate::step::{Method, Motion, System};
+use crate::step::{Method, State, System};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// The ways to answer, the cheapest first. Each holds what it uses.
@@ -59,7 +59,7 @@ pub struct Top {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Driven {
     pub(super) system: System<f64>,
-    pub(super) start: Motion<f64>,
+    pub(super) start: State<f64>,
     pub(super) by: By,
     /// The largest difference seen between two runs of different steps.
     pub(super) seen: f64,
@@ -214,6 +214,6 @@ fn refuse_of_driven(wants: Wants) -> Result<(), Error> {
 
 /// Half of `w . I w`.
 pub(super) fn energy(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<f64, Error> {
-    let energy = crate::observe::energy(omega, &moments.component_mul(omega));
+    let energy = crate::dynamics::observe::energy(omega, &moments.component_mul(omega));
     finite("the energy", energy).map_err(|_| Error::OutOfRange { what: "the energy", value: energy })
 }

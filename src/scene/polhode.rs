@@ -1,10 +1,10 @@
 //! The path of the spin in the body, from what is conserved alone.
 
 use super::Principal;
+use crate::dynamics::regime::{Kind, classify};
+use crate::dynamics::stability::time_between_flips;
 use crate::error::Error;
-use crate::invariants::{Kind, classify};
-use crate::scale::times_power_of_two;
-use crate::stability::time_between_flips;
+use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
 /// The closed curve that the spin of a free body runs along, seen from the body: how far it goes along each principal axis.

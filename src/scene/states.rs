@@ -3,12 +3,12 @@
 use super::plan::{Driven, Plan, Way, energy};
 use crate::error::Error;
 use crate::exact::FreeMotion;
-use crate::step::Motion;
+use crate::step::State;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A body at one time: of what was asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct Answer {
     /// s from the start.
     pub time: f64,
     /// Angular velocity in body axes, rad/s.
@@ -27,7 +27,7 @@ pub struct States<'a> {
     plan: &'a Plan<'a>,
     next: u64,
     end: u64,
-    walker: Option<(f64, Motion<f64>)>,
+    walker: Option<(f64, State<f64>)>,
 }
 
 /// Spin along the principal axes, and the turn of those since the start.
@@ -50,14 +50,14 @@ impl<'a> States<'a> {
         self.end.saturating_sub(self.next)
     }
 
-    fn at(&mut self, time: f64) -> Result<State, Error> {
+    fn at(&mut self, time: f64) -> Result<Answer, Error> {
         let plan = self.plan;
         let wants = plan.scene.wants;
         let start = time == 0.0;
         let (along, attitude): Here = match &plan.way {
             Way::Nothing => (None, None),
             Way::Constant { spin, attitude } => {
-                return Ok(State { spin: *spin, attitude: *attitude, ..plan.blank(time) });
+                return Ok(Answer { spin: *spin, attitude: *attitude, ..plan.blank(time) });
             }
             Way::Rotation(rotation) => {
                 let attitude = if start {
@@ -65,7 +65,7 @@ impl<'a> States<'a> {
                 } else {
                     plan.turned(rotation.turn.at(time * rotation.clock))
                 };
-                return Ok(State { spin: rotation.spin, attitude: Some(attitude), ..plan.blank(time) });
+                return Ok(Answer { spin: rotation.spin, attitude: Some(attitude), ..plan.blank(time) });
             }
             _ if start => (Some(plan.body.omega), Some(plan.body.attitude)),
             Way::SymmetricTop(top) => {
@@ -132,7 +132,7 @@ impl Plan<'_> {
         time: f64,
         omega: &Vector3<f64>,
         turn: Option<&UnitQuaternion<f64>>,
-    ) -> Result<State, Error> {
+    ) -> Result<Answer, Error> {
         if time == 0.0 {
             return self.told(time, Some(self.body.omega), Some(self.body.attitude));
         }
@@ -141,8 +141,8 @@ impl Plan<'_> {
     }
 
     /// A state of what does not change.
-    fn blank(&self, time: f64) -> State {
-        State { time, spin: None, attitude: None, energy: self.energy, gap: self.gap }
+    fn blank(&self, time: f64) -> Answer {
+        Answer { time, spin: None, attitude: None, energy: self.energy, gap: self.gap }
     }
 
     fn turned(&self, turn: Quaternion<f64>) -> UnitQuaternion<f64> {
@@ -156,10 +156,10 @@ impl Plan<'_> {
         time: f64,
         along: Option<Vector3<f64>>,
         attitude: Option<UnitQuaternion<f64>>,
-    ) -> Result<State, Error> {
+    ) -> Result<Answer, Error> {
         let wants = self.scene.wants;
         let moving = |wanted: bool, kept: Option<f64>| if wanted && kept.is_none() { along } else { None };
-        Ok(State {
+        Ok(Answer {
             time,
             spin: if wants.spin { along.map(|omega| self.body.in_body(omega)) } else { None },
             attitude: if wants.attitude { attitude } else { None },
@@ -177,7 +177,7 @@ impl Plan<'_> {
 
 /// Steps on to a time.
 fn walked(
-    walker: &mut Option<(f64, Motion<f64>)>,
+    walker: &mut Option<(f64, State<f64>)>,
     driven: &Driven,
     time: f64,
 ) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
@@ -186,14 +186,14 @@ fn walked(
         motion = driven.by.on(&driven.system, &motion, time - now, 1, &mut { usize::MAX })?;
         now = time;
     }
-    let spin = driven.system.omega(&motion.vector);
+    let spin = driven.system.omega(&motion.momentum);
     let attitude = UnitQuaternion::from_quaternion(motion.attitude);
     *walker = Some((now, motion));
     Ok((spin, attitude))
 }
 
 impl Iterator for States<'_> {
-    type Item = Result<State, Error>;
+    type Item = Result<Answer, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.next >= self.end {

@@ -2,8 +2,8 @@
 
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
-use crate::scalar::Field;
-use crate::wide::Wide;
+use crate::number::Field;
+use crate::number::extended::Wide;
 use nalgebra::Vector3;
 
 /// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source:

@@ -7,10 +7,10 @@
 use super::tetrahedron::determinant;
 use super::{MassMoments, MassProperties, Solid, shells, topology};
 use crate::error::{Error, finite_vector, positive};
-use crate::principal::PrincipalAxes;
-use crate::scalar::{Field, Ring};
-use crate::scale::ulp;
-use crate::wide::Wide;
+use crate::inertia::PrincipalAxes;
+use crate::number::extended::Wide;
+use crate::number::power_of_two::ulp;
+use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 

@@ -2,8 +2,8 @@
 
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
-use crate::scalar::Field;
-use crate::wide::Wide;
+use crate::number::Field;
+use crate::number::extended::Wide;
 use nalgebra::Vector3;
 
 /// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about

@@ -3,8 +3,8 @@
 use super::properties::combine_about_heaviest;
 use super::{MassMoments, MassProperties, combined};
 use crate::error::{Error, finite_vector, positive};
-use crate::scalar::Field;
-use crate::wide::Wide;
+use crate::number::Field;
+use crate::number::extended::Wide;
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass, centre and inertia of point masses at given positions: the definition itself, `sum m (|d|² 1 - d d^T)`

@@ -2,8 +2,8 @@
 
 use crate::error::{Error, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
-use crate::scalar::{Field, Ring};
-use crate::wide::Wide;
+use crate::number::extended::Wide;
+use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// Mass, centre and inertia tensor about the centre, over any number type: what the generic laws take and
@@ -173,7 +173,7 @@ impl MassProperties {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::attitude::matrix(attitude)?.map(Wide::from);
+        let rotation = crate::body::attitude::matrix(attitude)?.map(Wide::from);
         let wide = MassMoments::from(*self).map(|x| Wide::from(*x));
         let m = turned(&rotation, &wide.inertia);
         // Mirrored entries differ by rounding: keep their mean.

@@ -7,7 +7,7 @@
 
 use super::mesh::triple;
 use crate::error::Error;
-use crate::wide::Wide;
+use crate::number::extended::Wide;
 use nalgebra::Vector3;
 use num_traits::Zero;
 use std::f64::consts::TAU;

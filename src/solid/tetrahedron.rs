@@ -3,8 +3,8 @@
 use super::{MassMoments, MassProperties, Solid};
 use crate::error::{Error, finite_vector, positive};
 use crate::inertia::point_mass;
-use crate::scalar::Field;
-use crate::wide::Wide;
+use crate::number::Field;
+use crate::number::extended::Wide;
 use nalgebra::{Matrix3, Vector3};
 
 /// Centre and inertia of a full tetrahedron: as if a twentieth of its mass sat at each vertex, measured from

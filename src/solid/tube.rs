@@ -3,8 +3,8 @@
 use super::hollow_sphere::ordered;
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
-use crate::scalar::Field;
-use crate::wide::Wide;
+use crate::number::Field;
+use crate::number::extended::Wide;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

@@ -1,9 +1,9 @@
 //! A step for a game: right at 60 Hz, for ordinary bodies and spins.
 
-use super::moser_veselov::Prepared;
-use super::rk4::Motion;
-use super::system::System;
+use super::methods::moser_veselov::Prepared;
+use crate::body::State;
 use crate::error::Error;
+use crate::step::system::System;
 use nalgebra::Vector3;
 
 /// The order at which the moments are preprocessed.
@@ -15,7 +15,7 @@ const LONGEST: f64 = 0.5;
 /// The most parts of one step.
 const MOST_PARTS: f64 = 1000.0;
 
-/// One step of a game's clock: [Moser and Veselov's](super::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
+/// One step of a game's clock: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
 /// radian; with a torque, all of it between two half kicks. At 60 Hz a steady spin has 30 rad/s before a second part is needed.
 ///
 /// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable spin stays stable for ever; the
@@ -23,15 +23,15 @@ const MOST_PARTS: f64 = 1000.0;
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::step::{Motion, System, game};
+/// use tumbling::step::{State, System, game};
 /// let system = System::free(&Vector3::new(1.0, 2.0, 3.0))?;
 /// // Ten minutes about the axis of the largest moment, with a wobble: at 60 Hz a naive engine turns it about the middle one.
-/// let mut motion = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.1, 0.2, 30.0) };
+/// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
 /// for _ in 0..36_000 {
 ///     motion = game(&system, &motion, 1.0 / 60.0)?;
 /// }
-/// let energy = |motion: &Motion<f64>| 0.5 * motion.vector.dot(&system.omega(&motion.vector));
+/// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
 /// assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-12);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
@@ -39,7 +39,7 @@ const MOST_PARTS: f64 = 1000.0;
 /// # Errors
 /// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of its moments do, or an attitude of
 /// no length.
-pub fn game(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
+pub fn game(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     if system.is_free() {
         return drifted(system, start, h);
     }
@@ -67,18 +67,18 @@ fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
 
 /// The free motion in the time of a step.
 #[inline]
-fn drifted(system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
+fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     let inverse = system.inverse();
     // Energy and momentum stay, and so does this: the parts do not change on the way.
-    let omega = system.omega(&start.vector);
+    let omega = system.omega(&start.momentum);
     // No more than the energy allows about the smallest moment: cheap, and enough for most.
-    let rough = (start.vector.dot(&omega) * inverse.max()).sqrt() * h.abs();
+    let rough = (start.momentum.dot(&omega) * inverse.max()).sqrt() * h.abs();
     let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.abs() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
     }
-    let prepared = Prepared::new(inverse, &start.vector, &(h / parts), ORDER);
+    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER);
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;

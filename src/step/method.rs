@@ -1,18 +1,18 @@
 //! The contract of a stepper: motion in, motion out, and what it says of itself.
 
-use super::rk4::Motion;
-use super::rules::{explicit as simple, newton, runge_kutta};
-use super::system::System;
-use super::{
+use super::methods::engine_rules::{explicit as simple, newton, runge_kutta};
+use super::methods::{
     buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
 };
+use crate::body::State;
 use crate::error::Error;
-use crate::scalar::Analytic;
+use crate::number::Analytic;
+use crate::step::system::System;
 use nalgebra::Vector3;
 
 /// A way to step a body through time.
 ///
-/// One step takes a [`Motion`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
+/// One step takes a [`State`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
 /// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may change at will.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -22,7 +22,7 @@ pub enum Method {
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
     /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its error controlled it is
-    /// [`controlled`](super::controlled).
+    /// [`controlled`](crate::step::controlled).
     DormandPrince5,
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
     /// where it is in the world.
@@ -186,13 +186,13 @@ impl Method {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
-    /// use tumbling::step::{Method, Motion, System};
+    /// use tumbling::step::{Method, State, System};
     /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
-    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, 4.0, 0.0) };
+    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 4.0, 0.0) };
     /// for &method in Method::ALL {
     ///     // A steady spin of 2 rad/s about the middle axis stays one, right or wrong the method.
     ///     let end = method.step(&system, &start, &0.01)?;
-    ///     assert!((end.vector - start.vector).norm() < 1e-15, "{method:?}");
+    ///     assert!((end.momentum - start.momentum).norm() < 1e-15, "{method:?}");
     ///     assert!((end.attitude.j - 0.01_f64.sin()).abs() < 1e-6, "{method:?}");
     /// }
     /// # Ok::<(), tumbling::Error>(())
@@ -201,8 +201,8 @@ impl Method {
     /// # Errors
     /// A step so long that an implicit method does not find its end, or that the motion leaves what the number type
     /// holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
-    pub fn step<T: Analytic>(self, system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
-        lost_squares(&system.omega(&start.vector), h)?;
+    pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
+        lost_squares(&system.omega(&start.momentum), h)?;
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
             Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
@@ -236,7 +236,7 @@ impl Method {
 }
 
 /// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without them nothing would gyrate.
-pub(super) fn lost_squares<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
+pub(crate) fn lost_squares<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
     let largest = &omega[omega.map(|x| x.size()).imax()];
     let (size, rounding) = (largest.size(), T::rounding());
     if !(size > 0.0 && rounding > 0.0 && size * h.size() > 1e-9) {

@@ -1,11 +1,11 @@
 //! Physics engines in use: which rule each goes by, and what it adds to the rule.
 
-use super::method::Method;
-use super::rk4::Motion;
-use super::rules::turn::{turned_beyond, turned_straight};
-use super::system::System;
-use crate::attitude;
+use super::methods::engine_rules::turn::{turned_beyond, turned_straight};
+use crate::body::State;
+use crate::body::attitude;
 use crate::error::{Error, finite};
+use crate::step::method::Method;
+use crate::step::system::System;
 use std::f64::consts::FRAC_PI_4;
 
 /// A physics engine, in one setting: what it does to a body that touches nothing.
@@ -143,24 +143,24 @@ impl PhysicsEngine {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
-    /// use tumbling::step::{Motion, PHYSICS_ENGINES, System};
+    /// use tumbling::step::{State, PHYSICS_ENGINES, System};
     /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
-    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(0.0, 0.0, 250.0) };
+    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 250.0) };
     /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
     /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.
     /// let end = rapier.step(&system, &start, 1.0 / 60.0)?;
-    /// assert!((system.omega(&end.vector).z - 15.0 * std::f64::consts::PI).abs() < 1e-12);
+    /// assert!((system.omega(&end.momentum).z - 15.0 * std::f64::consts::PI).abs() < 1e-12);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
     /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back to the
     /// beginning.
-    pub fn step(&self, system: &System<f64>, start: &Motion<f64>, h: f64) -> Result<Motion<f64>, Error> {
+    pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
         finite("the step", h)?;
         if let Some(most) = self.limits.rate {
-            let omega = system.omega(&start.vector);
-            let rate = system.omega(&system.rate(start).vector);
+            let omega = system.omega(&start.momentum);
+            let rate = system.omega(&system.rate(start).momentum);
             let beyond = |x: &f64| x.is_nan() || x.abs() > most;
             if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
                 return Err(Error::OutOfRange {
@@ -180,7 +180,7 @@ impl PhysicsEngine {
         (0..self.parts).try_fold(start.clone(), |mut motion, _| {
             if !system.is_free() {
                 let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
-                motion.vector += system.momentum(&inside);
+                motion.momentum += system.momentum(&inside);
             }
             let end = self.method.step(&free, &motion, &part)?;
             self.limited(system, &motion, end, part, h)
@@ -190,12 +190,12 @@ impl PhysicsEngine {
     fn limited(
         &self,
         system: &System<f64>,
-        start: &Motion<f64>,
-        end: Motion<f64>,
+        start: &State<f64>,
+        end: State<f64>,
         part: f64,
         h: f64,
-    ) -> Result<Motion<f64>, Error> {
-        let asked = system.omega(&end.vector);
+    ) -> Result<State<f64>, Error> {
+        let asked = system.omega(&end.momentum);
         let mut omega = asked;
         if let Some(most) = self.limits.component {
             // Cut in the world's axes, at the attitude before the turn.
@@ -221,10 +221,10 @@ impl PhysicsEngine {
         } else {
             turned_beyond(&start.attitude, &omega, part, most)
         };
-        let vector = if cut { system.momentum(&omega) } else { end.vector };
-        for &value in attitude.coords.iter().chain(&vector) {
+        let momentum = if cut { system.momentum(&omega) } else { end.momentum };
+        for &value in attitude.coords.iter().chain(&momentum) {
             finite("the motion after a step", value)?;
         }
-        Ok(Motion { attitude, vector })
+        Ok(State { attitude, momentum })
     }
 }

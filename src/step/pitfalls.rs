@@ -1,11 +1,12 @@
 //! Four engines that differ in what they carry and how they read the spin from it. One is right; three are the
 //! pitfalls.
 
-use super::rk4::{Motion, rk4};
-use crate::attitude;
+use super::methods::rk4::rk4;
 use crate::body::Body;
+use crate::body::State;
+use crate::body::attitude;
 use crate::error::{Error, finite};
-use crate::scalar::Field;
+use crate::number::Field;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
@@ -84,7 +85,9 @@ impl Engine {
     ) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
         match self {
-            Self::Frozen => inverse * crate::euler::tensor_times_acceleration(tensor, carried, &none),
+            Self::Frozen => {
+                inverse * crate::dynamics::euler::tensor_times_acceleration(tensor, carried, &none)
+            }
             Self::Turned | Self::MomentumForSpin | Self::NoGyroscopicTerm => none,
         }
     }
@@ -94,21 +97,21 @@ impl Engine {
     ///
     /// ```
     /// use nalgebra::{Matrix3, Quaternion, Vector3};
-    /// use tumbling::step::{Engine, Motion};
+    /// use tumbling::step::{Engine, State};
     /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
     /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
-    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 2.0, 0.0) };
+    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 0.0) };
     /// let rate = Engine::Turned.rate(&start, &tensor, &inverse);
     /// assert_eq!(rate.attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
-    /// assert_eq!(rate.vector, Vector3::zeros());
+    /// assert_eq!(rate.momentum, Vector3::zeros());
     /// ```
     #[must_use]
-    pub fn rate<T: Field>(self, motion: &Motion<T>, tensor: &Matrix3<T>, inverse: &Matrix3<T>) -> Motion<T> {
+    pub fn rate<T: Field>(self, motion: &State<T>, tensor: &Matrix3<T>, inverse: &Matrix3<T>) -> State<T> {
         let rotation = attitude::rotation_matrix(&motion.attitude);
-        let omega = self.omega_world(&rotation, tensor, inverse, &motion.vector);
-        Motion {
+        let omega = self.omega_world(&rotation, tensor, inverse, &motion.momentum);
+        State {
             attitude: attitude::rate(&motion.attitude, &(rotation.transpose() * omega)),
-            vector: self.carried_rate(tensor, inverse, &motion.vector),
+            momentum: self.carried_rate(tensor, inverse, &motion.momentum),
         }
     }
 
@@ -150,8 +153,8 @@ impl Engine {
         let carried = self.carried(body);
         let tensor = body.inertia().matrix();
         let inverse = body.inverse().matrix();
-        let law = |m: &Motion<f64>| self.rate(m, &tensor, &inverse);
-        let mut motion = Motion { attitude: body.attitude().into_inner(), vector: carried };
+        let law = |m: &State<f64>| self.rate(m, &tensor, &inverse);
+        let mut motion = State { attitude: body.attitude().into_inner(), momentum: carried };
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();
         // Asked for at once, so that a run too long for the memory is refused before it begins.
@@ -166,7 +169,7 @@ impl Engine {
                 motion.attitude /= norm;
             }
             let rotation = attitude::rotation_matrix(&motion.attitude);
-            let omega = self.omega_world(&rotation, &tensor, &inverse, &motion.vector);
+            let omega = self.omega_world(&rotation, &tensor, &inverse, &motion.momentum);
             let momentum = crate::inertia::turned(&rotation, &tensor) * omega;
             bodies.push(body.with(UnitQuaternion::new_unchecked(motion.attitude), &momentum)?);
         }

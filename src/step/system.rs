@@ -1,17 +1,17 @@
 //! What a stepper steps: a rigid body in its principal axes, and the torques on it.
 
-use super::rk4::Motion;
-use super::torque::Torque;
-use crate::attitude;
+use crate::body::State;
+use crate::body::attitude;
+use crate::dynamics::euler;
 use crate::error::Error;
-use crate::euler;
 use crate::inertia::possible_moments;
-use crate::scalar::{Analytic, Field};
+use crate::number::{Analytic, Field};
+use crate::step::torque::Torque;
 use nalgebra::Vector3;
 
 /// A body by its principal moments, and the torques that act on it.
 ///
-/// All vectors are along its principal axes; a [`Motion`] of it carries the angular momentum in body axes,
+/// All vectors are along its principal axes; a [`State`] of it carries the angular momentum in body axes,
 /// kg m²/s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct System<T: nalgebra::Scalar> {
@@ -103,14 +103,14 @@ impl<T: Field> System<T> {
 impl<T: Analytic> System<T> {
     /// The sum of all torques in body axes, N m.
     #[must_use]
-    pub fn torque(&self, motion: &Motion<T>) -> Vector3<T> {
+    pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
         if self.torques.is_empty() {
             return none;
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
-        let omega = self.omega(&motion.vector);
-        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&rotation, &motion.vector, &omega))
+        let omega = self.omega(&motion.momentum);
+        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&rotation, &motion.momentum, &omega))
     }
 
     /// The law: rates of attitude and of body-frame momentum, `q' = q w / 2` and `L' = L x w + torque`.
@@ -118,16 +118,16 @@ impl<T: Analytic> System<T> {
     /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of momentum and spin two
     /// nearly cancel.
     #[must_use]
-    pub fn rate(&self, motion: &Motion<T>) -> Motion<T> {
-        let omega = self.omega(&motion.vector);
-        Motion {
+    pub fn rate(&self, motion: &State<T>) -> State<T> {
+        let omega = self.omega(&motion.momentum);
+        State {
             attitude: attitude::rate(&motion.attitude, &omega),
-            vector: euler::coupling(&self.moments, &omega) + self.torque(motion),
+            momentum: euler::coupling(&self.moments, &omega) + self.torque(motion),
         }
     }
 
     /// The damping along each axis, all of it together, N m s.
-    pub(super) fn drag(&self) -> Vector3<T> {
+    pub(crate) fn drag(&self) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
         self.torques.iter().fold(none, |sum, torque| match torque {
             Torque::Damping(coefficients) => sum + coefficients,
@@ -141,7 +141,7 @@ impl<T: Analytic> System<T> {
     /// The torques act one after another, in their order; the second kick of a step must be
     /// [`kicked_back`](Self::kicked_back), or the step is not the same backwards, and of first order only.
     #[must_use]
-    pub fn kicked(&self, motion: &Motion<T>, h: &T) -> Motion<T> {
+    pub fn kicked(&self, motion: &State<T>, h: &T) -> State<T> {
         self.kicked_by(self.torques.iter(), motion, h)
     }
 
@@ -149,32 +149,32 @@ impl<T: Analytic> System<T> {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
-    /// use tumbling::step::{Motion, System, Torque};
+    /// use tumbling::step::{State, System, Torque};
     /// let torques = vec![Torque::InBody(Vector3::x()), Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
     /// let system = System::with(&Vector3::new(1.0, 1.0, 1.0), torques)?;
-    /// let start = Motion { attitude: Quaternion::identity(), vector: Vector3::x() };
+    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::x() };
     /// let end = system.kicked_back(&system.kicked(&start, &0.1), &-0.1);
-    /// assert!((end.vector - start.vector).norm() < 1e-15);
+    /// assert!((end.momentum - start.momentum).norm() < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     #[must_use]
-    pub fn kicked_back(&self, motion: &Motion<T>, h: &T) -> Motion<T> {
+    pub fn kicked_back(&self, motion: &State<T>, h: &T) -> State<T> {
         self.kicked_by(self.torques.iter().rev(), motion, h)
     }
 
     fn kicked_by<'a>(
         &self,
         torques: impl Iterator<Item = &'a Torque<T>>,
-        motion: &Motion<T>,
+        motion: &State<T>,
         h: &T,
-    ) -> Motion<T> {
+    ) -> State<T> {
         if self.torques.is_empty() {
             return motion.clone();
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
-        let vector = torques.fold(motion.vector.clone(), |momentum, torque| {
+        let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
             torque.kick(&rotation, &momentum, &self.inverse, h)
         });
-        Motion { attitude: motion.attitude.clone(), vector }
+        State { attitude: motion.attitude.clone(), momentum }
     }
 }

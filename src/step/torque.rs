@@ -1,7 +1,7 @@
 //! Torques on a body: each with its value, and with its own exact flow while the attitude stands still.
 
 use crate::error::{Error, finite_vector, not_negative};
-use crate::scalar::{Analytic, Field};
+use crate::number::{Analytic, Field};
 use nalgebra::{Matrix3, Vector3};
 
 /// A torque on a rigid body about its centre of mass, or about the fixed point of a top.

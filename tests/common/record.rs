@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 use std::path::PathBuf;
-use tumbling::step::{Motion, System, Torque};
+use tumbling::step::{State, System, Torque};
 
 /// The step of all records, s.
 pub const H: f64 = 1.0 / 60.0;
@@ -48,8 +48,8 @@ impl Record {
         Self { system: System::with(&after("moments"), torques).unwrap(), rows }
     }
 
-    pub fn motion(&self, row: &Row) -> Motion<f64> {
-        Motion { attitude: row.attitude, vector: self.system.momentum(&row.omega) }
+    pub fn motion(&self, row: &Row) -> State<f64> {
+        State { attitude: row.attitude, momentum: self.system.momentum(&row.omega) }
     }
 
     /// Rows that follow one another, and whether the second is of a body put back to rest.

@@ -5,7 +5,7 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Motion, PHYSICS_ENGINES, PhysicsEngine, System};
+use tumbling::step::{PHYSICS_ENGINES, PhysicsEngine, State, System};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 const SPIN: [f64; 3] = [0.5, 0.5, 10.0];
@@ -50,7 +50,7 @@ fn seen(system: &System<f64>, step: u32, omega: &Vector3<f64>) -> [f64; 3] {
 fn run(engine: &PhysicsEngine) -> Result<Run, Box<dyn std::error::Error>> {
     let system = System::free(&MOMENTS.into())?;
     let omega = Vector3::from(SPIN);
-    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut run = Run { seen: vec![seen(&system, 0, &omega)], ends: false };
     for step in 1..=STEPS {
         let Ok(next) = engine.step(&system, &motion, 1.0 / f64::from(RATE)) else {
@@ -58,7 +58,7 @@ fn run(engine: &PhysicsEngine) -> Result<Run, Box<dyn std::error::Error>> {
             break;
         };
         motion = next;
-        run.seen.push(seen(&system, step, &system.omega(&motion.vector)));
+        run.seen.push(seen(&system, step, &system.omega(&motion.momentum)));
     }
     Ok(run)
 }

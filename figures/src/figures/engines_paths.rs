@@ -3,7 +3,7 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
-use tumbling::observe::sign_changes;
+use tumbling::dynamics::observe::sign_changes;
 use tumbling::step::Engine;
 
 const SPIN: f64 = 10.0;

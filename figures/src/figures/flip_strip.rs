@@ -5,7 +5,7 @@ use crate::motion;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 use tumbling::Body;
-use tumbling::observe::sign_changes;
+use tumbling::dynamics::observe::sign_changes;
 
 /// The push, rad; the spin is a turn a second.
 const PUSH: f64 = 0.05;
@@ -46,7 +46,7 @@ fn without_tumbling(rotation: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 pub(super) fn draw() -> Drawing {
-    let book = tumbling::bodies::book()?;
+    let book = tumbling::body::named::book()?;
     let inertia = book.inertia();
     let edges = edges_of(&book);
     // Along x, its middle axis, but for the push.

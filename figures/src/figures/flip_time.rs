@@ -3,8 +3,8 @@ use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
-use tumbling::observe::sign_changes;
-use tumbling::stability::time_between_flips;
+use tumbling::dynamics::observe::sign_changes;
+use tumbling::dynamics::stability::time_between_flips;
 
 const SPIN: f64 = 10.0;
 const STEP: f64 = 0.0005;

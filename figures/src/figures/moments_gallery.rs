@@ -5,7 +5,7 @@ use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
 use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
-use tumbling::bodies::{self, NamedBody};
+use tumbling::body::named::{self, NamedBody};
 use tumbling::{Axis, PrincipalAxes};
 
 /// Where one body is drawn.
@@ -138,7 +138,7 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::new(610);
     let mut said = Vec::new();
     canvas.label((20.0, 26.0), &Label::new("principal moments (kg m²), each body to its own scale"));
-    for (i, body) in bodies::all().iter().enumerate() {
+    for (i, body) in named::all().iter().enumerate() {
         #[allow(clippy::cast_precision_loss)]
         let (x, y) = (20.0 + 335.0 * (i % 2) as f64, 50.0 + 140.0 * (i / 2) as f64);
         said.push(one(&canvas, (x, y), body)?);

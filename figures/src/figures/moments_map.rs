@@ -3,8 +3,8 @@
 use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
-use tumbling::bodies;
-use tumbling::stability::rate_squared;
+use tumbling::body::named;
+use tumbling::dynamics::stability::rate_squared;
 
 /// The triangle of possible bodies, with its corners and edges named.
 fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
@@ -55,7 +55,7 @@ const NAMES: [(&str, f64, f64, bool); 8] = [
 
 fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut said = Vec::new();
-    for body in bodies::all() {
+    for body in named::all() {
         let m = body.properties()?.inertia().principal().moments();
         let (x, y) = (m[0] / m[2], m[1] / m[2]);
         let (_, dx, dy, end) =
@@ -123,7 +123,7 @@ pub(super) fn draw_growth() -> Drawing {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
     }
     let mut said = Vec::new();
-    for body in bodies::all() {
+    for body in named::all() {
         let m = body.properties()?.inertia().principal().moments();
         said.push(format!("{} {:.2}", body.name(), rate(m[0] / m[2], m[1] / m[2])));
     }

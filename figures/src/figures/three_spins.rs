@@ -3,7 +3,7 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::motion;
 use nalgebra::Vector3;
 use tumbling::Axis;
-use tumbling::observe::sign_changes;
+use tumbling::dynamics::observe::sign_changes;
 
 /// The spin, the push about each other axis (rad/s), and the time watched (s).
 const SPIN: f64 = 10.0;

@@ -5,7 +5,7 @@
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, Motion, System};
+use tumbling::step::{Method, State, System};
 use tumbling_judge::{Options, Verdict, judge};
 
 pub const MOMENTS: Vector3<f64> = Vector3::new(1.0, 2.0, 2.5);
@@ -37,13 +37,13 @@ pub fn stepped_by(
     omega: Vector3<f64>,
     h: f64,
     count: u32,
-    step: impl Fn(&Motion<f64>) -> Motion<f64>,
+    step: impl Fn(&State<f64>) -> State<f64>,
 ) -> Vec<Row> {
     let system = System::free(&MOMENTS).unwrap();
-    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+    let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut rows = Vec::new();
     for i in 0..=count {
-        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.vector)));
+        rows.push((h * f64::from(i), motion.attitude, system.omega(&motion.momentum)));
         motion = step(&motion);
     }
     rows

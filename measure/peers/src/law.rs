@@ -1,7 +1,7 @@
 //! The law as the solvers get it: seven numbers, lean, each of size one.
 
 use nalgebra::{Quaternion, Vector3};
-use tumbling::step::{Motion, System};
+use tumbling::step::{State, System};
 use tumbling_measure::story::Story;
 
 /// Attitude (scalar first) and momentum in body axes over its size at the start, so that one tolerance fits all.
@@ -19,24 +19,24 @@ pub struct Law {
 impl Law {
     /// The law of a story, and the state at its start.
     pub fn of(story: &Story) -> (Self, State) {
-        let size = story.start.vector.norm();
+        let size = story.start.momentum.norm();
         let inverse = story.system.inverse().map(|x| x * size).into();
         let law = Self { system: story.system.clone(), inverse, size };
         let start = law.state(&story.start);
         (law, start)
     }
 
-    fn state(&self, motion: &Motion<f64>) -> State {
-        let (q, l) = (&motion.attitude, &motion.vector / self.size);
+    fn state(&self, motion: &State<f64>) -> State {
+        let (q, l) = (&motion.attitude, &motion.momentum / self.size);
         [q.w, q.i, q.j, q.k, l.x, l.y, l.z]
     }
 
     /// The motion behind a state.
-    pub fn motion(&self, y: &[f64]) -> Motion<f64> {
+    pub fn motion(&self, y: &[f64]) -> State<f64> {
         let at = |i: usize| y.get(i).copied().unwrap_or(f64::NAN);
-        Motion {
+        State {
             attitude: Quaternion::new(at(0), at(1), at(2), at(3)),
-            vector: Vector3::new(at(4), at(5), at(6)) * self.size,
+            momentum: Vector3::new(at(4), at(5), at(6)) * self.size,
         }
     }
 

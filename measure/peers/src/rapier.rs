@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 use rapier3d_f64::prelude::*;
-use tumbling::step::Motion;
+use tumbling::step::State;
 use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting, step_of};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
@@ -41,7 +41,7 @@ impl Contestant for Rapier {
             return Err(Failure::Refused("it is set by its steps".into()));
         };
         let moments = *story.system.moments();
-        let spin = story.system.omega(&story.start.vector);
+        let spin = story.system.omega(&story.start.momentum);
         let mut world = PhysicsWorld::default();
         world.gravity = Vector::ZERO;
         world.integration_parameters.dt = step_of(story, steps);
@@ -59,8 +59,8 @@ impl Contestant for Rapier {
             let body = &world.bodies[handle];
             let (q, w) = (body.rotation(), body.angvel());
             let attitude = Quaternion::new(q.w, q.x, q.y, q.z);
-            let omega = tumbling::attitude::rotation_matrix(&attitude).tr_mul(&Vector3::new(w.x, w.y, w.z));
-            Motion { attitude, vector: moments.component_mul(&omega) }
+            let omega = tumbling::body::attitude::rotation_matrix(&attitude).tr_mul(&Vector3::new(w.x, w.y, w.z));
+            State { attitude, momentum: moments.component_mul(&omega) }
         };
         for k in 1..=steps {
             world.step();

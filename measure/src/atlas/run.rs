@@ -5,9 +5,9 @@ use super::{Fate, Precision, Runner};
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 use tumbling::exact::FreeMotion;
-use tumbling::scalar::Analytic;
-use tumbling::step::{Method, Motion, System, Torque};
-use tumbling::{Error, flow, observe};
+use tumbling::number::Analytic;
+use tumbling::step::{Method, State, System, Torque};
+use tumbling::{Error, dynamics::observe, flow};
 
 /// All that a judge needs of a run.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +70,7 @@ impl Case {
     fn exactly(&self) -> End {
         let result = self.system().and_then(|system| {
             let start =
-                Motion { attitude: Quaternion::identity(), vector: system.momentum(&self.omega.into()) };
+                State { attitude: Quaternion::identity(), momentum: system.momentum(&self.omega.into()) };
             let motion = FreeMotion::new(&self.moments.into(), &self.omega.into())?;
             let mut kicked = start.clone();
             self.watch(&system, &start, |k| {
@@ -81,7 +81,7 @@ impl Case {
                     return Ok(kicked.clone());
                 }
                 let at = motion.at(t)?;
-                Ok(Motion { attitude: at.attitude.into_inner(), vector: system.momentum(&at.omega) })
+                Ok(State { attitude: at.attitude.into_inner(), momentum: system.momentum(&at.omega) })
             })
         });
         result.unwrap_or(End::Refused)
@@ -99,10 +99,10 @@ impl Case {
         };
         let system = System::of_numbers(vector(self.moments), torques);
         let attitude = Quaternion::new(T::one(), T::zero(), T::zero(), T::zero());
-        let mut motion = Motion { attitude, vector: system.momentum(&vector(self.omega)) };
-        let outside = |motion: &Motion<T>| Motion {
+        let mut motion = State { attitude, momentum: system.momentum(&vector(self.omega)) };
+        let outside = |motion: &State<T>| State {
             attitude: Quaternion::from_vector(motion.attitude.coords.map(|x| back(&x))),
-            vector: motion.vector.map(|x| back(&x)),
+            momentum: motion.momentum.map(|x| back(&x)),
         };
         let start = outside(&motion);
         let h = number(self.step);
@@ -117,52 +117,52 @@ impl Case {
     fn watch(
         &self,
         system: &System<f64>,
-        start: &Motion<f64>,
-        mut next: impl FnMut(usize) -> Result<Motion<f64>, Error>,
+        start: &State<f64>,
+        mut next: impl FnMut(usize) -> Result<State<f64>, Error>,
     ) -> Result<End, Error> {
         // In units of the start's, so that no square leaves the range.
-        let (size, length) = (start.vector.amax(), |v: &Vector3<f64>| v.amax());
+        let (size, length) = (start.momentum.amax(), |v: &Vector3<f64>| v.amax());
         let unit = |v: &Vector3<f64>| if size > 0.0 { v / size } else { *v };
         let energy = |v: &Vector3<f64>| {
             let part = unit(v);
             let moments = system.moments() / system.moments().amax();
             part.component_div(&moments).dot(&part)
         };
-        let start_energy = energy(&start.vector);
-        let start_momentum = unit(&start.vector).norm();
+        let start_energy = energy(&start.momentum);
+        let start_momentum = unit(&start.momentum).norm();
         let mut seen = Seen {
             energy: [1.0; 2],
             momentum: [1.0; 2],
             changes: 0,
             last_change: f64::NAN,
             attitude: start.attitude,
-            left: start.vector,
+            left: start.momentum,
             reversed: false,
         };
         let mut before = start.clone();
         for k in 1..=self.count {
             let motion = next(k)?;
-            if !motion.vector.iter().chain(&motion.attitude.coords).all(|x| x.is_finite()) {
+            if !motion.momentum.iter().chain(&motion.attitude.coords).all(|x| x.is_finite()) {
                 return Ok(End::NotFinite);
             }
             let grow = |bounds: &mut [f64; 2], x: f64| *bounds = [bounds[0].min(x), bounds[1].max(x)];
-            grow(&mut seen.energy, energy(&motion.vector) / start_energy);
-            grow(&mut seen.momentum, unit(&motion.vector).norm() / start_momentum);
-            let [a, b] = [before.vector[self.watched], motion.vector[self.watched]];
+            grow(&mut seen.energy, energy(&motion.momentum) / start_energy);
+            grow(&mut seen.momentum, unit(&motion.momentum).norm() / start_momentum);
+            let [a, b] = [before.momentum[self.watched], motion.momentum[self.watched]];
             #[allow(clippy::cast_precision_loss)] // at most 2e5
             let t = self.step * (k - 1) as f64;
             // Below the smallest sign that matters, rounding may change it.
             if a * b < 0.0
                 || (a == 0.0 && b != 0.0 && k > 1)
-                || (a.signum() != b.signum() && length(&motion.vector) < 1e-150)
+                || (a.signum() != b.signum() && length(&motion.momentum) < 1e-150)
             {
                 seen.changes += 1;
                 seen.last_change = t + self.step * a / (a - b);
             }
-            if self.damping > 0.0 && before.vector.dot(&motion.vector) < 0.0 && k == 1 {
+            if self.damping > 0.0 && before.momentum.dot(&motion.momentum) < 0.0 && k == 1 {
                 seen.reversed = true;
             }
-            (seen.attitude, seen.left) = (motion.attitude, motion.vector);
+            (seen.attitude, seen.left) = (motion.attitude, motion.momentum);
             before = motion;
             if seen.energy[1] > 1e9 {
                 break;

@@ -4,7 +4,7 @@ use crate::number::Fraction;
 use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
 use crate::tex::{Node, Scope, Statement, Value};
 use num_traits::{One, Zero};
-use tumbling::euler::coupling;
+use tumbling::dynamics::euler::coupling;
 use tumbling::inertia::{omega_world, point_mass};
 use tumbling::solid::cuboid_moments;
 

@@ -5,10 +5,10 @@ use crate::symbols::{Matrix, Vector, adjugate, diagonal, ordered_moments, symmet
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
-use tumbling::attitude::{product, rate, rotation_matrix};
-use tumbling::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
+use tumbling::body::attitude::{product, rate, rotation_matrix};
+use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
+use tumbling::dynamics::stability::rate_squared;
 use tumbling::inertia::{omega_world, point_mass, turned};
-use tumbling::stability::rate_squared;
 use tumbling::step::Engine;
 
 fn inverse_diagonal(moments: &Vector) -> Matrix {
@@ -135,7 +135,7 @@ pub(super) mod rates {
 /// Energy.
 pub(super) fn energy() -> Scope {
     let (omega, momentum) = (vector("omega"), vector("L"));
-    let energy = tumbling::observe::energy(&omega, &momentum);
+    let energy = tumbling::dynamics::observe::energy(&omega, &momentum);
     Scope::default().with("E", energy).with(r"\boldsymbol{\omega}", omega).with(r"\mathbf{L}", momentum)
 }
 
@@ -295,7 +295,7 @@ pub(super) fn power() -> Scope {
     let [x, y, z] = [0, 1, 2].map(|i| acceleration[i].clone());
     let time = Derivation::new([("omega1", x), ("omega2", y), ("omega3", z)]);
     let tensor = diagonal(&moments);
-    let it = time.of(&tumbling::observe::energy(&omega, &(&tensor * &omega)));
+    let it = time.of(&tumbling::dynamics::observe::energy(&omega, &(&tensor * &omega)));
     Scope::default()
         .with("I", tensor)
         .with(r"\boldsymbol{\omega}", omega)
@@ -314,7 +314,7 @@ pub(super) fn in_order() -> Scope {
 /// An arrow fixed in the room, seen from a frame that spins anyhow.
 pub(super) fn seen_from_the_body() -> Scope {
     let (inverse, arrow) = (crate::symbols::symmetric("J"), vector("L"));
-    let rate = tumbling::euler::momentum_rate(&inverse, &arrow, &Vector::zeros());
+    let rate = tumbling::dynamics::euler::momentum_rate(&inverse, &arrow, &Vector::zeros());
     let omega = inverse * &arrow;
     Scope::default().with(r"\mathbf{v}", arrow).with(r"\boldsymbol{\omega}", omega).with(Scope::IT, rate)
 }

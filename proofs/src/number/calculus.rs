@@ -7,7 +7,7 @@ use super::symbol::Symbol;
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use tumbling::scalar::Field;
+use tumbling::number::Field;
 
 impl Polynomial {
     /// The partial derivative by `symbol`.

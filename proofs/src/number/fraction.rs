@@ -11,7 +11,7 @@ use num_traits::{One, Signed, Zero};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Neg;
-use tumbling::scalar::Field;
+use tumbling::number::Field;
 
 /// A quotient of two polynomials, a rational function. Equality is decided, by cross multiplication.
 ///

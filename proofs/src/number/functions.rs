@@ -5,7 +5,7 @@
 
 use super::{Rational, Series};
 use num_traits::{One, Zero};
-use tumbling::scalar::Analytic;
+use tumbling::number::Analytic;
 
 type Powers = Series<Rational>;
 

@@ -5,7 +5,7 @@ use super::tex::Tex;
 use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::Neg;
-use tumbling::scalar::Field;
+use tumbling::number::Field;
 
 /// A power series `a0 + a1 h + a2 h^2 + ...` over any field, known up to some power of `h`.
 ///

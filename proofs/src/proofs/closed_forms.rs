@@ -4,8 +4,8 @@ use crate::number::{Derivation, Fraction, Polynomial, Relations, Symbol};
 use crate::proof::{Mutant, Outcome, Proof, Residue, same, same_vectors_under, vanishes};
 use crate::symbols::{Vector, diagonal, variables, vector};
 use num_traits::One;
-use tumbling::euler::angular_acceleration;
-use tumbling::observe::energy;
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::dynamics::observe::energy;
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {

@@ -4,8 +4,8 @@ use crate::number::{Derivation, Fraction, Rational};
 use crate::proof::{Mutant, Outcome, Proof, Residue, same};
 use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
 use num_traits::Zero;
-use tumbling::euler::{angular_acceleration, momentum_rate};
-use tumbling::observe::energy;
+use tumbling::dynamics::euler::{angular_acceleration, momentum_rate};
+use tumbling::dynamics::observe::energy;
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {

@@ -5,10 +5,10 @@ use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same_vectors_under, 
 use crate::symbols::{Matrix, Vector, attitude, diagonal, vector};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use tumbling::attitude::rotation_matrix;
-use tumbling::euler::tensor_times_acceleration;
+use tumbling::body::attitude::rotation_matrix;
+use tumbling::dynamics::euler::tensor_times_acceleration;
 use tumbling::inertia::turned;
-use tumbling::step::{Engine, Motion};
+use tumbling::step::{Engine, State};
 
 /// A law that the motion of a free body obeys, and that an engine may break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,10 +116,10 @@ impl Run {
         let (tensor, inverse) = (diagonal(moments), diagonal(&moments.map(|x| Fraction::one() / x)));
         let carried = vector("v");
         let omega = reduced(engine.omega_world(&rotation, &tensor, &inverse, &carried));
-        let motion = Motion { attitude: q, vector: carried.clone() };
+        let motion = State { attitude: q, momentum: carried.clone() };
         let rate = engine.rate(&motion, &tensor, &inverse);
         let q_rate = rate.attitude.coords.map(|x| unit.reduce_fraction(&x));
-        let v_rate = rate.vector;
+        let v_rate = rate.momentum;
         let time = Derivation::new([
             ("w", q_rate.w.clone()),
             ("x", q_rate.x.clone()),
@@ -147,7 +147,9 @@ impl Run {
                 momentum.map(|x| self.time.of(&x))
             }
             Law::LengthOfMomentum => only(self.time.of(&body_momentum.dot(&body_momentum))),
-            Law::Energy => only(self.time.of(&tumbling::observe::energy(&body_spin, &body_momentum))),
+            Law::Energy => {
+                only(self.time.of(&tumbling::dynamics::observe::energy(&body_spin, &body_momentum)))
+            }
             Law::Euler => {
                 let acceleration = body_spin.map(|x| self.time.of(&x));
                 &self.tensor * acceleration

@@ -4,7 +4,7 @@ use crate::number::{Fraction, Rational};
 use crate::proof::{Mutant, Outcome, Proof, Residue, positive, same};
 use crate::symbols::{Vector, diagonal, ordered_moments, variables, vector};
 use num_traits::{One, Zero};
-use tumbling::euler::{coupling, tensor_times_acceleration};
+use tumbling::dynamics::euler::{coupling, tensor_times_acceleration};
 use tumbling::solid::cuboid_moments;
 
 pub(super) const PROOFS: &[Proof] = &[

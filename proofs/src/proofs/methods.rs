@@ -9,8 +9,8 @@ use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
 use crate::proofs::order::exact;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Zero;
-use tumbling::attitude;
-use tumbling::step::{Method, Motion, System};
+use tumbling::body::attitude;
+use tumbling::step::{Method, State, System};
 
 type Number = Series<Rational>;
 
@@ -86,12 +86,12 @@ fn number(n: i64, d: i64) -> Number {
 }
 
 /// Moments, spin with a length that is a fraction and momentum with one, and a unit attitude.
-fn cases() -> [(System<Number>, Motion<Number>); 2] {
+fn cases() -> [(System<Number>, State<Number>); 2] {
     let vector = |x: [i64; 3], d: i64| Vector3::from(x.map(|n| number(n, d)));
     let case = |moments: Vector3<Number>, omega: Vector3<Number>, q: [i64; 4], length: i64| {
         let momentum = moments.component_mul(&omega);
         let [w, x, y, z] = q.map(|n| number(n, length));
-        let motion = Motion { attitude: Quaternion::new(w, x, y, z), vector: momentum };
+        let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: momentum };
         (System::of_numbers(moments, Vec::new()), motion)
     };
     [
@@ -137,9 +137,9 @@ fn near(x: &Rational, y: &Rational, slack: &Rational) -> bool {
 fn step(
     method: Method,
     system: &System<Number>,
-    start: &Motion<Number>,
+    start: &State<Number>,
     h: &Number,
-) -> Result<Motion<Number>, Residue> {
+) -> Result<State<Number>, Residue> {
     method.step(system, start, h).map_err(|error| Residue::Missing { claim: error.to_string() })
 }
 
@@ -149,7 +149,8 @@ fn holds(method: Method, more: usize) -> Outcome {
         let h = Number::step(order + 1);
         let end = step(method, system, start, &h)?;
         let truth = exact(start, order + 1, |motion| system.rate(motion));
-        let all = |m: &Motion<Number>| m.attitude.coords.iter().chain(&m.vector).cloned().collect::<Vec<_>>();
+        let all =
+            |m: &State<Number>| m.attitude.coords.iter().chain(&m.momentum).cloned().collect::<Vec<_>>();
         let agree = |powers: std::ops::RangeInclusive<usize>| {
             all(&end)
                 .iter()
@@ -163,8 +164,8 @@ fn holds(method: Method, more: usize) -> Outcome {
 }
 
 /// Twice the energy of a motion.
-fn energy(system: &System<Number>, motion: &Motion<Number>) -> Number {
-    motion.vector.dot(&system.omega(&motion.vector))
+fn energy(system: &System<Number>, motion: &State<Number>) -> Number {
+    motion.momentum.dot(&system.omega(&motion.momentum))
 }
 
 fn laws(method: Method) -> Outcome {
@@ -177,16 +178,17 @@ fn laws(method: Method) -> Outcome {
         let h = Number::step(order);
         let end = step(method, system, start, &h)?;
         let back = step(method, system, &end, &-h)?;
-        let square = |m: &Motion<Number>| m.attitude.coords.dot(&m.attitude.coords);
-        let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
+        let square = |m: &State<Number>| m.attitude.coords.dot(&m.attitude.coords);
+        let world = |m: &State<Number>| attitude::rotation_matrix(&m.attitude) * &m.momentum;
         let stretched = world(start).map(|x| x * square(&end));
         let alike = |claim: &str, a: &[Number], b: &[Number]| {
             a.iter().zip(b).try_for_each(|(a, b)| same_series(claim, a, b, 0..=order, &slack(method)))
         };
-        let all = |m: &Motion<Number>| m.attitude.coords.iter().chain(&m.vector).cloned().collect::<Vec<_>>();
+        let all =
+            |m: &State<Number>| m.attitude.coords.iter().chain(&m.momentum).cloned().collect::<Vec<_>>();
         let found = [
             alike("the energy", &[energy(system, &end)], &[energy(system, start)]),
-            alike("the momentum", &[end.vector.dot(&end.vector)], &[start.vector.dot(&start.vector)]),
+            alike("the momentum", &[end.momentum.dot(&end.momentum)], &[start.momentum.dot(&start.momentum)]),
             alike("the momentum in the world", world(&end).as_slice(), stretched.as_slice()),
             alike("the attitude's length", &[square(&end)], &[square(start)]),
             alike("the way back", &all(&back), &all(start)),
@@ -217,7 +219,7 @@ fn keeps_another(method: Method) -> Outcome {
         &slack(method),
     )?;
     // A spin that stays in the body keeps any body's energy.
-    let world = |m: &Motion<Number>| attitude::rotation_matrix(&m.attitude) * &m.vector;
+    let world = |m: &State<Number>| attitude::rotation_matrix(&m.attitude) * &m.momentum;
     let square = end.attitude.coords.dot(&end.attitude.coords);
     let stretched = world(start).map(|x| x * square.clone());
     let ended = world(&end);
@@ -231,7 +233,7 @@ fn keeps_another(method: Method) -> Outcome {
 mod tests {
     use super::*;
     use num_traits::One;
-    use tumbling::scalar::Analytic;
+    use tumbling::number::Analytic;
 
     #[test]
     fn every_method_is_proven() {
@@ -242,12 +244,12 @@ mod tests {
     #[test]
     fn the_starts_have_lengths_without_a_root() {
         for (system, start) in &cases() {
-            let omega = system.omega(&start.vector);
-            for square in [omega.dot(&omega), start.vector.dot(&start.vector)] {
+            let omega = system.omega(&start.momentum);
+            for square in [omega.dot(&omega), start.momentum.dot(&start.momentum)] {
                 assert_eq!(square.sqrt() * square.sqrt(), square);
             }
             assert_eq!(start.attitude.coords.dot(&start.attitude.coords), Number::one());
-            assert!(!start.vector.iter().any(Zero::is_zero));
+            assert!(!start.momentum.iter().any(Zero::is_zero));
         }
     }
 }

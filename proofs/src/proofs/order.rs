@@ -5,9 +5,9 @@ use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
 use crate::symbols::{Matrix, diagonal, vector};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
-use tumbling::scalar::Field;
-use tumbling::step::{Engine, Motion, rk4};
-use tumbling::{attitude, euler};
+use tumbling::number::Field;
+use tumbling::step::{Engine, State, rk4};
+use tumbling::{body::attitude, dynamics::euler};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -50,17 +50,17 @@ pub(super) const PROOFS: &[Proof] = &[
 ];
 
 type Number = Series<Fraction>;
-type Law = fn(&Motion<Number>) -> Motion<Number>;
+type Law = fn(&State<Number>) -> State<Number>;
 
 fn constant(x: &Fraction) -> Number {
     Series::constant(x.clone())
 }
 
 /// At the start the body's axes are the world's, which loses nothing: the world's are ours to choose.
-fn start() -> Motion<Number> {
+fn start() -> State<Number> {
     let [one, zero] = [Number::one(), Number::zero()];
     let attitude = Quaternion::new(one, zero.clone(), zero.clone(), zero);
-    Motion { attitude, vector: vector("L").map(|x| constant(&x)) }
+    State { attitude, momentum: vector("L").map(|x| constant(&x)) }
 }
 
 fn inverse() -> Matrix3<Number> {
@@ -69,41 +69,41 @@ fn inverse() -> Matrix3<Number> {
 }
 
 /// The free body, its momentum in its own axes.
-fn law(m: &Motion<Number>) -> Motion<Number> {
-    let omega = inverse() * &m.vector;
-    Motion {
+fn law(m: &State<Number>) -> State<Number> {
+    let omega = inverse() * &m.momentum;
+    State {
         attitude: attitude::rate(&m.attitude, &omega),
-        vector: euler::momentum_rate(&inverse(), &m.vector, &Vector3::zeros()),
+        momentum: euler::momentum_rate(&inverse(), &m.momentum, &Vector3::zeros()),
     }
 }
 
 /// The exact motion under a law, to the power `order`: each round of `y = y0 + ∫ law(y)` settles one more.
 pub(super) fn exact<T: Field>(
-    start: &Motion<Series<T>>,
+    start: &State<Series<T>>,
     order: usize,
-    law: impl Fn(&Motion<Series<T>>) -> Motion<Series<T>>,
-) -> Motion<Series<T>> {
-    let cut = |m: &Motion<Series<T>>, order: usize| Motion {
+    law: impl Fn(&State<Series<T>>) -> State<Series<T>>,
+) -> State<Series<T>> {
+    let cut = |m: &State<Series<T>>, order: usize| State {
         attitude: Quaternion::from_vector(m.attitude.coords.map(|x| x.cut(order))),
-        vector: m.vector.map(|x| x.cut(order)),
+        momentum: m.momentum.map(|x| x.cut(order)),
     };
     let mut motion = cut(start, 0);
     for _ in 0..order {
         let rate = law(&motion);
-        motion = Motion {
+        motion = State {
             attitude: Quaternion::from_vector(
                 start.attitude.coords.zip_map(&rate.attitude.coords, |y, f| y + f.integral()),
             ),
-            vector: start.vector.zip_map(&rate.vector, |y, f| y + f.integral()),
+            momentum: start.momentum.zip_map(&rate.momentum, |y, f| y + f.integral()),
         };
     }
     motion
 }
 
 /// That two motions agree in every component at the given power of the step.
-fn agree(a: &Motion<Number>, b: &Motion<Number>, power: usize) -> Outcome {
-    let components = |m: &Motion<Number>| {
-        let all: Vec<Number> = m.attitude.coords.iter().chain(m.vector.iter()).cloned().collect();
+fn agree(a: &State<Number>, b: &State<Number>, power: usize) -> Outcome {
+    let components = |m: &State<Number>| {
+        let all: Vec<Number> = m.attitude.coords.iter().chain(m.momentum.iter()).cloned().collect();
         all
     };
     for (x, y) in components(a).iter().zip(components(b)) {
@@ -116,7 +116,7 @@ fn agree(a: &Motion<Number>, b: &Motion<Number>, power: usize) -> Outcome {
     Ok(())
 }
 
-fn order_is(order: usize, step: impl Fn(&Motion<Number>, &Number, Law) -> Motion<Number>) -> Outcome {
+fn order_is(order: usize, step: impl Fn(&State<Number>, &Number, Law) -> State<Number>) -> Outcome {
     let (start, h) = (start(), Number::step(order + 1));
     let (stepped, truth) = (step(&start, &h, law), exact(&start, order + 1, law));
     for power in 0..=order {
@@ -128,18 +128,18 @@ fn order_is(order: usize, step: impl Fn(&Motion<Number>, &Number, Law) -> Motion
 fn same_motion(engine: Engine) -> Outcome {
     const ORDER: usize = 4;
     let tensor = Matrix3::from_diagonal(&vector("J").map(|x| constant(&(Fraction::one() / x))));
-    let in_world = |m: &Motion<Number>| engine.rate(m, &tensor, &inverse());
+    let in_world = |m: &State<Number>| engine.rate(m, &tensor, &inverse());
     let mut start = start();
     let body = exact(&start, ORDER, law);
-    if engine.carried_rate(&tensor, &inverse(), &start.vector) != Vector3::zeros() {
+    if engine.carried_rate(&tensor, &inverse(), &start.momentum) != Vector3::zeros() {
         // What changes with time is the spin.
-        start.vector = inverse() * start.vector;
+        start.momentum = inverse() * start.momentum;
     }
     let mut world = exact(&start, ORDER, in_world);
     // The momentum that the body has, in its own axes.
     let rotation = attitude::rotation_matrix(&world.attitude);
-    let omega = engine.omega_world(&rotation, &tensor, &inverse(), &world.vector);
-    world.vector = &tensor * (rotation.transpose() * omega);
+    let omega = engine.omega_world(&rotation, &tensor, &inverse(), &world.momentum);
+    world.momentum = &tensor * (rotation.transpose() * omega);
     (0..=ORDER).try_for_each(|power| agree(&world, &body, power))
 }
 
@@ -151,13 +151,13 @@ mod tests {
     #[test]
     fn the_exact_motion_of_a_steady_spin_is_sine_and_cosine() {
         let [one, zero] = [Series::<Rational>::one(), Series::zero()];
-        let start = Motion {
+        let start = State {
             attitude: Quaternion::new(one, zero.clone(), zero.clone(), zero.clone()),
-            vector: Vector3::new(zero.clone(), zero, Series::constant(Rational::from(2))),
+            momentum: Vector3::new(zero.clone(), zero, Series::constant(Rational::from(2))),
         };
-        let law = |m: &Motion<Series<Rational>>| Motion {
-            attitude: attitude::rate(&m.attitude, &m.vector),
-            vector: Vector3::zeros(),
+        let law = |m: &State<Series<Rational>>| State {
+            attitude: attitude::rate(&m.attitude, &m.momentum),
+            momentum: Vector3::zeros(),
         };
         let end = exact(&start, 5, law);
         assert_eq!(end.attitude.coords.w.to_string(), "1 - 1/2 h^2 + 1/24 h^4 + ...");

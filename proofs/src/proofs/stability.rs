@@ -4,8 +4,8 @@ use crate::number::Fraction;
 use crate::proof::{Mutant, Outcome, Proof, positive, same, same_vectors};
 use crate::symbols::{Vector, ordered_moments, vector};
 use num_traits::Zero;
-use tumbling::euler::angular_acceleration;
-use tumbling::stability::rate_squared;
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::dynamics::stability::rate_squared;
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {

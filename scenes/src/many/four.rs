@@ -6,14 +6,14 @@
 use num_traits::{One, Zero};
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use tumbling::scalar::Lane;
+use tumbling::number::Lane;
 use wide::f64x4;
 
 /// Four numbers side by side: a vector register where the program is built for a machine that has them (`-C
 /// target-cpu=native`), a pair of shorter ones elsewhere, with the same answers.
 ///
 /// ```
-/// use tumbling::scalar::Lane;
+/// use tumbling::number::Lane;
 /// use tumbling_scenes::many::Four;
 /// let roots = Four::of_lanes(|k| k as f64).root();
 /// assert_eq!([0, 1, 2, 3].map(|k| roots.lane(k)), [0.0, 1.0, 2_f64.sqrt(), 3_f64.sqrt()]);

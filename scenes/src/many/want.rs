@@ -4,16 +4,16 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::fmt::Debug;
 use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Instant, Spins};
-use tumbling::scalar::Lane;
+use tumbling::number::Lane;
 
 /// What is wanted of every body, with what it takes prepared: [`Spins`] or a [`Batch`] of spins with attitudes, in as many lanes
 /// as a number type has.
 pub trait Want: Debug + Clone + Send + Sync {
     /// What comes out for one body at one instant.
-    type State: Debug + Copy + PartialEq + Send + Sync;
+    type Answer: Debug + Copy + PartialEq + Send + Sync;
 
     /// What stands in the place of an answer where a body was refused: NaN throughout.
-    const REFUSED: Self::State;
+    const REFUSED: Self::Answer;
 
     /// For these motions.
     #[must_use]
@@ -27,13 +27,13 @@ pub trait Want: Debug + Clone + Send + Sync {
     ///
     /// # Errors
     /// A time that is not finite.
-    fn each(&self, times: &[f64], put: impl FnMut(usize, usize, Self::State)) -> Result<(), Error>;
+    fn each(&self, times: &[f64], put: impl FnMut(usize, usize, Self::Answer)) -> Result<(), Error>;
 }
 
 const NAN: Vector3<f64> = Vector3::new(f64::NAN, f64::NAN, f64::NAN);
 
 impl<T: Lane + Send + Sync> Want for Batch<T> {
-    type State = Instant;
+    type Answer = Instant;
     const REFUSED: Instant = Instant {
         omega: NAN,
         attitude: UnitQuaternion::new_unchecked(Quaternion::new(f64::NAN, f64::NAN, f64::NAN, f64::NAN)),
@@ -52,7 +52,7 @@ impl<T: Lane + Send + Sync> Want for Batch<T> {
 }
 
 impl<T: Lane + Send + Sync> Want for Spins<T> {
-    type State = Vector3<f64>;
+    type Answer = Vector3<f64>;
     const REFUSED: Vector3<f64> = NAN;
 
     fn of(motions: &[FreeMotion]) -> Self {

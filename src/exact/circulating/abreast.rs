@@ -2,10 +2,10 @@
 
 use super::way::Way;
 use super::{Elliptic, Form, advanced, drifted};
-use crate::double::Double;
-use crate::elliptic::{Hyperbolic, Trigonometric};
+use crate::exact::elliptic::{Hyperbolic, Trigonometric};
 use crate::exact::klein::{self, HyperbolicPair, Pair, TrigonometricPair, phase};
-use crate::scalar::{Lane, gathered};
+use crate::number::double_double::Double;
+use crate::number::{Lane, gathered};
 
 /// Which way round the axes go, which differs from body to body.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,11 +8,11 @@
 //! motion itself; on the separatrix `m' = 0` the same formulas hold as they are.
 
 use super::{Elliptic, Form};
-use crate::double::Double;
-use crate::elliptic::{Values, rd};
 use crate::error::Error;
+use crate::exact::elliptic::{Values, rd};
 use crate::exact::sensitivity::Change;
-use crate::scale::times_power_of_two;
+use crate::number::double_double::Double;
+use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 

@@ -1,9 +1,9 @@
 //! Where the motion stands between two saddles: Jacobi's argument folded onto one passage.
 
-use crate::double::Double;
-use crate::elliptic::{self, Decay, Hyperbolic};
+use crate::exact::elliptic::{self, Decay, Hyperbolic};
 use crate::exact::klein::{HyperbolicPair, Pair};
-use crate::scalar::{Lane, gathered};
+use crate::number::double_double::Double;
+use crate::number::{Lane, gathered};
 
 /// Where Jacobi's argument stands, folded between the two saddles.
 #[derive(Debug, Clone, Copy, PartialEq)]

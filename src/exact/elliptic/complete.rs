@@ -1,6 +1,6 @@
 //! The complete integral by the arithmetic-geometric mean [Gau99](crate::references).
 
-use crate::double::Double;
+use crate::number::double_double::Double;
 use std::f64::consts::FRAC_PI_2;
 
 /// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.

@@ -2,7 +2,7 @@
 //! imaginary transformation.
 
 use super::Values;
-use crate::scalar::{Lane, gathered};
+use crate::number::{Lane, gathered};
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the root of `E` beside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +73,7 @@ impl Hyperbolic {
         let p4 = p2 * p2;
         let (third, fourth) = (1.0 + 2.0 * p + 2.0 * p4, 1.0 - 2.0 * p + 2.0 * p4);
         let second = 1.0 + p2 + p2 * p4;
-        let stretch = crate::scale::times_power_of_two(1.0, shift);
+        let stretch = crate::number::power_of_two::times_power_of_two(1.0, shift);
         Self {
             powers: [p2, p4, p],
             near: [third / fourth, stretch * (second / fourth), stretch * (second / third)],

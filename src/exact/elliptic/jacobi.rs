@@ -4,8 +4,8 @@ use super::hyperbolic::{Decay, Hyperbolic};
 use super::trig::sin_cos_of_turns;
 use super::trigonometric::Trigonometric;
 use super::{Values, complete};
-use crate::double::Double;
 use crate::error::{Error, finite};
+use crate::number::double_double::Double;
 use std::f64::consts::PI;
 
 /// Below this ratio of the quarter periods `K'/K` the imaginary transformation converges faster.
@@ -15,7 +15,7 @@ pub(crate) const TURNING_RATIO: f64 = 0.775;
 /// separatrix, whose modulus is 1 to rounding, are told apart.
 ///
 /// ```
-/// use tumbling::elliptic::Jacobi;
+/// use tumbling::exact::elliptic::Jacobi;
 /// // On the separatrix: tanh and 1/cosh.
 /// let limit = Jacobi::of_complement(0.0)?;
 /// let at = limit.at(2.0)?;

@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle given in turns: no division by the circle's constant to lose digits in.
 
-use crate::double::Double;
-use crate::scalar::Lane;
+use crate::number::Lane;
+use crate::number::double_double::Double;
 use std::f64::consts::TAU;
 
 /// Sine and cosine of `turns` whole turns.

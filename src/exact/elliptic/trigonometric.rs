@@ -1,7 +1,7 @@
 //! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
 
 use super::Values;
-use crate::scalar::{Lane, gathered};
+use crate::number::{Lane, gathered};
 
 /// The sums for a nome of at most 0.09: four terms each reach rounding. Written as polynomials in
 /// `cos 2z`, their even and odd halves apart, since each pair of sums shares them.

@@ -2,8 +2,8 @@
 
 use super::Change;
 use super::series::Ratios;
-use crate::double::Double;
-use crate::elliptic::sin_cos_of_turns;
+use crate::exact::elliptic::sin_cos_of_turns;
+use crate::number::double_double::Double;
 use nalgebra::Vector3;
 
 /// About the principal axis number `axis`: that part of the change stays, the other two grow or turn together, and a

@@ -1,14 +1,14 @@
 //! Buss's augmented method of second order [Bus00](crate::references): one turn a step by an averaged spin, with the term by which turns do
 //! not commute.
 
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
-use crate::scalar::Analytic;
-use crate::{attitude, euler};
+use crate::body::State;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
+use crate::{body::attitude, dynamics::euler};
 use nalgebra::Vector3;
 
-pub(super) const ABOUT: About = About {
+pub(crate) const ABOUT: About = About {
     name: "Buss's augmented",
     order: 2,
     implicit: false,
@@ -17,16 +17,16 @@ pub(super) const ABOUT: About = About {
 };
 
 /// With a torque, between two half kicks of it.
-pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
     let start = system.kicked(start, &half);
-    let omega = system.omega(&start.vector);
+    let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
     let change = euler::angular_acceleration(system.moments(), &omega, &none);
     // h (w + h w'/2 + h^2 w' x w / 12), along the axes at the start.
     let twelfth = h.clone() * h.clone() / T::integer(12);
     let mean = &omega + change.map(|x| x * half.clone()) + change.cross(&omega).map(|x| x * twelfth.clone());
     let turned = attitude::turn(&mean.map(|x| x * h.clone()));
-    let vector = attitude::seen_from(&turned, &start.vector);
-    system.kicked_back(&Motion { attitude: attitude::product(&start.attitude, &turned), vector }, &half)
+    let momentum = attitude::seen_from(&turned, &start.momentum);
+    system.kicked_back(&State { attitude: attitude::product(&start.attitude, &turned), momentum }, &half)
 }

@@ -1,17 +1,17 @@
 //! Constants that are no fractions, as exact decimals of 27 digits, so that one definition serves every number type.
 
-use crate::scalar::Field;
+use crate::number::Field;
 
 /// Three groups of nine digits behind the point, the whole part before it, and the sign.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Decimal {
-    pub(super) negative: bool,
-    pub(super) whole: u32,
-    pub(super) groups: [u32; 3],
+pub(crate) struct Decimal {
+    pub(crate) negative: bool,
+    pub(crate) whole: u32,
+    pub(crate) groups: [u32; 3],
 }
 
 impl Decimal {
-    pub(super) fn value<T: Field>(&self) -> T {
+    pub(crate) fn value<T: Field>(&self) -> T {
         let base = T::integer(1_000_000_000);
         // From the last group on, so that the small ones are not lost one by one.
         let behind =
@@ -22,11 +22,11 @@ impl Decimal {
 }
 
 /// The root of 3.
-pub(super) const ROOT_OF_3: Decimal =
+pub(crate) const ROOT_OF_3: Decimal =
     Decimal { negative: false, whole: 1, groups: [732_050_807, 568_877_293, 527_446_341] };
 
 /// The root of 15.
-pub(super) const ROOT_OF_15: Decimal =
+pub(crate) const ROOT_OF_15: Decimal =
     Decimal { negative: false, whole: 3, groups: [872_983_346, 207_416_885, 179_265_399] };
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references), at a fixed step or with its error controlled.
 
-use super::method::{About, Keeps, lost_squares};
-use super::rk4::Motion;
-use super::system::System;
+use crate::body::State;
 use crate::error::{Error, finite, positive};
-use crate::scalar::{Analytic, Field};
+use crate::number::{Analytic, Field};
+use crate::step::method::{About, Keeps, lost_squares};
+use crate::step::system::System;
 
-pub(super) const ABOUT: About =
+pub(crate) const ABOUT: About =
     About { name: "Dormand-Prince 5", order: 5, implicit: false, keeps: Keeps::NOTHING, source: "DP80" };
 
 /// A whole number over another.
@@ -31,7 +31,7 @@ fn number<T: Field>((n, d): Ratio) -> T {
     if n < 0 { -size } else { size }
 }
 
-fn combined<T: Analytic>(start: &Motion<T>, slopes: &[Motion<T>], weights: &[Ratio], h: &T) -> Motion<T> {
+fn combined<T: Analytic>(start: &State<T>, slopes: &[State<T>], weights: &[Ratio], h: &T) -> State<T> {
     slopes
         .iter()
         .zip(weights)
@@ -42,10 +42,10 @@ fn combined<T: Analytic>(start: &Motion<T>, slopes: &[Motion<T>], weights: &[Rat
 /// The end of a step and the six slopes that it took, given the first.
 fn stages<T: Analytic>(
     system: &System<T>,
-    start: &Motion<T>,
-    first: Motion<T>,
+    start: &State<T>,
+    first: State<T>,
     h: &T,
-) -> (Motion<T>, Vec<Motion<T>>) {
+) -> (State<T>, Vec<State<T>>) {
     let mut slopes = Vec::with_capacity(7);
     slopes.push(first);
     let [inner @ .., last] = &STAGES;
@@ -56,7 +56,7 @@ fn stages<T: Analytic>(
     (combined(start, &slopes, last, h), slopes)
 }
 
-pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     stages(system, start, system.rate(start), h).0
 }
 
@@ -64,7 +64,7 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
 #[derive(Debug, Clone, PartialEq)]
 pub struct Controlled {
     /// The motion at the end.
-    pub end: Motion<f64>,
+    pub end: State<f64>,
     /// Steps that were taken.
     pub steps: usize,
     /// Steps that were tried and found too coarse.
@@ -86,10 +86,10 @@ pub const MOST_STEPS: usize = 100_000_000;
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
 /// use tumbling::exact::FreeMotion;
-/// use tumbling::step::{Motion, System, controlled};
+/// use tumbling::step::{State, System, controlled};
 /// let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.3, 2.0, 0.1));
 /// let system = System::free(&moments)?;
-/// let start = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
+/// let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
 /// let run = controlled(&system, &start, 10.0, 1e-10)?;
 /// let truth = FreeMotion::new(&moments, &omega)?.at(10.0)?;
 /// assert!((run.end.attitude.coords - truth.attitude.coords).norm() < 1e-8);
@@ -101,7 +101,7 @@ pub const MOST_STEPS: usize = 100_000_000;
 /// however short the step, or more than [`MOST_STEPS`].
 pub fn controlled(
     system: &System<f64>,
-    start: &Motion<f64>,
+    start: &State<f64>,
     duration: f64,
     tolerance: f64,
 ) -> Result<Controlled, Error> {
@@ -111,7 +111,7 @@ pub fn controlled(
 /// The same in no more steps, taken or not, than are left, off which they are taken.
 pub(crate) fn controlled_within(
     system: &System<f64>,
-    start: &Motion<f64>,
+    start: &State<f64>,
     duration: f64,
     tolerance: f64,
     left: &mut usize,
@@ -130,15 +130,15 @@ pub(crate) fn controlled_within(
     if duration == 0.0 {
         return Ok(run);
     }
-    lost_squares(&system.omega(&start.vector), &duration)?;
+    lost_squares(&system.omega(&start.momentum), &duration)?;
     let mut slope = system.rate(start);
     // Lengths without a square, which would leave the range before they do.
     let length = |parts: &[f64]| parts.iter().fold(0.0, |sum: f64, x| sum.max(x.abs()));
     let lengths =
-        |motion: &Motion<f64>| [length(motion.attitude.coords.as_slice()), length(motion.vector.as_slice())];
+        |motion: &State<f64>| [length(motion.attitude.coords.as_slice()), length(motion.momentum.as_slice())];
     let over = |x: f64, y: f64| if x == 0.0 { 0.0 } else { x / y };
     // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will do.
-    let relative = |part: &Motion<f64>, whole: [f64; 2], gained: f64| {
+    let relative = |part: &State<f64>, whole: [f64; 2], gained: f64| {
         let [turn, momentum] = lengths(part);
         over(turn, whole[0]).max(over(momentum, whole[1] + gained))
     };
@@ -167,8 +167,8 @@ pub(crate) fn controlled_within(
         let (end, mut slopes) = stages(system, &run.end, slope.clone(), &h_now);
         let end_slope = system.rate(&end);
         slopes.push(end_slope.clone());
-        let nothing = Motion { attitude: run.end.attitude * 0.0, vector: run.end.vector * 0.0 };
-        let gained = length(slope.vector.as_slice()) * h_now.abs();
+        let nothing = State { attitude: run.end.attitude * 0.0, momentum: run.end.momentum * 0.0 };
+        let gained = length(slope.momentum.as_slice()) * h_now.abs();
         let off = combined(&nothing, &slopes, &ERROR, &h_now);
         let error = relative(&off, lengths(&run.end), gained) / tolerance;
         if !error.is_finite() {

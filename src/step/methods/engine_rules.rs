@@ -1,11 +1,11 @@
-//! The rules by which physics engines turn a free body, each as a [`Method`](super::Method).
+//! The rules by which physics engines turn a free body, each as a [`Method`](crate::step::Method).
 //!
 //! They differ in what they do with the gyroscopic term `L x w` and in how they turn the attitude by the new spin. All of
 //! them bring the attitude back to length 1 after each step, as the engines do. Torques act as they stand at the start
-//! of the step, except in the Runge-Kutta ones. [`PHYSICS_ENGINES`](super::PHYSICS_ENGINES) says which engine goes by
+//! of the step, except in the Runge-Kutta ones. [`PHYSICS_ENGINES`](crate::step::PHYSICS_ENGINES) says which engine goes by
 //! which rule, and what else it does.
 
-pub(super) mod explicit;
-pub(super) mod newton;
-pub(super) mod runge_kutta;
-pub(super) mod turn;
+pub(crate) mod explicit;
+pub(crate) mod newton;
+pub(crate) mod runge_kutta;
+pub(crate) mod turn;

@@ -1,13 +1,13 @@
 //! The explicit Euler method [Eul68](crate::references): straight ahead.
 
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
-use crate::scalar::Analytic;
+use crate::body::State;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 
-pub(super) const EULER: About =
+pub(crate) const EULER: About =
     About { name: "explicit Euler", order: 1, implicit: false, keeps: Keeps::NOTHING, source: "Eul68" };
 
-pub(super) fn euler<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn euler<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     start.plus(&system.rate(start), h)
 }

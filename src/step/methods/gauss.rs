@@ -2,15 +2,15 @@
 //! ([But64](crate::references), [HLW06](crate::references)), solved by iteration to rounding.
 
 use super::decimal::{ROOT_OF_3, ROOT_OF_15};
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
+use crate::body::State;
 use crate::error::Error;
-use crate::scalar::Analytic;
-use crate::{attitude, euler};
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
+use crate::{body::attitude, dynamics::euler};
 use nalgebra::{Quaternion, Vector3};
 
-pub(super) const MIDPOINT: About = About {
+pub(crate) const MIDPOINT: About = About {
     name: "implicit midpoint",
     order: 2,
     implicit: true,
@@ -21,10 +21,10 @@ pub(super) const MIDPOINT: About = About {
 /// All that is square in attitude and momentum is kept; the momentum in the world is a product of three.
 const SQUARES: Keeps = Keeps { energy: true, momentum: true, direction: false, unit: true, reversible: true };
 
-pub(super) const GAUSS_4: About =
+pub(crate) const GAUSS_4: About =
     About { name: "Gauss 4", order: 4, implicit: true, keeps: SQUARES, source: "But64" };
 
-pub(super) const GAUSS_6: About =
+pub(crate) const GAUSS_6: About =
     About { name: "Gauss 6", order: 6, implicit: true, keeps: SQUARES, source: "But64" };
 
 /// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
@@ -61,11 +61,7 @@ fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
 /// `L' - L = h (M x w + torque)` with `M` the mean of the momenta and `w = J M`, and a turn by half-angle tangents `h w / 2`. That
 /// turn, without a torque, is what the rule itself makes of the momentum; so attitude and momentum move as one, and the
 /// momentum stays in the world. The torque is taken at the mean of the attitudes.
-pub(super) fn midpoint<T: Analytic>(
-    system: &System<T>,
-    start: &Motion<T>,
-    h: &T,
-) -> Result<Motion<T>, Error> {
+pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
     let turn = |mean: &Vector3<T>| {
         let c = system.omega(mean).map(|x| x * half.clone());
@@ -81,28 +77,28 @@ pub(super) fn midpoint<T: Analytic>(
         sum.w += T::one();
         let length = sum.dot(&sum).sqrt();
         let middle = Quaternion::from_vector(sum.map(|x| x / length.clone()));
-        let here = Motion { attitude: attitude::product(&start.attitude, &middle), vector: mean.clone() };
+        let here = State { attitude: attitude::product(&start.attitude, &middle), momentum: mean.clone() };
         system.torque(&here).map(|x| x * half.clone())
     };
     let next = |mean: &Vector3<T>| {
         // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two nearly cancel.
         let turned = euler::coupling(system.moments(), &system.omega(mean));
-        let better = &start.vector + turned.map(|x| x * half.clone()) + kick(mean);
+        let better = &start.momentum + turned.map(|x| x * half.clone()) + kick(mean);
         let moved = size(&(&better - mean));
         (better, moved)
     };
-    let scale = size(&start.vector);
-    let mean = settled("the midpoint of a step", start.vector.clone(), scale, next, T::rounding())?;
+    let scale = size(&start.momentum);
+    let mean = settled("the midpoint of a step", start.momentum.clone(), scale, next, T::rounding())?;
     let turned = turn(&mean);
-    let vector = if system.is_free() {
-        attitude::seen_from(&turned, &start.vector)
+    let momentum = if system.is_free() {
+        attitude::seen_from(&turned, &start.momentum)
     } else {
-        &mean + &mean - &start.vector
+        &mean + &mean - &start.momentum
     };
-    Ok(Motion { attitude: attitude::product(&start.attitude, &turned), vector })
+    Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
 }
 
-pub(super) fn gauss_4<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
+pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let quarter = T::one() / T::integer(4);
     let away = ROOT_OF_3.value::<T>() / T::integer(6);
     let half = T::one() / T::integer(2);
@@ -115,7 +111,7 @@ pub(super) fn gauss_4<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T)
     )
 }
 
-pub(super) fn gauss_6<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Result<Motion<T>, Error> {
+pub(crate) fn gauss_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let part = |n: u32, below: u32| T::integer(n) / T::integer(below);
     let root = ROOT_OF_15.value::<T>();
     let over = |below: u32| root.clone() / T::integer(below);
@@ -136,33 +132,33 @@ pub(super) fn gauss_6<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T)
 /// The Runge-Kutta method with these coefficients.
 fn collocated<T: Analytic, const N: usize>(
     system: &System<T>,
-    start: &Motion<T>,
+    start: &State<T>,
     h: &T,
     stages: &[[T; N]; N],
     weights: &[T; N],
-) -> Result<Motion<T>, Error> {
+) -> Result<State<T>, Error> {
     let first = system.rate(start);
-    let along = |slopes: &[Motion<T>; N], weights: &[T; N]| {
+    let along = |slopes: &[State<T>; N], weights: &[T; N]| {
         slopes
             .iter()
             .zip(weights)
             .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, &(h.clone() * weight.clone())))
     };
-    let turns = |m: &Motion<T>| m.attitude.coords.iter().map(Analytic::size).sum::<f64>();
+    let turns = |m: &State<T>| m.attitude.coords.iter().map(Analytic::size).sum::<f64>();
     // Both in units of their own: the attitude's length, the momentum's.
-    let momentum = match size(&start.vector) + h.size() * size(&first.vector) {
+    let momentum = match size(&start.momentum) + h.size() * size(&first.momentum) {
         0.0 => 1.0,
         size => size,
     };
-    let next = |slopes: &[Motion<T>; N]| {
+    let next = |slopes: &[State<T>; N]| {
         let better = std::array::from_fn(|i| system.rate(&along(slopes, &stages[i])));
         let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
             let change = after.plus(before, &-T::one());
-            sum + h.size() * (turns(&change) + size(&change.vector) / momentum)
+            sum + h.size() * (turns(&change) + size(&change.momentum) / momentum)
         });
         (better, moved)
     };
-    let guess: [Motion<T>; N] = std::array::from_fn(|_| first.clone());
+    let guess: [State<T>; N] = std::array::from_fn(|_| first.clone());
     let slopes = settled("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
     Ok(along(&slopes, weights))
 }

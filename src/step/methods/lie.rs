@@ -1,14 +1,14 @@
 //! Runge-Kutta in the turn itself, after Munthe-Kaas [MK98](crate::references): the attitude stays a rotation, and the momentum stays where it
 //! was in the world.
 
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
-use crate::attitude;
-use crate::scalar::Analytic;
+use crate::body::State;
+use crate::body::attitude;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 use nalgebra::Vector3;
 
-pub(super) const ABOUT: About = About {
+pub(crate) const ABOUT: About = About {
     name: "Munthe-Kaas 4",
     order: 4,
     implicit: false,
@@ -22,18 +22,18 @@ struct Part<T: nalgebra::Scalar> {
     momentum: Vector3<T>,
 }
 
-pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let none = Vector3::from_fn(|_, _| T::zero());
     let at = |turn: &Vector3<T>, momentum: &Vector3<T>| {
         let turned = attitude::turn(turn);
-        let vector = attitude::seen_from(&turned, momentum);
-        Motion { attitude: attitude::product(&start.attitude, &turned), vector }
+        let momentum = attitude::seen_from(&turned, momentum);
+        State { attitude: attitude::product(&start.attitude, &turned), momentum }
     };
-    // The rate of a rotation vector v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12 and terms that the fourth
+    // The rate of a rotation momentum v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12 and terms that the fourth
     // order does not see.
     let rate = |turn: &Vector3<T>, momentum: &Vector3<T>| {
         let here = at(turn, momentum);
-        let omega = system.omega(&here.vector);
+        let omega = system.omega(&here.momentum);
         let across = turn.cross(&omega);
         let again = turn.cross(&across);
         let part = |x: &T, n: u32| x.clone() / T::integer(n);
@@ -49,10 +49,10 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     };
     let along = |k: &Part<T>, time: &T| {
         let turn = k.turn.map(|x| x * time.clone());
-        (turn, &start.vector + k.momentum.map(|x| x * time.clone()))
+        (turn, &start.momentum + k.momentum.map(|x| x * time.clone()))
     };
     let half = h.clone() / T::integer(2);
-    let k1 = rate(&none, &start.vector);
+    let k1 = rate(&none, &start.momentum);
     let (turn, momentum) = along(&k1, &half);
     let k2 = rate(&turn, &momentum);
     let (turn, momentum) = along(&k2, &half);
@@ -65,5 +65,5 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     };
     let turn = mean(&k1.turn, &k2.turn, &k3.turn, &k4.turn);
     let push = mean(&k1.momentum, &k2.momentum, &k3.momentum, &k4.momentum);
-    at(&turn, &(&start.vector + push))
+    at(&turn, &(&start.momentum + push))
 }

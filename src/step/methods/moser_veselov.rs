@@ -15,44 +15,44 @@
 //! `proofs/programs/moser_veselov.py` expands this in exact fractions and prints the sums below. The order of the result is proven of this
 //! very code, on power series.
 
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
-use crate::attitude;
+use crate::body::State;
+use crate::body::attitude;
 use crate::error::Error;
-use crate::scalar::{Analytic, Ring};
+use crate::number::{Analytic, Ring};
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 
 const ALL: Keeps = Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true };
 
-pub(super) const ORDER_2: About =
+pub(crate) const ORDER_2: About =
     About { name: "Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
 
 const fn preprocessed(name: &'static str, order: u32) -> About {
     About { name, order, implicit: true, keeps: ALL, source: "HV06" }
 }
 
-pub(super) const ORDER_4: About = preprocessed("Moser-Veselov 4", 4);
-pub(super) const ORDER_6: About = preprocessed("Moser-Veselov 6", 6);
-pub(super) const ORDER_8: About = preprocessed("Moser-Veselov 8", 8);
-pub(super) const ORDER_10: About = preprocessed("Moser-Veselov 10", 10);
+pub(crate) const ORDER_4: About = preprocessed("Moser-Veselov 4", 4);
+pub(crate) const ORDER_6: About = preprocessed("Moser-Veselov 6", 6);
+pub(crate) const ORDER_8: About = preprocessed("Moser-Veselov 8", 8);
+pub(crate) const ORDER_10: About = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
-pub(super) fn step<T: Analytic>(
+pub(crate) fn step<T: Analytic>(
     system: &System<T>,
-    start: &Motion<T>,
+    start: &State<T>,
     h: &T,
     order: u32,
-) -> Result<Motion<T>, Error> {
+) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
     let start = system.kicked(start, &half);
-    let end = Prepared::new(system.inverse(), &start.vector, h, order).step(&start)?;
+    let end = Prepared::new(system.inverse(), &start.momentum, h, order).step(&start)?;
     Ok(system.kicked_back(&end, &half))
 }
 
 /// What a step needs of the body and of what the motion conserves.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Prepared<T: nalgebra::Scalar> {
+pub(crate) struct Prepared<T: nalgebra::Scalar> {
     /// The moments given to the algorithm, the body's first moment for a unit.
     moments: Vector3<T>,
     /// Their inverses.
@@ -63,7 +63,7 @@ pub(super) struct Prepared<T: nalgebra::Scalar> {
 
 impl<T: Analytic> Prepared<T> {
     /// For a body with these inverse moments and all motions with the energy and `|L|` of this momentum.
-    pub(super) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Self {
+    pub(crate) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Self {
         // In units of the first moment and of the step everything is a pure number, and small where the step is.
         let unit = &inverse.x;
         let [one, j, k] = [T::one(), inverse.y.clone() / unit.clone(), inverse.z.clone() / unit.clone()];
@@ -81,14 +81,14 @@ impl<T: Analytic> Prepared<T> {
     }
 
     #[inline]
-    pub(super) fn step(&self, start: &Motion<T>) -> Result<Motion<T>, Error> {
-        let half = start.vector.map(|x| x * self.scale.clone());
+    pub(crate) fn step(&self, start: &State<T>) -> Result<State<T>, Error> {
+        let half = start.momentum.map(|x| x * self.scale.clone());
         let c = tangents(&self.moments, &self.inverse, &half)?;
         let over = T::one() / (T::one() + c.dot(&c)).sqrt();
         let part = |x: &T| x.clone() * over.clone();
         let turned = Quaternion::new(over.clone(), part(&c.x), part(&c.y), part(&c.z));
-        let vector = attitude::seen_from(&turned, &start.vector);
-        Ok(Motion { attitude: attitude::product(&start.attitude, &turned), vector })
+        let momentum = attitude::seen_from(&turned, &start.momentum);
+        Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
     }
 }
 

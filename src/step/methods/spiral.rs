@@ -1,16 +1,16 @@
 //! SPIRAL in its synchronous form [Val24](crate::references): a turn by the spin, then one by how it changes; the spin by a Runge-Kutta method of
 //! third order.
 
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
-use crate::scalar::Analytic;
-use crate::{attitude, euler};
+use crate::body::State;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
+use crate::{body::attitude, dynamics::euler};
 use nalgebra::Vector3;
 
 /// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of the step, as the proofs
 /// show. The order of a method is that of the worst.
-pub(super) const ABOUT: About = About {
+pub(crate) const ABOUT: About = About {
     name: "SPIRAL",
     order: 2,
     implicit: false,
@@ -19,10 +19,10 @@ pub(super) const ABOUT: About = About {
 };
 
 /// With a torque, between two half kicks of it: a torque held for the whole step would cost an order.
-pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
     let start = system.kicked(start, &half);
-    let omega = system.omega(&start.vector);
+    let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
     let slope = |omega: &Vector3<T>| {
         euler::angular_acceleration(system.moments(), omega, &none).map(|x| x * h.clone())
@@ -35,6 +35,7 @@ pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) ->
     let first = attitude::turn(&omega.map(|x| x * h.clone()));
     let second = attitude::turn(&k1.map(|x| x * h.clone() / T::integer(2)));
     let turned = attitude::product(&first, &second);
-    let end = Motion { attitude: attitude::product(&start.attitude, &turned), vector: system.momentum(&end) };
+    let end =
+        State { attitude: attitude::product(&start.attitude, &turned), momentum: system.momentum(&end) };
     system.kicked_back(&end, &half)
 }

@@ -2,10 +2,10 @@
 //! ([McL93](crate::references), [Rei93](crate::references), [TW94](crate::references)); and compositions of it to orders 4 and 6.
 
 use super::decimal::Decimal;
-use super::method::{About, Keeps};
-use super::rk4::Motion;
-use super::system::System;
-use crate::scalar::Analytic;
+use crate::body::State;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 use nalgebra::Quaternion;
 
 const KEEPS: Keeps =
@@ -15,9 +15,9 @@ const fn about(name: &'static str, order: u32, source: &'static str) -> About {
     About { name, order, implicit: false, keeps: KEEPS, source }
 }
 
-pub(super) const ORDER_2: About = about("three rotations", 2, "McL93");
-pub(super) const ORDER_4: About = about("three rotations, 7 in 1", 4, "our own weights");
-pub(super) const ORDER_6: About = about("three rotations, 9 in 1", 6, "KL97");
+pub(crate) const ORDER_2: About = about("three rotations", 2, "McL93");
+pub(crate) const ORDER_4: About = about("three rotations, 7 in 1", 4, "our own weights");
+pub(crate) const ORDER_6: About = about("three rotations, 9 in 1", 6, "KL97");
 
 /// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition of a symmetric method of
 /// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, since 2 has no
@@ -39,11 +39,11 @@ const fn decimal(negative: bool, groups: [u32; 3]) -> Decimal {
     Decimal { negative, whole: 0, groups }
 }
 
-pub(super) fn order_2<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn order_2<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     composed(system, start, h, &[T::one()])
 }
 
-pub(super) fn order_4<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn order_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let [a, b, c, d] = SEVEN.map(|(n, below)| {
         let size = T::integer(n.unsigned_abs()) / T::integer(below);
         if n < 0 { -size } else { size }
@@ -51,13 +51,13 @@ pub(super) fn order_4<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T)
     composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d, c, b, a])
 }
 
-pub(super) fn order_6<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn order_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let [a, b, c, d, e] = NINE.map(|share| share.value::<T>());
     composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d.clone(), e, d, c, b, a])
 }
 
 /// With a torque, all of it between two half kicks: then of order 2.
-fn composed<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T, shares: &[T]) -> Motion<T> {
+fn composed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, shares: &[T]) -> State<T> {
     let half = h.clone() / T::integer(2);
     let mut motion = system.kicked(start, &half);
     let mut before = T::zero();
@@ -75,22 +75,22 @@ fn composed<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T, shares: &
 }
 
 /// The turn that the energy of the spin about one axis alone makes in a time.
-pub(super) fn turned<T: Analytic>(system: &System<T>, motion: &mut Motion<T>, axis: usize, time: &T) {
-    let rate = motion.vector[axis].clone() * system.inverse()[axis].clone();
+pub(crate) fn turned<T: Analytic>(system: &System<T>, motion: &mut State<T>, axis: usize, time: &T) {
+    let rate = motion.momentum[axis].clone() * system.inverse()[axis].clone();
     spun(motion, axis, &(rate * time.clone() / T::integer(2)));
 }
 
 /// The body turned about its own axis by twice the angle, its momentum staying in the world.
-pub(super) fn spun<T: Analytic>(motion: &mut Motion<T>, axis: usize, half_angle: &T) {
+pub(crate) fn spun<T: Analytic>(motion: &mut State<T>, axis: usize, half_angle: &T) {
     let (i, j, k) = (axis, (axis + 1) % 3, (axis + 2) % 3);
     let (s, c) = half_angle.sin_cos();
     let p = |x: &T, y: &T| x.clone() * y.clone();
     let (sine, sine_square) = (p(&s, &c), p(&s, &s));
     let (sine, less) = (sine.clone() + sine, sine_square.clone() + sine_square);
     // cos of the whole angle is 1 less `less`: small turns keep their digits.
-    let (v, w) = (motion.vector[j].clone(), motion.vector[k].clone());
-    motion.vector[j] = v.clone() - (p(&v, &less) - p(&w, &sine));
-    motion.vector[k] = w.clone() - (p(&w, &less) + p(&v, &sine));
+    let (v, w) = (motion.momentum[j].clone(), motion.momentum[k].clone());
+    motion.momentum[j] = v.clone() - (p(&v, &less) - p(&w, &sine));
+    motion.momentum[k] = w.clone() - (p(&w, &less) + p(&v, &sine));
     let q = &motion.attitude.coords;
     let mut turned = q.clone_owned();
     turned.w = p(&q.w, &c) - p(&q[i], &s);

@@ -1,14 +1,14 @@
 //! The splitting of Dullweber, Leimkuhler and McLachlan [DLM97](crate::references): the exact motion of a symmetric top between two half turns
 //! that make up for what the body is not one.
 
-use super::method::{About, Keeps};
-use super::rk4::Motion;
 use super::splitting::spun;
-use super::system::System;
-use crate::attitude;
-use crate::scalar::Analytic;
+use crate::body::State;
+use crate::body::attitude;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 
-pub(super) const ABOUT: About = About {
+pub(crate) const ABOUT: About = About {
     name: "symmetric top",
     order: 2,
     implicit: false,
@@ -18,21 +18,21 @@ pub(super) const ABOUT: About = About {
 
 /// The top is symmetric about z, with the moment about x for its two equal ones; the difference is a turn about y. A body is best given
 /// with the two moments first that are nearest to each other. With a torque, all of it between two half kicks.
-pub(super) fn step<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
     let quarter = half.clone() / T::integer(2);
     let inverse = system.inverse();
     let beside = |axis: usize| inverse[axis].clone() - inverse.x.clone();
     let mut motion = system.kicked(start, &half);
-    let rest = |motion: &mut Motion<T>| {
-        let angle = beside(1) * motion.vector.y.clone() * quarter.clone();
+    let rest = |motion: &mut State<T>| {
+        let angle = beside(1) * motion.momentum.y.clone() * quarter.clone();
         spun(motion, 1, &angle);
     };
     rest(&mut motion);
     // A turn about the momentum, which does not move it, and one about the axis.
-    let about = motion.vector.map(|x| x * inverse.x.clone() * h.clone());
+    let about = motion.momentum.map(|x| x * inverse.x.clone() * h.clone());
     motion.attitude = attitude::product(&motion.attitude, &attitude::turn(&about));
-    let angle = beside(2) * motion.vector.z.clone() * half.clone();
+    let angle = beside(2) * motion.momentum.z.clone() * half.clone();
     spun(&mut motion, 2, &angle);
     rest(&mut motion);
     system.kicked_back(&motion, &half)

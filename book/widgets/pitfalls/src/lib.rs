@@ -5,10 +5,10 @@
 
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use tumbling::attitude::rotation_matrix;
-use tumbling::observe::energy;
+use tumbling::body::attitude::rotation_matrix;
+use tumbling::dynamics::observe::energy;
 use tumbling::solid::{ball_moment, cuboid_moments};
-use tumbling::step::{Engine, Motion, rk4};
+use tumbling::step::{Engine, State, rk4};
 
 /// The most steps in one answer.
 const MOST: usize = 1000;
@@ -92,9 +92,9 @@ impl Run {
     }
 
     /// What the page brings back: eight numbers into the row the attitude, real part first, and the carried vector.
-    fn motion(&self, row: &Numbers) -> Motion<f64> {
+    fn motion(&self, row: &Numbers) -> State<f64> {
         let [w, i, j, k, x, y, z] = row.take(8);
-        Motion { attitude: nalgebra::Quaternion::new(w, i, j, k), vector: Vector3::new(x, y, z) }
+        State { attitude: nalgebra::Quaternion::new(w, i, j, k), momentum: Vector3::new(x, y, z) }
     }
 
     fn go_on(&self, row: &Numbers) -> usize {
@@ -113,7 +113,7 @@ impl Run {
                 break;
             }
             (motion, found) = (next, now);
-            // A flip is a change of sign, its time by a straight line: as `tumbling::observe::sign_changes`, which wants
+            // A flip is a change of sign, its time by a straight line: as `tumbling::dynamics::observe::sign_changes`, which wants
             // memory that this module else has no need of. `tests` below hold it to that.
             if sign(found.spin, side) * side < 0.0 {
                 if flips == 0.0 {
@@ -128,7 +128,7 @@ impl Run {
             low = low.min(found.energy);
             high = high.max(found.energy);
         }
-        let (q, v) = (&motion.attitude, &motion.vector);
+        let (q, v) = (&motion.attitude, &motion.momentum);
         row.fill(&[
             taken as f64,
             q.w,
@@ -153,9 +153,9 @@ impl Run {
     }
 
     /// What a measurement on the body would find, whatever the engine believes.
-    fn measured(&self, motion: &Motion<f64>) -> Measured {
+    fn measured(&self, motion: &State<f64>) -> Measured {
         let rotation = rotation_matrix(&motion.attitude);
-        let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, &motion.vector);
+        let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, &motion.momentum);
         let momentum = tumbling::inertia::turned(&rotation, &self.tensor) * omega;
         Measured {
             spin: (rotation.transpose() * omega).x,
@@ -199,8 +199,8 @@ mod tests {
 
     /// Numbers in a state.
     use nalgebra::UnitQuaternion;
-    use tumbling::observe::sign_changes;
-    use tumbling::{Body, Inertia, bodies};
+    use tumbling::dynamics::observe::sign_changes;
+    use tumbling::{Body, Inertia, body::named};
 
     /// Numbers in a state.
     const STATE: usize = 9;
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn stepped_in_pieces_an_engine_goes_where_the_library_says() {
-        let inertia = bodies::the_box().unwrap().inertia();
+        let inertia = named::the_box().unwrap().inertia();
         for (which, engine) in Engine::ALL.into_iter().enumerate() {
             for (omega, step) in [([10.0, 0.1, 0.1], 0.001), ([1.0, 1.0, 1.0], 0.01)] {
                 let vector = Vector3::from(omega);
@@ -269,7 +269,7 @@ mod tests {
 
     #[test]
     fn energy_and_momentum_are_told_as_the_librarys_run_has_them() {
-        let inertia = bodies::the_box().unwrap().inertia();
+        let inertia = named::the_box().unwrap().inertia();
         let mut broken = 0;
         for (which, engine) in Engine::ALL.into_iter().enumerate() {
             for (omega, step, count) in [([1.0, 1.0, 1.0], 0.01, 700), ([2.0, 0.3, -1.1], 0.02, 300)] {
@@ -326,8 +326,8 @@ mod tests {
             assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
             assert!(ours.z < ours.x && ours.x < ours.y);
         };
-        same(0.0, bodies::the_box().unwrap().inertia());
-        same(1.0, bodies::book().unwrap().inertia());
-        same(2.0, bodies::phone().unwrap().inertia());
+        same(0.0, named::the_box().unwrap().inertia());
+        same(1.0, named::book().unwrap().inertia());
+        same(2.0, named::phone().unwrap().inertia());
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::sync::{Mutex, PoisonError};
 use tumbling::Error;
 use tumbling::solid::cuboid_moments;
-use tumbling::step::{Method, Motion, System};
+use tumbling::step::{Method, State, System};
 
 /// What a method is called, or of what the library says that it cannot be had.
 pub static WORDS: Words = Words(Mutex::new(""));
@@ -88,9 +88,9 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
     let [until, count] = row.take(4);
     let [w, i, j, k] = row.take(7);
     let truth = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k));
-    let mut motion = Motion { attitude: Quaternion::identity(), vector: system.momentum(&omega) };
-    let energy = |motion: &Motion<f64>| motion.vector.dot(&system.omega(&motion.vector));
-    let (energy_before, length_before) = (energy(&motion), motion.vector.norm());
+    let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let energy = |motion: &State<f64>| motion.momentum.dot(&system.omega(&motion.momentum));
+    let (energy_before, length_before) = (energy(&motion), motion.momentum.norm());
     let (mut energy_off, mut length_off, mut greatest) = (0.0_f64, 0.0_f64, omega.x.abs());
     let count = (count as usize).clamp(1, MOST);
     let step = until / count as f64;
@@ -107,8 +107,8 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
         }
         taken += 1;
         energy_off = energy_off.max((energy(&motion) / energy_before - 1.0).abs());
-        length_off = length_off.max((motion.vector.norm() / length_before - 1.0).abs());
-        let spin = system.omega(&motion.vector).x;
+        length_off = length_off.max((motion.momentum.norm() / length_before - 1.0).abs());
+        let spin = system.omega(&motion.momentum).x;
         greatest = greatest.max(spin.abs());
         row.set(HEAD + taken, spin);
     }
@@ -134,7 +134,7 @@ exchange::page!(answer, WORDS);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tumbling::bodies;
+    use tumbling::body::named;
     use tumbling::exact::FreeMotion;
 
     /// A run of ten seconds of the box, gently spun about all axes.
@@ -187,7 +187,7 @@ mod tests {
 
     #[test]
     fn the_bodies_are_those_of_the_book() {
-        for (which, theirs) in [bodies::the_box(), bodies::book(), bodies::phone()].into_iter().enumerate() {
+        for (which, theirs) in [named::the_box(), named::book(), named::phone()].into_iter().enumerate() {
             let [ours, theirs] = [body(which as f64), theirs.unwrap().inertia().matrix().diagonal()];
             assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
         }

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use std::sync::{Mutex, PoisonError};
 use tumbling::exact::{FreeMotion, Regime};
 use tumbling::solid::cuboid_moments;
-use tumbling::stability::time_between_flips;
+use tumbling::dynamics::stability::time_between_flips;
 use tumbling::{Axis, Error};
 
 /// Why there is no answer, in the library's own words; the numbers in them, `#`, are the first of the row.
@@ -212,7 +212,7 @@ exchange::page!(answer, WHY);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tumbling::bodies;
+    use tumbling::body::named;
 
     /// Held by a test that prepares a motion: there is one for all.
     static ALONE: Mutex<()> = Mutex::new(());
@@ -254,7 +254,7 @@ mod tests {
     #[test]
     fn the_bodies_are_those_of_the_book() {
         let theirs =
-            [bodies::the_box(), bodies::book(), bodies::phone(), bodies::tennis_racket(), bodies::wing_nut()];
+            [named::the_box(), named::book(), named::phone(), named::tennis_racket(), named::wing_nut()];
         for (which, theirs) in theirs.into_iter().enumerate() {
             let theirs = theirs.unwrap();
             let (moments, centre) = body(which as f64);

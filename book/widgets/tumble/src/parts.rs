@@ -98,7 +98,7 @@ fn wing_nut(parts: &mut Parts<'_>) {
 mod tests {
     use super::*;
     use nalgebra::{Rotation3, UnitQuaternion, Vector3};
-    use tumbling::bodies;
+    use tumbling::body::named;
     use tumbling::solid::{Compound, Cuboid, MassProperties, Solid, ThinRod, Tube};
 
     /// A body put together from its parts; bars that lean, and strings, as thin rods if so asked.
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn the_drawn_parts_make_the_bodies_of_the_book() {
         let theirs =
-            [bodies::the_box(), bodies::book(), bodies::phone(), bodies::tennis_racket(), bodies::wing_nut()];
+            [named::the_box(), named::book(), named::phone(), named::tennis_racket(), named::wing_nut()];
         for (which, theirs) in theirs.into_iter().enumerate() {
             let theirs = theirs.unwrap();
             let tensor = theirs.inertia().matrix();

@@ -72,7 +72,7 @@ exchange::page!(answer);
 mod tests {
     use super::*;
     use tumbling::solid::{Cuboid, Solid, ThinPlate};
-    use tumbling::{Inertia, bodies};
+    use tumbling::{Inertia, body::named};
 
     #[test]
     fn the_arrows_are_those_of_the_checked_library() {
@@ -111,8 +111,8 @@ mod tests {
         };
         same(0.0, ThinPlate::new(2.0, 1.0).unwrap().with_mass(1.0).unwrap());
         same(1.0, Cuboid::new(2.0, 1.0, 3.0).unwrap().with_mass(1.0).unwrap());
-        same(1.0, bodies::the_box().unwrap());
-        same(2.0, bodies::book().unwrap());
-        same(3.0, bodies::phone().unwrap());
+        same(1.0, named::the_box().unwrap());
+        same(2.0, named::book().unwrap());
+        same(3.0, named::phone().unwrap());
     }
 }

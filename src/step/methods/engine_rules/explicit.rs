@@ -1,15 +1,15 @@
 //! The rules that take the gyroscopic term as it stands at the start of the step, or leave it out.
 
-use super::super::method::{About, Keeps};
-use super::super::rk4::Motion;
-use super::super::system::System;
 use super::turn::{turned, turned_straight};
-use crate::scalar::Analytic;
+use crate::body::State;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 use nalgebra::Vector3;
 
 const UNIT: Keeps = Keeps { unit: true, ..Keeps::NOTHING };
 
-pub(in super::super) const CONSTANT_SPIN: About = About {
+pub(crate) const CONSTANT_SPIN: About = About {
     name: "no gyroscopic term",
     order: 0,
     implicit: false,
@@ -17,7 +17,7 @@ pub(in super::super) const CONSTANT_SPIN: About = About {
     source: "PhysX, Unity, Godot Physics, Brax; Jolt with its flag off",
 };
 
-pub(in super::super) const SEMI_IMPLICIT: About = About {
+pub(crate) const SEMI_IMPLICIT: About = About {
     name: "explicit gyroscopic step",
     order: 1,
     implicit: false,
@@ -25,7 +25,7 @@ pub(in super::super) const SEMI_IMPLICIT: About = About {
     source: "MuJoCo's Euler, Bullet's multibody",
 };
 
-pub(in super::super) const RESCALED: About = About {
+pub(crate) const RESCALED: About = About {
     name: "explicit, rescaled",
     order: 1,
     implicit: false,
@@ -33,35 +33,27 @@ pub(in super::super) const RESCALED: About = About {
     source: "Jolt with its flag on, Avian",
 };
 
-pub(in super::super) const RESCALED_STRAIGHT: About =
+pub(crate) const RESCALED_STRAIGHT: About =
     About { name: "rescaled, turned straight", source: "Rapier", ..RESCALED };
 
 /// The momentum after the torques alone, at their value at the start.
-fn pushed<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Vector3<T> {
-    &start.vector + system.torque(start).map(|x| x * h.clone())
+fn pushed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {
+    &start.momentum + system.torque(start).map(|x| x * h.clone())
 }
 
-pub(in super::super) fn constant_spin<T: Analytic>(
-    system: &System<T>,
-    start: &Motion<T>,
-    h: &T,
-) -> Motion<T> {
+pub(crate) fn constant_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     // A turn about the spin leaves the spin's body components alone: constant in the world, it is constant in the body.
-    let vector = pushed(system, start, h);
-    Motion { attitude: turned(&start.attitude, &system.omega(&vector), h), vector }
+    let momentum = pushed(system, start, h);
+    State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
-pub(in super::super) fn semi_implicit<T: Analytic>(
-    system: &System<T>,
-    start: &Motion<T>,
-    h: &T,
-) -> Motion<T> {
-    let vector = start.plus(&system.rate(start), h).vector;
-    Motion { attitude: turned(&start.attitude, &system.omega(&vector), h), vector }
+pub(crate) fn semi_implicit<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    let momentum = start.plus(&system.rate(start), h).momentum;
+    State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
 /// The torques, then the gyroscopic term, then the length as it was between the two.
-fn rescaled_momentum<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Vector3<T> {
+fn rescaled_momentum<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {
     let before = pushed(system, start, h);
     let gyroscopic = before.cross(&system.omega(&before));
     let after = &before + gyroscopic.map(|x| x * h.clone());
@@ -73,16 +65,12 @@ fn rescaled_momentum<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) 
     after.map(|x| x * factor.clone())
 }
 
-pub(in super::super) fn rescaled<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
-    let vector = rescaled_momentum(system, start, h);
-    Motion { attitude: turned(&start.attitude, &system.omega(&vector), h), vector }
+pub(crate) fn rescaled<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    let momentum = rescaled_momentum(system, start, h);
+    State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
-pub(in super::super) fn rescaled_straight<T: Analytic>(
-    system: &System<T>,
-    start: &Motion<T>,
-    h: &T,
-) -> Motion<T> {
-    let vector = rescaled_momentum(system, start, h);
-    Motion { attitude: turned_straight(&start.attitude, &system.omega(&vector), h), vector }
+pub(crate) fn rescaled_straight<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    let momentum = rescaled_momentum(system, start, h);
+    State { attitude: turned_straight(&start.attitude, &system.omega(&momentum), h), momentum }
 }

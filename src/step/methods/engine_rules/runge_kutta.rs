@@ -1,15 +1,15 @@
 //! The classical Runge-Kutta method for the spin, with the attitude turned and not added to: MuJoCo's, with the rates of
 //! the turn corrected since its version 4, and not before.
 
-use super::super::method::{About, Keeps};
-use super::super::rk4::Motion;
-use super::super::system::System;
 use super::turn::turned;
-use crate::attitude;
-use crate::scalar::Analytic;
+use crate::body::State;
+use crate::body::attitude;
+use crate::number::Analytic;
+use crate::step::method::{About, Keeps};
+use crate::step::system::System;
 use nalgebra::Vector3;
 
-pub(in super::super) const MEAN_SPIN: About = About {
+pub(crate) const MEAN_SPIN: About = About {
     name: "Runge-Kutta 4, mean spin",
     order: 2,
     implicit: false,
@@ -17,7 +17,7 @@ pub(in super::super) const MEAN_SPIN: About = About {
     source: "MuJoCo's RK4 before version 4",
 };
 
-pub(in super::super) const CORRECTED: About = About {
+pub(crate) const CORRECTED: About = About {
     name: "Runge-Kutta 4, turned",
     order: 4,
     implicit: false,
@@ -25,36 +25,36 @@ pub(in super::super) const CORRECTED: About = About {
     source: "MuJoCo's RK4, after MK98",
 };
 
-pub(in super::super) fn mean_spin<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn mean_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     stepped(system, start, h, |_, omega| omega.clone())
 }
 
-pub(in super::super) fn corrected<T: Analytic>(system: &System<T>, start: &Motion<T>, h: &T) -> Motion<T> {
+pub(crate) fn corrected<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     stepped(system, start, h, turn_rate)
 }
 
 /// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is `slope(turn, spin)`.
 fn stepped<T: Analytic>(
     system: &System<T>,
-    start: &Motion<T>,
+    start: &State<T>,
     h: &T,
     slope: impl Fn(&Vector3<T>, &Vector3<T>) -> Vector3<T>,
-) -> Motion<T> {
+) -> State<T> {
     let scaled = |v: &Vector3<T>, factor: &T| v.map(|x| x * factor.clone());
     // The rates of turn and momentum `time` after the start, along rates found before.
     let rates = |before: Option<&(Vector3<T>, Vector3<T>)>, time: &T| {
-        let (turn, vector) = match before {
-            None => (Vector3::from_fn(|_, _| T::zero()), start.vector.clone()),
-            Some((turn, push)) => (scaled(turn, time), &start.vector + scaled(push, time)),
+        let (turn, momentum) = match before {
+            None => (Vector3::from_fn(|_, _| T::zero()), start.momentum.clone()),
+            Some((turn, push)) => (scaled(turn, time), &start.momentum + scaled(push, time)),
         };
-        let omega = system.omega(&vector);
+        let omega = system.omega(&momentum);
         // A free body's momentum does not ask for the attitude.
         let attitude = if system.is_free() {
             start.attitude.clone()
         } else {
             attitude::product(&start.attitude, &attitude::turn(&turn))
         };
-        (slope(&turn, &omega), system.rate(&Motion { attitude, vector }).vector)
+        (slope(&turn, &omega), system.rate(&State { attitude, momentum }).momentum)
     };
     let half = h.clone() / T::integer(2);
     let k1 = rates(None, h);
@@ -65,11 +65,11 @@ fn stepped<T: Analytic>(
         let middle = b + c;
         (a + d + &middle + &middle).map(|x| x / T::integer(6))
     };
-    let vector = &start.vector + scaled(&mean(&k1.1, &k2.1, &k3.1, &k4.1), h);
-    Motion { attitude: turned(&start.attitude, &mean(&k1.0, &k2.0, &k3.0, &k4.0), h), vector }
+    let momentum = &start.momentum + scaled(&mean(&k1.1, &k2.1, &k3.1, &k4.1), h);
+    State { attitude: turned(&start.attitude, &mean(&k1.0, &k2.0, &k3.0, &k4.0), h), momentum }
 }
 
-/// The rate of the rotation vector `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x (v x w)`, with
+/// The rate of the rotation momentum `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x (v x w)`, with
 /// `c = (1 - (|v|/2) cot(|v|/2)) / |v|^2`. It is infinite at whole turns.
 fn turn_rate<T: Analytic>(turn: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
     let once = turn.cross(omega);

@@ -1,7 +1,7 @@
 //! Turning an attitude by a spin.
 
-use crate::attitude;
-use crate::scalar::Analytic;
+use crate::body::attitude;
+use crate::number::Analytic;
 use nalgebra::{Quaternion, Vector3};
 
 /// A quaternion brought to length 1.
@@ -11,13 +11,13 @@ fn unit<T: Analytic>(q: &Quaternion<T>) -> Quaternion<T> {
 }
 
 /// `start` turned by the constant spin `omega` (body axes) for the time `h`: the exponential map.
-pub(super) fn turned<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: &T) -> Quaternion<T> {
+pub(crate) fn turned<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: &T) -> Quaternion<T> {
     unit(&attitude::product(start, &attitude::turn(&omega.map(|x| x * h.clone()))))
 }
 
 /// `start` moved straight along its rate for the time `h` and brought back to length 1. It turns about the right axis,
 /// by `2 atan(|w| h / 2)` instead of `|w| h`.
-pub(in super::super) fn turned_straight<T: Analytic>(
+pub(crate) fn turned_straight<T: Analytic>(
     start: &Quaternion<T>,
     omega: &Vector3<T>,
     h: &T,
@@ -29,7 +29,7 @@ pub(in super::super) fn turned_straight<T: Analytic>(
 
 /// `start` turned as Bullet does it: right up to the angle `most`; beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is
 /// too little, and never more than half a turn.
-pub(in super::super) fn turned_beyond(
+pub(crate) fn turned_beyond(
     start: &Quaternion<f64>,
     omega: &Vector3<f64>,
     h: f64,
