@@ -3,8 +3,11 @@
 //! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
+mod moments;
 mod principal;
 
+pub use moments::PrincipalMoments;
+pub(crate) use moments::ascending;
 pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, finite, finite_vector, not_negative, positive};
@@ -338,14 +341,6 @@ impl InverseInertia {
         in_range("an inverse moment", &matrix)?;
         Ok(Self { matrix })
     }
-}
-
-/// That three principal moments, in any order, are positive and can belong to one body.
-pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
-    moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
-    let mut sorted: [f64; 3] = (*moments).into();
-    sorted.sort_by(f64::total_cmp);
-    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
 }
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones

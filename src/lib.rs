@@ -70,5 +70,5 @@ mod error;
 
 pub use body::{Body, State};
 pub use error::Error;
-pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes};
+pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

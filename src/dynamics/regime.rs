@@ -5,8 +5,10 @@
 //! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
 
 use crate::exact::elliptic::quarter_period_from_root;
+use crate::inertia::PrincipalMoments;
 use crate::number::double_double::{Double, exact_products, exact_sum};
 use crate::number::power_of_two::{exponent, times_power_of_two};
+use nalgebra::Vector3;
 
 /// What kind of free motion this is, decided without rounding.
 #[allow(clippy::large_enum_variant)] // made once and taken apart at once
@@ -50,29 +52,26 @@ fn distance(a: f64, b: f64) -> Double {
     (Double::from(a) - Double::from(b)).abs()
 }
 
-/// Sorts out the motion; the moments must be positive and finite, the spin finite.
-pub(crate) fn classify(moments: [f64; 3], omega: [f64; 3]) -> Kind {
+/// The kind of the motion; the spin must be finite.
+pub(crate) fn classify(moments: PrincipalMoments, omega: &Vector3<f64>) -> Kind {
     let idle = |i: usize, j: usize| moments[i] == moments[j] || omega[i] == 0.0 || omega[j] == 0.0;
     if idle(0, 1) && idle(1, 2) && idle(2, 0) {
         return Kind::Steady;
     }
-    for axis in 0..3 {
-        if moments[(axis + 1) % 3] == moments[(axis + 2) % 3] {
-            return Kind::Symmetric(axis);
-        }
+    match moments.axis_of_symmetry() {
+        Some(axis) => Kind::Symmetric(axis),
+        None => Kind::Asymmetric(Asymmetric::new(moments, (*omega).into())),
     }
-    Kind::Asymmetric(Asymmetric::new(moments, omega))
 }
 
 impl Asymmetric {
-    fn new(moments: [f64; 3], omega: [f64; 3]) -> Self {
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    fn new(moments: PrincipalMoments, omega: [f64; 3]) -> Self {
+        let order = moments.order();
         let [low, middle, high] = order;
         let largest = |v: [f64; 3]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let heaviest = exponent(moments[high]);
+        let heaviest = exponent(moments.largest());
         let clock = exponent(largest(omega)).clamp(-1000, 1000);
-        let i = moments.map(|x| times_power_of_two(x, -heaviest));
+        let i = <[f64; 3]>::from(moments).map(|x| times_power_of_two(x, -heaviest));
         let small = even(exponent(omega[low].abs().max(omega[high].abs())) - clock);
         let signed = discriminant(&i, &omega, &order, clock + small);
         let (around, across) = if signed.value() >= 0.0 { (high, low) } else { (low, high) };

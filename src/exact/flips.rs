@@ -97,8 +97,8 @@ impl Flips {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
-    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.001))?;
     /// let flips = motion.flips(0.0, 1e9)?; // 31 years, one flip every 3.4805 s
     /// assert_eq!(flips.remaining(), 287_315_314);
     /// assert_eq!(flips.last().map(|t| format!("{t:.3}")).as_deref(), Some("999999999.263"));

@@ -22,7 +22,7 @@ impl Polhode {
     pub(super) fn of(body: &Principal) -> Result<Self, Error> {
         let (moments, omega) = (body.moments, body.omega);
         let still = omega.map(f64::abs);
-        match classify(moments.into(), omega.into()) {
+        match classify(moments, &omega) {
             Kind::Steady => Ok(Self { least: still, greatest: still, period: None }),
             Kind::Symmetric(axis) => {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -44,7 +44,7 @@ impl Polhode {
                 greatest[motion.around] = around;
                 // Zero on the separatrix.
                 least[motion.around] = around * motion.complement(0).value();
-                let period = time_between_flips(&moments, &omega)?.map(|half| 2.0 * half);
+                let period = time_between_flips(moments, &omega)?.map(|half| 2.0 * half);
                 Ok(Self { least, greatest, period })
             }
         }

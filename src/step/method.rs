@@ -186,8 +186,9 @@ impl Method {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{Method, State, System};
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 4.0, 0.0) };
     /// for &method in Method::ALL {
     ///     // A steady spin of 2 rad/s about the middle axis stays one, right or wrong the method.

@@ -143,8 +143,9 @@ impl PhysicsEngine {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{State, PHYSICS_ENGINES, System};
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 250.0) };
     /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
     /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.

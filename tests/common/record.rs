@@ -45,7 +45,7 @@ impl Record {
             }
         };
         let rows: Vec<Row> = text.lines().skip(2).map(row).collect();
-        Self { system: System::with(&after("moments"), torques).unwrap(), rows }
+        Self { system: System::with(after("moments").try_into().unwrap(), torques).unwrap(), rows }
     }
 
     pub fn motion(&self, row: &Row) -> State<f64> {

@@ -48,7 +48,7 @@ fn seen(system: &System<f64>, step: u32, omega: &Vector3<f64>) -> [f64; 3] {
 }
 
 fn run(engine: &PhysicsEngine) -> Result<Run, Box<dyn std::error::Error>> {
-    let system = System::free(&MOMENTS.into())?;
+    let system = System::free(MOMENTS.try_into()?)?;
     let omega = Vector3::from(SPIN);
     let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut run = Run { seen: vec![seen(&system, 0, &omega)], ends: false };
@@ -64,8 +64,8 @@ fn run(engine: &PhysicsEngine) -> Result<Run, Box<dyn std::error::Error>> {
 }
 
 fn exactly() -> Result<Run, Box<dyn std::error::Error>> {
-    let system = System::free(&MOMENTS.into())?;
-    let motion = FreeMotion::new(&MOMENTS.into(), &SPIN.into())?;
+    let system = System::free(MOMENTS.try_into()?)?;
+    let motion = FreeMotion::new(MOMENTS.try_into()?, &SPIN.into())?;
     let at = |step: u32| Ok(seen(&system, step, &motion.omega(f64::from(step) / f64::from(RATE))?));
     let seen: Result<Vec<_>, tumbling::Error> = (0..=STEPS).map(at).collect();
     Ok(Run { seen: seen?, ends: false })
