@@ -12,7 +12,7 @@ pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, finite, finite_vector, not_negative, positive};
 use crate::number::Ring;
-use crate::number::double_double::{Double, difference_of_products};
+use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -204,21 +204,21 @@ impl Inertia {
         }
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
-        let w = omega.map(|x| Double::from(unit(x, omega.amax())));
-        let tensor = self.tensor.map(|x| Double::from(unit(x, self.tensor.amax())));
+        let w = omega.map(|x| DoubleDouble::from(unit(x, omega.amax())));
+        let tensor = self.tensor.map(|x| DoubleDouble::from(unit(x, self.tensor.amax())));
         let row = |i: usize| tensor[(i, 0)] * w.x + tensor[(i, 1)] * w.y + tensor[(i, 2)] * w.z;
         let l = [row(0), row(1), row(2)];
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
-        if l.iter().all(|x| x.value().abs() <= rounding) {
+        if l.iter().all(|x| x.hi().abs() <= rounding) {
             return Err(Error::ZeroVector { what: "the angular momentum" });
         }
         let cross = Vector3::new(
-            (w.y * l[2] - w.z * l[1]).value(),
-            (w.z * l[0] - w.x * l[2]).value(),
-            (w.x * l[1] - w.y * l[0]).value(),
+            (w.y * l[2] - w.z * l[1]).hi(),
+            (w.z * l[0] - w.x * l[2]).hi(),
+            (w.x * l[1] - w.y * l[0]).hi(),
         );
-        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).value();
+        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).hi();
         Ok(length(&cross).atan2(dot))
     }
 
@@ -384,13 +384,13 @@ fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
         let (p, q) = ((j + 1) % 3, (j + 2) % 3);
         difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
     };
-    let determinant = (Double::from(a[(0, 0)]) * cofactor(0, 0)
-        + Double::from(a[(0, 1)]) * cofactor(0, 1)
-        + Double::from(a[(0, 2)]) * cofactor(0, 2))
-    .value();
+    let determinant = (DoubleDouble::from(a[(0, 0)]) * cofactor(0, 0)
+        + DoubleDouble::from(a[(0, 1)]) * cofactor(0, 1)
+        + DoubleDouble::from(a[(0, 2)]) * cofactor(0, 2))
+    .hi();
     Matrix3::from_fn(|i, j| {
         let (i, j) = (i.min(j), i.max(j));
-        times_power_of_two(cofactor(i, j).value() / determinant, -scale)
+        times_power_of_two(cofactor(i, j).hi() / determinant, -scale)
     })
 }
 

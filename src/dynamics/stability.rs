@@ -114,7 +114,7 @@ pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Re
         return Ok(None);
     }
     let half_period = motion.quarter_period() * 2.0 / motion.rate();
-    let time = times_power_of_two(half_period.value(), -motion.clock);
+    let time = times_power_of_two(half_period.hi(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
         return Err(Error::OutOfRange { what: "the time between flips", value: time });
     }

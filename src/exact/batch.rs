@@ -389,7 +389,7 @@ const NOBODY: usize = usize::MAX;
 /// Where no time has passed at all: there the start itself is the answer.
 #[inline(always)]
 fn stands<T: Lane>(time: T) -> T::Mask {
-    time.size().below(T::of(f64::from_bits(1)))
+    time.abs().lt(T::splat(f64::from_bits(1)))
 }
 
 impl<T: Lane> Kinds<T> {

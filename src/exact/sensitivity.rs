@@ -8,7 +8,7 @@ use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
 use super::{FreeMotion, Law};
 use crate::error::{Error, finite};
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Vector3};
 
@@ -109,7 +109,7 @@ impl FreeMotion {
                     _ => {
                         let equal = |axis: &usize| moments[(axis + 1) % 3] == moments[(axis + 2) % 3];
                         let axis = (0..3).find(equal).unwrap_or(2);
-                        elementary::top(moments, axis, omega, Double::ZERO, time)
+                        elementary::top(moments, axis, omega, DoubleDouble::ZERO, time)
                     }
                 }
             }

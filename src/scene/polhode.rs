@@ -37,13 +37,13 @@ impl Polhode {
             }
             Kind::Asymmetric(motion) => {
                 let [across, middle, around] =
-                    motion.amplitudes(0).map(|size| times_power_of_two(size.value(), motion.clock));
+                    motion.amplitudes(0).map(|size| times_power_of_two(size.hi(), motion.clock));
                 let (mut least, mut greatest) = (Vector3::zeros(), Vector3::zeros());
                 greatest[motion.across] = across;
                 greatest[motion.middle] = middle;
                 greatest[motion.around] = around;
                 // Zero on the separatrix.
-                least[motion.around] = around * motion.complement(0).value();
+                least[motion.around] = around * motion.complement(0).hi();
                 let period = time_between_flips(moments, &omega)?.map(|half| 2.0 * half);
                 Ok(Self { least, greatest, period })
             }
