@@ -1,10 +1,11 @@
 //! Rules that may have made a record: each takes a row one step further.
 
+use crate::engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::laws::unit;
 use crate::state::{Pair, Row};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Engine, Limits, Method, PHYSICS_ENGINES, PhysicsEngine, State, System, Torque};
+use tumbling::step::{Engine, Method, State, System, Torque};
 use tumbling::{Body, Inertia, body::attitude, dynamics::euler};
 
 /// A rule, as a diagnosis names it.

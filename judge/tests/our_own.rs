@@ -180,7 +180,7 @@ fn a_rule_that_none_knows_is_not_given_a_name() {
 fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut judgements = 0;
-    for engine in tumbling::step::PHYSICS_ENGINES {
+    for engine in tumbling_judge::PHYSICS_ENGINES {
         for speed in [0.1, 1.0, 10.0, 30.0] {
             for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
                 for direction in SPINS {

@@ -79,7 +79,7 @@ fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
     }
-    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER);
+    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;

@@ -5,7 +5,8 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{PHYSICS_ENGINES, PhysicsEngine, State, System};
+use tumbling::step::{State, System};
+use tumbling_judge::{PHYSICS_ENGINES, PhysicsEngine};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 const SPIN: [f64; 3] = [0.5, 0.5, 10.0];

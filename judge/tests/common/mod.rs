@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod record;
+
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;
