@@ -108,7 +108,7 @@ proptest! {
             let Ok(end) = method.step(&system, &start, &h) else { continue };
             match method.step(&system, &end, &-h) {
                 Ok(back) => {
-                    let bound = 1e-10 * moments.max() / moments.min();
+                    let bound = 1e-10 * moments.largest() / moments.smallest();
                     prop_assert!(apart(&back, &start) < bound, "{method:?} {h}: {:e}", apart(&back, &start));
                 }
                 // Found in so many rounds forth and in a few more back.
