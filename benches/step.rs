@@ -41,12 +41,12 @@ fn works() -> Vec<Work> {
         ));
     };
     let rule = Method::Rescaled;
-    add("the rule", Box::new(move |system, motion, h| rule.step(system, motion, &h).expect("a step")));
+    add("the rule", Box::new(move |system, motion, h| rule.step(system, motion, h).expect("a step")));
     add("game", Box::new(|system, motion, h| game(system, motion, h).expect("a step")));
     for &method in Method::ALL.iter().filter(|method| method.about().keeps.unit) {
         add(
             method.about().name,
-            Box::new(move |system, motion, h| method.step(system, motion, &h).expect("a step")),
+            Box::new(move |system, motion, h| method.step(system, motion, h).expect("a step")),
         );
     }
     works

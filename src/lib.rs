@@ -68,7 +68,7 @@ pub mod step;
 
 mod error;
 
-pub use body::{Body, State};
+pub use body::{Body, Rate, State};
 pub use error::Error;
 pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

@@ -128,7 +128,7 @@ fn the_explicit_rule_loses_a_stable_spin_within_twenty_seconds_and_the_others_do
             let mut motion = start.clone();
             let mut most = 1.0_f64;
             for _ in 0..1200 {
-                let Ok(next) = method.step(&record.system, &motion, &H) else { return f64::INFINITY };
+                let Ok(next) = method.step(&record.system, &motion, H) else { return f64::INFINITY };
                 motion = next;
                 most = most.max(energy(&record.system, &motion) / energy(&record.system, &start));
             }
@@ -159,7 +159,7 @@ fn one_newton_step_of_implicit_euler_can_multiply_the_energy_of_a_fast_body_and_
         assert!((record.rows[0].omega.norm() * H - 1.675).abs() < 0.001);
         assert!((energies[1] / energies[0] - 3.5848).abs() < 1e-4, "{name} {}", energies[1] / energies[0]);
         let start = record.motion(&record.rows[0]);
-        let end = Method::OneNewton.step(&record.system, &start, &H).unwrap();
+        let end = Method::OneNewton.step(&record.system, &start, H).unwrap();
         assert!((energy(&record.system, &end) / energies[1] - 1.0).abs() < 1e-12, "{name}");
     }
 }
@@ -169,7 +169,7 @@ fn one_newton_step_of_implicit_euler_can_add_energy_to_a_rod_that_turns_by_an_ei
     let system = System::free(PrincipalMoments::new(0.61281739, 0.00620431, 0.61012591).unwrap()).unwrap();
     let omega = Vector3::new(0.79206796, 0.00766532, -0.61038478);
     let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-    let end = Method::OneNewton.step(&system, &start, &0.1316947).unwrap();
+    let end = Method::OneNewton.step(&system, &start, 0.1316947).unwrap();
     // By MuJoCo 4.0.0 itself, implicitfast: 4.17863e-6.
     let gain = energy(&system, &end) / energy(&system, &start) - 1.0;
     assert!((gain / 4.17863e-6 - 1.0).abs() < 1e-4, "{gain:e}");
@@ -195,8 +195,8 @@ fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] 
     let mut most = [0.0_f64; 5];
     let mut motion = start.clone();
     for _ in 0..50 {
-        let next = method.step(system, &motion, &h).unwrap();
-        let back = method.step(system, &next, &-h).unwrap();
+        let next = method.step(system, &motion, h).unwrap();
+        let back = method.step(system, &next, -h).unwrap();
         let found = [
             energy(system, &next) / energy(system, start) - 1.0,
             next.momentum.norm() / start.momentum.norm() - 1.0,
@@ -229,7 +229,7 @@ proptest! {
     // L x w is at right angles to both, so that an explicit step along it lengthens both measures.
     #[test]
     fn every_explicit_gyroscopic_step_adds_energy_and_momentum((system, start) in body(), h in 0.01..3.0_f64) {
-        let end = Method::SemiImplicitEuler.step(&system, &start, &h).unwrap();
+        let end = Method::SemiImplicitEuler.step(&system, &start, h).unwrap();
         let rate = system.rate(&start).momentum;
         let gain = h * h * rate.dot(&system.omega(&rate)) / 2.0;
         prop_assert!((energy(&system, &end) - energy(&system, &start) - gain).abs() < 1e-13 * energy(&system, &end));
@@ -239,7 +239,7 @@ proptest! {
 
     #[test]
     fn one_newton_step_of_implicit_euler_takes_energy_while_moments_differ_well_and_steps_turn_little((system, start) in body()) {
-        let end = Method::OneNewton.step(&system, &start, &0.1).unwrap();
+        let end = Method::OneNewton.step(&system, &start, 0.1).unwrap();
         prop_assert!(energy(&system, &end) < energy(&system, &start));
     }
 
@@ -249,7 +249,7 @@ proptest! {
         let start = State { attitude: q.into_inner(), momentum: system.momentum(&Vector3::new(push, 10.0, push)) };
         let mut motion = start.clone();
         for _ in 0..600 {
-            motion = Method::ConstantSpin.step(&system, &motion, &H).unwrap();
+            motion = Method::ConstantSpin.step(&system, &motion, H).unwrap();
         }
         prop_assert!((system.omega(&motion.momentum) - system.omega(&start.momentum)).norm() < 1e-13);
         // The exact one flips within these 10 s.

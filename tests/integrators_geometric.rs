@@ -57,7 +57,7 @@ fn run(
     h: f64,
     count: usize,
 ) -> Result<State<f64>, Error> {
-    (0..count).try_fold(start.clone(), |motion, _| method.step(system, &motion, &h))
+    (0..count).try_fold(start.clone(), |motion, _| method.step(system, &motion, h))
 }
 
 proptest! {
@@ -106,7 +106,7 @@ proptest! {
             let start = State { attitude: Quaternion::new(w, x, y, z), momentum: momentum };
             let finite = |motion: State<f64>| motion.attitude.coords.iter().chain(&motion.momentum).all(|x| x.is_finite());
             for method in GEOMETRIC {
-                prop_assert!(method.step(&system, &start, &h).map_or(true, finite), "{method:?}");
+                prop_assert!(method.step(&system, &start, h).map_or(true, finite), "{method:?}");
             }
             prop_assert!(game(&system, &start, h).map_or(true, finite));
         }
@@ -125,7 +125,7 @@ fn laws_that_are_said_to_be_broken_are_broken_by_far_more_than_rounding() {
         let mut most = [0.0_f64; 4];
         let mut motion = start.clone();
         for _ in 0..50 {
-            motion = method.step(&system, &motion, &0.3).unwrap();
+            motion = method.step(&system, &motion, 0.3).unwrap();
             for (most, change) in most.iter_mut().zip(changes(&system, &start, &motion)) {
                 *most = most.max(change);
             }
@@ -147,7 +147,7 @@ fn the_energy_of_the_splittings_swings_and_does_not_grow() {
         let mut worst = [0.0_f64; 2];
         let mut motion = start.clone();
         for k in 0..20_000 {
-            motion = method.step(&system, &motion, &0.1).unwrap();
+            motion = method.step(&system, &motion, 0.1).unwrap();
             let off = (energy(&system, &motion) / energy(&system, &start) - 1.0).abs();
             worst[k / 10_000] = worst[k / 10_000].max(off);
         }
@@ -216,7 +216,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
     }
     type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> Result<State<f64>, Error>;
     let others: [&Step; 3] =
-        [&game, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, &h)];
+        [&game, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, h)];
     for (k, step) in others.into_iter().enumerate() {
         let played =
             |n: usize| (0..n).try_fold(start.clone(), |m, _| step(&system, &m, 1.0 / n as f64)).unwrap();
@@ -233,10 +233,10 @@ fn a_step_too_long_for_an_implicit_method_is_refused() {
     // A turn by p takes h L / 2 = p0 K p + p x K p, whose size is at most that of K p: with |L| about 3.7, no turn takes a step of 3 s.
     // The iteration of the stages does not settle over many turns.
     for (method, h) in [(Method::MoserVeselov2, 3.0), (Method::Gauss4, 30.0), (Method::Gauss6, 30.0)] {
-        let refused = method.step(&system, &start, &h);
+        let refused = method.step(&system, &start, h);
         assert!(matches!(refused, Err(Error::NotConverged { .. })), "{method:?}: {refused:?}");
     }
-    let refused = Method::MoserVeselov2.step(&system, &start, &3.0).unwrap_err().to_string();
+    let refused = Method::MoserVeselov2.step(&system, &start, 3.0).unwrap_err().to_string();
     assert!(refused.contains("Moser-Veselov"), "{refused}");
     let refused = game(&system, &start, 1000.0).unwrap_err();
     assert!(matches!(refused, Error::OutOfRange { what: "the turn of a step", .. }), "{refused}");

@@ -332,7 +332,7 @@ fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
     let single = |x: f64| f64::from(x as f32);
     let system = tumbling::step::System::free(MOMENTS.try_into().unwrap()).unwrap();
     let rows = common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
-        let end = Method::SemiImplicitEuler.step(&system, motion, &(1.0 / 64.0)).unwrap();
+        let end = Method::SemiImplicitEuler.step(&system, motion, 1.0 / 64.0).unwrap();
         let omega = system.omega(&end.momentum).map(single);
         let attitude = Quaternion::from_vector(end.attitude.coords.map(single));
         tumbling::step::State { attitude, momentum: system.momentum(&omega) }

@@ -129,7 +129,7 @@ fn record(
             .map(|(k, x)| if k == time { format!("{x:?}") } else { written(*x) })
             .collect();
         writeln!(text, "{}", fields.join(separator)).unwrap();
-        match method.step(&system, &motion, &h) {
+        match method.step(&system, &motion, h) {
             Ok(next) if next.momentum.norm() < 1e3 * motion.momentum.norm().max(1.0) => motion = next,
             _ => break,
         }

@@ -21,7 +21,7 @@ fn altered(
 ) -> Vec<Row> {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     stepped_by(spin, H, count, |motion| {
-        let end = method.step(&system, motion, &H).unwrap();
+        let end = method.step(&system, motion, H).unwrap();
         let (attitude, omega) = how(&motion.attitude, end.attitude, system.omega(&end.momentum));
         State { attitude, momentum: system.momentum(&omega) }
     })
@@ -98,7 +98,7 @@ fn damping_by_axis_is_named_with_its_sizes() {
         let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
         let rows = stepped_by(SPIN, H, 400, |motion| {
             let omega = system.omega(&motion.momentum).component_mul(&factors);
-            method.step(&system, &State { momentum: system.momentum(&omega), ..motion.clone() }, &H).unwrap()
+            method.step(&system, &State { momentum: system.momentum(&omega), ..motion.clone() }, H).unwrap()
         });
         let diagnosis = diagnosed(&rows);
         let Rule::DampedByAxis(found, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
@@ -124,8 +124,7 @@ fn steps_of_another_length_than_told_are_named_with_the_factor() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     for factor in [0.5, 2.0, 1.2] {
         for method in [Method::SemiImplicitEuler, Method::OneNewton] {
-            let rows =
-                stepped_by(SPIN, H, 400, |motion| method.step(&system, motion, &(H * factor)).unwrap());
+            let rows = stepped_by(SPIN, H, 400, |motion| method.step(&system, motion, H * factor).unwrap());
             let diagnosis = diagnosed(&rows);
             // A body at a standstill of the turn has no other clock: the exact motion's is told by its base.
             let Rule::OtherStep(found, _) = diagnosis.best.rule else {

@@ -112,7 +112,7 @@ fn a_wrong_triple_of_moments_is_named_with_the_moments() {
             let rows = stepped_by(spin, 0.005, 1000, |motion| {
                 let start =
                     State { momentum: system.momentum(&right.omega(&motion.momentum)), ..motion.clone() };
-                let end = method.step(&system, &start, &0.005).unwrap();
+                let end = method.step(&system, &start, 0.005).unwrap();
                 State { momentum: right.momentum(&system.omega(&end.momentum)), ..end }
             });
             let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
@@ -134,7 +134,7 @@ fn damping_left_on_is_named_with_its_size() {
         let rows = stepped_by(spin, 0.01, 1000, |motion| {
             let mut start = motion.clone();
             start.momentum *= 0.999;
-            method.step(&system, &start, &0.01).unwrap()
+            method.step(&system, &start, 0.01).unwrap()
         });
         let verdict = judged(&csv(&rows));
         let diagnosis = verdict.diagnosis.as_ref().unwrap();
@@ -148,7 +148,7 @@ fn damping_left_on_is_named_with_its_size() {
 fn a_cap_on_the_spin_is_named() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 1000, |motion| {
-        let end = Method::SemiImplicitEuler.step(&system, motion, &0.02).unwrap();
+        let end = Method::SemiImplicitEuler.step(&system, motion, 0.02).unwrap();
         let omega = system.omega(&end.momentum);
         let omega = omega * (2.6 / omega.norm()).min(1.0);
         let q = motion.attitude * tumbling::body::attitude::turn(&(omega * 0.02));
@@ -167,7 +167,7 @@ fn a_rule_that_none_knows_is_not_given_a_name() {
         f64::from((seed >> 33) as u32) / f64::from(1_u32 << 31) - 0.5
     });
     let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 500, |motion| {
-        let mut end = Method::Gauss6.step(&system, motion, &0.02).unwrap();
+        let mut end = Method::Gauss6.step(&system, motion, 0.02).unwrap();
         end.momentum = end.momentum.map(|x| x + 0.3 * (noise.borrow_mut())());
         end
     });

@@ -181,7 +181,7 @@ impl Contestant for Ours {
         let h = black_box(step_of(story, steps));
         let mut motion = story.start.clone();
         for k in 1..=steps {
-            motion = self.0.step(&story.system, &motion, &h)?;
+            motion = self.0.step(&story.system, &motion, h)?;
             if let Some(watch) = watch.as_deref_mut() {
                 watch.see(time_of(k, steps, story.end), &motion);
             }

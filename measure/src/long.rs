@@ -121,7 +121,7 @@ fn one(
         let mut window = Window::default();
         for _ in done..end {
             for _ in 0..STEPS {
-                motion = match method.step(system, &motion, &h) {
+                motion = match method.step(system, &motion, h) {
                     Ok(motion) => motion,
                     Err(e) => return (windows, Failure::from(e).into()),
                 };

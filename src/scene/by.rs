@@ -50,7 +50,7 @@ impl By {
         for _ in 0..count {
             *left -= 1;
             motion = match method {
-                Some(method) => method.step(system, &motion, &h)?,
+                Some(method) => method.step(system, &motion, h)?,
                 None => flow::step(system, &motion, h)?,
             };
         }

@@ -45,8 +45,8 @@ pub fn game(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f6
     if system.is_free() {
         return drifted(system, start, h);
     }
-    let end = drifted(system, &system.kicked(start, &(0.5 * h)), h)?;
-    system.kicked_back(&end, &(0.5 * h)).whole()
+    let end = drifted(system, &system.kick(start, 0.5 * h), h)?;
+    system.adjoint_kick(&end, 0.5 * h).checked()
 }
 
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
@@ -85,5 +85,5 @@ fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64
         motion = prepared.step(&motion)?;
     }
     motion.attitude *= 1.0 / motion.attitude.norm();
-    motion.whole()
+    motion.checked()
 }

@@ -192,7 +192,7 @@ impl Method {
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 4.0, 0.0) };
     /// for &method in Method::ALL {
     ///     // A steady spin of 2 rad/s about the middle axis stays one, right or wrong the method.
-    ///     let end = method.step(&system, &start, &0.01)?;
+    ///     let end = method.step(&system, &start, 0.01)?;
     ///     assert!((end.momentum - start.momentum).norm() < 1e-15, "{method:?}");
     ///     assert!((end.attitude.j - 0.01_f64.sin()).abs() < 1e-6, "{method:?}");
     /// }
@@ -202,11 +202,12 @@ impl Method {
     /// # Errors
     /// A step so long that an implicit method does not find its end, or that the motion leaves what the number type
     /// holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
-    pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
+    pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
+        let h = &h;
         lost_squares(&system.omega(&start.momentum), h)?;
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
-            Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
+            Self::RungeKutta4 => rk4::rk4(start, h.clone(), |state| system.rate(state), State::plus),
             Self::DormandPrince5 => dormand_prince::step(system, start, h),
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),
@@ -232,7 +233,7 @@ impl Method {
             Self::MeanSpinRungeKutta4 => runge_kutta::mean_spin(system, start, h),
             Self::TurnedRungeKutta4 => runge_kutta::corrected(system, start, h),
         };
-        end.whole()
+        end.checked()
     }
 }
 

@@ -171,7 +171,7 @@ impl PhysicsEngine {
             }
         }
         if self.parts <= 1 {
-            let end = self.method.step(system, start, &h)?;
+            let end = self.method.step(system, start, h)?;
             return self.limited(system, start, end, h, h);
         }
         // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
@@ -183,7 +183,7 @@ impl PhysicsEngine {
                 let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
                 motion.momentum += system.momentum(&inside);
             }
-            let end = self.method.step(&free, &motion, &part)?;
+            let end = self.method.step(&free, &motion, part)?;
             self.limited(system, &motion, end, part, h)
         })
     }

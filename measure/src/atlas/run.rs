@@ -107,7 +107,7 @@ impl Case {
         let start = outside(&motion);
         let h = number(self.step);
         self.watch(&checked, &start, |_| {
-            motion = method.step(&system, &motion, &h)?;
+            motion = method.step(&system, &motion, h.clone())?;
             Ok(outside(&motion))
         })
         .unwrap_or(End::Refused)

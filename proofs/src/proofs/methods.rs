@@ -140,7 +140,7 @@ fn step(
     start: &State<Number>,
     h: &Number,
 ) -> Result<State<Number>, Residue> {
-    method.step(system, start, h).map_err(|error| Residue::Missing { claim: error.to_string() })
+    method.step(system, start, h.clone()).map_err(|error| Residue::Missing { claim: error.to_string() })
 }
 
 fn holds(method: Method, more: usize) -> Outcome {

@@ -19,7 +19,7 @@ pub(crate) const ABOUT: About = About {
 /// With a torque, between two half kicks of it.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
+    let start = system.kick(start, half.clone());
     let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
     let change = euler::angular_acceleration(system.moments(), &omega, &none);
@@ -28,5 +28,5 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let mean = &omega + change.map(|x| x * half.clone()) + change.cross(&omega).map(|x| x * twelfth.clone());
     let turned = attitude::turn(&mean.map(|x| x * h.clone()));
     let momentum = attitude::seen_from(&turned, &start.momentum);
-    system.kicked_back(&State { attitude: attitude::product(&start.attitude, &turned), momentum }, &half)
+    system.adjoint_kick(&State { attitude: attitude::product(&start.attitude, &turned), momentum }, half)
 }

@@ -1,6 +1,6 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references), at a fixed step or with its error controlled.
 
-use crate::body::State;
+use crate::body::{Rate, State};
 use crate::error::{Error, finite, positive};
 use crate::number::{Analytic, Field};
 use crate::step::method::{About, Keeps, lost_squares};
@@ -31,21 +31,21 @@ fn number<T: Field>((n, d): Ratio) -> T {
     if n < 0 { -size } else { size }
 }
 
-fn combined<T: Analytic>(start: &State<T>, slopes: &[State<T>], weights: &[Ratio], h: &T) -> State<T> {
+fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
     slopes
         .iter()
         .zip(weights)
         .filter(|(_, weight)| weight.0 != 0)
-        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, &(h.clone() * number::<T>(weight))))
+        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, h.clone() * number::<T>(weight)))
 }
 
 /// The end of a step and the six slopes that it took, given the first.
 fn stages<T: Analytic>(
     system: &System<T>,
     start: &State<T>,
-    first: State<T>,
+    first: Rate<T>,
     h: &T,
-) -> (State<T>, Vec<State<T>>) {
+) -> (State<T>, Vec<Rate<T>>) {
     let mut slopes = Vec::with_capacity(7);
     slopes.push(first);
     let [inner @ .., last] = &STAGES;
@@ -144,7 +144,7 @@ pub(crate) fn controlled_within(
         over(turn, whole[0]).max(over(momentum, whole[1] + gained))
     };
     // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
-    let [turning, _] = lengths(&slope);
+    let turning = length(slope.attitude.coords.as_slice());
     let [unit, _] = lengths(start);
     let torque = length(system.torque(start).as_slice());
     let pace = (2.0 * over(turning, unit)).max((torque * system.inverse().max()).sqrt());

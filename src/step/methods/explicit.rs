@@ -9,5 +9,5 @@ pub(crate) const EULER: About =
     About { name: "explicit Euler", order: 1, implicit: false, keeps: Keeps::NOTHING, source: "Eul68" };
 
 pub(crate) fn euler<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    start.plus(&system.rate(start), h)
+    start.plus(&system.rate(start), h.clone())
 }

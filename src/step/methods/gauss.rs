@@ -2,7 +2,7 @@
 //! ([But64](crate::references), [HLW06](crate::references)), solved by iteration to rounding.
 
 use super::decimal::{ROOT_OF_3, ROOT_OF_15};
-use crate::body::State;
+use crate::body::{Rate, State};
 use crate::error::Error;
 use crate::number::Analytic;
 use crate::step::method::{About, Keeps};
@@ -138,27 +138,27 @@ fn collocated<T: Analytic, const N: usize>(
     weights: &[T; N],
 ) -> Result<State<T>, Error> {
     let first = system.rate(start);
-    let along = |slopes: &[State<T>; N], weights: &[T; N]| {
+    let along = |slopes: &[Rate<T>; N], weights: &[T; N]| {
         slopes
             .iter()
             .zip(weights)
-            .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, &(h.clone() * weight.clone())))
+            .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, h.clone() * weight.clone()))
     };
-    let turns = |m: &State<T>| m.attitude.coords.iter().map(Analytic::size).sum::<f64>();
     // Both in units of their own: the attitude's length, the momentum's.
     let momentum = match size(&start.momentum) + h.size() * size(&first.momentum) {
         0.0 => 1.0,
         size => size,
     };
-    let next = |slopes: &[State<T>; N]| {
+    let next = |slopes: &[Rate<T>; N]| {
         let better = std::array::from_fn(|i| system.rate(&along(slopes, &stages[i])));
         let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
-            let change = after.plus(before, &-T::one());
-            sum + h.size() * (turns(&change) + size(&change.momentum) / momentum)
+            let turn = after.attitude.coords.clone() - &before.attitude.coords;
+            let turn = turn.iter().map(Analytic::size).sum::<f64>();
+            sum + h.size() * (turn + size(&(&after.momentum - &before.momentum)) / momentum)
         });
         (better, moved)
     };
-    let guess: [State<T>; N] = std::array::from_fn(|_| first.clone());
+    let guess: [Rate<T>; N] = std::array::from_fn(|_| first.clone());
     let slopes = settled("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
     Ok(along(&slopes, weights))
 }

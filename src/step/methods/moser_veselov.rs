@@ -45,9 +45,9 @@ pub(crate) fn step<T: Analytic>(
     order: u32,
 ) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
+    let start = system.kick(start, half.clone());
     let end = Prepared::new(system.inverse(), &start.momentum, h, order).step(&start)?;
-    Ok(system.kicked_back(&end, &half))
+    Ok(system.adjoint_kick(&end, half))
 }
 
 /// What a step needs of the body and of what the motion conserves.

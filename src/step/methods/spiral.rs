@@ -21,7 +21,7 @@ pub(crate) const ABOUT: About = About {
 /// With a torque, between two half kicks of it: a torque held for the whole step would cost an order.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
+    let start = system.kick(start, half.clone());
     let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
     let slope = |omega: &Vector3<T>| {
@@ -37,5 +37,5 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let turned = attitude::product(&first, &second);
     let end =
         State { attitude: attitude::product(&start.attitude, &turned), momentum: system.momentum(&end) };
-    system.kicked_back(&end, &half)
+    system.adjoint_kick(&end, half)
 }

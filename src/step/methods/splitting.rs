@@ -59,7 +59,7 @@ pub(crate) fn order_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 /// With a torque, all of it between two half kicks: then of order 2.
 fn composed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, shares: &[T]) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let mut motion = system.kicked(start, &half);
+    let mut motion = system.kick(start, half.clone());
     let mut before = T::zero();
     for share in shares {
         let half_share = share.clone() * half.clone();
@@ -71,7 +71,7 @@ fn composed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, shares: &[
         before = half_share;
     }
     turned(system, &mut motion, 0, &before);
-    system.kicked_back(&motion, &half)
+    system.adjoint_kick(&motion, half)
 }
 
 /// The turn that the energy of the spin about one axis alone makes in a time.

@@ -98,7 +98,7 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
     let mut why = [0.0; 2];
     row.set(HEAD, omega.x);
     while taken < count {
-        match method.step(system, &motion, &step) {
+        match method.step(system, &motion, step) {
             Ok(next) => motion = next,
             Err(error) => {
                 why = refused(&error);

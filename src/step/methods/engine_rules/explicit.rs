@@ -48,7 +48,7 @@ pub(crate) fn constant_spin<T: Analytic>(system: &System<T>, start: &State<T>, h
 }
 
 pub(crate) fn semi_implicit<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    let momentum = start.plus(&system.rate(start), h).momentum;
+    let momentum = start.plus(&system.rate(start), h.clone()).momentum;
     State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
