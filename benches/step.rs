@@ -15,7 +15,7 @@ use nalgebra::{Quaternion, Vector3};
 use ratios::Work;
 use std::hint::black_box;
 use tumbling::PrincipalMoments;
-use tumbling::step::{Method, State, System, game};
+use tumbling::step::{Method, State, System, fixed_rate};
 
 type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
 
@@ -42,10 +42,10 @@ fn works() -> Vec<Work> {
     };
     let rule = Method::Rescaled;
     add("the rule", Box::new(move |system, motion, h| rule.step(system, motion, h).expect("a step")));
-    add("game", Box::new(|system, motion, h| game(system, motion, h).expect("a step")));
-    for &method in Method::ALL.iter().filter(|method| method.about().keeps.unit) {
+    add("fixed_rate", Box::new(|system, motion, h| fixed_rate(system, motion, h).expect("a step")));
+    for &method in Method::ALL.iter().filter(|method| method.info().conserved.unit) {
         add(
-            method.about().name,
+            method.info().name,
             Box::new(move |system, motion, h| method.step(system, motion, h).expect("a step")),
         );
     }

@@ -96,7 +96,7 @@ pub fn omega_world<T: Ring>(
 /// let tensor = Inertia::from_moments(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
 /// let omega = Vector3::new(1.0, 1.0, 0.0);
 /// assert_eq!(tensor.momentum(&omega), Vector3::new(10.0 / 12.0, 13.0 / 12.0, 0.0));
-/// assert_eq!(format!("{:.1}", tensor.gap(&omega)?.to_degrees()), "7.4");
+/// assert_eq!(format!("{:.1}", tensor.angle_to_momentum(&omega)?.to_degrees()), "7.4");
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -165,7 +165,7 @@ impl Inertia {
                 return Err(Error::Asymmetric { row, column, value, mirrored, tolerance });
             }
         }
-        let tensor = evened(tensor);
+        let tensor = symmetrized(tensor);
         positive("the largest moment of inertia", tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         let moments = PrincipalAxes::of(&tensor).moments();
@@ -197,7 +197,7 @@ impl Inertia {
     ///
     /// # Errors
     /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
-    pub fn gap(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
+    pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector("the spin", omega)?;
         if *omega == Vector3::zeros() {
             return Err(Error::ZeroVector { what: "the spin" });
@@ -271,7 +271,7 @@ impl Inertia {
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
-        let tensor = evened(&turned(&rotation, &self.tensor));
+        let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range("a turned moment", &tensor)?;
         Ok(Self { tensor })
     }
@@ -337,7 +337,7 @@ impl InverseInertia {
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
-        let matrix = evened(&turned(&rotation, &self.matrix));
+        let matrix = symmetrized(&turned(&rotation, &self.matrix));
         in_range("an inverse moment", &matrix)?;
         Ok(Self { matrix })
     }
@@ -345,7 +345,7 @@ impl InverseInertia {
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
 /// do not overflow, and left alone where they agree, so that small ones keep their last bit.
-fn evened(m: &Matrix3<f64>) -> Matrix3<f64> {
+fn symmetrized(m: &Matrix3<f64>) -> Matrix3<f64> {
     m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b })
 }
 

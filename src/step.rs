@@ -14,8 +14,8 @@ mod system;
 mod torque;
 
 pub use crate::body::{Rate, State};
-pub use fixed_rate::game;
-pub use method::{About, Keeps, Method};
+pub use fixed_rate::fixed_rate;
+pub use method::{Conserved, Method, MethodInfo};
 pub(crate) use methods::dormand_prince::controlled_within;
 pub use methods::dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use methods::rk4::rk4;

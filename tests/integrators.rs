@@ -40,7 +40,7 @@ fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, c
 fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
     let (moments, omega) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.9, 1.1, -0.7));
     for &method in Method::ALL {
-        let order = method.about().order;
+        let order = method.info().order;
         if order == 0 {
             // It goes to no truth.
             assert!(error(method, &moments, &omega, 2.0, 4096) > 0.1, "{method:?}");
@@ -62,7 +62,7 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
     let from = start(&system, &Vector3::new(0.3, 2.0, -0.4));
     let (h, count) = (0.1, 10_000);
     for &method in Method::ALL {
-        let keeps = method.about().keeps;
+        let keeps = method.info().conserved;
         let mut worst = [0.0_f64; 4];
         let mut motion = from.clone();
         for _ in 0..count {
@@ -174,7 +174,7 @@ fn a_game_steps_a_needle_in_as_many_parts_as_it_turns_and_no_more() {
     // End over end, a needle turns by a tenth of a radian; its length holds no spin at all.
     let system = System::free(PrincipalMoments::new(1e-8, 1.0, 1.0).unwrap()).unwrap();
     let from = start(&system, &Vector3::new(0.0, 6.0, 0.6));
-    let end = tumbling::step::game(&system, &from, 1.0 / 60.0).unwrap();
+    let end = tumbling::step::fixed_rate(&system, &from, 1.0 / 60.0).unwrap();
     assert!((end.momentum.norm() / from.momentum.norm() - 1.0).abs() < 1e-14);
 }
 

@@ -8,16 +8,16 @@ use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::body::named;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System, Torque, controlled, game};
+use tumbling::step::{Method, State, System, Torque, controlled, fixed_rate};
 use tumbling::{Error, PrincipalMoments};
 
 const GEOMETRIC: [Method; 12] = [
     Method::ImplicitMidpoint,
     Method::Gauss4,
     Method::Gauss6,
-    Method::ThreeRotations2,
-    Method::ThreeRotations4,
-    Method::ThreeRotations6,
+    Method::RotationSplitting2,
+    Method::RotationSplitting4,
+    Method::RotationSplitting6,
     Method::SymmetricTop,
     Method::MoserVeselov2,
     Method::MoserVeselov4,
@@ -77,7 +77,7 @@ proptest! {
         let bound = 100.0 * 16.0 * f64::EPSILON * moments.max() / moments.min();
         for method in GEOMETRIC {
             let end = run(method, &system, &start, h, 100)?;
-            let keeps = method.about().keeps;
+            let keeps = method.info().conserved;
             let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
             for (law, change) in changes(&system, &start, &end).into_iter().enumerate() {
                 prop_assert!(!said[law] || change < bound, "{method:?} law {law}: {change:e}");
@@ -108,7 +108,7 @@ proptest! {
             for method in GEOMETRIC {
                 prop_assert!(method.step(&system, &start, h).map_or(true, finite), "{method:?}");
             }
-            prop_assert!(game(&system, &start, h).map_or(true, finite));
+            prop_assert!(fixed_rate(&system, &start, h).map_or(true, finite));
         }
     }
 }
@@ -119,7 +119,7 @@ fn laws_that_are_said_to_be_broken_are_broken_by_far_more_than_rounding() {
     let start =
         State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
     for method in GEOMETRIC {
-        let keeps = method.about().keeps;
+        let keeps = method.info().conserved;
         let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
         // Where they happen to stand after any one step may be right by chance.
         let mut most = [0.0_f64; 4];
@@ -141,9 +141,12 @@ fn the_energy_of_the_splittings_swings_and_does_not_grow() {
     let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap()).unwrap();
     let start =
         State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
-    for method in
-        [Method::ThreeRotations2, Method::ThreeRotations4, Method::ThreeRotations6, Method::SymmetricTop]
-    {
+    for method in [
+        Method::RotationSplitting2,
+        Method::RotationSplitting4,
+        Method::RotationSplitting6,
+        Method::SymmetricTop,
+    ] {
         let mut worst = [0.0_f64; 2];
         let mut motion = start.clone();
         for k in 0..20_000 {
@@ -177,7 +180,7 @@ fn errors_of_free_motion_fall_with_the_order_in_floating_point_too() {
     let truth = State { attitude: truth.attitude.into_inner(), momentum: system.momentum(&truth.omega) };
     for method in GEOMETRIC {
         // The higher the order, the coarser the steps that still show it above rounding.
-        let n = match method.about().order {
+        let n = match method.info().order {
             2 => 100,
             4 => 24,
             6 => 6,
@@ -186,7 +189,7 @@ fn errors_of_free_motion_fall_with_the_order_in_floating_point_too() {
         };
         let order =
             order_of(method, |m| apart(m, &truth), |h, n| run(method, &system, &start, h, n).unwrap(), n);
-        let said = f64::from(method.about().order);
+        let said = f64::from(method.info().order);
         // At the coarsest steps the next power of the error still shows.
         let bound = if said > 4.0 { 0.3 } else { 0.05 };
         assert!((order - said).abs() < bound, "{method:?}: {order}");
@@ -216,7 +219,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
     }
     type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> Result<State<f64>, Error>;
     let others: [&Step; 3] =
-        [&game, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, h)];
+        [&fixed_rate, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, h)];
     for (k, step) in others.into_iter().enumerate() {
         let played =
             |n: usize| (0..n).try_fold(start.clone(), |m, _| step(&system, &m, 1.0 / n as f64)).unwrap();
@@ -238,7 +241,7 @@ fn a_step_too_long_for_an_implicit_method_is_refused() {
     }
     let refused = Method::MoserVeselov2.step(&system, &start, 3.0).unwrap_err().to_string();
     assert!(refused.contains("Moser-Veselov"), "{refused}");
-    let refused = game(&system, &start, 1000.0).unwrap_err();
+    let refused = fixed_rate(&system, &start, 1000.0).unwrap_err();
     assert!(matches!(refused, Error::OutOfRange { what: "the turn of a step", .. }), "{refused}");
 }
 
@@ -267,7 +270,7 @@ fn a_game_counts_every_flip_of_ten_minutes_at_60_hertz() {
                     State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
                 let mut seen = Vec::new();
                 for step in 0..36_000 {
-                    let next = game(&system, &motion, h).unwrap();
+                    let next = fixed_rate(&system, &motion, h).unwrap();
                     let (before, after) = (motion.momentum.y, next.momentum.y);
                     if (before > 0.0) != (after > 0.0) {
                         seen.push(h * (f64::from(step) + before / (before - after)));
@@ -296,7 +299,7 @@ fn a_push_as_small_as_rounding_is_where_a_game_miscounts() {
     let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut seen = 0;
     for _ in 0..36_000 {
-        let next = game(&system, &motion, 1.0 / 60.0).unwrap();
+        let next = fixed_rate(&system, &motion, 1.0 / 60.0).unwrap();
         seen += usize::from((motion.momentum.y > 0.0) != (next.momentum.y > 0.0));
         motion = next;
     }
@@ -317,7 +320,7 @@ fn a_stable_spin_stays_where_it_is_for_an_hour_in_a_game() {
                 .unwrap();
             let mut motion = start.clone();
             for _ in 0..36_000 {
-                motion = game(&system, &motion, 0.1).unwrap();
+                motion = fixed_rate(&system, &motion, 0.1).unwrap();
                 let angle = (motion.momentum[axis] / motion.momentum.norm()).acos();
                 assert!(
                     angle > angles[0] - 1e-9 && angle < angles[1] + 1e-9,
@@ -336,7 +339,7 @@ fn a_step_of_many_turns_is_taken_in_parts_in_a_game() {
     let omega = Vector3::new(3.0, 100.0, 20.0);
     let system = System::free(moments.try_into().unwrap()).unwrap();
     let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-    let end = game(&system, &start, 1.0).unwrap();
+    let end = fixed_rate(&system, &start, 1.0).unwrap();
     let truth = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at(1.0).unwrap();
     let off = (end.attitude.coords - truth.attitude.coords).norm();
     let off = off.min((end.attitude.coords + truth.attitude.coords).norm());
@@ -352,7 +355,7 @@ fn a_game_steps_spheres_tops_and_bodies_of_any_mass() {
             let system = System::free(moments.try_into().unwrap()).unwrap();
             let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
             for _ in 0..60 {
-                motion = tumbling::step::game(&system, &motion, 1.0 / 60.0).unwrap();
+                motion = tumbling::step::fixed_rate(&system, &motion, 1.0 / 60.0).unwrap();
             }
             let truth = tumbling::exact::FreeMotion::new(moments.try_into().unwrap(), &omega)
                 .unwrap()

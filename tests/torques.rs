@@ -16,10 +16,10 @@ fn steppers() -> Vec<(String, u32, Box<Step>)> {
         2,
         Box::new(|system, motion, h| tumbling::flow::step(system, motion, h).unwrap()),
     )];
-    for &method in Method::ALL.iter().filter(|method| method.about().order > 0) {
+    for &method in Method::ALL.iter().filter(|method| method.info().order > 0) {
         all.push((
             format!("{method:?}"),
-            method.about().order,
+            method.info().order,
             Box::new(move |system, motion, h| method.step(system, motion, h).unwrap()),
         ));
     }
@@ -188,9 +188,9 @@ fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
     let h = 1.0 / 60.0;
     let steps: [(&str, Box<Step>); 3] = [
-        ("game", Box::new(|s, m, h| tumbling::step::game(s, m, h).unwrap())),
+        ("game", Box::new(|s, m, h| tumbling::step::fixed_rate(s, m, h).unwrap())),
         ("flow", Box::new(|s, m, h| tumbling::flow::step(s, m, h).unwrap())),
-        ("rotations", Box::new(|s, m, h| Method::ThreeRotations2.step(s, m, h).unwrap())),
+        ("rotations", Box::new(|s, m, h| Method::RotationSplitting2.step(s, m, h).unwrap())),
     ];
     for (name, step) in steps {
         let mut motion = from.clone();
@@ -227,7 +227,7 @@ fn a_game_never_calls_a_motion_whole_that_is_not() {
         System::with(moments.try_into().unwrap(), vec![Torque::Damping(Vector3::repeat(6e202))]).unwrap();
     // Forth it is stepped: what is refused below is not the body.
     assert!(
-        tumbling::step::game(
+        tumbling::step::fixed_rate(
             &system,
             &State { attitude: Quaternion::identity(), momentum: Vector3::repeat(1e-10) },
             1e-3
@@ -236,7 +236,7 @@ fn a_game_never_calls_a_motion_whole_that_is_not() {
     );
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::repeat(1e-10) };
     // Back in time a drag winds up without bound.
-    let end = tumbling::step::game(&system, &from, -1.5);
+    let end = tumbling::step::fixed_rate(&system, &from, -1.5);
     assert!(end.is_err(), "{end:?}");
 }
 

@@ -15,7 +15,7 @@ fn good() -> Vec<Vec<Row>> {
         exact(SPIN, 0.01, 600),
         exact(Vector3::new(0.2, 0.3, -6.0), 1.0 / 60.0, 600),
         stepped(Method::SemiImplicitEuler, SPIN, 0.01, 600),
-        stepped(Method::OneNewton, SPIN, 1.0 / 60.0, 600),
+        stepped(Method::ImplicitOneNewton, SPIN, 1.0 / 60.0, 600),
         stepped(Method::Rescaled, Vector3::new(-2.0, 0.5, 1.0), 1.0 / 30.0, 600),
     ]
 }
@@ -127,7 +127,7 @@ fn spin_in_world_axes_and_momentum_in_either_are_judged_alike() {
 
 #[test]
 fn the_order_of_columns_the_separator_and_comments_do_not_matter() {
-    let rows = stepped(Method::OneNewton, SPIN, 0.01, 200);
+    let rows = stepped(Method::ImplicitOneNewton, SPIN, 0.01, 200);
     let expected = judged(&csv(&rows));
     for (separator, end) in [(",", "\n"), (";", "\r\n"), ("\t", "\n"), ("   ", "\n")] {
         let mut text = format!("\u{feff}# a run{end}# inertia = (1, 2, 2.5) kg m2{end}{end}");
@@ -267,7 +267,7 @@ fn the_json_tells_what_the_text_tells() {
 
 #[test]
 fn the_threshold_decides() {
-    let text = csv(&stepped(Method::OneNewton, SPIN, 0.001, 2000));
+    let text = csv(&stepped(Method::ImplicitOneNewton, SPIN, 0.001, 2000));
     let with = |threshold: f64| {
         judge(text.as_bytes(), &Options { threshold, ..Options::default() }).unwrap().outcome
     };

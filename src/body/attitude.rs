@@ -89,16 +89,16 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
     Quaternion::new(cosine, x, y, z)
 }
 
-/// `vector` seen from axes that are turned by the unit quaternion `q`: the inverse turn of it.
+/// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an attitude.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::body::attitude::{seen_from, turn};
+/// use tumbling::body::attitude::{rotate_inverse, turn};
 /// let quarter = turn(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
-/// let seen = seen_from(&quarter, &Vector3::new(1.0, 0.0, 0.0));
+/// let seen = rotate_inverse(&quarter, &Vector3::new(1.0, 0.0, 0.0));
 /// assert!((seen - Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-15);
 /// ```
-pub fn seen_from<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
+pub fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
     // v - 2 w (u x v) + 2 u x (u x v), with u the vector part: no matrix.
     let part = Vector3::new(q.coords.x.clone(), q.coords.y.clone(), q.coords.z.clone());
     let across = part.cross(vector);

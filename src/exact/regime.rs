@@ -28,21 +28,21 @@ pub enum Regime {
         /// Angular speed, rad/s.
         speed: f64,
     },
-    /// Two moments are equal and the spin is oblique: it circles the third axis evenly, while the body
-    /// turns evenly about its angular momentum.
+    /// Two moments are equal and the spin is oblique: it circles the axis of symmetry at a constant rate, while that axis
+    /// precesses about the angular momentum.
     SymmetricTop {
         /// Index of the body's axis of symmetry, from 0, among the principal axes in the order given.
         axis: usize,
-        /// How fast the spin circles that axis, seen from the body, rad/s; positive is counter-clockwise.
-        wobble: f64,
-        /// How fast the axis circles the angular momentum, seen from the world, rad/s: `L / I`.
+        /// Rate at which the spin circles that axis in the body (the free nutation), rad/s; positive is counter-clockwise.
+        nutation: f64,
+        /// Rate at which that axis circles the angular momentum in the world, rad/s: `L / I`.
         precession: f64,
     },
     /// Three different moments: the spin circles the axis of the largest or the smallest one.
     Circulating {
         /// Which of the two.
         about: Axis,
-        /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal wobble.
+        /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal libration.
         modulus: f64,
         /// The complement `k' = sqrt(1 - k²)`, with all its digits: 0 would be the separatrix.
         complement: f64,

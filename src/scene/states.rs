@@ -168,7 +168,7 @@ impl Plan<'_> {
                 None => self.energy,
             },
             gap: match moving(wants.gap, self.gap) {
-                Some(omega) => Some(self.inertia.gap(&omega)?),
+                Some(omega) => Some(self.inertia.angle_to_momentum(&omega)?),
                 None => self.gap,
             },
         })

@@ -66,7 +66,7 @@ const UNRECORDED: PhysicsEngine =
 /// ```
 /// use tumbling::step::{Method, PHYSICS_ENGINES};
 /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
-/// assert_eq!((rapier.method, rapier.parts), (Method::RescaledStraight, 4));
+/// assert_eq!((rapier.method, rapier.parts), (Method::RescaledLinearAttitude, 4));
 /// let never_flips = PHYSICS_ENGINES.iter().filter(|engine| engine.method == Method::ConstantSpin);
 /// assert_eq!(never_flips.count(), 4);
 /// ```
@@ -103,7 +103,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
         name: "Bullet",
         version: Some("3.2.7 (pybullet)"),
         setting: "rigid body (maximal coordinates)",
-        method: Method::OneNewton,
+        method: Method::ImplicitOneNewton,
         limits: Limits { turn: Some(FRAC_PI_4), ..Limits::NONE },
         record: Some("bullet-3.2.7-rigid"),
         ..MUJOCO
@@ -112,7 +112,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
         name: "Rapier",
         version: Some("0.36.1"),
         setting: "gyroscopic forces on (default)",
-        method: Method::RescaledStraight,
+        method: Method::RescaledLinearAttitude,
         parts: 4,
         limits: Limits { spin: Some(FRAC_PI_4), ..Limits::NONE },
         record: Some("rapier3d-f64-0.36.1"),
@@ -129,7 +129,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
     PhysicsEngine {
         name: "Box3D",
         setting: "four substeps",
-        method: Method::OneNewton,
+        method: Method::ImplicitOneNewton,
         parts: 4,
         ..UNRECORDED
     },
@@ -217,7 +217,7 @@ impl PhysicsEngine {
         if !cut && omega.norm() * part.abs() <= most {
             return Ok(end);
         }
-        let attitude = if self.method == Method::RescaledStraight {
+        let attitude = if self.method == Method::RescaledLinearAttitude {
             turned_straight(&start.attitude, &omega, &part)
         } else {
             turned_beyond(&start.attitude, &omega, part, most)

@@ -3,11 +3,16 @@
 use crate::body::{Rate, State};
 use crate::error::{Error, finite, positive};
 use crate::number::{Analytic, Field};
-use crate::step::method::{About, Keeps, lost_squares};
+use crate::step::method::{Conserved, MethodInfo, check_square_underflow};
 use crate::step::system::System;
 
-pub(crate) const ABOUT: About =
-    About { name: "Dormand-Prince 5", order: 5, implicit: false, keeps: Keeps::NOTHING, source: "DP80" };
+pub(crate) const INFO: MethodInfo = MethodInfo {
+    name: "Dormand-Prince 5",
+    order: 5,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "DP80",
+};
 
 /// A whole number over another.
 type Ratio = (i32, u32);
@@ -131,7 +136,7 @@ pub(crate) fn controlled_within(
     if duration == 0.0 {
         return Ok(run);
     }
-    lost_squares(&system.omega(&start.momentum), &duration)?;
+    check_square_underflow(&system.omega(&start.momentum), &duration)?;
     let mut slope = system.rate(start);
     // Lengths without a square, which would leave the range before they do.
     let length = |parts: &[f64]| parts.iter().fold(0.0, |sum: f64, x| sum.max(x.abs()));

@@ -1,10 +1,15 @@
 //! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
 
 use crate::number::Field;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 
-pub(crate) const ABOUT: About =
-    About { name: "Runge-Kutta 4", order: 4, implicit: false, keeps: Keeps::NOTHING, source: "Kut01" };
+pub(crate) const INFO: MethodInfo = MethodInfo {
+    name: "Runge-Kutta 4",
+    order: 4,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "Kut01",
+};
 
 /// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors fall as `h^4`.
 ///

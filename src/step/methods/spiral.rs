@@ -3,18 +3,18 @@
 
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{body::attitude, dynamics::euler};
 use nalgebra::Vector3;
 
 /// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of the step, as the proofs
 /// show. The order of a method is that of the worst.
-pub(crate) const ABOUT: About = About {
+pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "SPIRAL",
     order: 2,
     implicit: false,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { unit: true, ..Conserved::NONE },
     source: "Val24",
 };
 

@@ -4,20 +4,20 @@
 use super::decimal::Decimal;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Quaternion;
 
-const KEEPS: Keeps =
-    Keeps { momentum: true, direction: true, unit: true, reversible: true, ..Keeps::NOTHING };
+const KEEPS: Conserved =
+    Conserved { momentum: true, direction: true, unit: true, reversible: true, ..Conserved::NONE };
 
-const fn about(name: &'static str, order: u32, source: &'static str) -> About {
-    About { name, order, implicit: false, keeps: KEEPS, source }
+const fn info(name: &'static str, order: u32, source: &'static str) -> MethodInfo {
+    MethodInfo { name, order, implicit: false, conserved: KEEPS, source }
 }
 
-pub(crate) const ORDER_2: About = about("three rotations", 2, "McL93");
-pub(crate) const ORDER_4: About = about("three rotations, 7 in 1", 4, "our own weights");
-pub(crate) const ORDER_6: About = about("three rotations, 9 in 1", 6, "KL97");
+pub(crate) const ORDER_2: MethodInfo = info("three rotations", 2, "McL93");
+pub(crate) const ORDER_4: MethodInfo = info("three rotations, 7 in 1", 4, "our own weights");
+pub(crate) const ORDER_6: MethodInfo = info("three rotations, 9 in 1", 6, "KL97");
 
 /// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition of a symmetric method of
 /// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, since 2 has no

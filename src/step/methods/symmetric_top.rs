@@ -5,14 +5,14 @@ use super::splitting::spun;
 use crate::body::State;
 use crate::body::attitude;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 
-pub(crate) const ABOUT: About = About {
+pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "symmetric top",
     order: 2,
     implicit: false,
-    keeps: Keeps { momentum: true, direction: true, unit: true, reversible: true, ..Keeps::NOTHING },
+    conserved: Conserved { momentum: true, direction: true, unit: true, reversible: true, ..Conserved::NONE },
     source: "DLM97",
 };
 
