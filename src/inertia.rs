@@ -3,6 +3,7 @@
 //! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
+mod display;
 mod moments;
 mod principal;
 
@@ -35,6 +36,7 @@ const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 /// let turned = tumbling::inertia::turned(&quarter_turn_about_z, &tensor);
 /// assert_eq!(turned.diagonal(), Vector3::new(13, 10, 5));
 /// ```
+#[must_use]
 pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T> {
     rotation * tensor * rotation.transpose()
 }
@@ -47,6 +49,7 @@ pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T>
 /// let far = tumbling::inertia::point_mass(&2, &Vector3::new(3, 1, 0));
 /// assert_eq!(far, Matrix3::new(2, -6, 0, -6, 18, 0, 0, 0, 20));
 /// ```
+#[must_use]
 pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
     let [x, y, z] = [&offset.x, &offset.y, &offset.z];
     let times = |a: &T, b: &T| mass.clone() * a.clone() * b.clone();
@@ -77,6 +80,7 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
 /// let omega = tumbling::inertia::omega_world(&rotation, &inverse, &Vector3::new(2.0, 4.0, 8.0));
 /// assert_eq!(omega, Vector3::new(1.0, 1.0, 1.0));
 /// ```
+#[must_use]
 pub fn omega_world<T: Ring>(
     rotation: &Matrix3<T>,
     inverse_body: &Matrix3<T>,

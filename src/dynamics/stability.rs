@@ -6,6 +6,7 @@ use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
+use std::fmt;
 
 /// The square of the rate at which a small disturbance changes, (1/s)²: positive where it grows, negative
 /// where it librates, for a spin `omega` about the axis with moment `about`, the others being `first` and
@@ -20,6 +21,7 @@ use nalgebra::Vector3;
 /// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &1.0, &2.0, &3.0) < 0.0);
 /// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &3.0, &1.0, &2.0) < 0.0);
 /// ```
+#[must_use]
 pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T {
     let [w, i, a, b] = [omega, about, first, second].map(T::clone);
     w.clone() * w * ((i.clone() - a.clone()) / a) * ((b.clone() - i) / b)
@@ -44,6 +46,20 @@ pub enum Stability {
     Neutral,
 }
 
+/// As `libration at 5.77 rad/s`; a precision goes to the rate.
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, rate, unit) = match self {
+            Self::Libration { rate } => ("libration at ", rate, " rad/s"),
+            Self::Growth { rate } => ("growth at ", rate, " 1/s"),
+            Self::Neutral => return f.write_str("neutral"),
+        };
+        f.write_str(what)?;
+        fmt::Display::fmt(rate, f)?;
+        f.write_str(unit)
+    }
+}
+
 /// The fate of a small disturbance of a steady spin `omega` (rad/s) about `axis`.
 ///
 /// ```
@@ -51,6 +67,7 @@ pub enum Stability {
 /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
 /// let Stability::Growth { rate } = of_spin(moments, Axis::Middle, 10.0)? else { panic!() };
 /// assert_eq!(format!("{rate:.4}"), "5.7735"); // 10 / sqrt(3)
+/// assert_eq!(format!("{:.1}", of_spin(moments, Axis::Smallest, 10.0)?), "libration at 5.8 rad/s");
 /// assert!(matches!(of_spin(moments, Axis::Largest, 10.0)?, Stability::Libration { .. }));
 /// # Ok::<(), tumbling::Error>(())
 /// ```

@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::Vector3;
+use std::fmt;
 
 /// A way to step a body through time.
 ///
@@ -234,6 +235,13 @@ impl Method {
             Self::TurnedRungeKutta4 => runge_kutta::corrected(system, start, h),
         };
         end.checked()
+    }
+}
+
+/// Its [name](MethodInfo::name).
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.info().name)
     }
 }
 

@@ -66,6 +66,7 @@ impl Engine {
     /// assert_eq!(spin(Engine::MomentumForSpin), Vector3::new(1.0, 1.0, 0.0));
     /// assert_eq!(spin(Engine::NoGyroscopicTerm), carried);
     /// ```
+    #[must_use]
     pub fn omega_world<T: Field>(
         self,
         rotation: &Matrix3<T>,
@@ -95,6 +96,7 @@ impl Engine {
     /// assert_eq!(rate(Engine::Turned), Vector3::zeros());
     /// assert_eq!(rate(Engine::Frozen), Vector3::new(0.0, 0.0, -0.25));
     /// ```
+    #[must_use]
     pub fn carried_rate<T: Field>(
         self,
         tensor: &Matrix3<T>,

@@ -31,6 +31,7 @@ pub enum Torque<T: nalgebra::Scalar> {
 impl<T: Field> Torque<T> {
     /// Gravity on a top whose centre of mass is `arm` (m) from the fixed point, in body axes, and whose weight (N) pulls
     /// along the world's -z.
+    #[must_use]
     pub fn gravity(arm: Vector3<T>, weight: T) -> Self {
         Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
@@ -46,6 +47,7 @@ impl<T: Field> Torque<T> {
     /// let still = Vector3::zeros();
     /// assert_eq!(top.at(&Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
     /// ```
+    #[must_use]
     pub fn at(&self, rotation: &Matrix3<T>, momentum: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
         match self {
             Self::InBody(torque) => torque.clone(),
@@ -72,6 +74,7 @@ impl<T: Analytic> Torque<T> {
     /// let after = drag.kick(&inverse, &Matrix3::identity(), &before, 1e3);
     /// assert_eq!(after, Vector3::new(0.0, 1.0, (-500.0_f64).exp()));
     /// ```
+    #[must_use]
     pub fn kick(
         &self,
         inverse: &Vector3<T>,

@@ -25,6 +25,7 @@ pub(crate) const INFO: MethodInfo = MethodInfo {
 /// assert!((end.attitude.k - 0.1_f64.sin()).abs() < 1e-7);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
+#[must_use]
 pub fn rk4<S, R, T: Field>(start: &S, h: T, rate: impl Fn(&S) -> R, plus: impl Fn(&S, &R, T) -> S) -> S {
     let half = h.clone() / T::integer(2);
     let k1 = rate(start);
