@@ -28,13 +28,13 @@ fn works() -> Vec<Work> {
     let start = State { attitude: Quaternion::identity(), momentum: vector };
     let mut works: Vec<Work> = Vec::new();
     let mut add = |name, step: Box<Step>| {
-        let (system, start, mut motion) = (system.clone(), start.clone(), start.clone());
+        let (system, start, mut motion) = (system.clone(), start, start);
         works.push((
             name,
             Box::new(move |k| {
                 // Not all of them last.
                 if k % 512 == 0 {
-                    motion = start.clone();
+                    motion = start;
                 }
                 motion = step(black_box(&system), black_box(&motion), black_box(H));
             }),

@@ -91,7 +91,7 @@ fn the_fates_of_the_recorded_bodies_are_the_fates_by_the_rules() {
         let main = first.omega.iamax();
         assert_eq!(sign_changes(record.rows.iter().map(|row| row.omega[main])), changes, "{name} {story}");
 
-        let (mut motion, mut signs, mut most) = (start.clone(), vec![first.omega[main]], 0.0_f64);
+        let (mut motion, mut signs, mut most) = (start, vec![first.omega[main]], 0.0_f64);
         for _ in 0..1200 {
             motion = engine.step(&record.system, &motion, H).unwrap();
             signs.push(motion.momentum[main]);
@@ -125,7 +125,7 @@ fn the_explicit_rule_loses_a_stable_spin_within_twenty_seconds_and_the_others_do
         let record = Record::read("mujoco-4.0.0-rk4", story);
         let start = record.motion(&record.rows[0]);
         let grown = |method: Method| {
-            let mut motion = start.clone();
+            let mut motion = start;
             let mut most = 1.0_f64;
             for _ in 0..1200 {
                 let Ok(next) = method.step(&record.system, &motion, H) else { return f64::INFINITY };
@@ -193,7 +193,7 @@ fn body() -> impl Strategy<Value = (System<f64>, State<f64>)> {
 fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] {
     let h = 0.3;
     let mut most = [0.0_f64; 5];
-    let mut motion = start.clone();
+    let mut motion = *start;
     for _ in 0..50 {
         let next = method.step(system, &motion, h).unwrap();
         let back = method.step(system, &next, -h).unwrap();
@@ -247,7 +247,7 @@ proptest! {
     fn a_body_without_gyroscopic_term_never_flips(q in attitude(), push in 1e-3..0.1_f64) {
         let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0).unwrap()).unwrap();
         let start = State { attitude: q.into_inner(), momentum: system.momentum(&Vector3::new(push, 10.0, push)) };
-        let mut motion = start.clone();
+        let mut motion = start;
         for _ in 0..600 {
             motion = Method::ConstantSpin.step(&system, &motion, H).unwrap();
         }

@@ -15,7 +15,7 @@ fn start(system: &System<f64>, omega: &Vector3<f64>) -> State<f64> {
 }
 
 fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: usize) -> State<f64> {
-    (0..count).fold(from.clone(), |motion, _| method.step(system, &motion, h).unwrap())
+    (0..count).fold(*from, |motion, _| method.step(system, &motion, h).unwrap())
 }
 
 fn energy(system: &System<f64>, motion: &State<f64>) -> f64 {
@@ -64,7 +64,7 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
     for &method in Method::ALL {
         let keeps = method.info().conserved;
         let mut worst = [0.0_f64; 4];
-        let mut motion = from.clone();
+        let mut motion = from;
         for _ in 0..count {
             motion = method.step(&system, &motion, h).unwrap();
             let l = from.momentum.norm();
@@ -140,7 +140,7 @@ proptest! {
 
     #[test]
     fn no_input_makes_a_method_panic(moments in any_vector(), momentum in any_vector(), q in [anything(), anything(), anything(), anything()], h in anything()) {
-        let from = State { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), momentum: momentum };
+        let from = State { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), momentum };
         // Also numbers that the constructor refuses.
         for system in [moments.try_into().and_then(System::free).ok(), Some(System::of_numbers(moments, Vec::new()))].into_iter().flatten() {
             for &method in Method::ALL {

@@ -57,7 +57,7 @@ fn run(
     h: f64,
     count: usize,
 ) -> Result<State<f64>, Error> {
-    (0..count).try_fold(start.clone(), |motion, _| method.step(system, &motion, h))
+    (0..count).try_fold(*start, |motion, _| method.step(system, &motion, h))
 }
 
 proptest! {
@@ -103,7 +103,7 @@ proptest! {
         let sound = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
         let given = PrincipalMoments::try_from(moments).and_then(|moments| System::with(moments, torques));
         for system in [given.unwrap_or(sound.clone()), sound] {
-            let start = State { attitude: Quaternion::new(w, x, y, z), momentum: momentum };
+            let start = State { attitude: Quaternion::new(w, x, y, z), momentum };
             let finite = |motion: State<f64>| motion.attitude.coords.iter().chain(&motion.momentum).all(|x| x.is_finite());
             for method in GEOMETRIC {
                 prop_assert!(method.step(&system, &start, h).map_or(true, finite), "{method:?}");
@@ -123,7 +123,7 @@ fn laws_that_are_said_to_be_broken_are_broken_by_far_more_than_rounding() {
         let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
         // Where they happen to stand after any one step may be right by chance.
         let mut most = [0.0_f64; 4];
-        let mut motion = start.clone();
+        let mut motion = start;
         for _ in 0..50 {
             motion = method.step(&system, &motion, 0.3).unwrap();
             for (most, change) in most.iter_mut().zip(changes(&system, &start, &motion)) {
@@ -148,7 +148,7 @@ fn the_energy_of_the_splittings_swings_and_does_not_grow() {
         Method::SymmetricTop,
     ] {
         let mut worst = [0.0_f64; 2];
-        let mut motion = start.clone();
+        let mut motion = start;
         for k in 0..20_000 {
             motion = method.step(&system, &motion, 0.1).unwrap();
             let off = (energy(&system, &motion) / energy(&system, &start) - 1.0).abs();
@@ -221,8 +221,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
     let others: [&Step; 3] =
         [&fixed_rate, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, h)];
     for (k, step) in others.into_iter().enumerate() {
-        let played =
-            |n: usize| (0..n).try_fold(start.clone(), |m, _| step(&system, &m, 1.0 / n as f64)).unwrap();
+        let played = |n: usize| (0..n).try_fold(start, |m, _| step(&system, &m, 1.0 / n as f64)).unwrap();
         let errors = [100, 200].map(|n| apart(&played(n), &truth));
         assert!(((errors[0] / errors[1]).log2() - 2.0).abs() < 0.1, "{k}: {errors:?}");
     }
@@ -318,7 +317,7 @@ fn a_stable_spin_stays_where_it_is_for_an_hour_in_a_game() {
                 .unwrap()
                 .angles_to_momentum(axis)
                 .unwrap();
-            let mut motion = start.clone();
+            let mut motion = start;
             for _ in 0..36_000 {
                 motion = fixed_rate(&system, &motion, 0.1).unwrap();
                 let angle = (motion.momentum[axis] / motion.momentum.norm()).acos();

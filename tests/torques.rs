@@ -27,7 +27,7 @@ fn steppers() -> Vec<(String, u32, Box<Step>)> {
 }
 
 fn run(step: &Step, system: &System<f64>, from: &State<f64>, t: f64, count: usize) -> State<f64> {
-    (0..count).fold(from.clone(), |motion, _| step(system, &motion, t / count as f64))
+    (0..count).fold(*from, |motion, _| step(system, &motion, t / count as f64))
 }
 
 fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
@@ -122,7 +122,7 @@ fn loss_inside_a_body_keeps_its_momentum_and_ends_on_the_largest_moment() {
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 0.01, 0.02) };
     let l = from.momentum.norm();
     let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
-    let mut motion = from.clone();
+    let mut motion = from;
     let mut before = energy(&motion);
     for _ in 0..60_000 {
         motion = tumbling::flow::step(&system, &motion, 0.01).unwrap();
@@ -155,7 +155,7 @@ fn loss_inside_a_body_in_one_long_kick_is_the_limit_of_many_short_ones() {
     let system = System::with(moments.try_into().unwrap(), vec![Torque::Dissipation(0.7)]).unwrap();
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 0.2, -0.3) };
     let once = system.kick(&from, 2.0);
-    let many = (0..64).fold(from.clone(), |motion, _| system.kick(&motion, 2.0 / 64.0));
+    let many = (0..64).fold(from, |motion, _| system.kick(&motion, 2.0 / 64.0));
     assert!((once.momentum - many.momentum).norm() < 1e-13);
     // Its rate at the start is the torque.
     let h = 1e-6;
@@ -193,7 +193,7 @@ fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
         ("rotations", Box::new(|s, m, h| Method::RotationSplitting2.step(s, m, h).unwrap())),
     ];
     for (name, step) in steps {
-        let mut motion = from.clone();
+        let mut motion = from;
         for _ in 0..60 * 800 {
             motion = step(&system, &motion, h);
         }

@@ -98,7 +98,7 @@ fn damping_by_axis_is_named_with_its_sizes() {
         let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
         let rows = stepped_by(SPIN, H, 400, |motion| {
             let omega = system.omega(&motion.momentum).component_mul(&factors);
-            method.step(&system, &State { momentum: system.momentum(&omega), ..motion.clone() }, H).unwrap()
+            method.step(&system, &State { momentum: system.momentum(&omega), ..*motion }, H).unwrap()
         });
         let diagnosis = diagnosed(&rows);
         let Rule::DampedByAxis(found, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };

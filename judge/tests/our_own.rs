@@ -110,8 +110,7 @@ fn a_wrong_triple_of_moments_is_named_with_the_moments() {
             let right = System::free(MOMENTS.try_into().unwrap()).unwrap();
             let spin = Vector3::new(1.0, 2.0, 1.5);
             let rows = stepped_by(spin, 0.005, 1000, |motion| {
-                let start =
-                    State { momentum: system.momentum(&right.omega(&motion.momentum)), ..motion.clone() };
+                let start = State { momentum: system.momentum(&right.omega(&motion.momentum)), ..*motion };
                 let end = method.step(&system, &start, 0.005).unwrap();
                 State { momentum: right.momentum(&system.omega(&end.momentum)), ..end }
             });
@@ -132,7 +131,7 @@ fn damping_left_on_is_named_with_its_size() {
     for method in [Method::SemiImplicitEuler, Method::ConstantSpin, Method::ImplicitOneNewton] {
         let spin = Vector3::new(1.0, 2.0, 1.5);
         let rows = stepped_by(spin, 0.01, 1000, |motion| {
-            let mut start = motion.clone();
+            let mut start = *motion;
             start.momentum *= 0.999;
             method.step(&system, &start, 0.01).unwrap()
         });

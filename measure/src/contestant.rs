@@ -179,7 +179,7 @@ impl Contestant for Ours {
             return Err(Failure::Refused("it is set by its steps".into()));
         };
         let h = black_box(step_of(story, steps));
-        let mut motion = story.start.clone();
+        let mut motion = story.start;
         for k in 1..=steps {
             motion = self.0.step(&story.system, &motion, h)?;
             if let Some(watch) = watch.as_deref_mut() {

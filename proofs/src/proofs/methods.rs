@@ -91,7 +91,7 @@ fn cases() -> [(System<Number>, State<Number>); 2] {
     let case = |moments: Vector3<Number>, omega: Vector3<Number>, q: [i64; 4], length: i64| {
         let momentum = moments.component_mul(&omega);
         let [w, x, y, z] = q.map(|n| number(n, length));
-        let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: momentum };
+        let motion = State { attitude: Quaternion::new(w, x, y, z), momentum };
         (System::of_numbers(moments, Vec::new()), motion)
     };
     [

@@ -132,7 +132,7 @@ pub(crate) fn controlled_within(
             large: tolerance,
         });
     }
-    let mut run = Controlled { end: start.clone(), steps: 0, rejected: 0 };
+    let mut run = Controlled { end: *start, steps: 0, rejected: 0 };
     if duration == 0.0 {
         return Ok(run);
     }
@@ -170,9 +170,9 @@ pub(crate) fn controlled_within(
                 residual: h_now,
             });
         }
-        let (end, mut slopes) = stages(system, &run.end, slope.clone(), &h_now);
+        let (end, mut slopes) = stages(system, &run.end, slope, &h_now);
         let end_slope = system.rate(&end);
-        slopes.push(end_slope.clone());
+        slopes.push(end_slope);
         let nothing = State { attitude: run.end.attitude * 0.0, momentum: run.end.momentum * 0.0 };
         let gained = length(slope.momentum.as_slice()) * h_now.abs();
         let off = combined(&nothing, &slopes, &ERROR, &h_now);
