@@ -1,7 +1,7 @@
 //! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite, finite_vector, positive};
+use crate::error::{Error, Refusal, finite, finite_vector, positive};
 use crate::inertia::Axis;
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
@@ -85,7 +85,7 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
         return Ok(Stability::Neutral);
     }
     if !rate.is_finite() || rate == 0.0 {
-        return Err(Error::OutOfRange { what: "the rate of the wobble", value: rate });
+        return Err(Refusal::OutOfRange { what: "the rate of the wobble", value: rate }.into());
     }
     Ok(match axis {
         Axis::Middle => Stability::Growth { rate },
@@ -130,7 +130,7 @@ pub fn time_between_flips(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Resul
     let half_period = motion.quarter_period() * 2.0 / motion.rate();
     let time = times_power_of_two(half_period.value(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
-        return Err(Error::OutOfRange { what: "the time between flips", value: time });
+        return Err(Refusal::OutOfRange { what: "the time between flips", value: time }.into());
     }
     Ok(Some(time))
 }

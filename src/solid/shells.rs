@@ -6,7 +6,7 @@
 //! of a triangle: [OS83](crate::references).
 
 use super::mesh::triple;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::extended::Wide;
 use nalgebra::Vector3;
 use num_traits::Zero;
@@ -42,11 +42,12 @@ pub(super) fn check(vertices: &[Vector3<Wide>], faces: &[[usize; 3]], shell: &[u
             }
             // Refused only if neither 0 nor 1 whichever side rounding put the point on.
             if winding + doubt < -0.5 || winding - doubt > 1.5 {
-                return Err(Error::MisplacedShell {
+                return Err(Refusal::MisplacedShell {
                     face: own.first,
                     volume: own.volume(vertices).nearest(),
                     winding: winding.round(),
-                });
+                }
+                .into());
             }
         }
     }

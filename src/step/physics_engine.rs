@@ -3,7 +3,7 @@
 use super::methods::engine_rules::turn::{turned_beyond, turned_straight};
 use crate::body::State;
 use crate::body::attitude;
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::step::method::Method;
 use crate::step::system::System;
 use std::f64::consts::FRAC_PI_4;
@@ -163,10 +163,11 @@ impl PhysicsEngine {
             let rate = system.omega(&system.rate(start).momentum);
             let beyond = |x: &f64| x.is_nan() || x.abs() > most;
             if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
-                return Err(Error::OutOfRange {
+                return Err(Refusal::OutOfRange {
                     what: "a spin or its rate, where the engine starts anew",
                     value,
-                });
+                }
+                .into());
             }
         }
         if self.parts <= 1 {

@@ -17,7 +17,7 @@
 
 use crate::body::State;
 use crate::body::attitude;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::{Analytic, Ring};
 use crate::step::method::{About, Keeps};
 use crate::step::system::System;
@@ -137,7 +137,12 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
             break;
         }
     }
-    Err(Error::NotConverged { what: "the turn of a Moser-Veselov step", iterations: ROUNDS, residual: moved })
+    Err(Refusal::NotConverged {
+        what: "the turn of a Moser-Veselov step",
+        iterations: ROUNDS,
+        residual: moved,
+    }
+    .into())
 }
 
 /// A whole number.
