@@ -14,6 +14,7 @@ mod ratios;
 use nalgebra::{Quaternion, Vector3};
 use ratios::Work;
 use std::hint::black_box;
+use tumbling::PrincipalMoments;
 use tumbling::step::{Method, State, System, game};
 
 type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
@@ -21,7 +22,8 @@ type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
 const H: f64 = 1.0 / 60.0;
 
 fn works() -> Vec<Work> {
-    let system = System::free(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)).expect("a body");
+    let system = System::free(PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0).expect("a body"))
+        .expect("a body");
     let vector = system.momentum(&Vector3::new(10.0, 0.1, 0.1));
     let start = State { attitude: Quaternion::identity(), momentum: vector };
     let mut works: Vec<Work> = Vec::new();

@@ -59,6 +59,18 @@ impl Error {
         self.refusal.subject()
     }
 
+    /// For what builds on the library: a value given, named as in "the time", that is NaN or infinite.
+    #[must_use]
+    pub fn not_finite(what: &'static str, value: f64) -> Self {
+        Refusal::NotFinite { what, value }.into()
+    }
+
+    /// For what builds on the library: a result that came out as `value`, since its true value is beyond `f64`.
+    #[must_use]
+    pub fn unrepresentable(what: &'static str, value: f64) -> Self {
+        Refusal::OutOfRange { what, value }.into()
+    }
+
     /// The same as the error of part `index` (from 0) of a whole.
     pub(crate) fn of_part(self, index: usize) -> Self {
         Refusal::Part { index, source: Box::new(self) }.into()

@@ -4,16 +4,19 @@
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
 mod inverse;
+mod moments;
 mod nearest;
 mod principal;
 
 pub use inverse::InverseInertia;
+pub use moments::PrincipalMoments;
+pub(crate) use moments::ascending;
 pub use nearest::Adjusted;
 pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, ErrorKind, Refusal, finite, finite_vector, not_negative, positive};
 use crate::number::Ring;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -239,8 +242,12 @@ impl Inertia {
         if let Ok(value) = strict {
             return Ok(Adjusted { value, moved: far(&symmetric) });
         }
-        let change = Vector3::from(nearest::possible(moments.into())) - moments;
-        let adjusted = evened(&(symmetric + turned(&principal.frame(), &Matrix3::from_diagonal(&change))));
+        let adjusted = if is_diagonal(&symmetric) {
+            Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
+        } else {
+            let change = nearest::possible(&moments) - moments;
+            evened(&(symmetric + turned(&principal.frame(), &Matrix3::from_diagonal(&change))))
+        };
         let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
         let value = Self::from_matrix(&adjusted.map(|x| times_power_of_two(x, scale)))?;
         Ok(Adjusted { value, moved })
@@ -273,21 +280,21 @@ impl Inertia {
         }
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
-        let w = omega.map(|x| Double::from(unit(x, omega.amax())));
-        let tensor = self.tensor.map(|x| Double::from(unit(x, self.tensor.amax())));
+        let w = omega.map(|x| DoubleDouble::from(unit(x, omega.amax())));
+        let tensor = self.tensor.map(|x| DoubleDouble::from(unit(x, self.tensor.amax())));
         let row = |i: usize| tensor[(i, 0)] * w.x + tensor[(i, 1)] * w.y + tensor[(i, 2)] * w.z;
         let l = [row(0), row(1), row(2)];
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
-        if l.iter().all(|x| x.value().abs() <= rounding) {
+        if l.iter().all(|x| x.hi().abs() <= rounding) {
             return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
         }
         let cross = Vector3::new(
-            (w.y * l[2] - w.z * l[1]).value(),
-            (w.z * l[0] - w.x * l[2]).value(),
-            (w.x * l[1] - w.y * l[0]).value(),
+            (w.y * l[2] - w.z * l[1]).hi(),
+            (w.z * l[0] - w.x * l[2]).hi(),
+            (w.x * l[1] - w.y * l[0]).hi(),
         );
-        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).value();
+        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).hi();
         Ok(length(&cross).atan2(dot))
     }
 
@@ -361,14 +368,6 @@ impl TryFrom<Matrix3<f64>> for Inertia {
     fn try_from(tensor: Matrix3<f64>) -> Result<Self, Error> {
         Self::from_matrix(&tensor)
     }
-}
-
-/// That three principal moments, in any order, are positive and can belong to one body.
-pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
-    moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
-    let mut sorted: [f64; 3] = (*moments).into();
-    sorted.sort_by(f64::total_cmp);
-    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
 }
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones

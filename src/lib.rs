@@ -74,5 +74,5 @@ pub use body::{Body, State};
 #[doc(hidden)]
 pub use error::Refusal;
 pub use error::{Error, ErrorKind};
-pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes};
+pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

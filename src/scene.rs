@@ -42,7 +42,7 @@ pub use states::{Answer, States};
 
 use crate::body::attitude;
 use crate::error::{Error, Refusal, finite, finite_vector, not_negative, positive};
-use crate::inertia::{Inertia, possible_moments};
+use crate::inertia::{Inertia, PrincipalMoments};
 use crate::step::Torque;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -120,7 +120,7 @@ impl Toss {
             (axes.moments(), Some(axes.rotation()))
         };
         let tensor = if frame.is_some() { TossPart::Products } else { TossPart::Moments };
-        possible_moments(&moments).map_err(of(tensor))?;
+        let checked = PrincipalMoments::try_from(moments).map_err(of(tensor))?;
         let along = |v: &Vector3<f64>| frame.map_or(*v, |frame| frame.inverse() * v);
         let start = of(TossPart::Start);
         let omega = match &self.with {
@@ -150,14 +150,14 @@ impl Toss {
                 _ => omega.abs(),
             },
         };
-        Ok(Principal { moments, omega, frame, world, attitude, rounded })
+        Ok(Principal { moments: checked, omega, frame, world, attitude, rounded })
     }
 }
 
 /// A body along its principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Principal {
-    moments: Vector3<f64>,
+    moments: PrincipalMoments,
     omega: Vector3<f64>,
     /// Principal axes to body axes, where they are not the same.
     frame: Option<UnitQuaternion<f64>>,

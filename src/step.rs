@@ -8,7 +8,6 @@
 mod fixed_rate;
 mod method;
 mod methods;
-mod physics_engine;
 mod pitfalls;
 mod system;
 mod torque;
@@ -19,7 +18,6 @@ pub use method::{About, Keeps, Method};
 pub(crate) use methods::dormand_prince::controlled_within;
 pub use methods::dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use methods::rk4::rk4;
-pub use physics_engine::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 pub use pitfalls::Engine;
 pub use system::System;
 pub use torque::Torque;

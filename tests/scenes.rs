@@ -503,7 +503,7 @@ fn an_accuracy_is_refused_where_the_start_does_not_determine_it() {
         ([0.0012, 0.01638, 0.01748], [0.01, 10.0, 0.01], 60.0),
     ] {
         let (moments, omega) = (Vector3::from(moments), Vector3::from(omega));
-        let motion = |omega: &Vector3<f64>| FreeMotion::new(&moments, omega).unwrap();
+        let motion = |omega: &Vector3<f64>| FreeMotion::new(moments.try_into().unwrap(), omega).unwrap();
         let one_of = motion(&omega);
         let flip = one_of.flips(0.0, end).unwrap().next_back();
         let mut worst = 1.0_f64;

@@ -1,7 +1,8 @@
 //! What a rule is called, who goes by it, and what to do about it.
 
+use crate::engines::{Limits, PHYSICS_ENGINES};
 use crate::suspects::{Base, Rule, Spin, When};
-use tumbling::step::{Limits, Method, PHYSICS_ENGINES};
+use tumbling::step::Method;
 
 /// A number with five significant digits, as people write it.
 pub(crate) fn significant(x: f64) -> String {

@@ -1,10 +1,11 @@
 //! Rules that may have made a record: each takes a row one step further.
 
+use crate::engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::laws::unit;
 use crate::state::{Pair, Row};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Engine, Limits, Method, PHYSICS_ENGINES, PhysicsEngine, State, System, Torque};
+use tumbling::step::{Engine, Method, State, System, Torque};
 use tumbling::{Body, Inertia, body::attitude, dynamics::euler};
 
 /// A rule, as a diagnosis names it.
@@ -174,7 +175,7 @@ pub(crate) struct Subject {
 impl Subject {
     pub(crate) fn new(moments: Vector3<f64>, torque: Option<Vector3<f64>>) -> Result<Self, tumbling::Error> {
         let torques = torque.map(|torque| vec![Torque::InWorld(torque)]).unwrap_or_default();
-        Ok(Self { moments, torque, system: System::with(&moments, torques)? })
+        Ok(Self { moments, torque, system: System::with(moments.try_into()?, torques)? })
     }
 
     fn motion(&self, state: &Row) -> State<f64> {
@@ -193,7 +194,7 @@ impl Subject {
     ) -> Result<(Quaternion<f64>, Vector3<f64>), tumbling::Error> {
         match base {
             Base::Exact => {
-                let after = FreeMotion::new(&self.moments, &from.omega)?.at(h)?;
+                let after = FreeMotion::new(self.moments.try_into()?, &from.omega)?.at(h)?;
                 let start = from.attitude.unwrap_or_else(Quaternion::identity);
                 Ok((start * after.attitude.into_inner(), after.omega))
             }

@@ -2,8 +2,8 @@
 
 use std::io::BufReader;
 use std::path::PathBuf;
-use tumbling::step::{Method, PHYSICS_ENGINES};
-use tumbling_judge::{LawName, Options, Outcome, Sure, Verdict, judge};
+use tumbling::step::Method;
+use tumbling_judge::{LawName, Options, Outcome, PHYSICS_ENGINES, Sure, Verdict, judge};
 
 fn records() -> Vec<(String, Verdict)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines");

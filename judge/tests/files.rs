@@ -165,7 +165,7 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
     // Two lines before the rows; the first row missing is the 51st.
     assert_eq!(gaps.line, 53);
     assert_eq!(verdict.outcome, Outcome::Passed);
-    let motion = tumbling::exact::FreeMotion::new(&MOMENTS, &SPIN).unwrap();
+    let motion = tumbling::exact::FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
     let uneven: Vec<Row> = (0..300)
         .map(|i| {
             let t = 0.01 * f64::from(i) + 0.003 * f64::from(i).sin();
@@ -330,7 +330,7 @@ fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
     // The rule of Bullet's multibody, every number rounded to single precision after each step.
     #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
     let single = |x: f64| f64::from(x as f32);
-    let system = tumbling::step::System::free(&MOMENTS).unwrap();
+    let system = tumbling::step::System::free(MOMENTS.try_into().unwrap()).unwrap();
     let rows = common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
         let end = Method::SemiImplicitEuler.step(&system, motion, &(1.0 / 64.0)).unwrap();
         let omega = system.omega(&end.momentum).map(single);

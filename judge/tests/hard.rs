@@ -98,7 +98,7 @@ fn record(
 ) -> String {
     #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
     let round = |x: f64| if single { f64::from(x as f32) } else { x };
-    let system = System::free(moments).unwrap();
+    let system = System::free((*moments).try_into().unwrap()).unwrap();
     let mut motion = State {
         attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
         momentum: system.momentum(&omega),

@@ -19,7 +19,7 @@ fn altered(
     count: u32,
     how: impl Fn(&Quaternion<f64>, Quaternion<f64>, Vector3<f64>) -> (Quaternion<f64>, Vector3<f64>),
 ) -> Vec<Row> {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     stepped_by(spin, H, count, |motion| {
         let end = method.step(&system, motion, &H).unwrap();
         let (attitude, omega) = how(&motion.attitude, end.attitude, system.omega(&end.momentum));
@@ -95,7 +95,7 @@ fn damping_by_axis_is_named_with_its_sizes() {
         let diagnosis = diagnosed(&rows);
         let Rule::DampedByAxis(found, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
         assert!((found - factors).norm() < 1e-9, "{found}");
-        let system = System::free(&MOMENTS).unwrap();
+        let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
         let rows = stepped_by(SPIN, H, 400, |motion| {
             let omega = system.omega(&motion.momentum).component_mul(&factors);
             method.step(&system, &State { momentum: system.momentum(&omega), ..motion.clone() }, &H).unwrap()
@@ -121,7 +121,7 @@ fn a_turn_without_its_half_is_named_with_the_factor() {
 
 #[test]
 fn steps_of_another_length_than_told_are_named_with_the_factor() {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     for factor in [0.5, 2.0, 1.2] {
         for method in [Method::SemiImplicitEuler, Method::OneNewton] {
             let rows =

@@ -106,8 +106,8 @@ fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
 fn a_wrong_triple_of_moments_is_named_with_the_moments() {
     for wrong in [Vector3::new(2.0, 1.0, 2.5), Vector3::new(1.0, 1.7, 2.3)] {
         for method in [Method::Gauss6, Method::SemiImplicitEuler, Method::OneNewton] {
-            let system = System::free(&wrong).unwrap();
-            let right = System::free(&MOMENTS).unwrap();
+            let system = System::free(wrong.try_into().unwrap()).unwrap();
+            let right = System::free(MOMENTS.try_into().unwrap()).unwrap();
             let spin = Vector3::new(1.0, 2.0, 1.5);
             let rows = stepped_by(spin, 0.005, 1000, |motion| {
                 let start =
@@ -128,7 +128,7 @@ fn a_wrong_triple_of_moments_is_named_with_the_moments() {
 
 #[test]
 fn damping_left_on_is_named_with_its_size() {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     for method in [Method::SemiImplicitEuler, Method::ConstantSpin, Method::OneNewton] {
         let spin = Vector3::new(1.0, 2.0, 1.5);
         let rows = stepped_by(spin, 0.01, 1000, |motion| {
@@ -146,7 +146,7 @@ fn damping_left_on_is_named_with_its_size() {
 
 #[test]
 fn a_cap_on_the_spin_is_named() {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 1000, |motion| {
         let end = Method::SemiImplicitEuler.step(&system, motion, &0.02).unwrap();
         let omega = system.omega(&end.momentum);
@@ -160,7 +160,7 @@ fn a_cap_on_the_spin_is_named() {
 
 #[test]
 fn a_rule_that_none_knows_is_not_given_a_name() {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut seed = 1_u64;
     let noise = std::cell::RefCell::new(move || {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -178,9 +178,9 @@ fn a_rule_that_none_knows_is_not_given_a_name() {
 
 #[test]
 fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut judgements = 0;
-    for engine in tumbling::step::PHYSICS_ENGINES {
+    for engine in tumbling_judge::PHYSICS_ENGINES {
         for speed in [0.1, 1.0, 10.0, 30.0] {
             for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
                 for direction in SPINS {

@@ -249,7 +249,7 @@ impl Contestant for Exact {
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.momentum);
-        let exact = FreeMotion::new(moments, &omega)?;
+        let exact = FreeMotion::new((*moments).try_into()?, &omega)?;
         asked(&exact, story, watch)
     }
 }
@@ -283,7 +283,7 @@ impl Contestant for Prepared {
         let mut kept = self.0.borrow_mut();
         if kept.as_ref().is_none_or(|(name, _)| *name != story.name) {
             let omega = story.system.omega(&story.start.momentum);
-            *kept = Some((story.name, FreeMotion::new(story.system.moments(), &omega)?));
+            *kept = Some((story.name, FreeMotion::new((*story.system.moments()).try_into()?, &omega)?));
         }
         let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };
         asked(exact, story, watch)

@@ -147,7 +147,10 @@ impl<'a> Watch<'a> {
     fn last_flip(&self) -> Option<f64> {
         let (t, state) = self.last.as_ref()?;
         let omega = self.story.system.omega(&state.momentum);
-        let on = FreeMotion::new(self.story.system.moments(), &omega).ok()?.next_flip(0.0).ok()??;
+        let on = FreeMotion::new((*self.story.system.moments()).try_into().ok()?, &omega)
+            .ok()?
+            .next_flip(0.0)
+            .ok()??;
         Some(t + on)
     }
 }

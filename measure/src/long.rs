@@ -7,6 +7,7 @@ use crate::operations::evaluations_of_step;
 use crate::record::Long;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::TAU;
+use tumbling::PrincipalMoments;
 use tumbling::step::{Method, State, System};
 
 /// Steps in a turn of the spin.
@@ -14,7 +15,7 @@ pub const STEPS: u32 = 20;
 
 /// The document's box, and spins that differ a little from start to start.
 fn start(k: u32) -> Option<(System<f64>, State<f64>, f64)> {
-    let system = System::free(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)).ok()?;
+    let system = System::free(PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0).ok()?).ok()?;
     let omega = Vector3::new(0.6 + 0.07 * f64::from(k), 0.5, 0.7 - 0.05 * f64::from(k));
     let h = TAU / (f64::from(STEPS) * omega.norm());
     Some((system.clone(), State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) }, h))

@@ -1,8 +1,8 @@
 //! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, Refusal, finite, finite_vector, positive};
-use crate::inertia::Axis;
+use crate::error::{Error, Refusal, finite, finite_vector};
+use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
@@ -44,22 +44,11 @@ pub enum Stability {
     Neutral,
 }
 
-/// Sorted moments that are finite and positive; their order is what the axes' names mean.
-fn sorted(moments: [f64; 3]) -> Result<[f64; 3], Error> {
-    for moment in moments {
-        positive("a principal moment", moment)?;
-    }
-    let mut sorted = moments;
-    sorted.sort_by(f64::total_cmp);
-    Ok(sorted)
-}
-
-/// The fate of a small disturbance of a steady spin `omega` (rad/s) about `axis`, for principal moments
-/// in any order (kg m²).
+/// The fate of a small disturbance of a steady spin `omega` (rad/s) about `axis`.
 ///
 /// ```
-/// use tumbling::{Axis, dynamics::stability::{Stability, of_spin}};
-/// let moments = [1.0, 2.0, 3.0];
+/// use tumbling::{Axis, PrincipalMoments, dynamics::stability::{Stability, of_spin}};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
 /// let Stability::Growth { rate } = of_spin(moments, Axis::Middle, 10.0)? else { panic!() };
 /// assert_eq!(format!("{rate:.4}"), "5.7735"); // 10 / sqrt(3)
 /// assert!(matches!(of_spin(moments, Axis::Largest, 10.0)?, Stability::Wobble { .. }));
@@ -67,9 +56,9 @@ fn sorted(moments: [f64; 3]) -> Result<[f64; 3], Error> {
 /// ```
 ///
 /// # Errors
-/// A moment that is not finite and positive, a spin that is not finite, or a rate beyond `f64`.
-pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, Error> {
-    let sorted = sorted(moments)?;
+/// A spin that is not finite, or a rate beyond `f64`.
+pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stability, Error> {
+    let sorted = moments.sorted();
     let speed = finite("the spin", omega)?.abs();
     let about = sorted[axis.index()];
     let [first, second] = match axis {
@@ -96,7 +85,7 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
 /// The time between two flips of a free body, s: half the period of its spin as seen from the body.
 /// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
 ///
-/// Takes the principal moments and the spin along the same axes, in any order. A flip is when the spin
+/// The spin (rad/s) is along the principal axes. A flip is when the spin
 /// component along the middle axis changes sign; every free motion but those named does that, a stable
 /// wobble too, where it is small and quick.
 ///
@@ -106,29 +95,26 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::dynamics::stability::time_between_flips;
-/// let moments = Vector3::new(1.0, 2.0, 3.0);
-/// let book = time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.001))?;
+/// use tumbling::{PrincipalMoments, dynamics::stability::time_between_flips};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// let book = time_between_flips(moments, &Vector3::new(0.0, 10.0, 0.001))?;
 /// assert_eq!(format!("{:.4}", book.unwrap()), "3.4805");
-/// assert_eq!(time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.0))?, None);
+/// assert_eq!(time_between_flips(moments, &Vector3::new(0.0, 10.0, 0.0))?, None);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
 /// # Errors
-/// A moment that is not finite and positive, a spin that is not finite, or a time beyond `f64`.
-pub fn time_between_flips(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
-    for &moment in moments {
-        positive("a principal moment", moment)?;
-    }
+/// A spin that is not finite, or a time beyond `f64`.
+pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
     finite_vector("the spin", omega)?;
-    let Kind::Asymmetric(motion) = classify((*moments).into(), (*omega).into()) else {
+    let Kind::Asymmetric(motion) = classify(moments, omega) else {
         return Ok(None);
     };
     if motion.separatrix {
         return Ok(None);
     }
     let half_period = motion.quarter_period() * 2.0 / motion.rate();
-    let time = times_power_of_two(half_period.value(), -motion.clock);
+    let time = times_power_of_two(half_period.hi(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
         return Err(Refusal::OutOfRange { what: "the time between flips", value: time }.into());
     }

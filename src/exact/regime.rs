@@ -5,11 +5,10 @@ use crate::inertia::Axis;
 /// The kinds of free motion, each with its own constants.
 ///
 /// ```
-/// use nalgebra::Vector3;
-/// use tumbling::Axis;
+/// use tumbling::{Axis, PrincipalMoments};
 /// use tumbling::exact::{FreeMotion, Regime};
-/// let moments = Vector3::new(3.0, 4.0, 6.0);
-/// let regime = |omega: [f64; 3]| FreeMotion::new(&moments, &omega.into()).map(|motion| motion.regime());
+/// let moments = PrincipalMoments::new(3.0, 4.0, 6.0)?;
+/// let regime = |omega: [f64; 3]| FreeMotion::new(moments, &omega.into()).map(|motion| motion.regime());
 /// assert_eq!(regime([0.0, 0.0, 0.0])?, Regime::AtRest);
 /// assert_eq!(regime([0.0, -2.0, 0.0])?, Regime::Steady { speed: 2.0 });
 /// // 6 (6-4) w3² = 3 (4-3) w1² exactly: between circling the one axis and the other.

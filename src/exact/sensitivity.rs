@@ -8,7 +8,7 @@ use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
 use super::{FreeMotion, Law};
 use crate::error::{Error, Refusal, finite};
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Vector3};
 
@@ -52,9 +52,9 @@ impl FreeMotion {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
     /// // A spin about the middle axis: a push across it grows as cosh(rate t), with rate² = 100/3.
-    /// let steady = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.0))?;
+    /// let steady = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.0))?;
     /// let change = steady.sensitivity(0.5)?;
     /// let growth = (10.0 / 3_f64.sqrt() * 0.5).cosh();
     /// assert!((change.omega_by_omega[(2, 2)] / growth - 1.0).abs() < 1e-14);
@@ -80,7 +80,7 @@ impl FreeMotion {
             };
             (change, turn)
         };
-        let heaviest = exponent(self.moments.max());
+        let heaviest = exponent(self.moments.largest());
         let matrix = |columns: &[Vector3<f64>], power: i32| {
             let matrix = Matrix3::from_columns(columns).map(|x| times_power_of_two(x, power));
             match matrix.iter().find(|x| !x.is_finite()) {
@@ -111,7 +111,7 @@ impl FreeMotion {
                     _ => {
                         let equal = |axis: &usize| moments[(axis + 1) % 3] == moments[(axis + 2) % 3];
                         let axis = (0..3).find(equal).unwrap_or(2);
-                        elementary::top(moments, axis, omega, Double::ZERO, time)
+                        elementary::top(moments, axis, omega, DoubleDouble::ZERO, time)
                     }
                 }
             }

@@ -2,7 +2,7 @@
 
 use super::{Inertia, evened, in_range, is_diagonal, turned};
 use crate::error::{Error, Refusal};
-use crate::number::double_double::{Double, difference_of_products};
+use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -78,12 +78,12 @@ fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
         let (p, q) = ((j + 1) % 3, (j + 2) % 3);
         difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
     };
-    let determinant = (Double::from(a[(0, 0)]) * cofactor(0, 0)
-        + Double::from(a[(0, 1)]) * cofactor(0, 1)
-        + Double::from(a[(0, 2)]) * cofactor(0, 2))
-    .value();
+    let determinant = (DoubleDouble::from(a[(0, 0)]) * cofactor(0, 0)
+        + DoubleDouble::from(a[(0, 1)]) * cofactor(0, 1)
+        + DoubleDouble::from(a[(0, 2)]) * cofactor(0, 2))
+    .hi();
     Matrix3::from_fn(|i, j| {
         let (i, j) = (i.min(j), i.max(j));
-        times_power_of_two(cofactor(i, j).value() / determinant, -scale) + 0.0
+        times_power_of_two(cofactor(i, j).hi() / determinant, -scale) + 0.0
     })
 }

@@ -1,5 +1,7 @@
 //! Principal axes: the three perpendicular directions about which a body spins cleanly.
 
+use super::{PrincipalMoments, ascending};
+use crate::error::Error;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
@@ -49,6 +51,14 @@ impl PrincipalAxes {
         self.moments
     }
 
+    /// The moments as those of a body that can turn about each axis, smallest first.
+    ///
+    /// # Errors
+    /// A smallest moment that is not positive, such as that of an ideal rod.
+    pub fn principal_moments(&self) -> Result<PrincipalMoments, Error> {
+        PrincipalMoments::of_tensor(self.moments)
+    }
+
     /// The moment about `axis`, kg m².
     #[must_use]
     pub fn moment(&self, axis: Axis) -> f64 {
@@ -91,8 +101,7 @@ impl PrincipalAxes {
                 break;
             }
         }
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| a[(i, i)].total_cmp(&a[(j, j)]));
+        let order = ascending(&a.diagonal());
         let moments = Vector3::from_fn(|i, _| a[(order[i], order[i])]);
         let axes = order.map(|i| v.column(i).into_owned());
         Self {

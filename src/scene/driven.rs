@@ -88,7 +88,7 @@ const INNER: f64 = 16.0;
 #[allow(clippy::cast_precision_loss)]
 pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let torques = scene.torques.iter().map(|torque| along(body, torque)).collect::<Result<_, _>>()?;
-    let system = System::with(&body.moments, torques)?;
+    let system = System::with(body.moments, torques)?;
     let start = State { attitude: body.world.into_inner(), momentum: system.momentum(&body.omega) };
     let (end, accuracy) = (scene.times.end(), scene.accuracy);
     let Rates { spin, push, loss } = rates(&system, &start, end);
@@ -389,7 +389,7 @@ mod tests {
     /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin is two thirds of it.
     #[test]
     fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_asked_for() {
-        let system = System::free(&Vector3::new(1e-4, 1.0, 1.0)).unwrap();
+        let system = System::free([1e-4, 1.0, 1.0].try_into().unwrap()).unwrap();
         let [a, b] = [0.1, 0.2].map(|heavy| State {
             attitude: Quaternion::identity(),
             momentum: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
@@ -408,7 +408,7 @@ mod tests {
     /// Between times that are closer than a step two runs would take the same one, and agree whatever it is worth.
     #[test]
     fn a_finer_run_has_twice_the_steps_between_any_two_times() {
-        let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
+        let system = System::free([1.0, 2.0, 2.5].try_into().unwrap()).unwrap();
         let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
         let times = &[0.01, 0.02, 1.0][..];
         let (accuracy, end, turned, lost) = (0.1, 1.0, 1.0, 0.0);

@@ -5,7 +5,7 @@ use super::states::States;
 use super::{Polhode, Principal, Scene, Toss, Wants, driven, free};
 use crate::error::{Error, Refusal, finite};
 use crate::exact::{Flips, FreeMotion, Precession, Turn};
-use crate::inertia::Inertia;
+use crate::inertia::{Inertia, PrincipalMoments};
 use crate::step::{Method, State, System};
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -134,9 +134,8 @@ impl<'a> Plan<'a> {
             refuse_of_driven(wants)?;
             if moves { driven::way(&body, scene)? } else { Way::Nothing }
         };
-        let [a, b, c] = body.moments.into();
-        let inertia = Inertia::from_moments(a, b, c)?;
-        let energy = if wants.energy && free { Some(energy(&body.moments, &body.omega)?) } else { None };
+        let inertia = Inertia::from(body.moments);
+        let energy = if wants.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
         if wants.gap && body.omega == Vector3::zeros() {
             return Err(Refusal::Undefined {
                 what: "the angle between spin and momentum",
@@ -183,7 +182,7 @@ impl<'a> Plan<'a> {
         let end = self.scene.times.end();
         match &self.way {
             Way::EllipticSpin(motion) | Way::Elliptic(motion) => motion.flips(0.0, end),
-            _ => FreeMotion::new(&self.body.moments, &self.body.omega)?.flips(0.0, end),
+            _ => FreeMotion::new(self.body.moments, &self.body.omega)?.flips(0.0, end),
         }
     }
 
@@ -214,7 +213,7 @@ fn refuse_of_driven(wants: Wants) -> Result<(), Error> {
 }
 
 /// Half of `w . I w`.
-pub(super) fn energy(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<f64, Error> {
-    let energy = crate::dynamics::observe::energy(omega, &moments.component_mul(omega));
+pub(super) fn energy(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<f64, Error> {
+    let energy = crate::dynamics::observe::energy(omega, &moments.vector().component_mul(omega));
     finite("the energy", energy).map_err(|_| Refusal::OutOfRange { what: "the energy", value: energy }.into())
 }

@@ -100,7 +100,7 @@ impl Plan<'_> {
         match &self.way {
             Way::EllipticSpin(motion) | Way::Elliptic(motion) => Some(**motion),
             Way::Rotation(_) | Way::SymmetricTop(_) => {
-                FreeMotion::new(&self.body.moments, &self.body.omega).ok()
+                FreeMotion::new(self.body.moments, &self.body.omega).ok()
             }
             _ => None,
         }
@@ -164,7 +164,7 @@ impl Plan<'_> {
             spin: if wants.spin { along.map(|omega| self.body.in_body(omega)) } else { None },
             attitude: if wants.attitude { attitude } else { None },
             energy: match moving(wants.energy, self.energy) {
-                Some(omega) => Some(energy(&self.body.moments, &omega)?),
+                Some(omega) => Some(energy(self.body.moments, &omega)?),
                 None => self.energy,
             },
             gap: match moving(wants.gap, self.gap) {

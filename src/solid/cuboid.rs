@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 
 /// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source:
@@ -57,12 +57,12 @@ impl Cuboid {
 
 impl Solid for Cuboid {
     fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.edges.map(Wide::from);
+        let [a, b, c] = self.edges.map(Extended::from);
         (a * b * c).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b, c] = self.edges.map(Wide::from);
+        let [a, b, c] = self.edges.map(Extended::from);
         centred(mass, |m| cuboid_moments(m, &a, &b, &c))
     }
 }

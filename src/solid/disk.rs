@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -53,11 +53,11 @@ impl ThinDisk {
 impl Solid for ThinDisk {
     /// The area, m², so that its density is in kg/m².
     fn measure(&self) -> Result<f64, Error> {
-        (Wide::from(PI) * square(&Wide::from(self.radius))).in_full("the area")
+        (Extended::from(PI) * square(&Extended::from(self.radius))).in_full("the area")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let r = Wide::from(self.radius);
+        let r = Extended::from(self.radius);
         centred(mass, |m| disk_moments(m, &r))
     }
 }

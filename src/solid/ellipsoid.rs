@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -57,13 +57,13 @@ impl Ellipsoid {
 
 impl Solid for Ellipsoid {
     fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.semi_axes.map(Wide::from);
-        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
+        let [a, b, c] = self.semi_axes.map(Extended::from);
+        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
         (four_thirds_pi * (a * b * c)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b, c] = self.semi_axes.map(Wide::from);
+        let [a, b, c] = self.semi_axes.map(Extended::from);
         centred(mass, |m| ellipsoid_moments(m, &a, &b, &c))
     }
 }

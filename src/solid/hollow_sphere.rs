@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, Refusal, not_negative, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -71,13 +71,13 @@ impl HollowSphere {
 
 impl Solid for HollowSphere {
     fn measure(&self) -> Result<f64, Error> {
-        let (i, o) = (Wide::from(self.inner), Wide::from(self.outer));
-        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
+        let (i, o) = (Extended::from(self.inner), Extended::from(self.outer));
+        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
         (four_thirds_pi * (o - i) * (square(&o) + o * i + square(&i))).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (i, o) = (Wide::from(self.inner), Wide::from(self.outer));
+        let (i, o) = (Extended::from(self.inner), Extended::from(self.outer));
         centred(mass, |m| Vector3::repeat(hollow_sphere_moment(m, &i, &o)))
     }
 }

@@ -8,7 +8,7 @@ use super::tetrahedron::determinant;
 use super::{MassMoments, MassProperties, Solid, shells, topology};
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::PrincipalAxes;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
@@ -127,7 +127,7 @@ pub struct Mesh {
     vertices: Vec<Vector3<f64>>,
     faces: Vec<[usize; 3]>,
     /// For density 1.
-    moments: MassMoments<Wide>,
+    moments: MassMoments<Extended>,
 }
 
 impl Mesh {
@@ -148,7 +148,7 @@ impl Mesh {
             finite_vector("the vertex", vertex).map_err(|e| e.of_part(index))?;
         }
         let shell = topology::shells(faces, vertices.len())?;
-        let wide: Vec<_> = vertices.iter().map(|v| v.map(Wide::from)).collect();
+        let wide: Vec<_> = vertices.iter().map(|v| v.map(Extended::from)).collect();
         let triangles = || faces.iter().map(|face| face.map(|v| &wide[v]));
         let near = mean(triangles());
         enclosed(triangles(), &near)?;
@@ -179,32 +179,32 @@ impl Solid for Mesh {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let mass = Wide::from(positive("the mass", mass)?);
+        let mass = Extended::from(positive("the mass", mass)?);
         let density = mass / self.moments.mass;
         MassMoments { mass, centre: self.moments.centre, inertia: self.moments.inertia * density }.checked()
     }
 }
 
 /// The mean of all corners, as steps from the first, so that far from the origin no digits are lost.
-fn mean<'a>(mut triangles: impl Iterator<Item = [&'a Vector3<Wide>; 3]>) -> Vector3<Wide> {
+fn mean<'a>(mut triangles: impl Iterator<Item = [&'a Vector3<Extended>; 3]>) -> Vector3<Extended> {
     let mut sum = Vector3::zeros();
-    let mut count = Wide::from(1.0);
+    let mut count = Extended::from(1.0);
     let Some([start, ..]) = triangles.next() else {
         return sum;
     };
     for corner in triangles.flatten() {
         sum += corner - start;
-        count += Wide::from(1.0);
+        count += Extended::from(1.0);
     }
     start + sum.map(|x| x / count)
 }
 
 /// That the volume is positive by more than rounding.
 fn enclosed<'a>(
-    triangles: impl Iterator<Item = [&'a Vector3<Wide>; 3]>,
-    reference: &Vector3<Wide>,
+    triangles: impl Iterator<Item = [&'a Vector3<Extended>; 3]>,
+    reference: &Vector3<Extended>,
 ) -> Result<(), Error> {
-    let (mut six_volumes, mut size, mut count) = (Wide::zero(), Wide::zero(), 0.0);
+    let (mut six_volumes, mut size, mut count) = (Extended::zero(), Extended::zero(), 0.0);
     for triangle in triangles {
         let (term, bound) = spanned(triangle, reference, determinant);
         six_volumes += term;
@@ -212,19 +212,20 @@ fn enclosed<'a>(
         count += 1.0;
     }
     // Eight half units for each term, as in a tetrahedron, and one for each addition.
-    let rounding = size * Wide::from((8.0 + count) * 0.5 * f64::EPSILON);
+    let rounding = size * Extended::from((8.0 + count) * 0.5 * f64::EPSILON);
     if (six_volumes - rounding).is_positive() {
         return Ok(());
     }
-    let sixth = |x: Wide| (x / Wide::from(6.0)).nearest();
+    let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
     Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
 /// through itself may give one that none has.
-fn possible(tensor: &Matrix3<Wide>, count: usize) -> Result<(), Error> {
-    let largest =
-        tensor.diagonal().fold(Wide::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
+fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
+    let largest = tensor
+        .diagonal()
+        .fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
     let moments = PrincipalAxes::of(&tensor.map(|x| (x / largest).nearest())).moments();
     #[allow(clippy::cast_precision_loss)] // no mesh has 2^53 faces
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
@@ -232,7 +233,7 @@ fn possible(tensor: &Matrix3<Wide>, count: usize) -> Result<(), Error> {
     if excess <= tolerance {
         return Ok(());
     }
-    let size = |x: f64| (Wide::from(x) * largest).nearest();
+    let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
     Err(Refusal::TriangleInequality {
         moments,

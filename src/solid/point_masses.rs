@@ -4,7 +4,7 @@ use super::properties::combine_about_heaviest;
 use super::{MassMoments, MassProperties, combined};
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass, centre and inertia of point masses at given positions: the definition itself, `sum m (|d|² 1 - d d^T)`
@@ -64,7 +64,7 @@ impl PointMasses {
             let count = points.len().min(1);
             return Err(Refusal::TooFew { what: "distinct points", count, needed: 2 }.into());
         }
-        let wide: Vec<_> = points.iter().map(|(m, p)| (Wide::from(*m), p.map(Wide::from))).collect();
+        let wide: Vec<_> = points.iter().map(|(m, p)| (Extended::from(*m), p.map(Extended::from))).collect();
         let masses = points.iter().map(|p| p.0);
         let properties = combine_about_heaviest(&as_parts(&wide), masses, "points")?.checked()?;
         Ok(Self { points: points.to_vec(), properties })

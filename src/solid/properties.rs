@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -68,7 +68,7 @@ impl<T: Ring> MassMoments<T> {
     }
 }
 
-impl MassMoments<Wide> {
+impl MassMoments<Extended> {
     /// As `f64`, if that can hold it.
     pub(crate) fn checked(&self) -> Result<MassProperties, Error> {
         let mass = self.mass.in_full("the mass")?;
@@ -178,11 +178,11 @@ impl MassProperties {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?.map(Wide::from);
-        let wide = MassMoments::from(*self).map(|x| Wide::from(*x));
+        let rotation = crate::body::attitude::matrix(attitude)?.map(Extended::from);
+        let wide = MassMoments::from(*self).map(|x| Extended::from(*x));
         let m = turned(&rotation, &wide.inertia);
         // Mirrored entries differ by rounding: keep their mean.
-        let inertia = (m + m.transpose()).map(|x| x / Wide::from(2.0));
+        let inertia = (m + m.transpose()).map(|x| x / Extended::from(2.0));
         MassMoments { mass: wide.mass, centre: rotation * wide.centre, inertia }.checked()
     }
 
@@ -203,8 +203,8 @@ impl MassProperties {
     /// ```
     pub fn about(&self, point: &Vector3<f64>) -> Result<Inertia, Error> {
         finite_vector("the point", point)?;
-        let mut wide = MassMoments::from(*self).map(|x| Wide::from(*x));
-        let offset = point.map(Wide::from) - wide.centre;
+        let mut wide = MassMoments::from(*self).map(|x| Extended::from(*x));
+        let offset = point.map(Extended::from) - wide.centre;
         wide.inertia += point_mass(&wide.mass, &offset);
         Ok(wide.checked()?.inertia)
     }
@@ -216,17 +216,17 @@ impl MassProperties {
     /// # Errors
     /// No parts, or a result that `f64` does not hold.
     pub fn combine(parts: &[Self]) -> Result<Self, Error> {
-        let wide: Vec<_> = parts.iter().map(|p| MassMoments::from(*p).map(|x| Wide::from(*x))).collect();
+        let wide: Vec<_> = parts.iter().map(|p| MassMoments::from(*p).map(|x| Extended::from(*x))).collect();
         combine_about_heaviest(&wide, parts.iter().map(|p| p.mass), "parts")?.checked()
     }
 }
 
 /// [`combined`] about the centre of the part that weighs most.
 pub(crate) fn combine_about_heaviest(
-    parts: &[MassMoments<Wide>],
+    parts: &[MassMoments<Extended>],
     masses: impl Iterator<Item = f64>,
     what: &'static str,
-) -> Result<MassMoments<Wide>, Error> {
+) -> Result<MassMoments<Extended>, Error> {
     let heaviest = parts.iter().zip(masses).max_by(|a, b| a.1.total_cmp(&b.1));
     let Some((part, _)) = heaviest else {
         return Err(Refusal::TooFew { what, count: 0, needed: 1 }.into());

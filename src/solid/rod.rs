@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 
 /// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
@@ -58,7 +58,7 @@ impl Solid for ThinRod {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let l = Wide::from(self.length);
+        let l = Extended::from(self.length);
         centred(mass, |m| rod_moments(m, &l))
     }
 }

@@ -4,7 +4,7 @@ use super::hollow_sphere::ordered;
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -75,12 +75,12 @@ impl Tube {
 
 impl Solid for Tube {
     fn measure(&self) -> Result<f64, Error> {
-        let [i, o, h] = [self.inner, self.outer, self.height].map(Wide::from);
-        (Wide::from(PI) * ((o - i) * (o + i) * h)).in_full("the volume")
+        let [i, o, h] = [self.inner, self.outer, self.height].map(Extended::from);
+        (Extended::from(PI) * ((o - i) * (o + i) * h)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [i, o, h] = [self.inner, self.outer, self.height].map(Wide::from);
+        let [i, o, h] = [self.inner, self.outer, self.height].map(Extended::from);
         centred(mass, |m| tube_moments(m, &i, &o, &h))
     }
 }

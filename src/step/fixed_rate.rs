@@ -3,6 +3,7 @@
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
 use crate::error::{Error, Refusal};
+use crate::inertia::ascending;
 use crate::step::system::System;
 use nalgebra::Vector3;
 
@@ -23,8 +24,9 @@ const MOST_PARTS: f64 = 1000.0;
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
+/// use tumbling::PrincipalMoments;
 /// use tumbling::step::{State, System, game};
-/// let system = System::free(&Vector3::new(1.0, 2.0, 3.0))?;
+/// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
 /// // Ten minutes about the axis of the largest moment, with a wobble: at 60 Hz a naive engine turns it about the middle one.
 /// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
@@ -50,9 +52,8 @@ pub fn game(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f6
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
 #[inline]
 fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
-    let mut order = [0, 1, 2];
     let moments = system.moments();
-    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    let order = ascending(moments);
     let [a, b, c] = order.map(|i| moments[i]);
     let [x, y, z] = order.map(|i| omega[i] * omega[i]);
     // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows. Of a sphere nothing is given.
@@ -78,7 +79,7 @@ fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
-    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER);
+    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;

@@ -45,7 +45,7 @@ pub enum Method {
     ThreeRotations6,
     /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first two moments are the nearest.
     SymmetricTop,
-    /// The discrete Moser-Veselov algorithm.
+    /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a quarter turn or more.
     MoserVeselov2,
     /// The same with the moments preprocessed to order 4.
     MoserVeselov4,
@@ -91,7 +91,8 @@ pub struct About {
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
-    /// What it keeps of a free motion but for rounding, however long the step.
+    /// What it keeps of a free motion but for rounding, in every step that it takes: the implicit methods refuse steps that turn the body
+    /// too far.
     pub keeps: Keeps,
     /// Where it comes from: a key into the [references](crate::references), or whose engine uses it.
     pub source: &'static str,
@@ -108,7 +109,8 @@ pub struct Keeps {
     pub direction: bool,
     /// The length of the attitude quaternion.
     pub unit: bool,
-    /// A step back undoes a step.
+    /// A step back undoes every step that is taken, or is refused where the iteration of the midpoint rule or of Gauss's stages
+    /// hardly converges.
     pub reversible: bool,
 }
 
@@ -186,8 +188,9 @@ impl Method {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{Method, State, System};
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 4.0, 0.0) };
     /// for &method in Method::ALL {
     ///     // A steady spin of 2 rad/s about the middle axis stays one, right or wrong the method.
@@ -199,8 +202,8 @@ impl Method {
     /// ```
     ///
     /// # Errors
-    /// A step so long that an implicit method does not find its end, or that the motion leaves what the number type
-    /// holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
+    /// A step so long that an implicit method does not find its end or might find another, or that the motion leaves what the
+    /// number type holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
     pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
         lost_squares(&system.omega(&start.momentum), h)?;
         let end = match self {

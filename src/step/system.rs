@@ -4,7 +4,7 @@ use crate::body::State;
 use crate::body::attitude;
 use crate::dynamics::euler;
 use crate::error::{Error, Refusal};
-use crate::inertia::possible_moments;
+use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::torque::Torque;
 use nalgebra::Vector3;
@@ -21,37 +21,35 @@ pub struct System<T: nalgebra::Scalar> {
 }
 
 impl System<f64> {
-    /// A body with these principal moments (kg m²), free of torque.
+    /// A body with these principal moments, free of torque.
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::step::System;
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// use tumbling::{PrincipalMoments, step::System};
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// assert_eq!(system.omega(&Vector3::new(1.0, 2.0, 5.0)), Vector3::new(1.0, 1.0, 2.0));
-    /// assert!(System::free(&Vector3::new(1.0, 2.0, 3.5)).is_err());
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A moment that is not finite and positive, three that no body has, or an inverse moment beyond `f64`.
-    pub fn free(moments: &Vector3<f64>) -> Result<Self, Error> {
+    /// An inverse moment beyond `f64`.
+    pub fn free(moments: PrincipalMoments) -> Result<Self, Error> {
         Self::with(moments, Vec::new())
     }
 
-    /// A body with these principal moments (kg m²) under all of `torques` together.
+    /// A body with these principal moments under all of `torques` together.
     ///
     /// # Errors
     /// As [`free`](Self::free), or a torque that is not valid.
-    pub fn with(moments: &Vector3<f64>, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
-        possible_moments(moments)?;
-        for &moment in moments {
+    pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
+        for &moment in &moments.vector() {
             let inverse = 1.0 / moment;
             if !inverse.is_normal() {
                 return Err(Refusal::OutOfRange { what: "an inverse moment", value: inverse }.into());
             }
         }
         torques.iter().try_for_each(Torque::validate)?;
-        Ok(Self::of_numbers(moments.clone_owned(), torques))
+        Ok(Self::of_numbers(moments.vector(), torques))
     }
 }
 
@@ -149,9 +147,10 @@ impl<T: Analytic> System<T> {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{State, System, Torque};
     /// let torques = vec![Torque::InBody(Vector3::x()), Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
-    /// let system = System::with(&Vector3::new(1.0, 1.0, 1.0), torques)?;
+    /// let system = System::with(PrincipalMoments::new(1.0, 1.0, 1.0)?, torques)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::x() };
     /// let end = system.kicked_back(&system.kicked(&start, &0.1), &-0.1);
     /// assert!((end.momentum - start.momentum).norm() < 1e-15);

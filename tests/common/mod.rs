@@ -1,9 +1,8 @@
 //! Shared by the tests: exact arithmetic, what to draw bodies and motions from, and ([`cloud`]) mass sampled
-//! point by point; what engines did ([`record`]).
+//! point by point.
 #![allow(dead_code)] // each test program uses its own part
 
 pub mod cloud;
-pub mod record;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;

@@ -33,9 +33,9 @@ impl Case {
     fn system(&self) -> Result<System<f64>, Error> {
         let moments = Vector3::from(self.moments);
         if self.damping == 0.0 {
-            return System::free(&moments);
+            return System::free(moments.try_into()?);
         }
-        System::with(&moments, vec![Torque::Damping(moments * self.damping)])
+        System::with(moments.try_into()?, vec![Torque::Damping(moments * self.damping)])
     }
 
     fn duration(&self) -> f64 {
@@ -71,7 +71,7 @@ impl Case {
         let result = self.system().and_then(|system| {
             let start =
                 State { attitude: Quaternion::identity(), momentum: system.momentum(&self.omega.into()) };
-            let motion = FreeMotion::new(&self.moments.into(), &self.omega.into())?;
+            let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
             let mut kicked = start.clone();
             self.watch(&system, &start, |k| {
                 #[allow(clippy::cast_precision_loss)] // at most 2e5
@@ -172,7 +172,7 @@ impl Case {
     }
 
     fn fate(&self, seen: &Seen) -> Result<Fate, Error> {
-        let motion = FreeMotion::new(&self.moments.into(), &self.omega.into())?;
+        let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
         let end = self.duration();
         let (omega, attitude) = self.truth(&motion, end)?;
         let distance = |q: &Quaternion<f64>| {

@@ -11,7 +11,7 @@ use super::{Elliptic, Form};
 use crate::error::{Error, Refusal};
 use crate::exact::elliptic::{Values, rd};
 use crate::exact::sensitivity::Change;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -62,12 +62,12 @@ impl Elliptic {
     pub(crate) fn half_periods(&self, time: f64) -> Halves {
         let run = self.constants.rate * time;
         let half = self.constants.quarter * 2.0;
-        let (count, left) = if half.value().is_finite() { (run / half).split() } else { (0.0, 0.0) };
+        let (count, left) = if half.hi().is_finite() { (run / half).split() } else { (0.0, 0.0) };
         if count == 0.0 {
-            return Halves { count, time, argument: run.value() };
+            return Halves { count, time, argument: run.hi() };
         }
         let argument = half * left;
-        Halves { count, time: (argument / self.constants.rate).value(), argument: argument.value() }
+        Halves { count, time: (argument / self.constants.rate).hi(), argument: argument.hi() }
     }
 
     /// The change over `count` half periods: by how much each input shifts the time at which they end, and the integrals
@@ -75,12 +75,12 @@ impl Elliptic {
     pub(crate) fn whole(&self, moments: &[f64; 3], count: f64) -> ([f64; 6], [f64; 3]) {
         let start = self.place(0.0);
         let constants = self.inputs(moments, &start);
-        let half = 2.0 * self.constants.quarter.value();
+        let half = 2.0 * self.constants.quarter.hi();
         let mut later = [0.0; 6];
         for k in 0..6 {
             let shift = half * constants.log_rate[k] + 2.0 * constants.to_separatrix[k] * self.complete();
             let up = if k < 3 { self.constants.lifts[k] } else { 0 };
-            later[self.index(k)] = times_power_of_two(count * shift / self.constants.rate.value(), up);
+            later[self.index(k)] = times_power_of_two(count * shift / self.constants.rate.hi(), up);
         }
         (later, self.squares(&constants, &start, count * half, 2.0 * count * self.quarter_share()))
     }
@@ -92,12 +92,12 @@ impl Elliptic {
     /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
     pub(crate) fn neighbours(&self, moments: &[f64; 3], time: f64) -> Result<Change, Error> {
         let run = self.constants.rate * time;
-        let resting = self.constants.quarter.value().is_infinite();
-        if resting && (self.constants.argument + run).value().abs() > REST {
+        let resting = self.constants.quarter.hi().is_infinite();
+        if resting && (self.constants.argument + run).hi().abs() > REST {
             let what = "the separatrix's argument, with its spin at rest,";
-            return Err(Refusal::OutOfRange { what, value: run.value() }.into());
+            return Err(Refusal::OutOfRange { what, value: run.hi() }.into());
         }
-        let run = run.value();
+        let run = run.hi();
         let (start, end) = (self.place(0.0), self.place(time));
         let constants = self.inputs(moments, &start);
         let down = self.down();
@@ -157,7 +157,7 @@ impl Elliptic {
             Form::Trigonometric { spin, start, turns, .. } => {
                 let (sin, cos) = super::advanced(start, *turns * time);
                 let values = spin.at(sin, cos);
-                let at_start = Double::from(start[0].atan2(start[1]) / TAU);
+                let at_start = DoubleDouble::from(start[0].atan2(start[1]) / TAU);
                 let (whole, left) = ((*turns * time + at_start) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
@@ -197,7 +197,7 @@ impl Elliptic {
     fn squares(&self, constants: &Constants, start: &Place, run: f64, share: f64) -> [f64; 3] {
         let amplitude = times_power_of_two(self.amplitudes[1], -self.constants.lifts[1]);
         let cn = start.values.cn * self.down();
-        let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.value();
+        let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.hi();
         let [x, m, c] = self.axes;
         let mut squares = [0.0; 3];
         squares[x] = -constants.ratio * excess;

@@ -3,7 +3,7 @@
 use super::Change;
 use super::series::Ratios;
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use nalgebra::Vector3;
 
 /// About the principal axis number `axis`: that part of the change stays, the other two grow or turn together, and a
@@ -11,19 +11,20 @@ use nalgebra::Vector3;
 pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -> Change {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let ratios = Ratios::new(moments);
-    let gap = |a: usize, b: usize| Double::sum(moments[a], -moments[b]);
+    let gap = |a: usize, b: usize| DoubleDouble::sum(moments[a], -moments[b]);
     // The square of the rate, with its sign: positive about the middle axis.
-    let squared = gap(j, axis) / Double::from(moments[i]) * (gap(axis, i) / Double::from(moments[j]));
+    let squared =
+        gap(j, axis) / DoubleDouble::from(moments[i]) * (gap(axis, i) / DoubleDouble::from(moments[j]));
     let rate = squared.abs().sqrt() * spin.abs();
     let phase = rate * time;
-    let (even, odd) = if phase.value() == 0.0 {
+    let (even, odd) = if phase.hi() == 0.0 {
         (1.0, time)
-    } else if squared.value() < 0.0 {
-        let (sin, cos) = sin_cos_of_turns(phase / (Double::PI * 2.0));
-        (cos, sin / rate.value())
+    } else if squared.hi() < 0.0 {
+        let (sin, cos) = sin_cos_of_turns(phase / (DoubleDouble::PI * 2.0));
+        (cos, sin / rate.hi())
     } else {
-        let (main, rest) = (phase.value(), phase.rest());
-        (main.cosh() + main.sinh() * rest, (main.sinh() + main.cosh() * rest) / rate.value())
+        let (main, rest) = (phase.hi(), phase.lo());
+        (main.cosh() + main.sinh() * rest, (main.sinh() + main.cosh() * rest) / rate.hi())
     };
     let mut change = Change { spin: [Vector3::zeros(); 6], squares: [0.0; 3] };
     change.spin[axis][axis] = 1.0;
@@ -42,13 +43,19 @@ fn times(x: Complex, y: Complex) -> Complex {
 
 /// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `wobble` turns per unit of
 /// time. The two across are one complex number `W`, and so are their changes `z`, seen from where they turn along.
-pub(super) fn top(moments: &[f64; 3], axis: usize, omega: &[f64; 3], wobble: Double, time: f64) -> Change {
+pub(super) fn top(
+    moments: &[f64; 3],
+    axis: usize,
+    omega: &[f64; 3],
+    wobble: DoubleDouble,
+    time: f64,
+) -> Change {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     let Ratios { factor, by_moments } = Ratios::new(moments);
     let (w, along) = ([omega[a], omega[b]], omega[axis]);
     let (sin, cos) = sin_cos_of_turns(wobble * time);
     let turned = [cos, sin];
-    let [once, twice] = integrals(2.0 * std::f64::consts::TAU * wobble.value(), times(turned, turned), time);
+    let [once, twice] = integrals(2.0 * std::f64::consts::TAU * wobble.hi(), times(turned, turned), time);
     let square = times(w, w);
     let mut change = Change { spin: [Vector3::zeros(); 6], squares: [0.0; 3] };
     for column in 0..6 {
@@ -70,7 +77,7 @@ pub(super) fn top(moments: &[f64; 3], axis: usize, omega: &[f64; 3], wobble: Dou
         (change.spin[column][a], change.spin[column][b], change.spin[column][axis]) = (z[0], z[1], around);
     }
     // Of the integral of exp(2 i k t) less the time, which is 2 i k times the second integral.
-    let rate = 2.0 * std::f64::consts::TAU * wobble.value();
+    let rate = 2.0 * std::f64::consts::TAU * wobble.hi();
     let excess = 0.5 * times(square, [-rate * twice[1], rate * twice[0]])[0];
     (change.squares[a], change.squares[b]) = (excess, -excess);
     change

@@ -85,13 +85,14 @@ pub const MOST_STEPS: usize = 100_000_000;
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
+/// use tumbling::PrincipalMoments;
 /// use tumbling::exact::FreeMotion;
 /// use tumbling::step::{State, System, controlled};
-/// let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.3, 2.0, 0.1));
-/// let system = System::free(&moments)?;
+/// let (moments, omega) = (PrincipalMoments::new(1.0, 2.0, 2.5)?, Vector3::new(0.3, 2.0, 0.1));
+/// let system = System::free(moments)?;
 /// let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
 /// let run = controlled(&system, &start, 10.0, 1e-10)?;
-/// let truth = FreeMotion::new(&moments, &omega)?.at(10.0)?;
+/// let truth = FreeMotion::new(moments, &omega)?.at(10.0)?;
 /// assert!((run.end.attitude.coords - truth.attitude.coords).norm() < 1e-8);
 /// # Ok::<(), tumbling::Error>(())
 /// ```

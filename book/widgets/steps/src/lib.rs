@@ -80,7 +80,7 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
         return row.fill(&[moments.x, moments.y, moments.z]);
     }
     let Some(&method) = Method::ALL.get(row.get(6) as usize) else { return 0 };
-    System::free(&moments).map_or(0, |system| run(method, &system, row))
+    moments.try_into().and_then(System::free).map_or(0, |system| run(method, &system, row))
 }
 
 fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
@@ -139,7 +139,7 @@ mod tests {
     fn ran(method: Method, count: f64) -> (usize, Numbers) {
         let place = Method::ALL.iter().position(|&m| m == method).unwrap();
         let truth =
-            FreeMotion::new(&body(0.0), &Vector3::new(1.0, 1.0, 1.0)).unwrap().attitude(10.0).unwrap();
+            FreeMotion::new(body(0.0).try_into().unwrap(), &Vector3::new(1.0, 1.0, 1.0)).unwrap().attitude(10.0).unwrap();
         let row = Numbers::new();
         row.fill(&[0.0, 1.0, 1.0, 1.0, 10.0, count, place as f64, truth.w, truth.i, truth.j, truth.k]);
         let places = answer(1, &row);

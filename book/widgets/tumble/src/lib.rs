@@ -99,14 +99,14 @@ fn motion() -> Result<FreeMotion, Why> {
 
 /// The moments of the motion in hand, or those of the box.
 fn moments() -> Vector3<f64> {
-    motion().map_or_else(|_| body(0.0).0, |motion| motion.moments())
+    motion().map_or_else(|_| body(0.0).0, |motion| motion.moments().into())
 }
 
 fn prepared([which, spin, push]: [f64; 3]) -> Result<[f64; 13], Why> {
     let (moments, centre) = body(which);
     let omega = Vector3::new(spin, spin * push, 0.0);
-    let motion = FreeMotion::new(&moments, &omega)?;
-    let beat = time_between_flips(&moments, &omega)?;
+    let motion = FreeMotion::new(moments.try_into()?, &omega)?;
+    let beat = time_between_flips(moments.try_into()?, &omega)?;
     *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some(motion);
 
     let around = match motion.regime() {
@@ -254,10 +254,10 @@ mod tests {
     #[test]
     fn what_is_wrong_is_told_in_the_words_of_the_library() {
         let moments = body(0.0).0;
-        let motion = FreeMotion::new(&moments, &Vector3::new(10.0, 0.1, 0.0)).unwrap();
+        let motion = FreeMotion::new(moments.try_into().unwrap(), &Vector3::new(10.0, 0.1, 0.0)).unwrap();
         let wrong = [
-            FreeMotion::new(&moments, &Vector3::new(f64::NAN, 0.0, 0.0)).unwrap_err(),
-            time_between_flips(&moments, &Vector3::new(1e-320, 1e-322, 0.0)).unwrap_err(),
+            FreeMotion::new(moments.try_into().unwrap(), &Vector3::new(f64::NAN, 0.0, 0.0)).unwrap_err(),
+            time_between_flips(moments.try_into().unwrap(), &Vector3::new(1e-320, 1e-322, 0.0)).unwrap_err(),
             motion.at(f64::INFINITY).unwrap_err(),
             motion.next_flip(1e300).unwrap_err(),
             motion.flips(0.0, 1e300).unwrap_err(),

@@ -131,7 +131,7 @@ mod tests {
             let found = fate(moments.into(), omega.into());
             let mut order = [0_u8, 1, 2];
             order.sort_by(|&a, &b| moments[usize::from(a)].total_cmp(&moments[usize::from(b)]));
-            let right = match FreeMotion::new(&moments, &omega).unwrap().regime() {
+            let right = match FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().regime() {
                 Regime::Circulating { about: Axis::Smallest, .. } => order[0]..=order[0],
                 Regime::Circulating { .. } => order[2]..=order[2],
                 Regime::Separatrix { .. } => 3..=3,
