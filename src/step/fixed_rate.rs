@@ -2,7 +2,7 @@
 
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::inertia::ascending;
 use crate::step::system::System;
 use nalgebra::Vector3;
@@ -77,7 +77,7 @@ fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64
     let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.abs() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
-        return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
+        return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
     let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER)?;
     let mut motion = prepared.step(start)?;

@@ -1,7 +1,7 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references), at a fixed step or with its error controlled.
 
 use crate::body::{Rate, State};
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, Refusal, finite, positive};
 use crate::number::{Analytic, Field};
 use crate::step::method::{Conserved, MethodInfo, check_square_underflow};
 use crate::step::system::System;
@@ -125,12 +125,13 @@ pub(crate) fn controlled_within(
     finite("the duration", duration)?;
     positive("the tolerance", tolerance)?;
     if tolerance < LEAST_TOLERANCE {
-        return Err(Error::Order {
+        return Err(Refusal::Order {
             smaller: "rounding in a step",
             small: LEAST_TOLERANCE,
             larger: "the tolerance",
             large: tolerance,
-        });
+        }
+        .into());
     }
     let mut run = Controlled { end: *start, steps: 0, rejected: 0 };
     if duration == 0.0 {
@@ -158,17 +159,18 @@ pub(crate) fn controlled_within(
     let mut time = 0.0;
     while time != duration {
         if *left == 0 {
-            return Err(Error::TooMany { what: "steps", count: run.steps + run.rejected });
+            return Err(Refusal::TooMany { what: "steps", count: run.steps + run.rejected }.into());
         }
         *left -= 1;
         let last = (duration - time).abs() <= h.abs();
         let h_now = if last { duration - time } else { h };
         if !last && time + h_now == time {
-            return Err(Error::NotConverged {
+            return Err(Refusal::NotConverged {
                 what: "the step whose error meets the tolerance",
                 iterations: run.steps + run.rejected,
                 residual: h_now,
-            });
+            }
+            .into());
         }
         let (end, mut slopes) = stages(system, &run.end, slope, &h_now);
         let end_slope = system.rate(&end);
@@ -178,7 +180,7 @@ pub(crate) fn controlled_within(
         let off = combined(&nothing, &slopes, &ERROR, &h_now);
         let error = relative(&off, lengths(&run.end), gained) / tolerance;
         if !error.is_finite() {
-            return Err(Error::OutOfRange { what: "the error of a step", value: error });
+            return Err(Refusal::OutOfRange { what: "the error of a step", value: error }.into());
         }
         // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
         let factor = (0.9 * error.powf(-0.2)).clamp(0.1, 10.0);
