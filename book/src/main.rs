@@ -5,6 +5,7 @@ mod cli;
 mod docs;
 mod draw;
 mod exercises;
+mod files;
 mod guard;
 mod judge;
 mod log;
