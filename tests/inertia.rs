@@ -6,7 +6,7 @@ use common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_traits::Signed;
 use proptest::prelude::*;
-use tumbling::{Body, Error, Inertia};
+use tumbling::{Body, Error, Inertia, PrincipalMoments};
 
 fn tensor() -> impl Strategy<Value = Inertia> {
     (moments(), attitude())
@@ -143,7 +143,7 @@ proptest! {
                 }
             }
         }
-        if let Ok(moments) = tumbling::PrincipalMoments::try_from(m) {
+        if let Ok(moments) = PrincipalMoments::try_from(m) {
             let _ = tumbling::dynamics::stability::time_between_flips(moments, &v);
             for axis in tumbling::Axis::ALL {
                 let _ = tumbling::dynamics::stability::of_spin(moments, axis, mass);
