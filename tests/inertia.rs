@@ -143,7 +143,7 @@ proptest! {
                 }
             }
         }
-        if let Ok(moments) = tumbling::PrincipalMoments::try_from(m) {
+        if let Ok(moments) = PrincipalMoments::try_from(m) {
             let _ = tumbling::dynamics::stability::time_between_flips(moments, &v);
             for axis in tumbling::Axis::ALL {
                 let _ = tumbling::dynamics::stability::of_spin(moments, axis, mass);

@@ -1,4 +1,4 @@
-//! Methods that keep the laws of motion, and the step for a game. Their orders and laws are proven on power series in the proofs' crate; here the
+//! Methods that keep the laws of motion, and the step at a fixed rate. Their orders and laws are proven on power series in the proofs' crate; here the
 //! same is held against rounding, long runs, torques and nonsense.
 
 mod common;

@@ -1,4 +1,4 @@
-//! A step for a game: right at 60 Hz, for ordinary bodies and spins.
+//! A step at a fixed rate, as a game takes it: right at 60 Hz for ordinary bodies and spins.
 
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
@@ -16,7 +16,7 @@ const LONGEST: f64 = 0.5;
 /// The most parts of one step.
 const MOST_PARTS: f64 = 1000.0;
 
-/// One step of a game's clock: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
+/// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
 /// radian; with a torque, all of it between two half kicks. At 60 Hz a steady spin has 30 rad/s before a second part is needed.
 ///
 /// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable spin stays stable for ever; the
@@ -27,7 +27,7 @@ const MOST_PARTS: f64 = 1000.0;
 /// use tumbling::PrincipalMoments;
 /// use tumbling::step::{State, System, fixed_rate};
 /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
-/// // Ten minutes about the axis of the largest moment, with a wobble: at 60 Hz a naive engine turns it about the middle one.
+/// // Ten minutes about the axis of the largest moment, with a nutation: at 60 Hz a naive engine turns it about the middle one.
 /// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
 /// for _ in 0..36_000 {
