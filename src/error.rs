@@ -127,6 +127,19 @@ pub enum Error {
         /// How far it still moved in the last.
         residual: f64,
     },
+    /// A run used up its steps, or would.
+    Unfinished {
+        /// What was run.
+        what: &'static str,
+        /// The number of steps tried.
+        steps: usize,
+        /// How far it came, s.
+        reached: f64,
+        /// How far it was to go, s.
+        duration: f64,
+        /// What held it up.
+        why: &'static str,
+    },
     /// A face of a mesh names a vertex that is not there, or one vertex twice.
     BadFace {
         /// Which face, from 0.
@@ -282,6 +295,9 @@ impl fmt::Display for Error {
                 f,
                 "{what} was not found in {iterations} rounds: the last still moved by {residual:.3e}, more than rounding"
             ),
+            Self::Unfinished { what, steps, reached, duration, why } => {
+                write!(f, "{what} came to {reached:e} s of {duration:e} s in {steps} steps: {why}")
+            }
             Self::BadFace { face, vertices: [a, b, c], count } => write!(
                 f,
                 "face {face} is ({a}, {b}, {c}): it must name three different vertices below {count}"

@@ -15,6 +15,7 @@ pub(super) fn is_nothing(torque: &Torque<f64>) -> bool {
         Torque::InBody(value) | Torque::InWorld(value) | Torque::Damping(value) => *value == zero,
         Torque::Aligning { arm, field } => *arm == zero || *field == zero,
         Torque::Dissipation(strength) => *strength == 0.0,
+        Torque::Function(_) => false,
     }
 }
 
@@ -32,6 +33,12 @@ fn along(body: &Principal, torque: &Torque<f64>) -> Result<Torque<f64>, Error> {
                 what: "damping that differs from axis to axis",
                 why: "it is told along the principal axes, and those of a body with products of inertia have no order to go by: \
                       give the body's moments along them, without products",
+            });
+        }
+        Torque::Function(_) => {
+            return Err(Error::Undefined {
+                what: "a scene with a torque by a function",
+                why: "a plan goes by how strong the torques are, which a function does not say: use a stepper",
             });
         }
         Torque::InWorld(_) | Torque::Damping(_) | Torque::Dissipation(_) => torque.clone(),
@@ -60,6 +67,7 @@ fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
                 swing = swing.max((arm.norm() * field.norm() * lightest).sqrt());
             }
             Torque::Damping(c) => loss = loss.max(c.component_mul(system.inverse()).max()),
+            Torque::Function(_) => (),
             Torque::Dissipation(k) => loss = loss.max(k * start.momentum.norm_squared() * lightest),
         }
     }
@@ -261,7 +269,7 @@ impl Trial<'_> {
         let (mut best, mut before) = (f64::INFINITY, 0.0);
         let mut coarse = self.run(by, None, left, most);
         for _ in 0..ROUNDS {
-            if let Err(Error::TooMany { .. }) = coarse {
+            if let Err(Error::TooMany { .. } | Error::Unfinished { .. }) = coarse {
                 break;
             }
             let seen = coarse.as_ref().map_or(f64::INFINITY, |_| best);
@@ -299,7 +307,12 @@ impl Trial<'_> {
             _ if 2.0 * best < 1.0 => {
                 Err(Error::Unattainable { asked: self.accuracy, attainable: 2.0 * best })
             }
-            Err(error) if best.is_infinite() && !matches!(error, Error::TooMany { .. }) => Err(error),
+            Err(error)
+                if best.is_infinite()
+                    && !matches!(error, Error::TooMany { .. } | Error::Unfinished { .. }) =>
+            {
+                Err(error)
+            }
             _ => Err(Error::Disagreement { asked: self.accuracy, steps: all - *left }),
         }
     }

@@ -22,7 +22,7 @@ pub enum Method {
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
     /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its error controlled it is
-    /// [`controlled`](crate::step::controlled).
+    /// [`adaptive`](crate::step::adaptive).
     DormandPrince5,
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
     /// where it is in the world.
@@ -208,7 +208,7 @@ impl Method {
         lost_squares(&system.omega(&start.momentum), h)?;
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
-            Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
+            Self::RungeKutta4 => rk4::in_time(start, h, |motion, time| system.rate_after(motion, time)),
             Self::DormandPrince5 => dormand_prince::step(system, start, h),
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),

@@ -24,11 +24,20 @@ pub(crate) const ABOUT: About =
 /// assert!((end.attitude.k - 0.1_f64.sin()).abs() < 1e-7);
 /// ```
 pub fn rk4<T: Field>(start: &State<T>, h: &T, rate: impl Fn(&State<T>) -> State<T>) -> State<T> {
+    in_time(start, h, |state, _| rate(state))
+}
+
+/// The same for a law that also depends on the time since the start of the step.
+pub(crate) fn in_time<T: Field>(
+    start: &State<T>,
+    h: &T,
+    rate: impl Fn(&State<T>, &T) -> State<T>,
+) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let k1 = rate(start);
-    let k2 = rate(&start.plus(&k1, &half));
-    let k3 = rate(&start.plus(&k2, &half));
-    let k4 = rate(&start.plus(&k3, h));
+    let k1 = rate(start, &T::zero());
+    let k2 = rate(&start.plus(&k1, &half), &half);
+    let k3 = rate(&start.plus(&k2, &half), &half);
+    let k4 = rate(&start.plus(&k3, h), h);
     let sixth = h.clone() / T::integer(6);
     let third = h.clone() / T::integer(3);
     start.plus(&k1, &sixth).plus(&k2, &third).plus(&k3, &third).plus(&k4, &sixth)

@@ -54,10 +54,10 @@ fn stepped<T: Analytic>(
         } else {
             attitude::product(&start.attitude, &attitude::turn(&turn))
         };
-        (slope(&turn, &omega), system.rate(&State { attitude, momentum }).momentum)
+        (slope(&turn, &omega), system.rate_after(&State { attitude, momentum }, time).momentum)
     };
     let half = h.clone() / T::integer(2);
-    let k1 = rates(None, h);
+    let k1 = rates(None, &T::zero());
     let k2 = rates(Some(&k1), &half);
     let k3 = rates(Some(&k2), &half);
     let k4 = rates(Some(&k3), h);
