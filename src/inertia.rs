@@ -3,6 +3,7 @@
 //! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
+mod display;
 mod moments;
 mod principal;
 
@@ -35,6 +36,7 @@ const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 /// let turned = tumbling::inertia::turned(&quarter_turn_about_z, &tensor);
 /// assert_eq!(turned.diagonal(), Vector3::new(13, 10, 5));
 /// ```
+#[must_use]
 pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T> {
     rotation * tensor * rotation.transpose()
 }
@@ -47,6 +49,7 @@ pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T>
 /// let far = tumbling::inertia::point_mass(&2, &Vector3::new(3, 1, 0));
 /// assert_eq!(far, Matrix3::new(2, -6, 0, -6, 18, 0, 0, 0, 20));
 /// ```
+#[must_use]
 pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
     let [x, y, z] = [&offset.x, &offset.y, &offset.z];
     let times = |a: &T, b: &T| mass.clone() * a.clone() * b.clone();
@@ -77,6 +80,7 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
 /// let omega = tumbling::inertia::omega_world(&rotation, &inverse, &Vector3::new(2.0, 4.0, 8.0));
 /// assert_eq!(omega, Vector3::new(1.0, 1.0, 1.0));
 /// ```
+#[must_use]
 pub fn omega_world<T: Ring>(
     rotation: &Matrix3<T>,
     inverse_body: &Matrix3<T>,
@@ -96,7 +100,7 @@ pub fn omega_world<T: Ring>(
 /// let tensor = Inertia::from_moments(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
 /// let omega = Vector3::new(1.0, 1.0, 0.0);
 /// assert_eq!(tensor.momentum(&omega), Vector3::new(10.0 / 12.0, 13.0 / 12.0, 0.0));
-/// assert_eq!(format!("{:.1}", tensor.gap(&omega)?.to_degrees()), "7.4");
+/// assert_eq!(format!("{:.1}", tensor.angle_to_momentum(&omega)?.to_degrees()), "7.4");
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -165,7 +169,7 @@ impl Inertia {
                 return Err(Error::Asymmetric { row, column, value, mirrored, tolerance });
             }
         }
-        let tensor = evened(tensor);
+        let tensor = symmetrized(tensor);
         positive("the largest moment of inertia", tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         let moments = PrincipalAxes::of(&tensor).moments();
@@ -197,7 +201,7 @@ impl Inertia {
     ///
     /// # Errors
     /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
-    pub fn gap(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
+    pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector("the spin", omega)?;
         if *omega == Vector3::zeros() {
             return Err(Error::ZeroVector { what: "the spin" });
@@ -271,7 +275,7 @@ impl Inertia {
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
-        let tensor = evened(&turned(&rotation, &self.tensor));
+        let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range("a turned moment", &tensor)?;
         Ok(Self { tensor })
     }
@@ -337,7 +341,7 @@ impl InverseInertia {
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
-        let matrix = evened(&turned(&rotation, &self.matrix));
+        let matrix = symmetrized(&turned(&rotation, &self.matrix));
         in_range("an inverse moment", &matrix)?;
         Ok(Self { matrix })
     }
@@ -345,7 +349,7 @@ impl InverseInertia {
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
 /// do not overflow, and left alone where they agree, so that small ones keep their last bit.
-fn evened(m: &Matrix3<f64>) -> Matrix3<f64> {
+fn symmetrized(m: &Matrix3<f64>) -> Matrix3<f64> {
     m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b })
 }
 

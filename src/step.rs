@@ -14,12 +14,12 @@ mod stepper;
 mod system;
 mod torque;
 
-pub use crate::body::State;
+pub use crate::body::{Rate, State};
 pub use adaptive::{AdaptiveRun, LEAST_TOLERANCE, MOST_STEPS, adaptive, adaptive_within};
-pub use fixed_rate::game;
-pub use method::{About, Keeps, Method};
+pub use fixed_rate::fixed_rate;
+pub use method::{Conserved, Method, MethodInfo};
 pub use methods::rk4::rk4;
-pub use pitfalls::Engine;
+pub use pitfalls::{Carried, Engine};
 pub use stepper::Stepper;
 pub use system::System;
 pub use torque::{Torque, TorqueFunction};

@@ -1,10 +1,11 @@
 //! A run whose steps are chosen by their error: the pair of Dormand and Prince, orders 5 and 4.
 
 use super::methods::dormand_prince::Stages;
-use crate::body::State;
+use crate::body::{Rate, State};
 use crate::error::{Error, finite, positive};
-use crate::step::method::lost_squares;
+use crate::step::method::check_square_underflow;
 use crate::step::system::System;
+use nalgebra::Vector3;
 
 /// The result of an adaptive run.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,7 +77,7 @@ pub fn adaptive_within(
             large: tolerance,
         });
     }
-    start.clone().whole()?;
+    start.clone().checked()?;
     let mut run = Run::new(system, start, duration, tolerance)?;
     while run.time != duration {
         if *budget == 0 {
@@ -88,7 +89,7 @@ pub fn adaptive_within(
             return Err(run.unfinished("losses far faster than the motion keep its steps short"));
         }
     }
-    Ok(AdaptiveRun { end: run.state.whole()?, steps: run.steps, rejected: run.rejected })
+    Ok(AdaptiveRun { end: run.state.checked()?, steps: run.steps, rejected: run.rejected })
 }
 
 /// A step of more than this many decay times is held back by stability, not by its error: the bound of [HW96](crate::references), IV.2, for
@@ -107,7 +108,7 @@ struct Run<'a> {
     time: f64,
     state: State<f64>,
     /// The rates at `state`.
-    slope: State<f64>,
+    slope: Rate<f64>,
     /// The next step, s.
     h: f64,
     steps: usize,
@@ -125,8 +126,12 @@ impl<'a> Run<'a> {
         duration: f64,
         tolerance: f64,
     ) -> Result<Self, Error> {
-        lost_squares(&system.omega(&start.momentum), &duration)?;
-        let slope = system.rate(start).whole()?;
+        check_square_underflow(&system.omega(&start.momentum), &duration)?;
+        let slope = system.rate(start);
+        let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
+        if !size.is_finite() {
+            return Err(Error::OutOfRange { what: "the rate at the start", value: size });
+        }
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
         let torque = largest(system.torque(start).as_slice());
         let turning =
@@ -184,10 +189,14 @@ impl<'a> Run<'a> {
 
     /// Counts steps that are long relative to the fastest decay: of two states near the end of the step, how much faster the rates differ
     /// than the states.
-    fn watch(&mut self, stages: &Stages<f64>, end_slope: &State<f64>, h: f64) {
-        let apart = |a: &State<f64>, b: &State<f64>| largest((a.momentum - b.momentum).as_slice());
+    fn watch(&mut self, stages: &Stages<f64>, end_slope: &Rate<f64>, h: f64) {
+        let apart = |a: &Vector3<f64>, b: &Vector3<f64>| largest((a - b).as_slice());
         let [.., near_slope] = &stages.slopes;
-        let decay = h.abs() * over(apart(end_slope, near_slope), apart(&stages.end, &stages.near));
+        let decay = h.abs()
+            * over(
+                apart(&end_slope.momentum, &near_slope.momentum),
+                apart(&stages.end.momentum, &stages.near.momentum),
+            );
         if decay > STIFF {
             (self.stiff, self.mild) = ((self.stiff + 1).min(STIFF_STEPS), 0);
         } else {

@@ -26,13 +26,13 @@ const MOST_PARTS: f64 = 1000.0;
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
 /// use tumbling::PrincipalMoments;
-/// use tumbling::step::{State, System, game};
+/// use tumbling::step::{State, System, fixed_rate};
 /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
 /// // Ten minutes about the axis of the largest moment, with a wobble: at 60 Hz a naive engine turns it about the middle one.
 /// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
 /// for _ in 0..36_000 {
-///     motion = game(&system, &motion, 1.0 / 60.0)?;
+///     motion = fixed_rate(&system, &motion, 1.0 / 60.0)?;
 /// }
 /// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
 /// assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-12);
@@ -42,13 +42,13 @@ const MOST_PARTS: f64 = 1000.0;
 /// # Errors
 /// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of its moments do, or an attitude of
 /// no length.
-pub fn game<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
+pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     if system.is_free() {
         return drifted(system, start, &h);
     }
     let half = h.clone() / T::integer(2);
-    let end = drifted(system, &system.kicked(start, &half), &h)?;
-    system.kicked_back(&end, &half).whole()
+    let end = drifted(system, &system.kick(start, half.clone()), &h)?;
+    system.adjoint_kick(&end, half).checked()
 }
 
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
@@ -89,5 +89,5 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     }
     let over = T::one() / motion.attitude.coords.dot(&motion.attitude.coords).sqrt();
     motion.attitude.coords.apply(|x| *x *= over.clone());
-    motion.whole()
+    motion.checked()
 }

@@ -1,6 +1,6 @@
 //! A body of any tensor, stepped in its own axes.
 
-use super::fixed_rate::game;
+use super::fixed_rate::fixed_rate;
 use crate::body::{Body, State, attitude};
 use crate::error::{Error, finite};
 use crate::number::{Analytic, Ring};
@@ -23,7 +23,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// // A T-handle whose stem leans in its axes, spun about the axis that flips.
 /// let inertia = Inertia::from_matrix(&Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
 /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
-/// let mut stepper = Stepper::<f32>::new(&handle, Method::ThreeRotations4)?;
+/// let mut stepper = Stepper::<f32>::new(&handle, Method::RotationSplitting4)?;
 /// for state in stepper.run(1.0 / 60.0, 600) {
 ///     let attitude = state?.attitude; // draw it
 ///     assert!((attitude.norm() - 1.0).abs() < 1e-4);
@@ -61,7 +61,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Self::by(body, Rule::Method(method))
     }
 
-    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`game`].
+    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`fixed_rate`].
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -128,12 +128,12 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// it was.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`game`].
+    /// As [`Method::step`] or [`fixed_rate`].
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         let after = self.time + finite("the step", number(h))?;
         self.state = match self.rule {
-            Rule::Method(method) => method.step(&self.system, &self.state, &h)?,
-            Rule::FixedRate => game(&self.system, &self.state, h)?,
+            Rule::Method(method) => method.step(&self.system, &self.state, h)?,
+            Rule::FixedRate => fixed_rate(&self.system, &self.state, h)?,
         };
         self.set_time(after);
         Ok(self.state())
@@ -214,14 +214,17 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let State { attitude, momentum } = &self.state;
         let Some(frame) = &self.frame else { return self.state.clone() };
         let back = conjugate(frame);
-        State { attitude: attitude::product(attitude, &back), momentum: attitude::seen_from(&back, momentum) }
+        State {
+            attitude: attitude::product(attitude, &back),
+            momentum: attitude::rotate_inverse(&back, momentum),
+        }
     }
 
     /// The spin along the body's axes, rad/s.
     #[must_use]
     pub fn omega(&self) -> Vector3<T> {
         let omega = self.system.omega(&self.state.momentum);
-        self.frame.as_ref().map_or(omega, |frame| attitude::seen_from(&conjugate(frame), &omega))
+        self.frame.as_ref().map_or(omega, |frame| attitude::rotate_inverse(&conjugate(frame), &omega))
     }
 
     /// The body as it is now, its attitude brought to length 1.

@@ -80,6 +80,7 @@ impl<T: nalgebra::Scalar> Torque<T> {
 impl<T: Field> Torque<T> {
     /// Gravity on a top whose centre of mass is `arm` (m) from the fixed point, in body axes, and whose weight (N) pulls
     /// along the world's -z.
+    #[must_use]
     pub fn gravity(arm: Vector3<T>, weight: T) -> Self {
         Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
@@ -93,11 +94,12 @@ impl<T: Field> Torque<T> {
     /// // A top lying along the world's x: its weight of 2 N half a metre out turns it about y.
     /// let top = Torque::gravity(Vector3::new(0.5, 0.0, 0.0), 2.0);
     /// let still = Vector3::zeros();
-    /// assert_eq!(top.at(&0.0, &Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
+    /// assert_eq!(top.at(0.0, &Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
     /// ```
+    #[must_use]
     pub fn at(
         &self,
-        time: &T,
+        time: T,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
         omega: &Vector3<T>,
@@ -110,31 +112,32 @@ impl<T: Field> Torque<T> {
             Self::Dissipation(strength) => {
                 momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
             }
-            Self::Function(TorqueFunction(law)) => law(time.clone(), rotation, omega),
+            Self::Function(TorqueFunction(law)) => law(time, rotation, omega),
         }
     }
 }
 
 impl<T: Analytic> Torque<T> {
-    /// The momentum (body axes) after it alone has acted for `h` seconds at a standing attitude and time. Damping decays and
-    /// dissipation turns by their own exact laws, so that neither overshoots however long the step; a function acts by the explicit
-    /// midpoint rule.
+    /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments at a standing
+    /// attitude and time. Damping decays and dissipation turns by their own exact laws, so that neither overshoots however long the
+    /// step; a function acts by the explicit midpoint rule.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
     /// use tumbling::step::Torque;
     /// let drag = Torque::Damping(Vector3::new(4.0, 0.0, 2.0));
     /// let (before, inverse) = (Vector3::new(1.0, 1.0, 1.0), Vector3::new(1.0, 0.5, 0.25));
-    /// let after = drag.kick(&0.0, &Matrix3::identity(), &before, &inverse, &1e3);
+    /// let after = drag.kick(&inverse, 0.0, &Matrix3::identity(), &before, 1e3);
     /// assert_eq!(after, Vector3::new(0.0, 1.0, (-500.0_f64).exp()));
     /// ```
+    #[must_use]
     pub fn kick(
         &self,
-        time: &T,
+        inverse: &Vector3<T>,
+        time: T,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
-        inverse: &Vector3<T>,
-        h: &T,
+        h: T,
     ) -> Vector3<T> {
         match self {
             Self::InBody(_) | Self::InWorld(_) | Self::Aligning { .. } => {
@@ -142,17 +145,16 @@ impl<T: Analytic> Torque<T> {
                 momentum + self.at(time, rotation, momentum, momentum).map(|x| x * h.clone())
             }
             Self::Function(TorqueFunction(law)) => {
-                let push = |momentum: &Vector3<T>, h: &T| {
-                    let omega = momentum.component_mul(inverse);
-                    law(time.clone(), rotation, &omega).map(|x| x * h.clone())
+                let push = |momentum: &Vector3<T>, h: T| {
+                    law(time.clone(), rotation, &momentum.component_mul(inverse)).map(|x| x * h.clone())
                 };
-                let half = h.clone() / T::integer(2);
-                momentum + push(&(momentum + push(momentum, &half)), h)
+                let halfway = momentum + push(momentum, h.clone() / T::integer(2));
+                momentum + push(&halfway, h)
             }
             Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
                 momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
             }),
-            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h.clone())),
+            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h)),
         }
     }
 }
@@ -206,7 +208,7 @@ impl<T: Analytic + Send + Sync> Torque<T> {
     /// # Errors
     /// Damping that differs from axis to axis: it is given along the principal axes.
     pub(crate) fn along(&self, frame: &Quaternion<T>) -> Result<Self, Error> {
-        let turned = |v: &Vector3<T>| attitude::seen_from(frame, v);
+        let turned = |v: &Vector3<T>| attitude::rotate_inverse(frame, v);
         Ok(match self {
             Self::InBody(torque) => Self::InBody(turned(torque)),
             Self::Aligning { arm, field } => Self::Aligning { arm: turned(arm), field: field.clone() },

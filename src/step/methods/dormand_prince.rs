@@ -1,12 +1,18 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references).
 
-use crate::body::State;
+use crate::body::{Rate, State};
 use crate::number::{Analytic, Field};
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
+use nalgebra::{Quaternion, Vector3};
 
-pub(crate) const ABOUT: About =
-    About { name: "Dormand-Prince 5", order: 5, implicit: false, keeps: Keeps::NOTHING, source: "DP80" };
+pub(crate) const INFO: MethodInfo = MethodInfo {
+    name: "Dormand-Prince 5",
+    order: 5,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "DP80",
+};
 
 /// A whole number over another.
 type Ratio = (i32, u32);
@@ -30,12 +36,12 @@ fn number<T: Field>((n, d): Ratio) -> T {
     if n < 0 { -size } else { size }
 }
 
-fn combined<T: Analytic>(start: &State<T>, slopes: &[State<T>], weights: &[Ratio], h: &T) -> State<T> {
+fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
     slopes
         .iter()
         .zip(weights)
         .filter(|(_, weight)| weight.0 != 0)
-        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, &(h.clone() * number::<T>(weight))))
+        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, h.clone() * number::<T>(weight)))
 }
 
 /// The times of the stages after the first, in parts of the step: the sums of their weights.
@@ -46,13 +52,13 @@ pub(crate) struct Stages<T: nalgebra::Scalar> {
     pub(crate) end: State<T>,
     /// The state of which the last slope was taken: the end too, by weights of a lower order.
     pub(crate) near: State<T>,
-    pub(crate) slopes: [State<T>; 6],
+    pub(crate) slopes: [Rate<T>; 6],
 }
 
 impl<T: Analytic> Stages<T> {
     /// The step from `start` to `h` seconds later, given the slope at `start`; `time` seconds have gone by since the system's time.
-    pub(crate) fn new(system: &System<T>, start: &State<T>, first: State<T>, time: &T, h: &T) -> Self {
-        let mut slopes: [State<T>; 6] = std::array::from_fn(|_| first.clone());
+    pub(crate) fn new(system: &System<T>, start: &State<T>, first: Rate<T>, time: &T, h: &T) -> Self {
+        let mut slopes: [Rate<T>; 6] = std::array::from_fn(|_| first.clone());
         let mut near = start.clone();
         let [inner @ .., last] = &STAGES;
         for (k, weights) in inner.iter().enumerate() {
@@ -63,15 +69,15 @@ impl<T: Analytic> Stages<T> {
         Self { end: combined(start, &slopes, last, h), near, slopes }
     }
 
-    /// The estimate of the error, given the slope at the end.
-    pub(crate) fn error(&self, end_slope: &State<T>, h: &T) -> State<T> {
-        let zero = |x: &T| x.clone() * T::zero();
+    /// The estimated errors of attitude and momentum, given the slope at the end.
+    pub(crate) fn error(&self, end_slope: &Rate<T>, h: &T) -> State<T> {
+        let zero = T::zero;
         let nothing = State {
-            attitude: nalgebra::Quaternion::from_vector(self.end.attitude.coords.map(|x| zero(&x))),
-            momentum: self.end.momentum.map(|x| zero(&x)),
+            attitude: Quaternion::new(zero(), zero(), zero(), zero()),
+            momentum: Vector3::from_fn(|_, _| zero()),
         };
         let [inner @ .., last] = &ERROR;
-        combined(&nothing, &self.slopes, inner, h).plus(end_slope, &(h.clone() * number::<T>(*last)))
+        combined(&nothing, &self.slopes, inner, h).plus(end_slope, h.clone() * number::<T>(*last))
     }
 }
 

@@ -40,7 +40,7 @@ fn words(why: &Error) -> [&'static str; 2] {
 fn found([a, b, c, mass]: [f64; 4], omega: [f64; 3]) -> Result<[f64; 8], Error> {
     let inertia = Cuboid::new(a, b, c)?.with_mass(mass)?.inertia();
     let omega = Vector3::from(omega);
-    let gap = inertia.gap(&omega)?;
+    let gap = inertia.angle_to_momentum(&omega)?;
     let moments = inertia.matrix().diagonal();
     let momentum = inertia.momentum(&omega);
     if let Some(&value) = momentum.iter().find(|x| !x.is_finite()) {
