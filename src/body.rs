@@ -7,8 +7,9 @@ mod state;
 pub(crate) use state::along;
 pub use state::{Rate, State};
 
-use crate::error::{Error, finite_vector};
+use crate::error::{Error, Refusal, finite_vector};
 use crate::inertia::{Inertia, InverseInertia, omega_world};
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// A rigid body turning about its centre of mass: constant inertia in its own frame, an attitude that
@@ -28,6 +29,8 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serial::Flight", into = "crate::serial::Flight"))]
 pub struct Body {
     inertia: Inertia,
     inverse: InverseInertia,
@@ -66,7 +69,7 @@ impl Body {
         let off = in_body.iter().chain(&in_world).find(|x| !x.is_finite());
         let gone = (in_body == Vector3::zeros() && *momentum_world != Vector3::zeros()).then_some(&0.0);
         match off.or(gone) {
-            Some(&value) => Err(Error::OutOfRange { what: "the spin", value }),
+            Some(&value) => Err(Refusal::OutOfRange { what: "the spin", value }.into()),
             None => Ok(body),
         }
     }
@@ -84,7 +87,7 @@ impl Body {
         let momentum = attitude::matrix(&attitude)? * inertia.momentum(omega_body);
         let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
         if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
-            return Err(Error::OutOfRange { what: "the angular momentum", value });
+            return Err(Refusal::OutOfRange { what: "the angular momentum", value }.into());
         }
         Self::new(inertia, attitude, &momentum)
     }
@@ -175,6 +178,15 @@ impl Body {
     /// digits if it falls below.
     #[must_use]
     pub fn energy(&self) -> f64 {
-        0.5 * self.omega_body().dot(&self.momentum_body())
+        let (omega, momentum) = (self.omega_body(), self.momentum_body());
+        let energy = 0.5 * omega.dot(&momentum);
+        if energy.is_finite() {
+            return energy;
+        }
+        // Terms of opposite sign are beyond `f64`: their sum may still be within it.
+        let scaled =
+            |v: Vector3<f64>| (v.map(|x| times_power_of_two(x, -exponent(v.amax()))), exponent(v.amax()));
+        let ((omega, a), (momentum, b)) = (scaled(omega), scaled(momentum));
+        times_power_of_two(0.5 * omega.dot(&momentum), a + b)
     }
 }

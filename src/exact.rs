@@ -40,7 +40,7 @@ pub use sensitivity::Sensitivity;
 
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite, finite_vector};
+use crate::error::{Error, Refusal, finite, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use circulating::Elliptic;
@@ -131,12 +131,13 @@ impl FreeMotion {
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
         let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
         if thinnest < THINNEST {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "1e-100 of the largest moment",
                 small: THINNEST * moments.largest(),
                 larger: "the smallest moment",
                 large: moments.smallest(),
-            });
+            }
+            .into());
         }
         let law = match classify(moments, omega) {
             Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
@@ -151,7 +152,7 @@ impl FreeMotion {
         };
         // With room for the roundings on the way.
         if !(greatest * (1.0 + 1e-12)).is_finite() {
-            return Err(Error::OutOfRange { what: "the greatest spin", value: greatest });
+            return Err(Refusal::OutOfRange { what: "the greatest spin", value: greatest }.into());
         }
         let clock = times_power_of_two(1.0, exponent);
         Ok(Self { moments, start: *omega, exponent, clock, law, mount: None })
@@ -351,7 +352,7 @@ impl FreeMotion {
         let Some((clock, exponent)) = self.clock_of_flips() else { return Ok(None) };
         match clock.next_after(t, exponent)? {
             Some(value) if !value.is_finite() => {
-                Err(Error::OutOfRange { what: "the time of the next flip", value })
+                Err(Refusal::OutOfRange { what: "the time of the next flip", value }.into())
             }
             time => Ok(time),
         }
@@ -389,7 +390,11 @@ impl FreeMotion {
     /// A scaled time in seconds.
     fn seconds(&self, what: &'static str, time: f64) -> Result<f64, Error> {
         let value = times_power_of_two(time, -self.exponent);
-        if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+        if value.is_finite() && value > 0.0 {
+            Ok(value)
+        } else {
+            Err(Refusal::OutOfRange { what, value }.into())
+        }
     }
 }
 

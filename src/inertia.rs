@@ -4,16 +4,20 @@
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
 mod display;
+mod inverse;
 mod moments;
+mod nearest;
 mod principal;
 
+pub use inverse::InverseInertia;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
+pub use nearest::Adjusted;
 pub use principal::{Axis, PrincipalAxes};
 
-use crate::error::{Error, finite, finite_vector, not_negative, positive};
+use crate::error::{Error, ErrorKind, Refusal, finite, finite_vector, not_negative, positive};
 use crate::number::Ring;
-use crate::number::double_double::{DoubleDouble, difference_of_products};
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -23,6 +27,23 @@ const ROUNDING_ULPS: f64 = 32.0;
 
 /// The same for a diagonal tensor, whose moments come from a sum or two.
 const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
+
+/// How far relative to the largest entry a tensor may be from a possible one for the message to point at
+/// [`Inertia::within`]: what two printed digits leave open.
+const PRINTED: f64 = 1e-2;
+
+/// What the entries of the matrix are called, by columns.
+const ENTRIES: [&str; 9] = [
+    "the moment Ixx",
+    "the product Ixy",
+    "the product Ixz",
+    "the product Ixy",
+    "the moment Iyy",
+    "the product Iyz",
+    "the product Ixz",
+    "the product Iyz",
+    "the moment Izz",
+];
 
 /// The tensor turned by the rotation matrix `rotation`: `R I R^T`.
 ///
@@ -104,6 +125,8 @@ pub fn omega_world<T: Ring>(
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serial::Tensor", into = "crate::serial::Tensor"))]
 pub struct Inertia {
     tensor: Matrix3<f64>,
 }
@@ -134,7 +157,7 @@ impl Inertia {
     pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
         in_range("a moment of inertia", &tensor)?;
         moments_in_range(&PrincipalAxes::of(&tensor).moments())?;
-        Ok(Self { tensor })
+        Ok(Self { tensor: symmetrized(&tensor) })
     }
 
     /// From the whole matrix. Mirrored entries may differ by rounding, as they do after `R I R^T`; then
@@ -144,41 +167,94 @@ impl Inertia {
     /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below
     /// zero, or a tensor that no distribution of mass has.
     pub fn from_matrix(tensor: &Matrix3<f64>) -> Result<Self, Error> {
-        Self::within(tensor, 0.0)
+        Self::rounded(tensor, 0.0)
     }
 
     /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`, whose
     /// rounding it carries.
-    fn within(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
-        let rounding = ROUNDING_ULPS * ulp(origin);
-        for ((i, j), what) in
-            [((0, 0), "the moment Ixx"), ((1, 1), "the moment Iyy"), ((2, 2), "the moment Izz")]
-        {
-            let moment = finite(what, tensor[(i, j)])?;
-            if origin == 0.0 || moment < -rounding {
-                not_negative(what, moment)?;
-            }
-        }
+    fn rounded(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
+        tensor.iter().zip(ENTRIES).try_for_each(|(&entry, what)| finite(what, entry).map(drop))?;
         let tolerance = ROUNDING_ULPS * ulp(tensor.amax().max(origin));
-        for ((row, column), what) in
-            [((0, 1), "the product Ixy"), ((0, 2), "the product Ixz"), ((1, 2), "the product Iyz")]
-        {
-            let value = finite(what, tensor[(row, column)])?;
-            let mirrored = finite(what, tensor[(column, row)])?;
-            if (value - mirrored).abs() > tolerance {
-                return Err(Error::Asymmetric { row, column, value, mirrored, tolerance });
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let (value, mirrored) = (tensor[(row, column)], tensor[(column, row)]);
+            let difference = (value - mirrored).abs();
+            if difference > tolerance {
+                let printed = difference <= PRINTED * tensor.amax();
+                return Err(Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into());
             }
         }
         let tensor = symmetrized(tensor);
+        // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of a turn.
+        let exact = is_diagonal(&tensor) && origin == 0.0;
+        for axis in 0..3 {
+            not_below_zero(
+                ENTRIES[4 * axis],
+                tensor[(axis, axis)],
+                tensor.amax(),
+                if exact { 0.0 } else { tolerance },
+            )?;
+        }
         positive("the largest moment of inertia", tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         let moments = PrincipalAxes::of(&tensor).moments();
         moments_in_range(&moments)?;
-        physically_possible(
-            &moments,
-            (ulps * ulp(moments[2])).max(if origin == 0.0 { 0.0 } else { rounding }),
-        )?;
+        physically_possible(&moments, (ulps * ulp(moments[2])).max(ROUNDING_ULPS * ulp(origin)))?;
         Ok(Self { tensor })
+    }
+
+    /// The tensor nearest to one whose digits were rounded, as printed tables, files in single precision and other
+    /// programs give it: symmetric, without a negative moment, and within the triangle inequality.
+    ///
+    /// What [`from_matrix`](Self::from_matrix) takes is taken as there. Otherwise it is the tensor with the least
+    /// distance in the Frobenius norm: mirrored entries get their mean, the principal axes stay, and the principal
+    /// moments go to the nearest that a body can have. A flat body or a rod comes out where the given one was impossible.
+    ///
+    /// `relative_tolerance` is the greatest distance allowed, relative to the largest principal moment; four digits
+    /// want about 1e-3.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use tumbling::Inertia;
+    /// // A flat panel with four digits: the largest moment exceeds the sum of the others by 7e-6.
+    /// let printed = Matrix3::from_diagonal(&Vector3::new(0.003333, 0.01333, 0.01667));
+    /// assert!(Inertia::from_matrix(&printed).is_err());
+    /// let panel = Inertia::within(&printed, 1e-3)?;
+    /// assert_eq!(format!("{:.1e}", panel.moved), "2.4e-4");
+    /// assert_eq!(format!("{:.6}", panel.value.matrix().m33), "0.016668");
+    /// assert!(Inertia::within(&printed, 1e-4).is_err());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is farther away
+    /// than the tolerance or zero, or moments beyond `f64`.
+    pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
+        not_negative("the relative tolerance", relative_tolerance)?;
+        let strict = Self::from_matrix(tensor);
+        if strict.as_ref().is_err_and(|error| error.kind() == ErrorKind::NotFinite) || tensor.amax() == 0.0 {
+            return strict.map(|value| Adjusted { value, moved: 0.0 });
+        }
+        let scale = exponent(tensor.amax());
+        let given = tensor.map(|x| times_power_of_two(x, -scale));
+        let symmetric = symmetrized(&given);
+        let principal = PrincipalAxes::of(&symmetric);
+        let moments = principal.moments();
+        if moments[2] <= 0.0 {
+            return strict.map(|value| Adjusted { value, moved: 0.0 });
+        }
+        let far = |nearest: &Matrix3<f64>| (nearest - given).norm() / moments[2];
+        if let Ok(value) = strict {
+            return Ok(Adjusted { value, moved: far(&symmetric) });
+        }
+        let adjusted = if is_diagonal(&symmetric) {
+            Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
+        } else {
+            let change = nearest::possible(&moments) - moments;
+            symmetrized(&(symmetric + turned(&principal.frame(), &Matrix3::from_diagonal(&change))))
+        };
+        let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
+        let value = Self::from_matrix(&adjusted.map(|x| times_power_of_two(x, scale)))?;
+        Ok(Adjusted { value, moved })
     }
 
     /// The tensor's matrix, kg m².
@@ -204,7 +280,7 @@ impl Inertia {
     pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector("the spin", omega)?;
         if *omega == Vector3::zeros() {
-            return Err(Error::ZeroVector { what: "the spin" });
+            return Err(Refusal::ZeroVector { what: "the spin" }.into());
         }
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
@@ -215,7 +291,7 @@ impl Inertia {
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
         if l.iter().all(|x| x.hi().abs() <= rounding) {
-            return Err(Error::ZeroVector { what: "the angular momentum" });
+            return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
         }
         let cross = Vector3::new(
             (w.y * l[2] - w.z * l[1]).hi(),
@@ -236,7 +312,7 @@ impl Inertia {
         if moment.is_finite() {
             Ok(moment)
         } else {
-            Err(Error::OutOfRange { what: "the moment", value: moment })
+            Err(Refusal::OutOfRange { what: "the moment", value: moment }.into())
         }
     }
 
@@ -257,15 +333,17 @@ impl Inertia {
     /// `offset` (m) away: the parallel-axis theorem backwards.
     ///
     /// # Errors
-    /// As [`shifted_from_centre`](Self::shifted_from_centre); also a tensor that cannot be that body's
-    /// about that point, since what remains about the centre is impossible by more than the rounding of the tensor
-    /// given.
+    /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that body's
+    /// about that point, since what remains about the centre is zero or impossible by more than the rounding of the
+    /// tensor given.
     pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
         positive("the mass", mass)?;
         finite_vector("the offset", offset)?;
         let shifted = self.tensor - point_mass(&mass, offset);
-        in_range("a shifted moment", &shifted)?;
-        Self::within(&shifted, self.tensor.amax())
+        Self::rounded(&shifted, self.tensor.amax()).map_err(|error| {
+            let source = Box::new(error);
+            Refusal::OffCentre { mass, distance: length(offset), source }.into()
+        })
     }
 
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
@@ -274,32 +352,10 @@ impl Inertia {
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
-        // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
+        // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range("a turned moment", &tensor)?;
         Ok(Self { tensor })
-    }
-
-    /// The inverse, computed once, to be kept and turned instead of inverting at each step.
-    ///
-    /// # Errors
-    /// A smallest moment that is zero to rounding (an ideal rod), or an inverse beyond `f64`.
-    pub fn inverse(&self) -> Result<InverseInertia, Error> {
-        let m = &self.tensor;
-        let diagonal = is_diagonal(m);
-        let moments = self.principal().moments();
-        // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
-        let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
-        if moments[0] <= rounding {
-            return Err(Error::Singular { smallest: moments[0], largest: moments[2] });
-        }
-        let inverse = if diagonal {
-            Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
-        } else {
-            adjugate_inverse(m)
-        };
-        in_range("an inverse moment", &inverse)?;
-        Ok(InverseInertia { matrix: inverse })
     }
 
     /// The principal moments and axes.
@@ -309,48 +365,19 @@ impl Inertia {
     }
 }
 
-/// The inverse of an inertia tensor, `w = J L`, in 1/(kg m²), from [`Inertia::inverse`].
-///
-/// ```
-/// use nalgebra::Vector3;
-/// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
-/// assert_eq!(inverse.omega(&Vector3::new(2.0, 2.0, 0.0)), Vector3::new(1.0, 0.5, 0.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InverseInertia {
-    matrix: Matrix3<f64>,
-}
+/// As [`Inertia::from_matrix`].
+impl TryFrom<Matrix3<f64>> for Inertia {
+    type Error = Error;
 
-impl InverseInertia {
-    /// The matrix, 1/(kg m²).
-    #[must_use]
-    pub fn matrix(&self) -> Matrix3<f64> {
-        self.matrix
-    }
-
-    /// Angular velocity in rad/s from angular momentum in kg m²/s, both in this tensor's axes.
-    #[must_use]
-    pub fn omega(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
-        self.matrix * momentum
-    }
-
-    /// The inverse in axes turned by `attitude`: `R J R^T`.
-    ///
-    /// # Errors
-    /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
-    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?;
-        let matrix = symmetrized(&turned(&rotation, &self.matrix));
-        in_range("an inverse moment", &matrix)?;
-        Ok(Self { matrix })
+    fn try_from(tensor: Matrix3<f64>) -> Result<Self, Error> {
+        Self::from_matrix(&tensor)
     }
 }
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
-/// do not overflow, and left alone where they agree, so that small ones keep their last bit.
+/// do not overflow, and left alone where they agree, so that small ones keep their last bit. Zeros come out without a sign.
 fn symmetrized(m: &Matrix3<f64>) -> Matrix3<f64> {
-    m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b })
+    m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b } + 0.0)
 }
 
 fn is_diagonal(m: &Matrix3<f64>) -> bool {
@@ -360,42 +387,30 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
 /// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
 /// the other two, to rounding.
 fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
-    if moments[0] < -tolerance {
-        return Err(Error::Negative { what: "the smallest principal moment", value: moments[0] });
-    }
+    not_below_zero("the smallest principal moment", moments[0], moments[2], tolerance)?;
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess > tolerance {
-        return Err(Error::TriangleInequality { moments: (*moments).into(), excess, tolerance });
+        let printed = excess <= PRINTED * moments[2];
+        return Err(
+            Refusal::TriangleInequality { moments: (*moments).into(), excess, tolerance, printed }.into()
+        );
     }
     Ok(())
+}
+
+fn not_below_zero(what: &'static str, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {
+    if value >= -tolerance {
+        return Ok(());
+    }
+    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
 }
 
 /// That the largest principal moment is a finite number: it can exceed every entry of the tensor.
 fn moments_in_range(moments: &Vector3<f64>) -> Result<(), Error> {
     match moments.iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Error::OutOfRange { what: "a principal moment", value }),
+        Some(&value) => Err(Refusal::OutOfRange { what: "a principal moment", value }.into()),
         None => Ok(()),
     }
-}
-
-/// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
-/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows.
-fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
-    let scale = exponent(m.amax());
-    let a = m.map(|x| times_power_of_two(x, -scale));
-    let cofactor = |i: usize, j: usize| {
-        let (r, s) = ((i + 1) % 3, (i + 2) % 3);
-        let (p, q) = ((j + 1) % 3, (j + 2) % 3);
-        difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
-    };
-    let determinant = (DoubleDouble::from(a[(0, 0)]) * cofactor(0, 0)
-        + DoubleDouble::from(a[(0, 1)]) * cofactor(0, 1)
-        + DoubleDouble::from(a[(0, 2)]) * cofactor(0, 2))
-    .hi();
-    Matrix3::from_fn(|i, j| {
-        let (i, j) = (i.min(j), i.max(j));
-        times_power_of_two(cofactor(i, j).hi() / determinant, -scale)
-    })
 }
 
 /// That a computed tensor is finite and did not vanish: `what` names one of its entries.
@@ -403,7 +418,7 @@ fn in_range(what: &'static str, tensor: &Matrix3<f64>) -> Result<(), Error> {
     let off = tensor.iter().find(|x| !x.is_finite());
     let gone = tensor.diagonal().iter().all(|&x| x == 0.0).then_some(&0.0);
     match off.or(gone) {
-        Some(&value) => Err(Error::OutOfRange { what, value }),
+        Some(&value) => Err(Refusal::OutOfRange { what, value }.into()),
         None => Ok(()),
     }
 }
@@ -418,7 +433,7 @@ pub(crate) fn length(v: &Vector3<f64>) -> f64 {
 pub(crate) fn unit(what: &'static str, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     finite_vector(what, v)?;
     if *v == Vector3::zeros() {
-        return Err(Error::ZeroVector { what });
+        return Err(Refusal::ZeroVector { what }.into());
     }
     let scale = exponent(v.amax());
     Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())

@@ -67,8 +67,12 @@ pub mod solid;
 pub mod step;
 
 mod error;
+#[cfg(feature = "serde")]
+mod serial;
 
 pub use body::{Body, Rate, State};
-pub use error::Error;
+#[doc(hidden)]
+pub use error::Refusal;
+pub use error::{Error, ErrorKind};
 pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use serde_json::Value;
 use tumbling::dynamics::stability::time_between_flips;
 use tumbling::exact::{FreeMotion, Instant, Regime};
-use tumbling::{Axis, Body, Error, Inertia, PrincipalMoments};
+use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 /// The rounding of one input, relative.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
@@ -317,7 +317,7 @@ proptest! {
                 prop_assert!((at.attitude.norm() - 1.0).abs() < 1e-15, "{at:?}");
             }
             Err(error) => {
-                let named = matches!(error, Error::NotFinite { .. });
+                let named = error.kind() == ErrorKind::NotFinite;
                 prop_assert!(!t.is_finite() && named, "{error}");
             }
         }

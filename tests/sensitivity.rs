@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use serde_json::Value;
 use tumbling::exact::{FreeMotion, Sensitivity};
-use tumbling::{Body, Error, Inertia, PrincipalMoments, dynamics::euler};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments, dynamics::euler};
 
 /// The rounding of one input, relative.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
@@ -279,7 +279,7 @@ fn the_derivatives_of_a_mounted_body_are_those_along_its_principal_axes() {
 fn derivatives_beyond_f64_are_refused() {
     let refused = |omega: [f64; 3], t: f64| {
         let motion = FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &omega.into()).unwrap();
-        matches!(motion.sensitivity(t), Err(Error::OutOfRange { .. }))
+        motion.sensitivity(t).is_err_and(|error| error.kind() == ErrorKind::Unrepresentable)
     };
     // The rate about the middle axis is 1/3: grown e^(1500/3) fold it fits, e^(3000/3) fold not.
     assert!(!refused([0.0, 1.0, 0.0], 1500.0));

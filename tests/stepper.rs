@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, Stepper, System, Torque, adaptive, adaptive_within};
-use tumbling::{Body, Error, Inertia, PrincipalMoments};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
     let turn = axes.to_rotation_matrix();
@@ -172,7 +172,7 @@ fn single_precision_follows_double_for_every_method_and_refuses_what_it_cannot_h
     }
     assert!((single.omega().cast() - double.omega()).norm() < 1e-4);
     let small = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5) * 1e-42, &axes), axes, &omega).unwrap();
-    assert!(matches!(Stepper::<f32>::new(&small, Method::Buss), Err(Error::OutOfRange { .. })));
+    assert_eq!(Stepper::<f32>::new(&small, Method::Buss).unwrap_err().kind(), ErrorKind::Unrepresentable);
     assert!(Stepper::<f64>::new(&small, Method::Buss).is_ok());
 }
 
@@ -303,7 +303,7 @@ fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused_and_bad_torques
     let body = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::x()).unwrap();
     let stepper = Stepper::<f64>::new(&body, Method::Buss).unwrap();
     let refused = stepper.clone().with_torques([Torque::Damping(Vector3::new(0.1, 0.2, 0.3))]);
-    assert!(matches!(refused, Err(Error::Undefined { .. })));
+    assert!(refused.unwrap_err().to_string().contains("damping"));
     assert!(stepper.clone().with_torques([Torque::Damping(Vector3::repeat(0.1))]).is_ok());
     assert!(
         stepper
@@ -328,7 +328,7 @@ fn an_adaptive_run_is_finite_or_refused_and_soon() {
     // Came out as NaN: an error that was NaN counted as none.
     let fast = start(Vector3::new(1.0, 1e6, 1.0));
     let refused = adaptive(&lossy(Torque::Dissipation(1.0)), &fast, 6e-3, 1e-4).unwrap_err();
-    assert!(matches!(refused, Error::Unfinished { .. }), "{refused}");
+    assert_eq!(refused.kind(), ErrorKind::TooMany, "{refused}");
     assert!(refused.to_string().contains("losses"), "{refused}");
     let free = System::free(moments.try_into().unwrap()).unwrap();
     assert!(adaptive(&free, &start(Vector3::new(1.0, 2.0, 3.0) * 1e203), 1e-200, 1e-4).is_err());
@@ -352,7 +352,7 @@ fn an_adaptive_run_is_finite_or_refused_and_soon() {
     // And a budget is kept.
     let mut budget = 100;
     let refused = adaptive_within(&free, &slow, 1e4, 1e-9, &mut budget).unwrap_err();
-    assert!(matches!(refused, Error::Unfinished { steps: 100, .. }), "{refused}");
+    assert!(refused.to_string().contains("100 steps"), "{refused}");
     assert_eq!(budget, 0);
 }
 

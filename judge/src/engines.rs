@@ -164,10 +164,10 @@ impl PhysicsEngine {
             let rate = system.omega(&system.rate(start).momentum);
             let beyond = |x: &f64| x.is_nan() || x.abs() > most;
             if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
-                return Err(Error::OutOfRange {
-                    what: "a spin or its rate, where the engine starts anew",
+                return Err(Error::unrepresentable(
+                    "a spin or its rate, where the engine starts anew",
                     value,
-                });
+                ));
             }
         }
         if self.parts <= 1 {
@@ -230,7 +230,7 @@ impl PhysicsEngine {
 
 /// `value`, which `what` names, must be finite.
 fn finite(what: &'static str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { what, value }) }
+    if value.is_finite() { Ok(()) } else { Err(Error::not_finite(what, value)) }
 }
 
 /// `start` times `turn`, at length 1.

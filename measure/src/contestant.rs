@@ -5,9 +5,9 @@ use crate::operations;
 use crate::story::Story;
 use std::cell::RefCell;
 use std::hint::black_box;
-use tumbling::Error;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, MethodInfo, State};
+use tumbling::{Error, ErrorKind};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -98,9 +98,9 @@ pub enum Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        match error {
-            Error::OutOfRange { .. } | Error::NotFinite { .. } => Self::NotFinite,
-            other => Self::Refused(other.to_string()),
+        match error.kind() {
+            ErrorKind::Unrepresentable | ErrorKind::NotFinite => Self::NotFinite,
+            _ => Self::Refused(error.to_string()),
         }
     }
 }

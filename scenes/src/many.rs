@@ -256,7 +256,7 @@ impl<W: Want> Many<W> {
 
 fn check(times: &[f64]) -> Result<(), Error> {
     match times.iter().find(|t| !t.is_finite()) {
-        Some(&value) => Err(Error::NotFinite { what: "the time", value }),
+        Some(&value) => Err(Error::not_finite("the time", value)),
         None => Ok(()),
     }
 }

@@ -1,6 +1,6 @@
 //! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
 
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::number::{Analytic, Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
@@ -122,7 +122,7 @@ pub(crate) fn checked(attitude: &UnitQuaternion<f64>) -> Result<UnitQuaternion<f
     let q = attitude.quaternion();
     let norm = finite("the length of the attitude quaternion", q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {
-        return Err(Error::NotUnit { norm, tolerance: UNIT_TOLERANCE });
+        return Err(Refusal::NotUnit { norm, tolerance: UNIT_TOLERANCE }.into());
     }
     let drifted = (norm - 1.0).abs() > 2.0 * f64::EPSILON;
     Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { *attitude })

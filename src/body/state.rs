@@ -1,6 +1,6 @@
 //! Attitude and angular momentum at one instant: what moves, and all that a step needs to know of the past.
 
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::{Analytic, Field};
 use nalgebra::{Quaternion, SVector, Vector3};
 
@@ -49,7 +49,7 @@ impl<T: Analytic> State<T> {
         if size.is_finite() {
             Ok(self)
         } else {
-            Err(Error::OutOfRange { what: "the motion after a step", value: size })
+            Err(Refusal::OutOfRange { what: "the motion after a step", value: size }.into())
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Stability of a steady spin about each principal axis, and the time between flips.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite, finite_vector};
+use crate::error::{Error, Refusal, finite, finite_vector};
 use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
@@ -91,7 +91,7 @@ pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stab
         return Ok(Stability::Neutral);
     }
     if !rate.is_finite() || rate == 0.0 {
-        return Err(Error::OutOfRange { what: "the rate of a small disturbance", value: rate });
+        return Err(Refusal::OutOfRange { what: "the rate of a small disturbance", value: rate }.into());
     }
     Ok(match axis {
         Axis::Middle => Stability::Growth { rate },
@@ -133,7 +133,7 @@ pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Re
     let half_period = motion.quarter_period() * 2.0 / motion.rate();
     let time = times_power_of_two(half_period.hi(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
-        return Err(Error::OutOfRange { what: "the time between flips", value: time });
+        return Err(Refusal::OutOfRange { what: "the time between flips", value: time }.into());
     }
     Ok(Some(time))
 }

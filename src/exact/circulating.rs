@@ -11,7 +11,7 @@ use super::Regime;
 use super::flips::Clock;
 use super::klein::{self, HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
 use crate::dynamics::regime::Asymmetric;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::exact::elliptic::{self, Hyperbolic, TURNING_RATIO, Trigonometric};
 use crate::inertia::Axis;
 use crate::number::Lane;
@@ -103,7 +103,7 @@ impl Elliptic {
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
         if !motion.separatrix && !wobbles && !scaled_complement.is_normal() {
             let what = "how close to the separatrix the motion is, as a complementary modulus,";
-            return Err(Error::OutOfRange { what, value: complement });
+            return Err(Refusal::OutOfRange { what, value: complement }.into());
         }
         let at_start = |axis: usize, up: i32| times_power_of_two(omega[axis], up - motion.clock);
         let [w_x, w_m, w_c] = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];

@@ -1,6 +1,6 @@
 //! When a free body flips: every instant, in order, without a list.
 
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
 use std::iter::FusedIterator;
@@ -59,12 +59,13 @@ impl Clock {
         let half_turns = (rate * times_power_of_two(t, exponent) + offset).hi();
         let room = limit - 8.0;
         if half_turns.is_nan() || half_turns.abs() > room {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "the number of flips from the start",
                 small: half_turns.abs(),
                 larger: "the greatest for which f64 tells one flip's time from the next",
                 large: room,
-            });
+            }
+            .into());
         }
         // From one or two before: the instant decides, as it is rounded.
         let step = self.step();

@@ -2,7 +2,7 @@
 
 use super::{FreeMotion, Law, Regime};
 use crate::dynamics::stability::{Stability, of_spin};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::inertia::Axis;
 use crate::inertia::unit;
 use nalgebra::Vector3;
@@ -95,11 +95,11 @@ impl FreeMotion {
     /// A body at rest, which has no momentum, or an axis above 2.
     pub fn angles_to_momentum(&self, axis: usize) -> Result<[f64; 2], Error> {
         if axis > 2 {
-            return Err(Error::NoSuchAxis { axis });
+            return Err(Refusal::NoSuchAxis { axis }.into());
         }
         let scaled = |v: Vector3<f64>, by: f64| v.map(|x| x / by);
         if self.start == Vector3::zeros() {
-            return Err(Error::ZeroVector { what: "the angular momentum" });
+            return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
         }
         let momentum = scaled(self.moments.vector(), self.moments.largest())
             .component_mul(&scaled(self.start, self.start.amax()));

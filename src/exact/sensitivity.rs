@@ -7,7 +7,7 @@ mod series;
 use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
 use super::{FreeMotion, Law};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Vector3};
@@ -84,7 +84,9 @@ impl FreeMotion {
         let matrix = |columns: &[Vector3<f64>], power: i32| {
             let matrix = Matrix3::from_columns(columns).map(|x| times_power_of_two(x, power));
             match matrix.iter().find(|x| !x.is_finite()) {
-                Some(&value) => Err(Error::OutOfRange { what: "a derivative of the motion", value }),
+                Some(&value) => {
+                    Err(Error::from(Refusal::OutOfRange { what: "a derivative of the motion", value }))
+                }
                 None => Ok(matrix),
             }
         };

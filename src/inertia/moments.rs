@@ -1,9 +1,9 @@
 //! Three principal moments that belong to one body, checked once.
 
-use super::{Axis, DIAGONAL_ROUNDING_ULPS, Inertia, physically_possible};
+use super::{Adjusted, Axis, DIAGONAL_ROUNDING_ULPS, Inertia, physically_possible};
 use crate::error::{Error, positive};
 use crate::number::power_of_two::ulp;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 use std::ops::Index;
 
@@ -22,6 +22,8 @@ use std::ops::Index;
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "[f64; 3]", into = "[f64; 3]"))]
 pub struct PrincipalMoments {
     moments: Vector3<f64>,
     /// Indices of the moments, smallest first.
@@ -38,6 +40,22 @@ impl PrincipalMoments {
         let sorted = moments.sorted();
         physically_possible(&sorted, DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))?;
         Ok(moments)
+    }
+
+    /// The nearest moments to those whose digits were rounded, as [`Inertia::within`] finds them for a tensor.
+    ///
+    /// ```
+    /// use tumbling::PrincipalMoments;
+    /// let panel = PrincipalMoments::within([0.003333, 0.01333, 0.01667], 1e-3)?;
+    /// assert_eq!(format!("{:.6}", panel.value), "(0.003335, 0.013332, 0.016668) kg m²");
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Inertia::within`]; also a nearest moment of zero, which has no inverse.
+    pub fn within(moments: [f64; 3], relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
+        let nearest = Inertia::within(&Matrix3::from_diagonal(&moments.into()), relative_tolerance)?;
+        Ok(Adjusted { value: nearest.value.matrix().diagonal().try_into()?, moved: nearest.moved })
     }
 
     /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.

@@ -1,7 +1,7 @@
 //! How a driven body is stepped: on, finer, and at what price.
 
 use super::cost;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::flow;
 use crate::step::{LEAST_TOLERANCE, Method, State, System, adaptive_within};
 
@@ -26,7 +26,7 @@ impl By {
     /// `duration` seconds on, in so many steps at least if they are of a fixed length, which are taken off those left.
     ///
     /// # Errors
-    /// [`Error::TooMany`] when none is left, or as the steps.
+    /// [`ErrorKind::TooMany`](crate::ErrorKind) when none is left, or as the steps.
     pub(super) fn on(
         self,
         system: &System<f64>,
@@ -44,7 +44,7 @@ impl By {
         };
         let (count, h) = parts(duration, step, least)?;
         if count > *left {
-            return Err(Error::TooMany { what: "steps", count });
+            return Err(Refusal::TooMany { what: "steps", count }.into());
         }
         let mut motion = *start;
         for _ in 0..count {
@@ -98,7 +98,7 @@ impl By {
 fn parts(duration: f64, step: f64, least: usize) -> Result<(usize, f64), Error> {
     let count = (duration / step).ceil().max(least as f64);
     if count.is_nan() || count > 1.0 / f64::EPSILON {
-        return Err(Error::OutOfRange { what: "the number of steps", value: count });
+        return Err(Refusal::OutOfRange { what: "the number of steps", value: count }.into());
     }
     Ok((count as usize, duration / count))
 }

@@ -4,7 +4,7 @@ use super::by::By;
 use super::plan::{Driven, Way};
 use super::{Principal, Scene, Wants, cost};
 use crate::dynamics::observe;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind, Refusal};
 use crate::step::{LEAST_TOLERANCE, Method, State, System, Torque};
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -29,17 +29,18 @@ fn along(body: &Principal, torque: &Torque<f64>) -> Result<Torque<f64>, Error> {
         Torque::InBody(value) => Torque::InBody(turned(value)),
         Torque::Aligning { arm, field } => Torque::Aligning { arm: turned(arm), field: *field },
         Torque::Damping(c) if body.frame.is_some() && (c.x != c.y || c.y != c.z) => {
-            return Err(Error::Undefined {
+            return Err(Refusal::Undefined {
                 what: "damping that differs from axis to axis",
                 why: "it is told along the principal axes, and those of a body with products of inertia have no order to go by: \
                       give the body's moments along them, without products",
-            });
+            }.into());
         }
         Torque::Function(_) => {
-            return Err(Error::Undefined {
+            return Err(Refusal::Undefined {
                 what: "a scene with a torque by a function",
                 why: "a plan goes by how strong the torques are, which a function does not say: use a stepper",
-            });
+            }
+            .into());
         }
         Torque::InWorld(_) | Torque::Damping(_) | Torque::Dissipation(_) => torque.clone(),
     })
@@ -158,17 +159,19 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     match (best, refusal) {
         (Some((_, settled)), _) => Ok(way(settled, trials)),
         (None, Some(error)) => Err(error),
-        (None, None) => Err(Error::Disagreement { asked: accuracy, steps: 0 }),
+        (None, None) => Err(Refusal::Disagreement { asked: accuracy, steps: 0 }.into()),
     }
 }
 
 /// Of two refusals the one that offers more.
 fn kinder(one: Error, other: Error) -> Error {
-    match (&one, &other) {
-        (Error::Unattainable { attainable: a, .. }, Error::Unattainable { attainable: b, .. }) if b < a => {
+    match (one.refusal(), other.refusal()) {
+        (Refusal::Unattainable { attainable: a, .. }, Refusal::Unattainable { attainable: b, .. })
+            if b < a =>
+        {
             other
         }
-        (Error::Unattainable { .. }, _) => one,
+        (Refusal::Unattainable { .. }, _) => one,
         _ => other,
     }
 }
@@ -251,25 +254,27 @@ impl Trial<'_> {
     fn settled(&self, first: By, left: &mut usize, most: f64) -> Result<Settled, Error> {
         let steps = self.steps(first);
         if steps.is_nan() {
-            return Err(Error::OutOfRange {
+            return Err(Refusal::OutOfRange {
                 what: "the number of steps that the torques ask for",
                 value: steps,
-            });
+            }
+            .into());
         }
         if steps > *left as f64 {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "the number of steps that the torques ask for",
                 small: steps,
                 larger: "the most that are tried",
                 large: *left as f64,
-            });
+            }
+            .into());
         }
         let all = *left;
         let mut by = first;
         let (mut best, mut before) = (f64::INFINITY, 0.0);
         let mut coarse = self.run(by, None, left, most);
         for _ in 0..ROUNDS {
-            if let Err(Error::TooMany { .. } | Error::Unfinished { .. }) = coarse {
+            if coarse.as_ref().is_err_and(|error| error.kind() == ErrorKind::TooMany) {
                 break;
             }
             let seen = coarse.as_ref().map_or(f64::INFINITY, |_| best);
@@ -305,15 +310,10 @@ impl Trial<'_> {
         }
         match coarse {
             _ if 2.0 * best < 1.0 => {
-                Err(Error::Unattainable { asked: self.accuracy, attainable: 2.0 * best })
+                Err(Refusal::Unattainable { asked: self.accuracy, attainable: 2.0 * best }.into())
             }
-            Err(error)
-                if best.is_infinite()
-                    && !matches!(error, Error::TooMany { .. } | Error::Unfinished { .. }) =>
-            {
-                Err(error)
-            }
-            _ => Err(Error::Disagreement { asked: self.accuracy, steps: all - *left }),
+            Err(error) if best.is_infinite() && error.kind() != ErrorKind::TooMany => Err(error),
+            _ => Err(Refusal::Disagreement { asked: self.accuracy, steps: all - *left }.into()),
         }
     }
 

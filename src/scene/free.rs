@@ -3,7 +3,7 @@
 use super::plan::{Rotation, Top, Way};
 use super::{Principal, Wants};
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::exact::{FreeMotion, Precession, Regime, Turn, scaled};
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
@@ -54,7 +54,7 @@ pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Re
 }
 
 fn allowed(asked: f64, attainable: f64) -> Result<(), Error> {
-    if asked >= attainable { Ok(()) } else { Err(Error::Unattainable { asked, attainable }) }
+    if asked >= attainable { Ok(()) } else { Err(Refusal::Unattainable { asked, attainable }.into()) }
 }
 
 /// How many times as much as their own size some of the body's numbers may be rounded by.
@@ -71,7 +71,9 @@ fn coarser(body: &Principal) -> f64 {
 fn attainable(motion: &FreeMotion, body: &Principal, end: f64, accuracy: f64) -> Result<(), Error> {
     let speed = motion.omega(0.0)?.norm();
     if !(speed * end).is_finite() {
-        return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
+        return Err(
+            Refusal::OutOfRange { what: "the angle turned up to the last time", value: speed * end }.into()
+        );
     }
     let complement = match motion.regime() {
         Regime::Circulating { complement, .. } => complement,

@@ -3,7 +3,7 @@
 use super::by::By;
 use super::states::States;
 use super::{Polhode, Principal, Scene, Toss, Wants, driven, free};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::exact::{Flips, FreeMotion, Precession, Turn};
 use crate::inertia::{Inertia, PrincipalMoments};
 use crate::step::{Method, State, System};
@@ -137,10 +137,11 @@ impl<'a> Plan<'a> {
         let inertia = Inertia::from(body.moments);
         let energy = if wants.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
         if wants.gap && body.omega == Vector3::zeros() {
-            return Err(Error::Undefined {
+            return Err(Refusal::Undefined {
                 what: "the angle between spin and momentum",
                 why: "a body at rest has neither",
-            });
+            }
+            .into());
         }
         let steady =
             matches!(way, Way::Nothing | Way::Constant { .. } | Way::Rotation(_) | Way::SymmetricTop(_));
@@ -200,13 +201,13 @@ const POLHODE: &str = "the polhode";
 const WHY: &str = "a torque acts: what it follows from is not conserved";
 
 fn refuse_driven(scene: &Scene, what: &'static str) -> Result<(), Error> {
-    if scene.torques.is_empty() { Ok(()) } else { Err(Error::Undefined { what, why: WHY }) }
+    if scene.torques.is_empty() { Ok(()) } else { Err(Refusal::Undefined { what, why: WHY }.into()) }
 }
 
 fn refuse_of_driven(wants: Wants) -> Result<(), Error> {
     match (wants.flips, wants.polhode) {
-        (true, _) => Err(Error::Undefined { what: FLIPS, why: WHY }),
-        (_, true) => Err(Error::Undefined { what: POLHODE, why: WHY }),
+        (true, _) => Err(Refusal::Undefined { what: FLIPS, why: WHY }.into()),
+        (_, true) => Err(Refusal::Undefined { what: POLHODE, why: WHY }.into()),
         _ => Ok(()),
     }
 }
@@ -214,5 +215,5 @@ fn refuse_of_driven(wants: Wants) -> Result<(), Error> {
 /// Half of `w . I w`.
 pub(super) fn energy(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<f64, Error> {
     let energy = crate::dynamics::observe::energy(omega, &moments.vector().component_mul(omega));
-    finite("the energy", energy).map_err(|_| Error::OutOfRange { what: "the energy", value: energy })
+    finite("the energy", energy).map_err(|_| Refusal::OutOfRange { what: "the energy", value: energy }.into())
 }

@@ -1,7 +1,7 @@
 //! A ball with a round hole in its middle, down to a thin shell.
 
 use super::{MassProperties, Solid, centred, square};
-use crate::error::{Error, not_negative, positive};
+use crate::error::{Error, Refusal, not_negative, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
@@ -89,5 +89,5 @@ pub(super) fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
         return Ok(());
     }
     let (smaller, larger) = ("the inner radius", "the outer radius");
-    Err(Error::Order { smaller, small: inner, larger, large: outer })
+    Err(Refusal::Order { smaller, small: inner, larger, large: outer }.into())
 }

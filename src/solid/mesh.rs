@@ -6,7 +6,7 @@
 
 use super::tetrahedron::determinant;
 use super::{MassMoments, MassProperties, Solid, shells, topology};
-use crate::error::{Error, finite_vector, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::PrincipalAxes;
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
@@ -110,7 +110,7 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::Error;
+/// use tumbling::ErrorKind;
 /// use tumbling::solid::{Mesh, Solid};
 ///
 /// let corner = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
@@ -119,9 +119,10 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 /// assert_eq!(solid.measure()?, 16.0);
 /// assert_eq!(solid.with_mass(2.0)?.centre(), Vector3::new(1.0, 1.0, 1.5));
 ///
-/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]);
-/// assert!(matches!(open, Err(Error::OpenMesh { .. })));
-/// # Ok::<(), Error>(())
+/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]).unwrap_err();
+/// assert_eq!(open.kind(), ErrorKind::BadMesh);
+/// assert!(open.to_string().contains("belongs to 1 face(s)"), "{open}");
+/// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
@@ -135,18 +136,18 @@ impl Mesh {
     /// From vertices (m) and faces, each naming three of them by number from 0.
     ///
     /// # Errors
-    /// Fewer than four vertices or faces, a vertex that is not finite (as [`Error::Part`]), a face that names
+    /// Fewer than four vertices or faces, a vertex that is not finite, a face that names
     /// a vertex which is not there or one twice, a face listed twice, an edge that is open, a face that is
     /// flipped, a volume that is not positive by more than rounding, a shell that is inside out or wrongly
     /// nested, or a tensor that no body has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
         for (what, count) in [("vertices", vertices.len()), ("faces", faces.len())] {
             if count < 4 {
-                return Err(Error::TooFew { what, count, needed: 4 });
+                return Err(Refusal::TooFew { what, count, needed: 4 }.into());
             }
         }
         for (index, vertex) in vertices.iter().enumerate() {
-            finite_vector("the vertex", vertex).map_err(|e| Error::Part { index, source: Box::new(e) })?;
+            finite_vector("the vertex", vertex).map_err(|e| e.of_part(index))?;
         }
         let shell = topology::shells(faces, vertices.len())?;
         let wide: Vec<_> = vertices.iter().map(|v| v.map(Extended::from)).collect();
@@ -218,7 +219,7 @@ fn enclosed<'a>(
         return Ok(());
     }
     let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-    Err(Error::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) })
+    Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
@@ -236,5 +237,11 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
     }
     let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
-    Err(Error::TriangleInequality { moments, excess: size(excess), tolerance: size(tolerance) })
+    Err(Refusal::TriangleInequality {
+        moments,
+        excess: size(excess),
+        tolerance: size(tolerance),
+        printed: false,
+    }
+    .into())
 }

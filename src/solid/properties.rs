@@ -1,6 +1,6 @@
 //! What a solid tells the rest of the library: mass, centre, inertia about the centre.
 
-use crate::error::{Error, finite_vector, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
@@ -111,6 +111,11 @@ impl From<MassProperties> for MassMoments<f64> {
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "crate::serial::Properties", into = "crate::serial::Properties")
+)]
 pub struct MassProperties {
     mass: f64,
     centre: Vector3<f64>,
@@ -154,7 +159,7 @@ impl MassProperties {
         finite_vector("the offset", offset)?;
         let centre = self.centre + offset;
         match centre.iter().find(|x| !x.is_finite()) {
-            Some(&value) => Err(Error::OutOfRange { what: "the centre of mass", value }),
+            Some(&value) => Err(Refusal::OutOfRange { what: "the centre of mass", value }.into()),
             None => Ok(Self { centre, ..*self }),
         }
     }
@@ -226,7 +231,7 @@ pub(crate) fn combine_about_heaviest(
 ) -> Result<MassMoments<Extended>, Error> {
     let heaviest = parts.iter().zip(masses).max_by(|a, b| a.1.total_cmp(&b.1));
     let Some((part, _)) = heaviest else {
-        return Err(Error::TooFew { what, count: 0, needed: 1 });
+        return Err(Refusal::TooFew { what, count: 0, needed: 1 }.into());
     };
     Ok(combined(parts, &part.centre))
 }

@@ -6,7 +6,7 @@
 //! of a triangle: [OS83](crate::references).
 
 use super::mesh::triple;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use num_traits::Zero;
@@ -46,11 +46,12 @@ pub(super) fn check(
             }
             // Refused only if neither 0 nor 1 whichever side rounding put the point on.
             if winding + doubt < -0.5 || winding - doubt > 1.5 {
-                return Err(Error::MisplacedShell {
+                return Err(Refusal::MisplacedShell {
                     face: own.first,
                     volume: own.volume(vertices).nearest(),
                     winding: winding.round(),
-                });
+                }
+                .into());
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::methods::dormand_prince::Stages;
 use crate::body::{Rate, State};
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, Refusal, finite, positive};
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
 use nalgebra::Vector3;
@@ -46,7 +46,7 @@ pub const MOST_STEPS: usize = 1_000_000;
 ///
 /// # Errors
 /// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error that stays too large
-/// however short the step; [`Error::Unfinished`] after [`MOST_STEPS`], or as soon as stiff losses would need more.
+/// however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after [`MOST_STEPS`], or as soon as stiff losses would need more.
 pub fn adaptive(
     system: &System<f64>,
     start: &State<f64>,
@@ -70,12 +70,13 @@ pub fn adaptive_within(
     finite("the duration", duration)?;
     positive("the tolerance", tolerance)?;
     if tolerance < LEAST_TOLERANCE {
-        return Err(Error::Order {
+        return Err(Refusal::Order {
             smaller: "rounding in a step",
             small: LEAST_TOLERANCE,
             larger: "the tolerance",
             large: tolerance,
-        });
+        }
+        .into());
     }
     start.clone().checked()?;
     let mut run = Run::new(system, start, duration, tolerance)?;
@@ -130,7 +131,7 @@ impl<'a> Run<'a> {
         let slope = system.rate(start);
         let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
         if !size.is_finite() {
-            return Err(Error::OutOfRange { what: "the rate at the start", value: size });
+            return Err(Refusal::OutOfRange { what: "the rate at the start", value: size }.into());
         }
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
         let torque = largest(system.torque(start).as_slice());
@@ -149,11 +150,12 @@ impl<'a> Run<'a> {
         let last = (self.duration - self.time).abs() <= self.h.abs();
         let h = if last { self.duration - self.time } else { self.h };
         if !last && self.time + h == self.time {
-            return Err(Error::NotConverged {
+            return Err(Refusal::NotConverged {
                 what: "the step whose error meets the tolerance",
                 iterations: self.steps + self.rejected,
                 residual: h,
-            });
+            }
+            .into());
         }
         let stages = Stages::new(self.system, &self.state, self.slope.clone(), &self.time, &h);
         let end_slope = self.system.rate_after(&stages.end, &(self.time + h));
@@ -209,7 +211,14 @@ impl<'a> Run<'a> {
 
     fn unfinished(&self, why: &'static str) -> Error {
         let steps = self.steps + self.rejected;
-        Error::Unfinished { what: "an adaptive run", steps, reached: self.time, duration: self.duration, why }
+        Refusal::Unfinished {
+            what: "an adaptive run",
+            steps,
+            reached: self.time,
+            duration: self.duration,
+            why,
+        }
+        .into()
     }
 }
 

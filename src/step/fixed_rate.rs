@@ -2,7 +2,7 @@
 
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::inertia::ascending;
 use crate::number::Analytic;
 use crate::step::system::System;
@@ -80,7 +80,7 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.size() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
-        return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
+        return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
     let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::integer(parts as u32)), ORDER)?;
     let mut motion = prepared.step(start)?;

@@ -5,7 +5,7 @@ use super::methods::{
     buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
 };
 use crate::body::State;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::Vector3;
@@ -92,8 +92,8 @@ pub struct MethodInfo {
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
-    /// The quantities of a free motion that it conserves to rounding, in every step that it takes: the implicit methods refuse steps
-    /// that turn the body too far.
+    /// The quantities of a free motion that it conserves to rounding in every step that it takes: the implicit methods refuse steps that
+    /// turn the body too far.
     pub conserved: Conserved,
     /// Where it comes from: a key into the [references](crate::references), or whose engine uses it.
     pub source: &'static str,
@@ -258,5 +258,5 @@ pub(crate) fn check_square_underflow<T: Analytic>(omega: &Vector3<T>, h: &T) -> 
     if back.size() <= 4.0 * rounding * size {
         return Ok(());
     }
-    Err(Error::OutOfRange { what: "the square of the spin", value: size * size })
+    Err(Refusal::OutOfRange { what: "the square of the spin", value: size * size }.into())
 }

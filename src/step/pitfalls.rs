@@ -3,7 +3,7 @@
 
 use super::methods::rk4::rk4;
 use crate::body::{Body, along, attitude};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::number::Field;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -183,13 +183,13 @@ impl Engine {
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();
         // Asked for at once, so that a run too long for the memory is refused before it begins.
-        bodies.try_reserve_exact(length).map_err(|_| Error::TooMany { what: "steps", count })?;
+        bodies.try_reserve_exact(length).map_err(|_| Refusal::TooMany { what: "steps", count })?;
         for step in 0..=count {
             if step > 0 {
                 motion = rk4(&motion, h, law, Carried::plus);
                 let norm = motion.attitude.norm();
                 if !(norm.is_finite() && norm > 0.0) {
-                    return Err(Error::OutOfRange { what: "the attitude after a step", value: norm });
+                    return Err(Refusal::OutOfRange { what: "the attitude after a step", value: norm }.into());
                 }
                 motion.attitude /= norm;
             }

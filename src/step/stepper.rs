@@ -2,7 +2,7 @@
 
 use super::fixed_rate::fixed_rate;
 use crate::body::{Body, State, attitude};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::number::{Analytic, Ring};
 use crate::step::method::Method;
 use crate::step::system::System;
@@ -90,7 +90,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let moments = cast_exactly("a principal moment", &moments)?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
         if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
-            return Err(Error::OutOfRange { what: "an inverse moment", value });
+            return Err(Refusal::OutOfRange { what: "an inverse moment", value }.into());
         }
         let state =
             State { attitude: quaternion(&start.attitude), momentum: cast("the momentum", &start.momentum)? };
@@ -196,7 +196,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             return Ok(state);
         }
         if self.time + length.copysign(left) == self.time {
-            return Err(Error::OutOfRange { what: "the change of time in a step", value: 0.0 });
+            return Err(Refusal::OutOfRange { what: "the change of time in a step", value: 0.0 }.into());
         }
         self.step(if left > 0.0 { h } else { -h })
     }
@@ -261,7 +261,7 @@ fn cast<T: Analytic + FromPrimitive>(what: &'static str, v: &Vector3<f64>) -> Re
     if (after - before).abs() <= T::rounding() * before {
         Ok(turned)
     } else {
-        Err(Error::OutOfRange { what, value: after })
+        Err(Refusal::OutOfRange { what, value: after }.into())
     }
 }
 

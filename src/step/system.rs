@@ -3,7 +3,7 @@
 use crate::body::attitude;
 use crate::body::{Rate, State};
 use crate::dynamics::euler;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::torque::Torque;
@@ -46,7 +46,7 @@ impl System<f64> {
         for &moment in &moments.vector() {
             let inverse = 1.0 / moment;
             if !inverse.is_normal() {
-                return Err(Error::OutOfRange { what: "an inverse moment", value: inverse });
+                return Err(Refusal::OutOfRange { what: "an inverse moment", value: inverse }.into());
             }
         }
         torques.iter().try_for_each(Torque::validate)?;

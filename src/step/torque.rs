@@ -1,7 +1,7 @@
 //! Torques on a body: each with its value, and with its own exact flow while the attitude stands still.
 
 use crate::body::attitude;
-use crate::error::{Error, finite_vector, not_negative};
+use crate::error::{Error, Refusal, finite_vector, not_negative};
 use crate::number::{Analytic, Field};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::ToPrimitive;
@@ -213,11 +213,11 @@ impl<T: Analytic + Send + Sync> Torque<T> {
             Self::InBody(torque) => Self::InBody(turned(torque)),
             Self::Aligning { arm, field } => Self::Aligning { arm: turned(arm), field: field.clone() },
             Self::Damping(c) if c.x != c.y || c.y != c.z => {
-                return Err(Error::Undefined {
+                return Err(Refusal::Undefined {
                     what: "damping that differs from axis to axis",
                     why: "it is given along the principal axes, and those of a body with products of inertia have no order to go \
                           by: give the body's moments along them, without products",
-                });
+                }.into());
             }
             Self::Function(TorqueFunction(law)) => {
                 let (law, old) = (Arc::clone(law), attitude::rotation_matrix(frame));

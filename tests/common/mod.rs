@@ -9,8 +9,31 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
+use tumbling::{Error, ErrorKind};
 
 pub type Exact = BigRational;
+
+/// Asserts that a result is a refusal of this kind whose sentence holds `words`; returns the error.
+#[track_caller]
+pub fn refused<T: std::fmt::Debug>(result: Result<T, Error>, kind: ErrorKind, words: &str) -> Error {
+    let error = result.expect_err(words);
+    let sentence = error.to_string();
+    assert!(
+        error.kind() == kind && sentence.contains(words),
+        "{:?}, not {kind:?} with '{words}': {sentence}",
+        error.kind()
+    );
+    error
+}
+
+/// The number that follows `words` in a sentence.
+#[track_caller]
+pub fn number_after(sentence: &impl ToString, words: &str) -> f64 {
+    let sentence = sentence.to_string();
+    let (_, rest) = sentence.split_once(words).expect(words);
+    let end = rest.find(|c: char| !c.is_ascii_digit() && !".e-".contains(c)).unwrap_or(rest.len());
+    rest[..end].parse().expect(&sentence)
+}
 
 /// The exact value of a finite `f64`.
 pub fn exact(x: f64) -> Exact {

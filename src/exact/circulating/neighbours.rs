@@ -8,7 +8,7 @@
 //! motion itself; on the separatrix `m' = 0` the same formulas hold as they are.
 
 use super::{Elliptic, Form};
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::exact::elliptic::{Values, rd};
 use crate::exact::sensitivity::Change;
 use crate::number::double_double::DoubleDouble;
@@ -95,7 +95,7 @@ impl Elliptic {
         let resting = self.constants.quarter.hi().is_infinite();
         if resting && (self.constants.argument + run).hi().abs() > REST {
             let what = "the separatrix's argument, with its spin at rest,";
-            return Err(Error::OutOfRange { what, value: run.hi() });
+            return Err(Refusal::OutOfRange { what, value: run.hi() }.into());
         }
         let run = run.hi();
         let (start, end) = (self.place(0.0), self.place(time));

@@ -4,7 +4,7 @@ use super::hyperbolic::{Decay, Hyperbolic};
 use super::trig::sin_cos_of_turns;
 use super::trigonometric::Trigonometric;
 use super::{Values, complete};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::number::double_double::DoubleDouble;
 use std::f64::consts::PI;
 
@@ -48,12 +48,13 @@ impl Jacobi {
     pub fn of_complement(complement: f64) -> Result<Self, Error> {
         crate::error::not_negative("the complementary modulus", complement)?;
         if complement > 1.0 {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "the complementary modulus",
                 small: complement,
                 larger: "1",
                 large: 1.0,
-            });
+            }
+            .into());
         }
         let modulus = ((1.0 - complement) * (1.0 + complement)).sqrt();
         let root = DoubleDouble::from(complement).sqrt();

@@ -3,7 +3,7 @@
 
 use super::decimal::{ROOT_OF_3, ROOT_OF_15};
 use crate::body::{Rate, State};
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::Analytic;
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
@@ -52,7 +52,7 @@ fn fixed_point<S>(
             break;
         }
     }
-    Err(Error::NotConverged { what, iterations: ROUNDS, residual: moved })
+    Err(Refusal::NotConverged { what, iterations: ROUNDS, residual: moved }.into())
 }
 
 fn size<T: Analytic>(v: &Vector3<T>) -> f64 {

@@ -17,7 +17,7 @@
 
 use crate::body::State;
 use crate::body::attitude;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::{Analytic, Ring};
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
@@ -95,7 +95,7 @@ impl<T: Analytic> Prepared<T> {
                 let change = (after.clone() - before.clone()).size();
                 if change >= MOST_ALTERED * before.size() {
                     let value = change / before.size();
-                    return Err(Error::NotBelow { what: ALTERED, value, limit: MOST_ALTERED });
+                    return Err(Refusal::NotBelow { what: ALTERED, value, limit: MOST_ALTERED }.into());
                 }
             }
             altered
@@ -117,11 +117,12 @@ impl<T: Analytic> Prepared<T> {
         let square = c.dot(&c);
         if square.size() >= 1.0 {
             let turn = 2.0 * square.size().sqrt().atan();
-            return Err(Error::NotBelow {
+            return Err(Refusal::NotBelow {
                 what: "the turn of a Moser-Veselov step, rad",
                 value: turn,
                 limit: LONGEST,
-            });
+            }
+            .into());
         }
         let over = T::one() / (T::one() + square).sqrt();
         let part = |x: &T| x.clone() * over.clone();
@@ -176,7 +177,12 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
             break;
         }
     }
-    Err(Error::NotConverged { what: "the turn of a Moser-Veselov step", iterations: ROUNDS, residual: moved })
+    Err(Refusal::NotConverged {
+        what: "the turn of a Moser-Veselov step",
+        iterations: ROUNDS,
+        residual: moved,
+    }
+    .into())
 }
 
 /// A whole number.

@@ -6,8 +6,9 @@
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::body::attitude::rotation_matrix;
+use tumbling::body::named;
 use tumbling::dynamics::observe::energy;
-use tumbling::solid::{ball_moment, cuboid_moments};
+use tumbling::solid::ball_moment;
 use tumbling::step::{Carried, Engine, rk4};
 
 /// The most steps in one answer.
@@ -19,9 +20,9 @@ const HEAD: usize = 18;
 /// The moments of a body, kg m². The bodies are those of the book; of each but the ball the middle axis is x.
 fn body(which: f64) -> Vector3<f64> {
     match which as u32 {
-        0 => cuboid_moments(&1.0, &2.0, &1.0, &3.0),
-        1 => cuboid_moments(&0.340, &0.129, &0.020, &0.198),
-        2 => cuboid_moments(&0.171, &0.0716, &0.0078, &0.1476),
+        0 => named::THE_BOX.moments(),
+        1 => named::BOOK.moments(),
+        2 => named::PHONE.moments(),
         _ => Vector3::repeat(ball_moment(&1.0, &0.5)),
     }
 }
