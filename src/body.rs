@@ -149,6 +149,31 @@ impl Body {
         self.inverse.omega(&self.momentum_body())
     }
 
+    /// Attitude and angular momentum, the momentum in body axes.
+    #[must_use]
+    pub fn state(&self) -> State<f64> {
+        State { attitude: self.attitude.into_inner(), momentum: self.momentum_body() }
+    }
+
+    /// The same body in another state.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::{Body, Inertia};
+    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 1.0);
+    /// let body = Body::spinning(Inertia::from_moments(1.0, 2.0, 2.5)?, turned, &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let same = body.with_state(&body.state())?;
+    /// assert!((same.momentum_world() - body.momentum_world()).norm() < 1e-15);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
+        let attitude = attitude::checked(&UnitQuaternion::new_unchecked(state.attitude))?;
+        self.with(attitude, &(attitude::rotation_matrix(attitude.quaternion()) * state.momentum))
+    }
+
     /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or short of
     /// digits if it falls below.
     #[must_use]

@@ -39,7 +39,7 @@ pub enum ErrorKind {
     NoDirection,
     /// An iteration did not converge.
     NotConverged,
-    /// More was requested than there is memory to hold.
+    /// More was requested than there is memory to hold, or than the steps allowed reach.
     TooMany,
     /// The faces of a mesh do not bound a solid.
     BadMesh,

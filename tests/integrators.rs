@@ -8,7 +8,7 @@ use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System, controlled};
+use tumbling::step::{Method, State, System, adaptive};
 
 fn start(system: &System<f64>, omega: &Vector3<f64>) -> State<f64> {
     State { attitude: Quaternion::identity(), momentum: system.momentum(omega) }
@@ -123,14 +123,14 @@ fn the_error_of_a_controlled_run_follows_its_tolerance() {
         let mut before = f64::INFINITY;
         let mut steps = 0;
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
-            let run = controlled(&system, &start(&system, &omega), t, tolerance).unwrap();
+            let run = adaptive(&system, &start(&system, &omega), t, tolerance).unwrap();
             let off = (run.end.attitude.coords - truth.attitude.coords).norm();
             assert!(off < 1e4 * tolerance, "{tolerance:e}: {off:e}");
             assert!(off < 0.1 * before && run.steps > steps, "{tolerance:e}: {off:e} after {before:e}");
             (before, steps) = (off, run.steps);
         }
     }
-    let finest = controlled(&system, &start(&system, &omega), 40.0, 1e-17);
+    let finest = adaptive(&system, &start(&system, &omega), 40.0, 1e-17);
     let error = finest.unwrap_err().to_string();
     assert!(error.contains("rounding") && error.contains("1e-17"), "{error}");
 }
@@ -166,7 +166,7 @@ fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
             (end.attitude.coords - slow.attitude.coords).norm() + (end.momentum - slow.momentum).norm();
         assert!(moved < 1e-160, "{method:?}: {moved:e}");
     }
-    assert!(controlled(&system, &slow, 1e162, 1e-10).is_err());
+    assert!(adaptive(&system, &slow, 1e162, 1e-10).is_err());
 }
 
 #[test]

@@ -94,6 +94,13 @@ pub enum Refusal {
         iterations: usize,
         residual: f64,
     },
+    Unfinished {
+        what: &'static str,
+        steps: usize,
+        reached: f64,
+        duration: f64,
+        why: &'static str,
+    },
     BadFace {
         face: usize,
         vertices: [usize; 3],
@@ -170,7 +177,7 @@ impl Refusal {
             Self::Singular { .. } => ErrorKind::NotInvertible,
             Self::OutOfRange { .. } => ErrorKind::Unrepresentable,
             Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::NoDirection,
-            Self::TooMany { .. } => ErrorKind::TooMany,
+            Self::TooMany { .. } | Self::Unfinished { .. } => ErrorKind::TooMany,
             Self::NotConverged { .. } | Self::Unattainable { .. } | Self::Disagreement { .. } => {
                 ErrorKind::NotConverged
             }
@@ -198,6 +205,7 @@ impl Refusal {
             | Self::TooFew { what, .. }
             | Self::TooMany { what, .. }
             | Self::NotConverged { what, .. }
+            | Self::Unfinished { what, .. }
             | Self::Undefined { what, .. }
             | Self::Order { smaller: what, .. } => what,
             Self::Asymmetric { .. } | Self::TooFar { .. } | Self::OffCentre { .. } => "the inertia tensor",
@@ -298,6 +306,9 @@ impl fmt::Display for Refusal {
                 f,
                 "{what} was not found in {iterations} rounds: the last still moved by {residual:.3e}, more than rounding"
             ),
+            Self::Unfinished { what, steps, reached, duration, why } => {
+                write!(f, "{what} came to {reached:e} s of {duration:e} s in {steps} steps: {why}")
+            }
             Self::BadFace { face, vertices: [a, b, c], count } => write!(
                 f,
                 "face {face} is ({a}, {b}, {c}): it must name three different vertices below {count}"

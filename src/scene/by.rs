@@ -3,7 +3,7 @@
 use super::cost;
 use crate::error::{Error, Refusal};
 use crate::flow;
-use crate::step::{LEAST_TOLERANCE, Method, State, System, controlled_within};
+use crate::step::{LEAST_TOLERANCE, Method, State, System, adaptive_within};
 
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ impl By {
     ) -> Result<State<f64>, Error> {
         let (step, method) = match self {
             Self::Control(tolerance) => {
-                return controlled_within(system, start, duration, tolerance, left).map(|run| run.end);
+                return adaptive_within(system, start, duration, tolerance, left).map(|run| run.end);
             }
             Self::Steps(method, step) => (step, Some(method)),
             Self::Flow(step) => (step, None),

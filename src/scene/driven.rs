@@ -15,6 +15,7 @@ pub(super) fn is_nothing(torque: &Torque<f64>) -> bool {
         Torque::InBody(value) | Torque::InWorld(value) | Torque::Damping(value) => *value == zero,
         Torque::Aligning { arm, field } => *arm == zero || *field == zero,
         Torque::Dissipation(strength) => *strength == 0.0,
+        Torque::Function(_) => false,
     }
 }
 
@@ -33,6 +34,13 @@ fn along(body: &Principal, torque: &Torque<f64>) -> Result<Torque<f64>, Error> {
                 why: "it is told along the principal axes, and those of a body with products of inertia have no order to go by: \
                       give the body's moments along them, without products",
             }.into());
+        }
+        Torque::Function(_) => {
+            return Err(Refusal::Undefined {
+                what: "a scene with a torque by a function",
+                why: "a plan goes by how strong the torques are, which a function does not say: use a stepper",
+            }
+            .into());
         }
         Torque::InWorld(_) | Torque::Damping(_) | Torque::Dissipation(_) => torque.clone(),
     })
@@ -60,6 +68,7 @@ fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
                 swing = swing.max((arm.norm() * field.norm() * lightest).sqrt());
             }
             Torque::Damping(c) => loss = loss.max(c.component_mul(system.inverse()).max()),
+            Torque::Function(_) => (),
             Torque::Dissipation(k) => loss = loss.max(k * start.momentum.norm_squared() * lightest),
         }
     }

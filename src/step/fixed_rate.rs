@@ -4,6 +4,7 @@ use super::methods::moser_veselov::Prepared;
 use crate::body::State;
 use crate::error::{Error, Refusal};
 use crate::inertia::ascending;
+use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::Vector3;
 
@@ -41,19 +42,20 @@ const MOST_PARTS: f64 = 1000.0;
 /// # Errors
 /// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of its moments do, or an attitude of
 /// no length.
-pub fn fixed_rate(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
+pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     if system.is_free() {
-        return drifted(system, start, h);
+        return drifted(system, start, &h);
     }
-    let end = drifted(system, &system.kick(start, 0.5 * h), h)?;
-    system.adjoint_kick(&end, 0.5 * h).checked()
+    let half = h.clone() / T::integer(2);
+    let end = drifted(system, &system.kick(start, half.clone()), &h)?;
+    system.adjoint_kick(&end, half).checked()
 }
 
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
 #[inline]
-fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
-    let moments = system.moments();
-    let order = ascending(moments);
+fn fastest<T: Analytic>(system: &System<T>, omega: &Vector3<T>) -> f64 {
+    let (moments, omega) = (system.moments().map(|x| x.size()), omega.map(|x| x.size()));
+    let order = ascending(&moments);
     let [a, b, c] = order.map(|i| moments[i]);
     let [x, y, z] = order.map(|i| omega[i] * omega[i]);
     // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows. Of a sphere nothing is given.
@@ -68,22 +70,24 @@ fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
 
 /// The free motion in the time of a step.
 #[inline]
-fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
+fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let inverse = system.inverse();
     // Energy and momentum stay, and so does this: the parts do not change on the way.
     let omega = system.omega(&start.momentum);
     // No more than the energy allows about the smallest moment: cheap, and enough for most.
-    let rough = (start.momentum.dot(&omega) * inverse.max()).sqrt() * h.abs();
-    let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.abs() };
+    let largest = inverse.iter().map(Analytic::size).fold(0.0, f64::max);
+    let rough = (start.momentum.dot(&omega).size() * largest).sqrt() * h.size();
+    let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.size() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
-    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER)?;
+    let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::integer(parts as u32)), ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;
     }
-    motion.attitude *= 1.0 / motion.attitude.norm();
+    let over = T::one() / motion.attitude.coords.dot(&motion.attitude.coords).sqrt();
+    motion.attitude.coords.apply(|x| *x *= over.clone());
     motion.checked()
 }

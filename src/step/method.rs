@@ -23,7 +23,7 @@ pub enum Method {
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
     /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its error controlled it is
-    /// [`controlled`](crate::step::controlled).
+    /// [`adaptive`](crate::step::adaptive).
     DormandPrince5,
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
     /// where it is in the world.
@@ -60,26 +60,26 @@ pub enum Method {
     /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin never flips or precesses, and the momentum
     /// wanders in the world with the body; at any step, so that its order is 0.
     ConstantSpin,
-    /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo 4.0.0's Euler, Bullet 3.2.7's
+    /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo's Euler, Bullet's
     /// multibody. It gains energy, in time without bound: a stable spin is lost.
     SemiImplicitEuler,
     /// The same, with the momentum brought back to its length before the turn: Jolt with its flag on, Avian. It keeps `|L|` and
     /// turns a body that spins stably about its largest moment toward the middle one.
     Rescaled,
-    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier 0.36.1, in four parts a step.
+    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier, in four parts a step.
     RescaledLinearAttitude,
-    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet 3.2.7's rigid
+    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet's rigid
     /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
     /// multiply the energy.
     ImplicitOneNewton,
-    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the damping: MuJoCo 4.0.0's implicit
+    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the damping: MuJoCo's implicit
     /// and implicitfast. For a free body the same as [`ImplicitOneNewton`](Self::ImplicitOneNewton).
     LinearisedImplicit,
-    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's RK4 before version 4.0.0. The spin is right
+    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's former RK4. The spin is right
     /// to the fourth order, the attitude to the second.
     MeanSpinRungeKutta4,
     /// The same, each of the four spins corrected to the rate of the turn since the start of the step, as
-    /// [MK98](crate::references): MuJoCo 4.0.0's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body axes.
+    /// [MK98](crate::references): MuJoCo's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body axes.
     TurnedRungeKutta4,
 }
 
@@ -95,7 +95,7 @@ pub struct MethodInfo {
     /// The quantities of a free motion that it conserves to rounding in every step that it takes: the implicit methods refuse steps that
     /// turn the body too far.
     pub conserved: Conserved,
-    /// Where it comes from: a key into the [references](crate::references), or whose engine uses it.
+    /// Where it comes from: a key into the [references](crate::references), or a word.
     pub source: &'static str,
 }
 
@@ -210,7 +210,7 @@ impl Method {
         check_square_underflow(&system.omega(&start.momentum), h)?;
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
-            Self::RungeKutta4 => rk4::rk4(start, h.clone(), |state| system.rate(state), State::plus),
+            Self::RungeKutta4 => rk4::step(system, start, h),
             Self::DormandPrince5 => dormand_prince::step(system, start, h),
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),

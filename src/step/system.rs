@@ -18,6 +18,7 @@ pub struct System<T: nalgebra::Scalar> {
     moments: Vector3<T>,
     inverse: Vector3<T>,
     torques: Vec<Torque<T>>,
+    time: T,
 }
 
 impl System<f64> {
@@ -58,7 +59,7 @@ impl<T: Field> System<T> {
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
-        Self { moments, inverse, torques }
+        Self { moments, inverse, torques, time: T::zero() }
     }
 
     /// Principal moments, kg m².
@@ -77,6 +78,17 @@ impl<T: Field> System<T> {
     #[must_use]
     pub fn torques(&self) -> &[Torque<T>] {
         &self.torques
+    }
+
+    /// The time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it is set.
+    #[must_use]
+    pub fn time(&self) -> &T {
+        &self.time
+    }
+
+    /// Sets the time at which the next step begins, s.
+    pub fn set_time(&mut self, time: T) {
+        self.time = time;
     }
 
     /// Whether nothing acts on it.
@@ -99,28 +111,41 @@ impl<T: Field> System<T> {
 }
 
 impl<T: Analytic> System<T> {
-    /// The sum of all torques in body axes, N m.
+    /// The sum of all torques in body axes, N m, at the system's time.
     #[must_use]
     pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
+        self.torque_after(motion, &T::zero())
+    }
+
+    /// The same `time` seconds later.
+    pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
         if self.torques.is_empty() {
             return none;
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let omega = self.omega(&motion.momentum);
-        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&rotation, &motion.momentum, &omega))
+        let then = self.time.clone() + time.clone();
+        self.torques
+            .iter()
+            .fold(none, |sum, torque| sum + torque.at(then.clone(), &rotation, &motion.momentum, &omega))
     }
 
-    /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`.
+    /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
     ///
     /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of momentum and spin two
     /// nearly cancel.
     #[must_use]
     pub fn rate(&self, state: &State<T>) -> Rate<T> {
+        self.rate_after(state, &T::zero())
+    }
+
+    /// The same `time` seconds later.
+    pub(crate) fn rate_after(&self, state: &State<T>, time: &T) -> Rate<T> {
         let omega = self.omega(&state.momentum);
         Rate {
             attitude: attitude::rate(&state.attitude, &omega),
-            momentum: euler::coupling(&self.moments, &omega) + self.torque(state),
+            momentum: euler::coupling(&self.moments, &omega) + self.torque_after(state, time),
         }
     }
 
@@ -140,10 +165,10 @@ impl<T: Analytic> System<T> {
     /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
     #[must_use]
     pub fn kick(&self, motion: &State<T>, h: T) -> State<T> {
-        self.kick_by(self.torques.iter(), motion, h)
+        self.kick_by(self.torques.iter(), &self.time, motion, h)
     }
 
-    /// The same with the last torque first.
+    /// The second kick of a step of `2 h`: the same at the end of the step, and with the last torque first.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -158,16 +183,23 @@ impl<T: Analytic> System<T> {
     /// ```
     #[must_use]
     pub fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
-        self.kick_by(self.torques.iter().rev(), motion, h)
+        let end = self.time.clone() + h.clone() + h.clone();
+        self.kick_by(self.torques.iter().rev(), &end, motion, h)
     }
 
-    fn kick_by<'a>(&self, torques: impl Iterator<Item = &'a Torque<T>>, motion: &State<T>, h: T) -> State<T> {
+    fn kick_by<'a>(
+        &self,
+        torques: impl Iterator<Item = &'a Torque<T>>,
+        time: &T,
+        motion: &State<T>,
+        h: T,
+    ) -> State<T> {
         if self.torques.is_empty() {
             return motion.clone();
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            torque.kick(&self.inverse, &rotation, &momentum, h.clone())
+            torque.kick(&self.inverse, time.clone(), &rotation, &momentum, h.clone())
         });
         State { attitude: motion.attitude.clone(), momentum }
     }

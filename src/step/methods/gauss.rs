@@ -79,7 +79,7 @@ pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T)
         let length = sum.dot(&sum).sqrt();
         let middle = Quaternion::from_vector(sum.map(|x| x / length.clone()));
         let here = State { attitude: attitude::product(&start.attitude, &middle), momentum: mean.clone() };
-        system.torque(&here).map(|x| x * half.clone())
+        system.torque_after(&here, &half).map(|x| x * half.clone())
     };
     let next = |mean: &Vector3<T>| {
         // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two nearly cancel.
@@ -145,13 +145,15 @@ fn collocated<T: Analytic, const N: usize>(
             .zip(weights)
             .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, h.clone() * weight.clone()))
     };
+    // A stage stands at the sum of its weights.
+    let times = stages.each_ref().map(|row| row.iter().fold(T::zero(), |sum, x| sum + x.clone()) * h.clone());
     // Both in units of their own: the attitude's length, the momentum's.
     let momentum = match size(&start.momentum) + h.size() * size(&first.momentum) {
         0.0 => 1.0,
         size => size,
     };
     let next = |slopes: &[Rate<T>; N]| {
-        let better = std::array::from_fn(|i| system.rate(&along(slopes, &stages[i])));
+        let better = std::array::from_fn(|i| system.rate_after(&along(slopes, &stages[i]), &times[i]));
         let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
             let turn = after.attitude.coords.clone() - &before.attitude.coords;
             let turn = turn.iter().map(Analytic::size).sum::<f64>();

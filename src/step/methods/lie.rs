@@ -31,7 +31,7 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     };
     // The rate of a rotation momentum v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12 and terms that the fourth
     // order does not see.
-    let rate = |turn: &Vector3<T>, momentum: &Vector3<T>| {
+    let rate = |turn: &Vector3<T>, momentum: &Vector3<T>, time: &T| {
         let here = at(turn, momentum);
         let omega = system.omega(&here.momentum);
         let across = turn.cross(&omega);
@@ -43,7 +43,7 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
             none.clone()
         } else {
             let back = attitude::turn(&-turn.clone_owned());
-            attitude::rotate_inverse(&back, &system.torque(&here))
+            attitude::rotate_inverse(&back, &system.torque_after(&here, time))
         };
         Part { turn: slope, momentum: push }
     };
@@ -52,13 +52,13 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
         (turn, &start.momentum + k.momentum.map(|x| x * time.clone()))
     };
     let half = h.clone() / T::integer(2);
-    let k1 = rate(&none, &start.momentum);
+    let k1 = rate(&none, &start.momentum, &T::zero());
     let (turn, momentum) = along(&k1, &half);
-    let k2 = rate(&turn, &momentum);
+    let k2 = rate(&turn, &momentum, &half);
     let (turn, momentum) = along(&k2, &half);
-    let k3 = rate(&turn, &momentum);
+    let k3 = rate(&turn, &momentum, &half);
     let (turn, momentum) = along(&k3, h);
-    let k4 = rate(&turn, &momentum);
+    let k4 = rate(&turn, &momentum, h);
     let mean = |a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>, d: &Vector3<T>| {
         let middle = b + c;
         (a + d + &middle + &middle).map(|x| x * h.clone() / T::integer(6))

@@ -1,7 +1,9 @@
 //! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
 
-use crate::number::Field;
+use crate::body::{Rate, State};
+use crate::number::{Analytic, Field};
 use crate::step::method::{Conserved, MethodInfo};
+use crate::step::system::System;
 
 pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "Runge-Kutta 4",
@@ -36,4 +38,12 @@ pub fn rk4<S, R, T: Field>(start: &S, h: T, rate: impl Fn(&S) -> R, plus: impl F
     let third = h / T::integer(3);
     let first = plus(start, &k1, sixth.clone());
     plus(&plus(&plus(&first, &k2, third.clone()), &k3, third), &k4, sixth)
+}
+
+/// One step of a body; the time goes along with the state.
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    let rate = |(state, time): &(State<T>, T)| system.rate_after(state, time);
+    let plus =
+        |(state, time): &(State<T>, T), rate: &Rate<T>, h: T| (state.plus(rate, h.clone()), time.clone() + h);
+    rk4(&(start.clone(), T::zero()), h.clone(), rate, plus).0
 }

@@ -14,7 +14,7 @@ pub(crate) const CONSTANT_SPIN: MethodInfo = MethodInfo {
     order: 0,
     implicit: false,
     conserved: Conserved { energy: true, momentum: true, direction: false, unit: true, reversible: true },
-    source: "PhysX, Unity, Godot Physics, Brax; Jolt with its flag off",
+    source: "a rule of physics engines",
 };
 
 pub(crate) const SEMI_IMPLICIT: MethodInfo = MethodInfo {
@@ -22,7 +22,7 @@ pub(crate) const SEMI_IMPLICIT: MethodInfo = MethodInfo {
     order: 1,
     implicit: false,
     conserved: UNIT,
-    source: "MuJoCo's Euler, Bullet's multibody",
+    source: "a rule of physics engines",
 };
 
 pub(crate) const RESCALED: MethodInfo = MethodInfo {
@@ -30,11 +30,10 @@ pub(crate) const RESCALED: MethodInfo = MethodInfo {
     order: 1,
     implicit: false,
     conserved: Conserved { momentum: true, ..UNIT },
-    source: "Jolt with its flag on, Avian",
+    source: "a rule of physics engines",
 };
 
-pub(crate) const RESCALED_STRAIGHT: MethodInfo =
-    MethodInfo { name: "rescaled, turned straight", source: "Rapier", ..RESCALED };
+pub(crate) const RESCALED_STRAIGHT: MethodInfo = MethodInfo { name: "rescaled, turned straight", ..RESCALED };
 
 /// The momentum after the torques alone, at their value at the start.
 fn pushed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {

@@ -20,7 +20,7 @@ pub(crate) const LINEARISED: MethodInfo = MethodInfo {
     order: 1,
     implicit: true,
     conserved: Conserved { unit: true, ..Conserved::NONE },
-    source: "MuJoCo's implicit and implicitfast",
+    source: "a rule of physics engines",
 };
 
 /// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative of `w x I w` and `C` the
