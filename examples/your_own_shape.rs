@@ -42,7 +42,7 @@ fn report(what: &str, body: &MassProperties) -> Result<(), Error> {
     for axis in Axis::ALL {
         let fate = match of_spin(axes.principal_moments()?, axis, 1.0)? {
             Stability::Growth { rate } => format!("a push grows, {rate:.3} per radian turned"),
-            Stability::Wobble { rate } => format!("a push circles, {rate:.3} rounds per turn"),
+            Stability::Libration { rate } => format!("a push circles, {rate:.3} rounds per turn"),
             _ => "a push drifts".to_string(),
         };
         println!("  {:.3e} kg m² about {:+.3?}: {fate}", axes.moment(axis), axes.axis(axis).as_slice());

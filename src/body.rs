@@ -4,7 +4,8 @@ pub mod attitude;
 pub mod named;
 mod state;
 
-pub use state::State;
+pub(crate) use state::along;
+pub use state::{Rate, State};
 
 use crate::error::{Error, Refusal, finite_vector};
 use crate::inertia::{Inertia, InverseInertia, omega_world};

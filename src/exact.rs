@@ -202,7 +202,7 @@ impl FreeMotion {
     /// use tumbling::{PrincipalMoments, exact::FreeMotion};
     /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(0.5, -1.0, 0.2))?;
     /// let start = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
-    /// let turned = motion.facing(&start)?;
+    /// let turned = motion.with_attitude(&start)?;
     /// assert_eq!(turned.attitude(0.0)?, start);
     /// assert!(turned.attitude(7.0)?.angle_to(&(start * motion.attitude(7.0)?)) < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
@@ -210,7 +210,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// An attitude whose length is not 1 to a billionth, or that is not finite.
-    pub fn facing(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+    pub fn with_attitude(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let attitude = crate::body::attitude::checked(attitude)?;
         let (frame, omega) = match &self.mount {
             Some(mount) => (mount.frame, mount.omega),
@@ -335,7 +335,7 @@ impl FreeMotion {
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
                 axis: top.axis(),
-                wobble: per_second(top.wobble_turns() * std::f64::consts::TAU),
+                nutation: per_second(top.wobble_turns() * std::f64::consts::TAU),
                 precession: per_second(top.precession()),
             },
             Law::Elliptic(motion) => motion.regime(per_second),

@@ -37,13 +37,13 @@ use crate::step::{State, System};
 pub fn step(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     finite("the step", h)?;
     let half = 0.5 * h;
-    let kicked = if system.is_free() { start.clone() } else { system.kicked(start, &half) };
+    let kicked = if system.is_free() { *start } else { system.kick(start, half) };
     let omega = system.omega(&kicked.momentum);
     let drift = FreeMotion::new((*system.moments()).try_into()?, &omega)?.at(h)?;
     let end = State {
         attitude: attitude::product(&kicked.attitude, &drift.attitude.into_inner()),
         momentum: system.momentum(&drift.omega),
     };
-    let end = if system.is_free() { end } else { system.kicked_back(&end, &half) };
-    end.whole()
+    let end = if system.is_free() { end } else { system.adjoint_kick(&end, half) };
+    end.checked()
 }

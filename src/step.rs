@@ -12,12 +12,12 @@ mod pitfalls;
 mod system;
 mod torque;
 
-pub use crate::body::State;
-pub use fixed_rate::game;
-pub use method::{About, Keeps, Method};
+pub use crate::body::{Rate, State};
+pub use fixed_rate::fixed_rate;
+pub use method::{Conserved, Method, MethodInfo};
 pub(crate) use methods::dormand_prince::controlled_within;
 pub use methods::dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
 pub use methods::rk4::rk4;
-pub use pitfalls::Engine;
+pub use pitfalls::{Carried, Engine};
 pub use system::System;
 pub use torque::Torque;

@@ -30,7 +30,7 @@ const GAP_MARGIN: f64 = 4.0 * f64::EPSILON;
 proptest! {
     #[test]
     fn the_gap_is_right_to_its_last_digits_for_any_spin(inertia in tensor(), omega in vector(3.0)) {
-        let (ours, truth) = (inertia.gap(&omega).unwrap(), exact_gap(&inertia, &omega));
+        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_gap(&inertia, &omega));
         prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
     }
 
@@ -41,7 +41,7 @@ proptest! {
     ) {
         let along = inertia.principal().frame().column(axis).into_owned();
         let omega = (along + hair * 10_f64.powi(exponent)) * 10_f64.powi(size);
-        let (ours, truth) = (inertia.gap(&omega).unwrap(), exact_gap(&inertia, &omega));
+        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_gap(&inertia, &omega));
         prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
     }
 
@@ -128,7 +128,7 @@ proptest! {
         let _ = Inertia::from_matrix(&whole);
         let sane = Inertia::from_moments(1.0, 2.0, 2.5);
         for inertia in [Inertia::new(m.into(), p.into()), Inertia::from_moments(m.x, m.y, m.z), sane].into_iter().flatten() {
-            let _ = (inertia.gap(&v), inertia.about_axis(&v), inertia.momentum(&v), inertia.principal().rotation());
+            let _ = (inertia.angle_to_momentum(&v), inertia.about_axis(&v), inertia.momentum(&v), inertia.principal().rotation());
             let _ = (inertia.shifted_from_centre(mass, &v), inertia.shifted_to_centre(mass, &v), inertia.turned(&attitude));
             let _ = inertia.inverse().map(|inverse| (inverse.omega(&v), inverse.turned(&attitude)));
             for body in [
@@ -292,10 +292,14 @@ fn the_top_of_the_range_has_no_tolerance_without_end() {
 fn along_a_turned_rod_there_is_no_momentum_and_so_no_gap() {
     let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
     let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap().turned(&q).unwrap();
-    refused(rod.gap(&(q * Vector3::z())), ErrorKind::NoDirection, "the angular momentum is the zero vector");
+    refused(
+        rod.angle_to_momentum(&(q * Vector3::z())),
+        ErrorKind::NoDirection,
+        "the angular momentum is the zero vector",
+    );
     // A needle of 1e-12 is no rod: along itself it has momentum, and the gap is small.
     let needle = Inertia::from_moments(1.0, 1.0, 1e-12).unwrap();
-    assert_eq!(needle.gap(&Vector3::z()).unwrap(), 0.0);
+    assert_eq!(needle.angle_to_momentum(&Vector3::z()).unwrap(), 0.0);
 }
 
 #[test]
@@ -330,11 +334,19 @@ fn an_attitude_that_has_drifted_turns_as_its_direction_says_and_one_far_off_is_r
 #[test]
 fn a_spin_without_direction_has_no_gap() {
     let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
-    refused(tensor.gap(&Vector3::zeros()), ErrorKind::NoDirection, "the spin is the zero vector");
+    refused(
+        tensor.angle_to_momentum(&Vector3::zeros()),
+        ErrorKind::NoDirection,
+        "the spin is the zero vector",
+    );
     refused(tensor.about_axis(&Vector3::zeros()), ErrorKind::NoDirection, "the axis is the zero vector");
     let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap();
-    refused(rod.gap(&Vector3::z()), ErrorKind::NoDirection, "the angular momentum is the zero vector");
-    assert!(exact(tensor.gap(&Vector3::new(1.0, 5e-324, 0.0)).unwrap()).is_positive());
+    refused(
+        rod.angle_to_momentum(&Vector3::z()),
+        ErrorKind::NoDirection,
+        "the angular momentum is the zero vector",
+    );
+    assert!(exact(tensor.angle_to_momentum(&Vector3::new(1.0, 5e-324, 0.0)).unwrap()).is_positive());
 }
 
 // A tensor that is known to a unit in the last place of its largest moment has no smallest moment below that.

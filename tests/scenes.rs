@@ -103,7 +103,7 @@ fn a_body_that_lies_turned_in_its_own_axes_and_in_the_world_is_answered_in_those
                 assert!((state.spin.unwrap() - at.omega).norm() < 1e-12);
                 assert!(state.attitude.unwrap().angle_to(&at.attitude) < 1e-12);
                 assert!((state.energy.unwrap() / body.energy() - 1.0).abs() < 1e-13);
-                assert!((state.gap.unwrap() - tensor.gap(&at.omega).unwrap()).abs() < 1e-12);
+                assert!((state.gap.unwrap() - tensor.angle_to_momentum(&at.omega).unwrap()).abs() < 1e-12);
             }
         }
     }
@@ -257,7 +257,7 @@ fn the_method_follows_from_the_torque_and_the_accuracy() {
         let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(top, vec![torque], times, BOTH, accuracy);
         match scene.plan(0).unwrap().way() {
-            Way::Stepper(driven) => driven.method().unwrap().about().name,
+            Way::Stepper(driven) => driven.method().unwrap().info().name,
             Way::Controlled(_) => "controlled",
             Way::Flow(_) => "flow",
             _ => "other",

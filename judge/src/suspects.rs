@@ -99,8 +99,8 @@ impl Base {
     pub fn name(self) -> String {
         match self {
             Self::Exact => "the exact motion".into(),
-            Self::Method(method, 1) => method.about().name.into(),
-            Self::Method(method, parts) => format!("{}, {parts} parts a step", method.about().name),
+            Self::Method(method, 1) => method.info().name.into(),
+            Self::Method(method, parts) => format!("{}, {parts} parts a step", method.info().name),
         }
     }
 }
@@ -114,7 +114,7 @@ pub(crate) fn straight(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Qua
 pub(crate) fn bare(method: Method, parts: u32) -> PhysicsEngine {
     let engine = PHYSICS_ENGINES[0];
     PhysicsEngine {
-        name: method.about().name,
+        name: method.info().name,
         version: None,
         setting: "",
         method,

@@ -30,7 +30,7 @@ fn the_diagnosis_of_every_recorded_engine_names_its_rule() {
         let engine = engine.trim_end_matches("-1e9");
         let engine = PHYSICS_ENGINES.iter().find(|x| x.record == Some(engine)).unwrap();
         let diagnosis = verdict.diagnosis.unwrap();
-        let twins = [Method::OneNewton, Method::LinearisedImplicit];
+        let twins = [Method::ImplicitOneNewton, Method::LinearisedImplicit];
         let (method, parts) = diagnosis.best.rule.method().unwrap();
         let same = method == engine.method
             || story != "pushed" && twins.contains(&method) && twins.contains(&engine.method);

@@ -173,7 +173,7 @@ fn the_implicit_midpoint_does_what_the_kit_asks_of_a_step() {
             let mut n = 0.0;
             for answer in &story.answers {
                 while n < (answer.t / h).round() {
-                    motion = Method::ImplicitMidpoint.step(&system, &motion, &h).unwrap();
+                    motion = Method::ImplicitMidpoint.step(&system, &motion, h).unwrap();
                     n += 1.0;
                 }
                 let found = errors(answer, &system.omega(&motion.momentum), &motion.attitude);

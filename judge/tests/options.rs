@@ -71,7 +71,7 @@ fn a_fit_to_what_is_no_free_motion_is_refused() {
 
 #[test]
 fn a_law_may_have_a_limit_of_its_own() {
-    let text = csv(&stepped(Method::OneNewton, SPIN, 0.001, 2000));
+    let text = csv(&stepped(Method::ImplicitOneNewton, SPIN, 0.001, 2000));
     let with = |options: Options| judge(text.as_bytes(), &options).unwrap();
     let usual = with(Options::default());
     assert_eq!(usual.outcome, Outcome::Passed);

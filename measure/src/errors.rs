@@ -66,7 +66,7 @@ impl<'a> Watch<'a> {
             story,
             middle: story.middle(),
             world: in_world(&start.attitude, &start.momentum),
-            before: Some((0.0, start.clone())),
+            before: Some((0.0, *start)),
             flips: 0,
             last: None,
             worst: [0.0; 3],
@@ -91,7 +91,7 @@ impl<'a> Watch<'a> {
                 self.last = Some((t, before));
             }
         }
-        self.before = Some((time, motion.clone()));
+        self.before = Some((time, *motion));
         if self.story.keeps_energy() {
             let off = relative(self.story.energy(motion), self.story.truth.energy);
             self.worst[0] = self.worst[0].max(off);

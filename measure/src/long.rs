@@ -78,7 +78,7 @@ pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
             (squares.iter().sum::<f64>() / f64::from(starts)).sqrt()
         };
         rows.push(Long {
-            contestant: method.about().name.into(),
+            contestant: method.info().name.into(),
             group: group.into(),
             steps: STEPS,
             turns: end,
@@ -91,7 +91,7 @@ pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
     // What went wrong, once, after the last window that all came through.
     if let Some((_, outcome)) = runs.iter().find(|(_, outcome)| *outcome != Outcome::Right) {
         rows.push(Long {
-            contestant: method.about().name.into(),
+            contestant: method.info().name.into(),
             group: group.into(),
             steps: STEPS,
             turns: ends.get(rows.len()).copied().unwrap_or(turns),
@@ -121,7 +121,7 @@ fn one(
         let mut window = Window::default();
         for _ in done..end {
             for _ in 0..STEPS {
-                motion = match method.step(system, &motion, &h) {
+                motion = match method.step(system, &motion, h) {
                     Ok(motion) => motion,
                     Err(e) => return (windows, Failure::from(e).into()),
                 };

@@ -150,7 +150,7 @@ fn a_slow_clock_shows_as_phase() {
         fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
             let omega = story.system.omega(&story.start.momentum);
             let exact = FreeMotion::new((*story.system.moments()).try_into()?, &omega)?;
-            let mut motion = story.start.clone();
+            let mut motion = story.start;
             let watch = watch.unwrap();
             for k in 1..=10_000_u32 {
                 let t = story.end * f64::from(k) / 1e4;

@@ -70,7 +70,7 @@ pub struct Given {
 
 impl Given {
     fn motion(&self) -> Result<FreeMotion, Error> {
-        FreeMotion::new(self.moments.try_into()?, &self.omega)?.facing(&self.attitude)
+        FreeMotion::new(self.moments.try_into()?, &self.omega)?.with_attitude(&self.attitude)
     }
 }
 

@@ -49,7 +49,7 @@ fn every_kind() -> Vec<Given> {
 }
 
 fn motion(given: &Given) -> Result<FreeMotion, Error> {
-    FreeMotion::new(given.moments.try_into()?, &given.omega)?.facing(&given.attitude)
+    FreeMotion::new(given.moments.try_into()?, &given.omega)?.with_attitude(&given.attitude)
 }
 
 fn bits(instant: &Instant) -> [u64; 7] {

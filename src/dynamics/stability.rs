@@ -1,4 +1,4 @@
-//! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
+//! Stability of a steady spin about each principal axis, and the time between flips.
 
 use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, Refusal, finite, finite_vector};
@@ -6,9 +6,10 @@ use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
+use std::fmt;
 
-/// The square of the rate at which a small wobble changes, (1/s)²: positive where it grows, negative
-/// where it swings, for a spin `omega` about the axis with moment `about`, the others being `first` and
+/// The square of the rate at which a small disturbance changes, (1/s)²: positive where it grows, negative
+/// where it librates, for a spin `omega` about the axis with moment `about`, the others being `first` and
 /// `second`.
 ///
 /// It is `-w² (I - I_first)(I - I_second) / (I_first I_second)`: Euler's equations with the two small
@@ -20,6 +21,7 @@ use nalgebra::Vector3;
 /// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &1.0, &2.0, &3.0) < 0.0);
 /// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &3.0, &1.0, &2.0) < 0.0);
 /// ```
+#[must_use]
 pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T {
     let [w, i, a, b] = [omega, about, first, second].map(T::clone);
     w.clone() * w * ((i.clone() - a.clone()) / a) * ((b.clone() - i) / b)
@@ -29,9 +31,9 @@ pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T 
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Stability {
-    /// It circles the axis, ever as small, at this many radians per second, seen from the body.
-    Wobble {
-        /// Angular frequency of the wobble, rad/s.
+    /// The spin librates: it circles the axis on a small closed curve in body axes, and stays as near.
+    Libration {
+        /// Angular frequency, rad/s.
         rate: f64,
     },
     /// It grows as `exp(rate t)` while small: the spin will flip.
@@ -44,6 +46,20 @@ pub enum Stability {
     Neutral,
 }
 
+/// As `libration at 5.77 rad/s`; a precision goes to the rate.
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, rate, unit) = match self {
+            Self::Libration { rate } => ("libration at ", rate, " rad/s"),
+            Self::Growth { rate } => ("growth at ", rate, " 1/s"),
+            Self::Neutral => return f.write_str("neutral"),
+        };
+        f.write_str(what)?;
+        fmt::Display::fmt(rate, f)?;
+        f.write_str(unit)
+    }
+}
+
 /// The fate of a small disturbance of a steady spin `omega` (rad/s) about `axis`.
 ///
 /// ```
@@ -51,7 +67,8 @@ pub enum Stability {
 /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
 /// let Stability::Growth { rate } = of_spin(moments, Axis::Middle, 10.0)? else { panic!() };
 /// assert_eq!(format!("{rate:.4}"), "5.7735"); // 10 / sqrt(3)
-/// assert!(matches!(of_spin(moments, Axis::Largest, 10.0)?, Stability::Wobble { .. }));
+/// assert_eq!(format!("{:.1}", of_spin(moments, Axis::Smallest, 10.0)?), "libration at 5.8 rad/s");
+/// assert!(matches!(of_spin(moments, Axis::Largest, 10.0)?, Stability::Libration { .. }));
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
@@ -74,11 +91,11 @@ pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stab
         return Ok(Stability::Neutral);
     }
     if !rate.is_finite() || rate == 0.0 {
-        return Err(Refusal::OutOfRange { what: "the rate of the wobble", value: rate }.into());
+        return Err(Refusal::OutOfRange { what: "the rate of a small disturbance", value: rate }.into());
     }
     Ok(match axis {
         Axis::Middle => Stability::Growth { rate },
-        Axis::Smallest | Axis::Largest => Stability::Wobble { rate },
+        Axis::Smallest | Axis::Largest => Stability::Libration { rate },
     })
 }
 
@@ -87,7 +104,7 @@ pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stab
 ///
 /// The spin (rad/s) is along the principal axes. A flip is when the spin
 /// component along the middle axis changes sign; every free motion but those named does that, a stable
-/// wobble too, where it is small and quick.
+/// libration too, where it is small and quick.
 ///
 /// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the arithmetic-geometric mean
 /// [Gau99](crate::references). The small differences on which it hangs are taken between the given moments, never between

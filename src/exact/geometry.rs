@@ -69,7 +69,7 @@ impl FreeMotion {
                 }
                 Ok(match of_spin(self.moments, Axis::Middle, speed)? {
                     Stability::Growth { rate } => Some(rate),
-                    Stability::Wobble { .. } | Stability::Neutral => None,
+                    Stability::Libration { .. } | Stability::Neutral => None,
                 })
             }
             Regime::AtRest | Regime::SymmetricTop { .. } => Ok(None),

@@ -1,6 +1,6 @@
 //! The inverse tensor, which takes momentum to spin.
 
-use super::{Inertia, evened, in_range, is_diagonal, turned};
+use super::{Inertia, in_range, is_diagonal, symmetrized, turned};
 use crate::error::{Error, Refusal};
 use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
@@ -38,7 +38,7 @@ impl InverseInertia {
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
-        let matrix = evened(&turned(&rotation, &self.matrix));
+        let matrix = symmetrized(&turned(&rotation, &self.matrix));
         in_range("an inverse moment", &matrix)?;
         Ok(Self { matrix })
     }

@@ -46,11 +46,11 @@ impl By {
         if count > *left {
             return Err(Refusal::TooMany { what: "steps", count }.into());
         }
-        let mut motion = start.clone();
+        let mut motion = *start;
         for _ in 0..count {
             *left -= 1;
             motion = match method {
-                Some(method) => method.step(system, &motion, &h)?,
+                Some(method) => method.step(system, &motion, h)?,
                 None => flow::step(system, &motion, h)?,
             };
         }

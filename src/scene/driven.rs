@@ -98,7 +98,7 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let trial = Trial { system: &system, start: &start, times: &times, wants, accuracy, end, turned, lost };
     let stiff = loss > STIFF * spin.max(1.0 / end) && lost > LONG;
     let way = |(by, seen, steps): Settled, trials: f64| {
-        let driven = Driven { system: system.clone(), start: start.clone(), by, seen, steps, trials, stiff };
+        let driven = Driven { system: system.clone(), start, by, seen, steps, trials, stiff };
         match by {
             By::Control(_) => Way::Controlled(driven),
             By::Flow(_) => Way::Flow(driven),
@@ -332,7 +332,7 @@ impl Trial<'_> {
         left: &mut usize,
         most: f64,
     ) -> Result<(Vec<State<f64>>, usize), Error> {
-        let (mut now, mut motion) = (0.0, self.start.clone());
+        let (mut now, mut motion) = (0.0, *self.start);
         let whole = (*left).min(most as usize);
         let mut of_run = whole;
         let mut seen = Vec::with_capacity(self.times.len());
@@ -343,7 +343,7 @@ impl Trial<'_> {
                     let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
                     (motion, now) = (by.on(self.system, &motion, between, least, of_run)?, time);
                 }
-                seen.push(motion.clone());
+                seen.push(motion);
             }
             Ok(())
         };

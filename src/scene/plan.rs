@@ -145,7 +145,7 @@ impl<'a> Plan<'a> {
         }
         let steady =
             matches!(way, Way::Nothing | Way::Constant { .. } | Way::Rotation(_) | Way::SymmetricTop(_));
-        let gap = if wants.gap && steady { Some(inertia.gap(&body.omega)?) } else { None };
+        let gap = if wants.gap && steady { Some(inertia.angle_to_momentum(&body.omega)?) } else { None };
         Ok(Self { scene, body, way, energy, gap, inertia })
     }
 

@@ -13,6 +13,7 @@ use std::f64::consts::PI;
 /// ```
 /// assert_eq!(tumbling::solid::ball_moment(&10.0, &3.0), 36.0);
 /// ```
+#[must_use]
 pub fn ball_moment<T: Field>(mass: &T, radius: &T) -> T {
     T::integer(2) * mass.clone() * square(radius) / T::integer(5)
 }

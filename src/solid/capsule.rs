@@ -20,6 +20,7 @@ use std::f64::consts::PI;
 /// let across = 3.0 * (3.0 + 16.0) / 12.0 + (0.4 + 1.5 + 4.0);
 /// assert_eq!(moments, Vector3::new(across, across, 1.5 + 0.4));
 /// ```
+#[must_use]
 pub fn capsule_moments<T: Field>(mass: &T, radius: &T, length: &T) -> Vector3<T> {
     let n = T::integer;
     let (middle, caps) = (n(3) * length.clone(), n(4) * radius.clone());

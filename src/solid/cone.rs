@@ -17,6 +17,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::cone_moments(&80.0, &1.0, &4.0);
 /// assert_eq!(moments, Vector3::new(60.0, 60.0, 24.0));
 /// ```
+#[must_use]
 pub fn cone_moments<T: Field>(mass: &T, radius: &T, height: &T) -> Vector3<T> {
     let rr = square(radius);
     let three_m = T::integer(3) * mass.clone();

@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 /// let moments = tumbling::solid::cuboid_moments(&12.0, &2.0, &1.0, &3.0);
 /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
 /// ```
+#[must_use]
 pub fn cuboid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
     let twelfth = mass.clone() / T::integer(12);
     let (aa, bb, cc) = (square(a), square(b), square(c));

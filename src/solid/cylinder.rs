@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::cylinder_moments(&12.0, &2.0, &3.0);
 /// assert_eq!(moments, Vector3::new(21.0, 21.0, 24.0));
 /// ```
+#[must_use]
 pub fn cylinder_moments<T: Field>(mass: &T, radius: &T, height: &T) -> Vector3<T> {
     let rr = square(radius);
     let across = mass.clone() * (T::integer(3) * rr.clone() + square(height)) / T::integer(12);

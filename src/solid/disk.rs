@@ -14,6 +14,7 @@ use std::f64::consts::PI;
 /// use nalgebra::Vector3;
 /// assert_eq!(tumbling::solid::disk_moments(&3.0, &2.0), Vector3::new(3.0, 3.0, 6.0));
 /// ```
+#[must_use]
 pub fn disk_moments<T: Field>(mass: &T, radius: &T) -> Vector3<T> {
     let across = mass.clone() * square(radius) / T::integer(4);
     Vector3::new(across.clone(), across.clone(), across.clone() + across)

@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::ellipsoid_moments(&5.0, &2.0, &1.0, &3.0);
 /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
 /// ```
+#[must_use]
 pub fn ellipsoid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
     let fifth = mass.clone() / T::integer(5);
     let (aa, bb, cc) = (square(a), square(b), square(c));

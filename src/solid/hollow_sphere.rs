@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 /// assert_eq!(hollow_sphere_moment(&35.0, &1.0, &2.0), 62.0); // 2/5 * 35 * 31/7
 /// assert_eq!(hollow_sphere_moment(&3.0, &2.0, &2.0), 8.0); // 2/3 * 3 * 2^2
 /// ```
+#[must_use]
 pub fn hollow_sphere_moment<T: Field>(mass: &T, inner: &T, outer: &T) -> T {
     let (ii, io, oo) = (square(inner), inner.clone() * outer.clone(), square(outer));
     let quartic = square(&oo)

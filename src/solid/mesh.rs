@@ -39,6 +39,7 @@ pub struct MeshSums<T: Ring> {
 /// assert_eq!(sums.first, Vector3::new(1, 1, 1));
 /// assert_eq!(sums.second, Matrix3::new(2, 1, 1, 1, 2, 1, 1, 1, 2));
 /// ```
+#[must_use]
 pub fn mesh_sums<'a, T: Ring>(
     triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
     reference: &Vector3<T>,
@@ -70,6 +71,7 @@ pub fn mesh_sums<'a, T: Ring>(
 /// assert_eq!(solid.mass, 16.0);
 /// assert_eq!(solid.centre, Vector3::new(1.0, 1.0, 1.5));
 /// ```
+#[must_use]
 pub fn mesh_moments<T: Field>(sums: &MeshSums<T>, reference: &Vector3<T>) -> MassMoments<T> {
     let n = T::integer;
     let mass = sums.six_volumes.clone() / n(6);

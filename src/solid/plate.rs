@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 /// use nalgebra::Vector3;
 /// assert_eq!(tumbling::solid::plate_moments(&12.0, &2.0, &3.0), Vector3::new(9.0, 4.0, 13.0));
 /// ```
+#[must_use]
 pub fn plate_moments<T: Field>(mass: &T, a: &T, b: &T) -> Vector3<T> {
     let about = |edge: &T| mass.clone() * square(edge) / T::integer(12);
     let (x, y) = (about(b), about(a));

@@ -17,6 +17,7 @@ use nalgebra::{Matrix3, Vector3};
 /// assert_eq!(body.centre, Vector3::new(3.0, 3.0, 0.0));
 /// assert_eq!(body.inertia, Matrix3::new(12.0, -12.0, 0.0, -12.0, 12.0, 0.0, 0.0, 0.0, 24.0));
 /// ```
+#[must_use]
 pub fn point_masses_moments<T: Field>(points: &[(T, Vector3<T>)], reference: &Vector3<T>) -> MassMoments<T> {
     combined(&as_parts(points), reference)
 }

@@ -34,6 +34,7 @@ pub struct MassMoments<T: Ring> {
 /// assert_eq!(pair.centre.x, 3.0);
 /// assert_eq!(pair.inertia.diagonal(), Vector3::new(0.0, 12.0, 12.0)); // 1 * 3^2 + 3 * 1^2
 /// ```
+#[must_use]
 pub fn combined<T: Field>(parts: &[MassMoments<T>], reference: &Vector3<T>) -> MassMoments<T> {
     let mut mass = T::zero();
     let mut first = Vector3::zeros();
@@ -59,6 +60,7 @@ impl<T: Ring> MassMoments<T> {
     /// assert_eq!(ball.map(|x| *x as f32).inertia[(2, 2)], 1.0_f32);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
+    #[must_use]
     pub fn map<U: Ring>(&self, number: impl Fn(&T) -> U) -> MassMoments<U> {
         MassMoments {
             mass: number(&self.mass),

@@ -13,6 +13,7 @@ use nalgebra::Vector3;
 /// use nalgebra::Vector3;
 /// assert_eq!(tumbling::solid::rod_moments(&4.0, &3.0), Vector3::new(3.0, 3.0, 0.0));
 /// ```
+#[must_use]
 pub fn rod_moments<T: Field>(mass: &T, length: &T) -> Vector3<T> {
     let across = mass.clone() * square(length) / T::integer(12);
     Vector3::new(across.clone(), across, T::zero())

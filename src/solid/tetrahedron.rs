@@ -20,6 +20,7 @@ use nalgebra::{Matrix3, Vector3};
 /// assert_eq!(body.centre, Vector3::new(1.0, 1.0, 1.0));
 /// assert_eq!(body.inertia, Matrix3::new(6.0, 1.0, 1.0, 1.0, 6.0, 1.0, 1.0, 1.0, 6.0));
 /// ```
+#[must_use]
 pub fn tetrahedron_moments<T: Field>(mass: &T, vertices: &[Vector3<T>; 4]) -> MassMoments<T> {
     let [a, b, c, d] = vertices;
     let edges = [b - a, c - a, d - a];

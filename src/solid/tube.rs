@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::tube_moments(&12.0, &1.0, &2.0, &3.0);
 /// assert_eq!(moments, Vector3::new(24.0, 24.0, 30.0));
 /// ```
+#[must_use]
 pub fn tube_moments<T: Field>(mass: &T, inner: &T, outer: &T, height: &T) -> Vector3<T> {
     let radii = square(inner) + square(outer);
     let across = mass.clone() * (T::integer(3) * radii.clone() + square(height)) / T::integer(12);

@@ -25,13 +25,13 @@ const MOST_PARTS: f64 = 1000.0;
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
 /// use tumbling::PrincipalMoments;
-/// use tumbling::step::{State, System, game};
+/// use tumbling::step::{State, System, fixed_rate};
 /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
 /// // Ten minutes about the axis of the largest moment, with a wobble: at 60 Hz a naive engine turns it about the middle one.
 /// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
 /// for _ in 0..36_000 {
-///     motion = game(&system, &motion, 1.0 / 60.0)?;
+///     motion = fixed_rate(&system, &motion, 1.0 / 60.0)?;
 /// }
 /// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
 /// assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-12);
@@ -41,12 +41,12 @@ const MOST_PARTS: f64 = 1000.0;
 /// # Errors
 /// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of its moments do, or an attitude of
 /// no length.
-pub fn game(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
+pub fn fixed_rate(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     if system.is_free() {
         return drifted(system, start, h);
     }
-    let end = drifted(system, &system.kicked(start, &(0.5 * h)), h)?;
-    system.kicked_back(&end, &(0.5 * h)).whole()
+    let end = drifted(system, &system.kick(start, 0.5 * h), h)?;
+    system.adjoint_kick(&end, 0.5 * h).checked()
 }
 
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
@@ -85,5 +85,5 @@ fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64
         motion = prepared.step(&motion)?;
     }
     motion.attitude *= 1.0 / motion.attitude.norm();
-    motion.whole()
+    motion.checked()
 }

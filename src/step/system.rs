@@ -1,7 +1,7 @@
 //! What a stepper steps: a rigid body in its principal axes, and the torques on it.
 
-use crate::body::State;
 use crate::body::attitude;
+use crate::body::{Rate, State};
 use crate::dynamics::euler;
 use crate::error::{Error, Refusal};
 use crate::inertia::PrincipalMoments;
@@ -111,16 +111,16 @@ impl<T: Analytic> System<T> {
         self.torques.iter().fold(none, |sum, torque| sum + torque.at(&rotation, &motion.momentum, &omega))
     }
 
-    /// The law: rates of attitude and of body-frame momentum, `q' = q w / 2` and `L' = L x w + torque`.
+    /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`.
     ///
     /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of momentum and spin two
     /// nearly cancel.
     #[must_use]
-    pub fn rate(&self, motion: &State<T>) -> State<T> {
-        let omega = self.omega(&motion.momentum);
-        State {
-            attitude: attitude::rate(&motion.attitude, &omega),
-            momentum: euler::coupling(&self.moments, &omega) + self.torque(motion),
+    pub fn rate(&self, state: &State<T>) -> Rate<T> {
+        let omega = self.omega(&state.momentum);
+        Rate {
+            attitude: attitude::rate(&state.attitude, &omega),
+            momentum: euler::coupling(&self.moments, &omega) + self.torque(state),
         }
     }
 
@@ -137,10 +137,10 @@ impl<T: Analytic> System<T> {
     /// kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
     ///
     /// The torques act one after another, in their order; the second kick of a step must be
-    /// [`kicked_back`](Self::kicked_back), or the step is not the same backwards, and of first order only.
+    /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
     #[must_use]
-    pub fn kicked(&self, motion: &State<T>, h: &T) -> State<T> {
-        self.kicked_by(self.torques.iter(), motion, h)
+    pub fn kick(&self, motion: &State<T>, h: T) -> State<T> {
+        self.kick_by(self.torques.iter(), motion, h)
     }
 
     /// The same with the last torque first.
@@ -152,27 +152,22 @@ impl<T: Analytic> System<T> {
     /// let torques = vec![Torque::InBody(Vector3::x()), Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
     /// let system = System::with(PrincipalMoments::new(1.0, 1.0, 1.0)?, torques)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::x() };
-    /// let end = system.kicked_back(&system.kicked(&start, &0.1), &-0.1);
+    /// let end = system.adjoint_kick(&system.kick(&start, 0.1), -0.1);
     /// assert!((end.momentum - start.momentum).norm() < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     #[must_use]
-    pub fn kicked_back(&self, motion: &State<T>, h: &T) -> State<T> {
-        self.kicked_by(self.torques.iter().rev(), motion, h)
+    pub fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
+        self.kick_by(self.torques.iter().rev(), motion, h)
     }
 
-    fn kicked_by<'a>(
-        &self,
-        torques: impl Iterator<Item = &'a Torque<T>>,
-        motion: &State<T>,
-        h: &T,
-    ) -> State<T> {
+    fn kick_by<'a>(&self, torques: impl Iterator<Item = &'a Torque<T>>, motion: &State<T>, h: T) -> State<T> {
         if self.torques.is_empty() {
             return motion.clone();
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            torque.kick(&rotation, &momentum, &self.inverse, h)
+            torque.kick(&self.inverse, &rotation, &momentum, h.clone())
         });
         State { attitude: motion.attitude.clone(), momentum }
     }

@@ -31,6 +31,7 @@ pub enum Torque<T: nalgebra::Scalar> {
 impl<T: Field> Torque<T> {
     /// Gravity on a top whose centre of mass is `arm` (m) from the fixed point, in body axes, and whose weight (N) pulls
     /// along the world's -z.
+    #[must_use]
     pub fn gravity(arm: Vector3<T>, weight: T) -> Self {
         Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
@@ -46,6 +47,7 @@ impl<T: Field> Torque<T> {
     /// let still = Vector3::zeros();
     /// assert_eq!(top.at(&Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
     /// ```
+    #[must_use]
     pub fn at(&self, rotation: &Matrix3<T>, momentum: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
         match self {
             Self::InBody(torque) => torque.clone(),
@@ -60,7 +62,8 @@ impl<T: Field> Torque<T> {
 }
 
 impl<T: Analytic> Torque<T> {
-    /// The momentum (body axes) after it alone has acted for the time `h` (s) at a standing attitude. Damping decays and
+    /// The momentum (body axes) after it alone has acted for the time `h` (s) on a body of these inverse moments at a
+    /// standing attitude. Damping decays and
     /// dissipation turns by their own exact laws, so that neither overshoots however long the step.
     ///
     /// ```
@@ -68,15 +71,16 @@ impl<T: Analytic> Torque<T> {
     /// use tumbling::step::Torque;
     /// let drag = Torque::Damping(Vector3::new(4.0, 0.0, 2.0));
     /// let (before, inverse) = (Vector3::new(1.0, 1.0, 1.0), Vector3::new(1.0, 0.5, 0.25));
-    /// let after = drag.kick(&Matrix3::identity(), &before, &inverse, &1e3);
+    /// let after = drag.kick(&inverse, &Matrix3::identity(), &before, 1e3);
     /// assert_eq!(after, Vector3::new(0.0, 1.0, (-500.0_f64).exp()));
     /// ```
+    #[must_use]
     pub fn kick(
         &self,
+        inverse: &Vector3<T>,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
-        inverse: &Vector3<T>,
-        h: &T,
+        h: T,
     ) -> Vector3<T> {
         match self {
             Self::InBody(_) | Self::InWorld(_) | Self::Aligning { .. } => {
@@ -86,7 +90,7 @@ impl<T: Analytic> Torque<T> {
             Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
                 momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
             }),
-            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h.clone())),
+            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h)),
         }
     }
 }

@@ -31,7 +31,7 @@ pub fn exact(omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
 /// A run of a method.
 pub fn stepped(method: Method, omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
-    stepped_by(omega, h, count, |motion| method.step(&system, motion, &h).unwrap())
+    stepped_by(omega, h, count, |motion| method.step(&system, motion, h).unwrap())
 }
 
 /// A run of any rule for attitude and momentum in body axes.

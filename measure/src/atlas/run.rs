@@ -72,13 +72,13 @@ impl Case {
             let start =
                 State { attitude: Quaternion::identity(), momentum: system.momentum(&self.omega.into()) };
             let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
-            let mut kicked = start.clone();
+            let mut kicked = start;
             self.watch(&system, &start, |k| {
                 #[allow(clippy::cast_precision_loss)] // at most 2e5
                 let t = self.step * k as f64;
                 if self.damping > 0.0 {
                     kicked = flow::step(&system, &kicked, self.step)?;
-                    return Ok(kicked.clone());
+                    return Ok(kicked);
                 }
                 let at = motion.at(t)?;
                 Ok(State { attitude: at.attitude.into_inner(), momentum: system.momentum(&at.omega) })
@@ -107,7 +107,7 @@ impl Case {
         let start = outside(&motion);
         let h = number(self.step);
         self.watch(&checked, &start, |_| {
-            motion = method.step(&system, &motion, &h)?;
+            motion = method.step(&system, &motion, h.clone())?;
             Ok(outside(&motion))
         })
         .unwrap_or(End::Refused)
@@ -139,7 +139,7 @@ impl Case {
             left: start.momentum,
             reversed: false,
         };
-        let mut before = start.clone();
+        let mut before = *start;
         for k in 1..=self.count {
             let motion = next(k)?;
             if !motion.momentum.iter().chain(&motion.attitude.coords).all(|x| x.is_finite()) {

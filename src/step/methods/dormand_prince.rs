@@ -1,13 +1,18 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references), at a fixed step or with its error controlled.
 
-use crate::body::State;
+use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, finite, positive};
 use crate::number::{Analytic, Field};
-use crate::step::method::{About, Keeps, lost_squares};
+use crate::step::method::{Conserved, MethodInfo, check_square_underflow};
 use crate::step::system::System;
 
-pub(crate) const ABOUT: About =
-    About { name: "Dormand-Prince 5", order: 5, implicit: false, keeps: Keeps::NOTHING, source: "DP80" };
+pub(crate) const INFO: MethodInfo = MethodInfo {
+    name: "Dormand-Prince 5",
+    order: 5,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "DP80",
+};
 
 /// A whole number over another.
 type Ratio = (i32, u32);
@@ -31,21 +36,21 @@ fn number<T: Field>((n, d): Ratio) -> T {
     if n < 0 { -size } else { size }
 }
 
-fn combined<T: Analytic>(start: &State<T>, slopes: &[State<T>], weights: &[Ratio], h: &T) -> State<T> {
+fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
     slopes
         .iter()
         .zip(weights)
         .filter(|(_, weight)| weight.0 != 0)
-        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, &(h.clone() * number::<T>(weight))))
+        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, h.clone() * number::<T>(weight)))
 }
 
 /// The end of a step and the six slopes that it took, given the first.
 fn stages<T: Analytic>(
     system: &System<T>,
     start: &State<T>,
-    first: State<T>,
+    first: Rate<T>,
     h: &T,
-) -> (State<T>, Vec<State<T>>) {
+) -> (State<T>, Vec<Rate<T>>) {
     let mut slopes = Vec::with_capacity(7);
     slopes.push(first);
     let [inner @ .., last] = &STAGES;
@@ -128,11 +133,11 @@ pub(crate) fn controlled_within(
         }
         .into());
     }
-    let mut run = Controlled { end: start.clone(), steps: 0, rejected: 0 };
+    let mut run = Controlled { end: *start, steps: 0, rejected: 0 };
     if duration == 0.0 {
         return Ok(run);
     }
-    lost_squares(&system.omega(&start.momentum), &duration)?;
+    check_square_underflow(&system.omega(&start.momentum), &duration)?;
     let mut slope = system.rate(start);
     // Lengths without a square, which would leave the range before they do.
     let length = |parts: &[f64]| parts.iter().fold(0.0, |sum: f64, x| sum.max(x.abs()));
@@ -145,7 +150,7 @@ pub(crate) fn controlled_within(
         over(turn, whole[0]).max(over(momentum, whole[1] + gained))
     };
     // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
-    let [turning, _] = lengths(&slope);
+    let turning = length(slope.attitude.coords.as_slice());
     let [unit, _] = lengths(start);
     let torque = length(system.torque(start).as_slice());
     let pace = (2.0 * over(turning, unit)).max((torque * system.inverse().max()).sqrt());
@@ -167,9 +172,9 @@ pub(crate) fn controlled_within(
             }
             .into());
         }
-        let (end, mut slopes) = stages(system, &run.end, slope.clone(), &h_now);
+        let (end, mut slopes) = stages(system, &run.end, slope, &h_now);
         let end_slope = system.rate(&end);
-        slopes.push(end_slope.clone());
+        slopes.push(end_slope);
         let nothing = State { attitude: run.end.attitude * 0.0, momentum: run.end.momentum * 0.0 };
         let gained = length(slope.momentum.as_slice()) * h_now.abs();
         let off = combined(&nothing, &slopes, &ERROR, &h_now);

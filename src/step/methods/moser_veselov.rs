@@ -19,23 +19,24 @@ use crate::body::State;
 use crate::body::attitude;
 use crate::error::{Error, Refusal};
 use crate::number::{Analytic, Ring};
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 
-const ALL: Keeps = Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true };
+const ALL: Conserved =
+    Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true };
 
-pub(crate) const ORDER_2: About =
-    About { name: "Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
+pub(crate) const ORDER_2: MethodInfo =
+    MethodInfo { name: "Moser-Veselov", order: 2, implicit: true, conserved: ALL, source: "MV91" };
 
-const fn preprocessed(name: &'static str, order: u32) -> About {
-    About { name, order, implicit: true, keeps: ALL, source: "HV06" }
+const fn preprocessed(name: &'static str, order: u32) -> MethodInfo {
+    MethodInfo { name, order, implicit: true, conserved: ALL, source: "HV06" }
 }
 
-pub(crate) const ORDER_4: About = preprocessed("Moser-Veselov 4", 4);
-pub(crate) const ORDER_6: About = preprocessed("Moser-Veselov 6", 6);
-pub(crate) const ORDER_8: About = preprocessed("Moser-Veselov 8", 8);
-pub(crate) const ORDER_10: About = preprocessed("Moser-Veselov 10", 10);
+pub(crate) const ORDER_4: MethodInfo = preprocessed("Moser-Veselov 4", 4);
+pub(crate) const ORDER_6: MethodInfo = preprocessed("Moser-Veselov 6", 6);
+pub(crate) const ORDER_8: MethodInfo = preprocessed("Moser-Veselov 8", 8);
+pub(crate) const ORDER_10: MethodInfo = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
 pub(crate) fn step<T: Analytic>(
@@ -45,9 +46,9 @@ pub(crate) fn step<T: Analytic>(
     order: u32,
 ) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
+    let start = system.kick(start, half.clone());
     let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(&start)?;
-    Ok(system.kicked_back(&end, &half))
+    Ok(system.adjoint_kick(&end, half))
 }
 
 /// The longest turn of a step, rad: there `|c| = 1`.
@@ -126,7 +127,7 @@ impl<T: Analytic> Prepared<T> {
         let over = T::one() / (T::one() + square).sqrt();
         let part = |x: &T| x.clone() * over.clone();
         let turned = Quaternion::new(over.clone(), part(&c.x), part(&c.y), part(&c.z));
-        let momentum = attitude::seen_from(&turned, &start.momentum);
+        let momentum = attitude::rotate_inverse(&turned, &start.momentum);
         Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
     }
 }

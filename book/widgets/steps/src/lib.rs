@@ -61,13 +61,13 @@ fn body(which: f64) -> Vector3<f64> {
 pub fn answer(what: u32, row: &Numbers) -> usize {
     if what == 0 {
         let Some(method) = Method::ALL.get(row.get(0) as usize) else { return 0 };
-        let about = method.about();
-        WORDS.say(about.name);
-        let keeps = about.keeps;
+        let info = method.info();
+        WORDS.say(info.name);
+        let keeps = info.conserved;
         let yes = |it: bool| f64::from(u8::from(it));
         return row.fill(&[
-            f64::from(about.order),
-            yes(about.implicit),
+            f64::from(info.order),
+            yes(info.implicit),
             yes(keeps.energy),
             yes(keeps.momentum),
             yes(keeps.direction),
@@ -98,7 +98,7 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
     let mut why = 0.0;
     row.set(HEAD, omega.x);
     while taken < count {
-        match method.step(system, &motion, &step) {
+        match method.step(system, &motion, step) {
             Ok(next) => motion = next,
             Err(error) => {
                 why = refused(&error);
@@ -149,7 +149,7 @@ mod tests {
     #[test]
     fn errors_fall_by_the_order_that_the_library_gives() {
         for &method in Method::ALL {
-            let order = method.about().order;
+            let order = method.info().order;
             let off = |count: f64| ran(method, count).1.get(4);
             // The shortest steps whose errors are still above rounding.
             let Some(count) =
@@ -169,7 +169,7 @@ mod tests {
         for &method in Method::ALL {
             let (places, row) = ran(method, 100.0);
             assert_eq!(places, HEAD + 101, "{method:?}");
-            let keeps = method.about().keeps;
+            let keeps = method.info().conserved;
             assert_eq!(keeps.energy, row.get(2) < 1e-13, "{method:?}: {}", row.get(2));
             assert_eq!(keeps.momentum, row.get(3) < 1e-13, "{method:?}: {}", row.get(3));
         }

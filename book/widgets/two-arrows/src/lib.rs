@@ -92,7 +92,7 @@ mod tests {
                         [momentum[found[9] as usize], momentum[found[10] as usize]],
                         [found[3], found[4]]
                     );
-                    let gap = inertia.gap(&omega).unwrap().to_degrees();
+                    let gap = inertia.angle_to_momentum(&omega).unwrap().to_degrees();
                     assert!(
                         (gap - found[2]).abs() < 1e-12,
                         "body {which}, {between}, {degrees}: {gap} {}",

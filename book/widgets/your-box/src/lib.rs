@@ -47,7 +47,7 @@ fn words(why: &Error) -> [&'static str; 2] {
 
 fn found([a, b, c, mass]: [f64; 4], omega: &Vector3<f64>) -> Result<(Inertia, f64), Error> {
     let inertia = Cuboid::new(a, b, c)?.with_mass(mass)?.inertia();
-    Ok((inertia, inertia.gap(omega)?))
+    Ok((inertia, inertia.angle_to_momentum(omega)?))
 }
 
 /// What becomes of a spin that is left alone. With 0, 1 or 2 for x, y or z: it circles that axis for ever. 3: it runs along the

@@ -5,23 +5,23 @@ use super::turn::turned;
 use crate::body::State;
 use crate::body::attitude;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 
-pub(crate) const MEAN_SPIN: About = About {
+pub(crate) const MEAN_SPIN: MethodInfo = MethodInfo {
     name: "Runge-Kutta 4, mean spin",
     order: 2,
     implicit: false,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { unit: true, ..Conserved::NONE },
     source: "MuJoCo's RK4 before version 4",
 };
 
-pub(crate) const CORRECTED: About = About {
+pub(crate) const CORRECTED: MethodInfo = MethodInfo {
     name: "Runge-Kutta 4, turned",
     order: 4,
     implicit: false,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { unit: true, ..Conserved::NONE },
     source: "MuJoCo's RK4, after MK98",
 };
 
