@@ -1,6 +1,7 @@
 //! Three principal moments that belong to one body, checked once.
 
-use super::{Adjusted, Axis, DIAGONAL_ROUNDING_ULPS, Inertia, physically_possible};
+use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
+use super::{Adjusted, Axis, Inertia};
 use crate::error::{Error, positive};
 use crate::number::power_of_two::ulp;
 use nalgebra::{Matrix3, Vector3};
