@@ -117,7 +117,7 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
 
 impl Torque<f64> {
     /// That its numbers are finite, and its coefficients of loss not below zero.
-    pub(crate) fn validate(&self) -> Result<(), Error> {
+    pub fn validate(&self) -> Result<(), Error> {
         match self {
             Self::InBody(torque) | Self::InWorld(torque) => finite_vector("the torque", torque),
             Self::Aligning { arm, field } => {

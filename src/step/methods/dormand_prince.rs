@@ -114,8 +114,11 @@ pub fn controlled(
     controlled_within(system, start, duration, tolerance, &mut { MOST_STEPS })
 }
 
-/// The same in no more steps, taken or not, than are left, off which they are taken.
-pub(crate) fn controlled_within(
+/// The same as [`controlled`] in at most `left` steps, taken or not, off which they are taken.
+///
+/// # Errors
+/// As [`controlled`], or more steps than are left.
+pub fn controlled_within(
     system: &System<f64>,
     start: &State<f64>,
     duration: f64,

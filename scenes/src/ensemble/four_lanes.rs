@@ -14,7 +14,7 @@ use wide::f64x4;
 ///
 /// ```
 /// use tumbling::number::Lane;
-/// use tumbling_scenes::many::Four;
+/// use tumbling_scenes::ensemble::Four;
 /// let roots = Four::from_lanes(|k| k as f64).sqrt();
 /// assert_eq!([0, 1, 2, 3].map(|k| roots.lane(k)), [0.0, 1.0, 2_f64.sqrt(), 3_f64.sqrt()]);
 /// ```
