@@ -142,13 +142,13 @@ fn a_plan_explains_itself_in_words() {
         (told([1.0; 3], [1.0, 2.0, 3.0], vec![], SPIN), "all three moments are equal"),
         (told([1.0, 2.0, 2.5], [0.0, 1.0, 0.0], vec![], BOTH), "along a principal axis"),
         (told([2.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "two moments are equal"),
-        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], SPIN), "the attitude, which is not asked for"),
+        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], SPIN), "the attitude, which is not requested"),
         (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "no torque acts"),
         (
             told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::InBody(Vector3::x())], BOTH),
             "since a torque acts",
         ),
-        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING), "nothing that moves is asked for"),
+        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING), "nothing that moves is requested"),
     ] {
         assert!(text.contains(words), "{text}");
         assert_eq!(text.lines().count(), 4, "{text}");
