@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use tumbling::exact::{Batch, Spins};
 use tumbling_scenes::batch::{self, Block};
-use tumbling_scenes::ensemble::{Chunk, Ensemble, Four, INSTANTS, Solver};
+use tumbling_scenes::ensemble::{Chunk, Ensemble, FourLanes, INSTANTS, Solver};
 use tumbling_scenes::{InitialState, Outputs, Scene, Times};
 
 /// One crowd of one size.
@@ -227,7 +227,7 @@ pub type Run<'r> = dyn Fn(&mut (dyn FnMut() + Send)) + Sync + 'r;
 #[must_use]
 pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
     const MOST: usize = 10_000_000;
-    type Instants = Batch<Four>;
+    type Instants = Batch<FourLanes>;
     let mut all = vec![
         Crowd {
             name: "spin and attitude",
@@ -251,7 +251,7 @@ pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
             threads: 1,
             instants: INSTANTS,
             most: MOST,
-            prepare: Box::new(move |n| ready::<Spins<Four>>(n, INSTANTS, one)),
+            prepare: Box::new(move |n| ready::<Spins<FourLanes>>(n, INSTANTS, one)),
         },
         Crowd {
             name: "spin",

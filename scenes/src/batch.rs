@@ -36,7 +36,7 @@
 //! # Ok::<(), tumbling_scenes::Error>(())
 //! ```
 
-use crate::ensemble::{Four, INSTANTS, TILE};
+use crate::ensemble::{FourLanes, INSTANTS, TILE};
 use crate::error::Error;
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -134,8 +134,8 @@ struct ActiveTile<'p> {
 }
 
 enum Lanes {
-    Spins(Spins<Four>),
-    Instants(Batch<Four>),
+    Spins(Spins<FourLanes>),
+    Instants(Batch<FourLanes>),
 }
 
 impl<'p> ActiveTile<'p> {

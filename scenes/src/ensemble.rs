@@ -37,7 +37,7 @@
 mod four_lanes;
 mod solver;
 
-pub use four_lanes::Four;
+pub use four_lanes::FourLanes;
 pub use solver::Solver;
 
 use crate::error::{Error, finite};
@@ -112,7 +112,7 @@ struct Tile<W> {
     solver: W,
 }
 
-impl Ensemble<Batch<Four>> {
+impl Ensemble<Batch<FourLanes>> {
     /// Prepares bodies for spin and attitude: `body` gives the one of each number below `bodies`.
     pub fn instants(
         bodies: usize,
@@ -123,7 +123,7 @@ impl Ensemble<Batch<Four>> {
     }
 }
 
-impl Ensemble<Spins<Four>> {
+impl Ensemble<Spins<FourLanes>> {
     /// Prepares bodies for their spin alone, which takes about half the memory and the time.
     pub fn spins(
         bodies: usize,

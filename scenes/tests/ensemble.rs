@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use std::sync::Mutex;
 use tumbling::exact::{Batch, Instant, Regime, Spins};
 use tumbling::number::Lane;
-use tumbling_scenes::ensemble::{Chunk, Ensemble, Four, INSTANTS, Solver, TILE};
+use tumbling_scenes::ensemble::{Chunk, Ensemble, FourLanes, INSTANTS, Solver, TILE};
 use tumbling_scenes::{InitialState, Start};
 
 fn state(moments: [f64; 3], omega: [f64; 3]) -> InitialState {
@@ -84,8 +84,8 @@ fn bodies_of_every_kind_and_size_answer_in_lanes_as_each_does_alone_to_the_bit()
     assert_eq!(kinds.len(), 5, "a kind is missing");
     for speed in [1.0, 1e-150, 1e150] {
         let times = times_of(speed);
-        let (four, one) = (answers::<Batch<Four>>(&all, &times), answers::<Batch<f64>>(&all, &times));
-        let spins = answers::<Spins<Four>>(&all, &times);
+        let (four, one) = (answers::<Batch<FourLanes>>(&all, &times), answers::<Batch<f64>>(&all, &times));
+        let spins = answers::<Spins<FourLanes>>(&all, &times);
         for (k, &t) in times.iter().enumerate() {
             for (n, body) in all.iter().enumerate() {
                 let alone = body.motion().unwrap();
@@ -115,11 +115,11 @@ proptest! {
         let all: Vec<InitialState> = spins.iter().map(body).collect();
         let mut moved = all.clone();
         moved.rotate_left(shift % all.len());
-        let (before, after) = (answers::<Batch<Four>>(&all, &[t]), answers::<Batch<Four>>(&moved, &[t]));
+        let (before, after) = (answers::<Batch<FourLanes>>(&all, &[t]), answers::<Batch<FourLanes>>(&moved, &[t]));
         for n in 0..all.len() {
             let there = (n + all.len() - shift % all.len()) % all.len();
             prop_assert_eq!(bits(&before[n].unwrap()), bits(&after[there].unwrap()));
-            let alone = answers::<Batch<Four>>(&all[n..=n], &[t]);
+            let alone = answers::<Batch<FourLanes>>(&all[n..=n], &[t]);
             prop_assert_eq!(bits(&before[n].unwrap()), bits(&alone[0].unwrap()));
             prop_assert_eq!(bits(&before[n].unwrap()), bits(&all[n].motion().unwrap().at(t).unwrap()));
         }
@@ -132,7 +132,7 @@ proptest! {
         t in -1e3_f64..1e3,
     ) {
         let all: Vec<InitialState> = spins.iter().map(|w| turned(state([1.0, 1.7, 2.1], *w), *w)).collect();
-        for (found, body) in answers::<Batch<Four>>(&all, &[t]).into_iter().zip(&all) {
+        for (found, body) in answers::<Batch<FourLanes>>(&all, &[t]).into_iter().zip(&all) {
             let found = found.unwrap();
             let Start::Spin(omega) = body.start else { panic!() };
             let world = |w: &Vector3<f64>, q: &UnitQuaternion<f64>| q * body.moments.component_mul(w);
@@ -241,5 +241,5 @@ fn spins_alone_hold_less_than_two_thirds_of_the_memory() {
     let one = |k: usize| state([1.0, 1.5, 2.0], [0.1, 1.0, 0.001 * k as f64]);
     let (spins, both) = (Ensemble::spins(1000, one, |_| {}), Ensemble::instants(1000, one, |_| {}));
     assert!(3 * spins.bytes() < 2 * both.bytes(), "{} {}", spins.bytes(), both.bytes());
-    assert_eq!(Four::WIDTH, 4);
+    assert_eq!(FourLanes::WIDTH, 4);
 }
