@@ -21,7 +21,7 @@ use crate::step::{State, System};
 /// let free = System::free(moments)?;
 /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
 /// let end = tumbling::flow::step(&free, &start, 3600.0)?;
-/// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&free.omega(&motion.momentum));
+/// let energy = |motion: &State<f64>| free.energy(motion);
 /// assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-14);
 /// // A step forth and one back, under a torque.
 /// let weight = Torque::gravity(Vector3::new(0.0, 0.0, 0.1), 3.0);
