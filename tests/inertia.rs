@@ -6,7 +6,7 @@ use common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_traits::Signed;
 use proptest::prelude::*;
-use tumbling::{Body, ErrorKind, Inertia};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 fn tensor() -> impl Strategy<Value = Inertia> {
     (moments(), attitude())
