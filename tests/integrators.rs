@@ -18,10 +18,6 @@ fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: u
     (0..count).fold(*from, |motion, _| method.step(system, &motion, h).unwrap())
 }
 
-fn energy(system: &System<f64>, motion: &State<f64>) -> f64 {
-    0.5 * motion.momentum.dot(&system.omega(&motion.momentum))
-}
-
 fn in_world(motion: &State<f64>) -> Vector3<f64> {
     tumbling::body::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.momentum
 }
@@ -69,7 +65,7 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
             motion = method.step(&system, &motion, h).unwrap();
             let l = from.momentum.norm();
             let found = [
-                energy(&system, &motion) / energy(&system, &from) - 1.0,
+                system.energy(&motion) / system.energy(&from) - 1.0,
                 motion.momentum.norm() / l - 1.0,
                 (in_world(&motion) - in_world(&from)).norm() / l,
                 motion.attitude.norm() - 1.0,

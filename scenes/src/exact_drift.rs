@@ -23,7 +23,7 @@ use tumbling::step::{State, System};
 /// let free = System::free(moments)?;
 /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
 /// let end = exact_drift::step(&free, &start, 3600.0)?;
-/// let energy = |state: &State<f64>| 0.5 * state.momentum.dot(&free.omega(&state.momentum));
+/// let energy = |state: &State<f64>| free.energy(state);
 /// assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-14);
 /// // A step forth and one back, under a torque.
 /// let weight = Torque::gravity(Vector3::new(0.0, 0.0, 0.1), 3.0);

@@ -34,7 +34,7 @@ const MOST_PARTS: f64 = 1000.0;
 /// for _ in 0..36_000 {
 ///     motion = fixed_rate(&system, &motion, 1.0 / 60.0)?;
 /// }
-/// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
+/// let energy = |motion: &State<f64>| system.energy(motion);
 /// assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-12);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
