@@ -24,17 +24,20 @@
 //! ```
 
 mod batch;
-mod circulating;
+mod cayley_klein;
 mod elementary;
-pub mod elliptic;
+mod elliptic;
+mod elliptic_motion;
 mod flips;
 mod geometry;
-mod klein;
+mod kernel;
+mod period;
 mod regime;
 mod sensitivity;
 
 pub use batch::{Batch, Spins};
 pub use flips::Flips;
+pub use period::time_between_flips;
 pub use regime::Regime;
 pub use sensitivity::Sensitivity;
 
@@ -43,8 +46,8 @@ use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, finite, finite_vector};
 use crate::inertia::possible_moments;
 use crate::number::power_of_two::times_power_of_two;
-use circulating::Elliptic;
 pub(crate) use elementary::{Precession, Turn, scaled};
+use elliptic_motion::EllipticMotion;
 use flips::Clock;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -78,16 +81,25 @@ struct Mount {
 }
 
 impl Mount {
+    /// Whether the principal axes are others than the body's.
+    fn turns_axes(&self) -> bool {
+        self.frame != UnitQuaternion::identity()
+    }
+
+    /// Body axes to principal ones, where they differ.
+    fn to_principal(&self) -> Option<Quaternion<f64>> {
+        self.turns_axes().then(|| self.frame.conjugate().into_inner())
+    }
+
     // Not inlined: most motions have none, and the way without one is the shorter for it.
     #[inline(never)]
     fn spin(&self, omega: Vector3<f64>) -> Vector3<f64> {
-        klein::rotated(real_first(&self.frame), omega.into()).into()
+        kernel::in_body(self.to_principal().as_ref(), omega)
     }
 
     #[inline(never)]
     fn attitude(&self, turned: Quaternion<f64>) -> Quaternion<f64> {
-        let turned = klein::product(real_first(&self.world), [turned.w, turned.i, turned.j, turned.k]);
-        klein::quaternion(klein::unit(klein::product(turned, real_first(&self.frame.inverse()))))
+        kernel::in_world(&self.world, self.to_principal().as_ref(), turned)
     }
 }
 
@@ -97,7 +109,7 @@ enum Law {
     AtRest,
     Steady(Turn),
     Symmetric(Precession),
-    Elliptic(Elliptic),
+    Elliptic(EllipticMotion),
 }
 
 /// A body in free motion at one instant.
@@ -148,7 +160,7 @@ impl FreeMotion {
             Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
             Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
             Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
-            Kind::Asymmetric(motion) => Law::Elliptic(Elliptic::new(&motion, &w)?),
+            Kind::Asymmetric(motion) => Law::Elliptic(EllipticMotion::new(&motion, &w)?),
         };
         let greatest = match &law {
             Law::AtRest | Law::Steady(_) => 0.0,
@@ -264,6 +276,7 @@ impl FreeMotion {
     }
 
     /// The attitude of the principal axes, from where they are at the start.
+    #[inline(always)]
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
             _ if time == 0.0 => Quaternion::identity(),
@@ -353,6 +366,8 @@ impl FreeMotion {
     /// The first instant after `t` at which the spin along the middle axis changes sign, s. `None` if there is
     /// none: a steady spin, two equal moments, or the separatrix once it has flipped.
     ///
+    /// Where that spin is exactly zero at the start, the flip there is at time 0 exactly, so that it is not after 0.
+    ///
     /// # Errors
     /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond `f64`.
     pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
@@ -370,12 +385,18 @@ impl FreeMotion {
     /// one at a time: an interval with a billion flips takes no more room than one with two, and how many
     /// they are is known without a visit to each ([`Flips::remaining`]).
     ///
+    /// A flip at `from` is none of them and one at `to` is, so that adjacent intervals count each flip once. Where the spin along
+    /// the middle axis is exactly zero at the start, that flip is at time 0 exactly.
+    ///
     /// ```
     /// use nalgebra::Vector3;
     /// use tumbling::exact::FreeMotion;
     /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
     /// let times: Vec<String> = motion.flips(0.0, 10.0)?.map(|t| format!("{t:.4}")).collect();
     /// assert_eq!(times, ["1.7402", "5.2207", "8.7012"]);
+    /// let from_a_flip = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(-1.0, 0.0, 0.2))?;
+    /// assert_eq!(from_a_flip.flips(-0.1, 0.0)?.collect::<Vec<_>>(), [0.0]);
+    /// assert_eq!(from_a_flip.flips(0.0, 0.1)?.count(), 0);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
@@ -400,8 +421,4 @@ impl FreeMotion {
         let value = times_power_of_two(time, -self.exponent);
         if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
     }
-}
-
-fn real_first(q: &UnitQuaternion<f64>) -> [f64; 4] {
-    [q.w, q.i, q.j, q.k]
 }

@@ -143,7 +143,7 @@ proptest! {
                 }
             }
         }
-        let _ = tumbling::dynamics::stability::time_between_flips(&m, &v);
+        let _ = tumbling::exact::time_between_flips(&m, &v);
         for axis in tumbling::Axis::ALL {
             let _ = tumbling::dynamics::stability::of_spin(m.into(), axis, mass);
         }

@@ -513,7 +513,7 @@ mod tests {
         for k in 1..2000 {
             let Given { moments, omega, .. } = body(k);
             let motion = tumbling::exact::FreeMotion::new(&moments, &omega).unwrap();
-            if let tumbling::exact::Regime::Circulating { about, .. } = motion.regime() {
+            if let tumbling::exact::Regime::Elliptic { about, .. } = motion.regime() {
                 kinds[usize::from(about == tumbling::Axis::Largest)] += 1;
             }
         }

@@ -1,11 +1,8 @@
-//! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
+//! What becomes of a small wobble about each principal axis, and at which rate.
 
-use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite, finite_vector, positive};
+use crate::error::{Error, finite, positive};
 use crate::inertia::Axis;
 use crate::number::Field;
-use crate::number::power_of_two::times_power_of_two;
-use nalgebra::Vector3;
 
 /// The square of the rate at which a small wobble changes, (1/s)²: positive where it grows, negative
 /// where it swings, for a spin `omega` about the axis with moment `about`, the others being `first` and
@@ -91,46 +88,4 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
         Axis::Middle => Stability::Growth { rate },
         Axis::Smallest | Axis::Largest => Stability::Wobble { rate },
     })
-}
-
-/// The time between two flips of a free body, s: half the period of its spin as seen from the body.
-/// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
-///
-/// Takes the principal moments and the spin along the same axes, in any order. A flip is when the spin
-/// component along the middle axis changes sign; every free motion but those named does that, a stable
-/// wobble too, where it is small and quick.
-///
-/// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the arithmetic-geometric mean
-/// [Gau99](crate::references). The small differences on which it hangs are taken between the given moments, never between
-/// squares, so that it is right for a push of 1e-300 too.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::dynamics::stability::time_between_flips;
-/// let moments = Vector3::new(1.0, 2.0, 3.0);
-/// let book = time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.001))?;
-/// assert_eq!(format!("{:.4}", book.unwrap()), "3.4805");
-/// assert_eq!(time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.0))?, None);
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-///
-/// # Errors
-/// A moment that is not finite and positive, a spin that is not finite, or a time beyond `f64`.
-pub fn time_between_flips(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
-    for &moment in moments {
-        positive("a principal moment", moment)?;
-    }
-    finite_vector("the spin", omega)?;
-    let Kind::Asymmetric(motion) = classify((*moments).into(), (*omega).into()) else {
-        return Ok(None);
-    };
-    if motion.separatrix {
-        return Ok(None);
-    }
-    let half_period = motion.quarter_period() * 2.0 / motion.rate();
-    let time = times_power_of_two(half_period.hi(), -motion.clock);
-    if !time.is_finite() || time == 0.0 {
-        return Err(Error::OutOfRange { what: "the time between flips", value: time });
-    }
-    Ok(Some(time))
 }

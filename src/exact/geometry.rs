@@ -61,7 +61,7 @@ impl FreeMotion {
     pub fn growth_rate(&self) -> Result<Option<f64>, Error> {
         match self.regime() {
             Regime::Separatrix { rate } => Ok(Some(rate)),
-            Regime::Circulating { rate, complement, .. } => Ok((complement <= CLOSE).then_some(rate)),
+            Regime::Elliptic { rate, complement, .. } => Ok((complement <= CLOSE).then_some(rate)),
             Regime::Steady { speed } => {
                 let mut order = [0, 1, 2];
                 order.sort_by(|&i, &j| self.moments[i].total_cmp(&self.moments[j]));

@@ -74,7 +74,7 @@ fn attainable(motion: &FreeMotion, body: &Principal, end: f64, accuracy: f64) ->
         return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
     }
     let complement = match motion.regime() {
-        Regime::Circulating { complement, .. } => complement,
+        Regime::Elliptic { complement, .. } => complement,
         _ => 0.0,
     };
     let moments = motion.moments();

@@ -2,8 +2,8 @@
 
 use super::Principal;
 use crate::dynamics::regime::{Kind, classify};
-use crate::dynamics::stability::time_between_flips;
 use crate::error::Error;
+use crate::exact::time_between_flips;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
