@@ -31,6 +31,7 @@ mod elliptic_motion;
 mod flips;
 mod geometry;
 mod kernel;
+mod mount;
 mod period;
 mod regime;
 mod sensitivity;
@@ -49,6 +50,7 @@ use crate::number::power_of_two::times_power_of_two;
 pub(crate) use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
 use flips::Clock;
+use mount::Mount;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The free motion of one body from one start, ready to be asked for any instant.
@@ -68,40 +70,6 @@ pub struct FreeMotion {
 
 /// The thinnest needle: products of three moments must keep their digits. A line of atoms is far from it.
 const THINNEST: f64 = 1e-100;
-
-/// How the principal axes sit in the body, and the body in the world at the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Mount {
-    /// Principal axes to body axes.
-    frame: UnitQuaternion<f64>,
-    /// Body to world at the start, after principal to body.
-    world: UnitQuaternion<f64>,
-    attitude: UnitQuaternion<f64>,
-    omega: Vector3<f64>,
-}
-
-impl Mount {
-    /// Whether the principal axes are others than the body's.
-    fn turns_axes(&self) -> bool {
-        self.frame != UnitQuaternion::identity()
-    }
-
-    /// Body axes to principal ones, where they differ.
-    fn to_principal(&self) -> Option<Quaternion<f64>> {
-        self.turns_axes().then(|| self.frame.conjugate().into_inner())
-    }
-
-    // Not inlined: most motions have none, and the way without one is the shorter for it.
-    #[inline(never)]
-    fn spin(&self, omega: Vector3<f64>) -> Vector3<f64> {
-        kernel::in_body(self.to_principal().as_ref(), omega)
-    }
-
-    #[inline(never)]
-    fn attitude(&self, turned: Quaternion<f64>) -> Quaternion<f64> {
-        kernel::in_world(&self.world, self.to_principal().as_ref(), turned)
-    }
-}
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(clippy::large_enum_variant)] // a box would cost every instant a detour, and the motion its `Copy`
@@ -212,7 +180,7 @@ impl FreeMotion {
         let along = frame.inverse() * omega;
         let motion = Self::of_principal(&moments, &along)?;
         let attitude = body.attitude();
-        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..motion })
+        Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..motion })
     }
 
     /// The same motion from this attitude (body to world) at time 0.
@@ -238,7 +206,7 @@ impl FreeMotion {
             None if attitude == UnitQuaternion::identity() => return Ok(self),
             None => (UnitQuaternion::identity(), self.start),
         };
-        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..self })
+        Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..self })
     }
 
     /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
@@ -333,12 +301,12 @@ impl FreeMotion {
     /// The spin in body axes, from that along the principal axes.
     #[inline(always)]
     fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
-        self.mount.as_ref().map_or(omega, |mount| mount.spin(omega))
+        self.mount.as_ref().map_or(omega, |mount| mount.in_body(omega))
     }
 
     #[inline(always)]
     fn in_world(&self, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
-        UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.attitude(turned)))
+        UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.in_world(turned)))
     }
 
     /// The principal moments, kg m², in the order in which they were given.

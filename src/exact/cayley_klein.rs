@@ -10,8 +10,8 @@
 //!
 //! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) have the rotation
 //! matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 - n)/2`, with `n`
-//! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the quaternion one of length 1; nothing has to
-//! be integrated, no angle unwound.
+//! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the
+//! quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::{Gather, Lane, gather_fields};
@@ -77,7 +77,7 @@ pub(crate) struct Shape {
     /// whether the spin along the circled one is positive.
     pub(crate) cyclic: bool,
     pub(crate) forward: bool,
-    /// `|b/a|` at the middle of the way, where the spin's across component vanishes.
+    /// `|b/a|` at the saddle, where the spin's across component vanishes.
     pub(crate) tilt: f64,
     /// Where the zero lies: `2B = pi y/K` in sines and cosines, `pi y/(4K')` in hyperbolic functions.
     pub(crate) depth: f64,
@@ -167,7 +167,7 @@ fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
 /// `e = exp(-x)` and `r = p² exp(x)`, where `x` is Jacobi's argument times `pi/(2K')`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ComplementaryPair<T = f64> {
-    /// The nome `p = exp(-pi K/(2K'))`, that is the value of both `e` and `r` at the middle of the way.
+    /// The nome `p = exp(-pi K/(2K'))`, that is the value of both `e` and `r` at the saddle.
     nome: T,
     rising: [[T; 5]; 2],
     falling: [[T; 4]; 2],
@@ -205,8 +205,8 @@ impl ComplementaryPair {
         pair
     }
 
-    /// At the middle of the way, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
-    pub(crate) fn angle_and_turning_at_middle(&self) -> (f64, f64) {
+    /// At the saddle, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
+    pub(crate) fn angle_and_turning_at_saddle(&self) -> (f64, f64) {
         let p = self.nome;
         let sum = |wave: usize, weigh: bool| {
             let mut total = [0.0; 2];

@@ -60,7 +60,7 @@ struct Constants {
     rate: DoubleDouble,
     /// `K`, infinite on the separatrix.
     quarter: DoubleDouble,
-    /// Jacobi's argument at the start.
+    /// Jacobi's argument at the start, from the nearest flip.
     argument: DoubleDouble,
     /// The greatest share of the momentum along each of the three axes.
     shares: [f64; 3],

@@ -1,6 +1,5 @@
 //! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one.
 
-use crate::body::attitude::{product, seen_from};
 use crate::number::{Gather, Lane, gather_fields};
 use nalgebra::{Quaternion, Vector3};
 
@@ -62,22 +61,4 @@ pub(super) fn unit<T: Lane>(q: Quaternion<T>) -> Quaternion<T> {
     let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);
     let factor = -(excess * 0.5) + 1.0;
     Quaternion::new(w * factor, x * factor, y * factor, z * factor)
-}
-
-/// The spin in body axes, from that along the principal axes and the quaternion that takes body axes to those.
-#[inline(always)]
-pub(super) fn in_body<T: Lane>(to_principal: Option<&Quaternion<T>>, omega: Vector3<T>) -> Vector3<T> {
-    to_principal.map_or(omega, |to_principal| seen_from(to_principal, &omega))
-}
-
-/// The body's attitude in the world, from the turn of its principal axes since the start, where these stand in the world at the
-/// start, and the quaternion that takes body axes to them.
-#[inline(always)]
-pub(super) fn in_world<T: Lane>(
-    world: &Quaternion<T>,
-    to_principal: Option<&Quaternion<T>>,
-    turn: Quaternion<T>,
-) -> Quaternion<T> {
-    let turned = product(world, &turn);
-    unit(to_principal.map_or(turned, |to_principal| product(&turned, to_principal)))
 }

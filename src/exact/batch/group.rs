@@ -1,7 +1,8 @@
 //! Bodies of one kind of motion, in blocks as wide as there are lanes.
 
-use crate::exact::kernel::{Kernel, in_body, in_world};
-use crate::exact::{FreeMotion, Instant, Mount};
+use crate::exact::kernel::Kernel;
+use crate::exact::mount::{Mount, in_body, in_world};
+use crate::exact::{FreeMotion, Instant};
 use crate::number::{Gather, Lane};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::mem::size_of;
@@ -38,7 +39,7 @@ impl Mounted {
     /// Where only spins are requested the world does not matter.
     fn of(mount: Option<&Mount>, attitudes: bool) -> Self {
         match mount {
-            Some(mount) if mount.turns_axes() => Self::InBody,
+            Some(mount) if mount.to_principal.is_some() => Self::InBody,
             Some(_) if attitudes => Self::InWorld,
             _ => Self::Not,
         }
@@ -85,10 +86,12 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                 let mounts: Vec<&Mount> =
                     block.iter().filter_map(|(_, motion, _)| motion.mount.as_ref()).collect();
                 if attitudes && mounted != Mounted::Not {
-                    group.worlds.push(quaternions(&mounts, |mount| mount.world));
+                    group.worlds.push(quaternions(&mounts, |mount| *mount.world));
                 }
                 if mounted == Mounted::InBody {
-                    group.frames.push(quaternions(&mounts, |mount| mount.frame.inverse()));
+                    group.frames.push(quaternions(&mounts, |mount| {
+                        mount.to_principal.unwrap_or_else(Quaternion::identity)
+                    }));
                 }
             }
         }
@@ -178,7 +181,7 @@ fn each_lane<T: Lane>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usiz
     }
 }
 
-fn quaternions<T: Lane>(mounts: &[&Mount], of: impl Fn(&Mount) -> UnitQuaternion<f64>) -> Quaternion<T> {
+fn quaternions<T: Lane>(mounts: &[&Mount], of: impl Fn(&Mount) -> Quaternion<f64>) -> Quaternion<T> {
     let coords: Vec<[f64; 4]> = mounts.iter().map(|mount| of(mount).coords.into()).collect();
     let [x, y, z, w] = Gather::gather(&coords, |coords| coords);
     Quaternion::new(w, x, y, z)

@@ -12,7 +12,7 @@ pub(crate) struct Decay<T = f64> {
     square: T,
     /// `1 - exp(-2x)`, small where `x` is.
     gap: T,
-    /// The root of the complementary nome over `exp(-x)`: this exponential seen from the other end of the way.
+    /// The root of the complementary nome over `exp(-x)`: this exponential from the other end of the passage.
     pub(crate) rising: T,
 }
 
@@ -108,7 +108,8 @@ impl<T: Lane> ComplementarySeries<T> {
         [sine, cosine, even - odd, even + odd]
     }
 
-    /// `sn`, `cn`, `dn`, as [`at`](ComplementarySeries::at).
+    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if `far`, what is left of it
+    /// to the quarter period, so that the small ones keep their digits there.
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, far: T::Mask) -> [T; 3] {
         let [sine, cosine, alternating, plain] = self.sums(x);

@@ -238,12 +238,9 @@ impl<'a> Preparation<'a> {
         let axes = Axes::new(self.axes());
         let spin = DirectSpin { series, start, turns, amplitudes: amplitudes_in_series, axes };
         let attitude = DirectAttitude { pair, start: of_length_one(pair.raw(sin, cos)), drift };
-        // From the nearest flip, where it has all its digits: that is half a period away where the cosine is negative.
+        // From the nearest flip, where it has all its digits.
         let angle = sin.atan2(cos.abs());
-        let from_flip = angle.copysign(sin * cos) / (2.0 * PI * turns_per_argument);
-        let flip =
-            if cos.is_sign_negative() { self.quarter * 2.0_f64.copysign(sin) } else { DoubleDouble::ZERO };
-        let argument = flip + DoubleDouble::from(from_flip);
+        let argument = DoubleDouble::from(angle.copysign(sin * cos) / (2.0 * PI * turns_per_argument));
         Prepared { form: Form::Direct { spin, attitude }, argument, amplitudes }
     }
 
@@ -255,7 +252,7 @@ impl<'a> Preparation<'a> {
         let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, self.shift);
         let pair = ComplementaryPair::new(nome_root, &self.shape(shares, 4.0 * other));
         let stretch = PI / (2.0 * other);
-        let (angle, turning) = pair.angle_and_turning_at_middle();
+        let (angle, turning) = pair.angle_and_turning_at_saddle();
         let values = self.values();
         let half = if motion.separatrix { quarter } else { quarter * 2.0 };
         let mut fold = Fold {
