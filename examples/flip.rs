@@ -4,7 +4,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
-use tumbling::dynamics::stability::time_between_flips;
+use tumbling::exact::time_between_flips;
 use tumbling::step::Engine;
 use tumbling::{Axis, Body, body::named};
 

@@ -3,6 +3,5 @@
 
 pub mod euler;
 pub mod observe;
-pub mod polhode;
 pub(crate) mod regime;
 pub mod stability;

@@ -24,17 +24,23 @@
 //! ```
 
 mod batch;
-mod circulating;
+mod cayley_klein;
 mod elementary;
-pub mod elliptic;
+mod elliptic;
+mod elliptic_motion;
 mod flips;
 mod geometry;
-mod klein;
+mod kernel;
+mod mount;
+mod period;
+mod polhode;
 mod regime;
 mod sensitivity;
 
 pub use batch::{Batch, Spins};
 pub use flips::Flips;
+pub use period::time_between_flips;
+pub use polhode::Polhode;
 pub use regime::Regime;
 pub use sensitivity::Sensitivity;
 
@@ -43,9 +49,10 @@ use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, Refusal, finite, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
-use circulating::Elliptic;
 use elementary::{Precession, Turn, scaled};
+use elliptic_motion::EllipticMotion;
 use flips::Clock;
+use mount::Mount;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The free motion of one body from one start, ready to be asked for any instant.
@@ -66,38 +73,13 @@ pub struct FreeMotion {
 /// The thinnest needle: products of three moments must keep their digits. A line of atoms is far from it.
 const THINNEST: f64 = 1e-100;
 
-/// How the principal axes sit in the body, and the body in the world at the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Mount {
-    /// Principal axes to body axes.
-    frame: UnitQuaternion<f64>,
-    /// Body to world at the start, after principal to body.
-    world: UnitQuaternion<f64>,
-    attitude: UnitQuaternion<f64>,
-    omega: Vector3<f64>,
-}
-
-impl Mount {
-    // Not inlined: most motions have none, and the way without one is the shorter for it.
-    #[inline(never)]
-    fn spin(&self, omega: Vector3<f64>) -> Vector3<f64> {
-        klein::rotated(real_first(&self.frame), omega.into()).into()
-    }
-
-    #[inline(never)]
-    fn attitude(&self, turned: Quaternion<f64>) -> Quaternion<f64> {
-        let turned = klein::product(real_first(&self.world), [turned.w, turned.i, turned.j, turned.k]);
-        klein::quaternion(klein::unit(klein::product(turned, real_first(&self.frame.inverse()))))
-    }
-}
-
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(clippy::large_enum_variant)] // a box would cost every instant a detour, and the motion its `Copy`
 enum Law {
     AtRest,
     Steady(Turn),
     Symmetric(Precession),
-    Elliptic(Elliptic),
+    Elliptic(EllipticMotion),
 }
 
 /// A body in free motion at one instant.
@@ -143,7 +125,7 @@ impl FreeMotion {
             Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
             Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
             Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
-            Kind::Asymmetric(motion) => Law::Elliptic(Elliptic::new(&motion, &w)?),
+            Kind::Asymmetric(motion) => Law::Elliptic(EllipticMotion::new(&motion, &w)?),
         };
         let greatest = match &law {
             Law::AtRest | Law::Steady(_) => 0.0,
@@ -192,7 +174,7 @@ impl FreeMotion {
         let along = frame.inverse() * omega;
         let motion = Self::new(moments, &along)?;
         let attitude = body.attitude();
-        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..motion })
+        Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..motion })
     }
 
     /// The same motion from this attitude (body to world) at time 0.
@@ -218,7 +200,7 @@ impl FreeMotion {
             None if attitude == UnitQuaternion::identity() => return Ok(self),
             None => (UnitQuaternion::identity(), self.start),
         };
-        Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..self })
+        Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..self })
     }
 
     /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
@@ -256,6 +238,7 @@ impl FreeMotion {
     }
 
     /// The attitude of the principal axes, from where they are at the start.
+    #[inline(always)]
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
             _ if time == 0.0 => Quaternion::identity(),
@@ -312,12 +295,12 @@ impl FreeMotion {
     /// The spin in body axes, from that along the principal axes.
     #[inline(always)]
     fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
-        self.mount.as_ref().map_or(omega, |mount| mount.spin(omega))
+        self.mount.as_ref().map_or(omega, |mount| mount.in_body(omega))
     }
 
     #[inline(always)]
     fn in_world(&self, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
-        UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.attitude(turned)))
+        UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.in_world(turned)))
     }
 
     /// The principal moments, in the order in which they were given.
@@ -345,6 +328,8 @@ impl FreeMotion {
     /// The first instant after `t` at which the spin along the middle axis changes sign, s. `None` if there is
     /// none: a steady spin, two equal moments, or the separatrix once it has flipped.
     ///
+    /// Where that spin is exactly zero at the start, the flip there is at time 0 exactly, so that it is not after 0.
+    ///
     /// # Errors
     /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond `f64`.
     pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
@@ -362,12 +347,18 @@ impl FreeMotion {
     /// one at a time: an interval with a billion flips takes no more room than one with two, and how many
     /// they are is known without a visit to each ([`Flips::remaining`]).
     ///
+    /// A flip at `from` is none of them and one at `to` is, so that adjacent intervals count each flip once. Where the spin along
+    /// the middle axis is exactly zero at the start, that flip is at time 0 exactly.
+    ///
     /// ```
     /// use nalgebra::Vector3;
     /// use tumbling::{PrincipalMoments, exact::FreeMotion};
     /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.001))?;
     /// let times: Vec<String> = motion.flips(0.0, 10.0)?.map(|t| format!("{t:.4}")).collect();
     /// assert_eq!(times, ["1.7402", "5.2207", "8.7012"]);
+    /// let from_a_flip = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(-1.0, 0.0, 0.2))?;
+    /// assert_eq!(from_a_flip.flips(-0.1, 0.0)?.collect::<Vec<_>>(), [0.0]);
+    /// assert_eq!(from_a_flip.flips(0.0, 0.1)?.count(), 0);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
@@ -396,8 +387,4 @@ impl FreeMotion {
             Err(Refusal::OutOfRange { what, value }.into())
         }
     }
-}
-
-fn real_first(q: &UnitQuaternion<f64>) -> [f64; 4] {
-    [q.w, q.i, q.j, q.k]
 }

@@ -13,7 +13,7 @@ mod lane;
 pub(crate) mod power_of_two;
 
 pub use lane::Lane;
-pub(crate) use lane::gathered;
+pub(crate) use lane::{Gather, gather_fields};
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{One, Zero};

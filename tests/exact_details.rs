@@ -87,7 +87,7 @@ fn the_least_push_beside_a_slow_spin_grows_to_a_whole_flip() {
     for (push, power) in [(5e-324, -99), (-5e-324, -100), (5e-324, -101), (5e-324, -102)] {
         let slow = 2_f64.powi(power);
         let motion = motion([0.7, 1.0, c], [5e-324, slow, push]);
-        let Regime::Circulating { complement, .. } = motion.regime() else { panic!("{:?}", motion.regime()) };
+        let Regime::Elliptic { complement, .. } = motion.regime() else { panic!("{:?}", motion.regime()) };
         assert!(complement < 1e-298, "{complement:e}");
         let flip = motion.next_flip(0.0).unwrap().unwrap();
         let w = motion.omega(flip).unwrap() / slow;
@@ -142,7 +142,7 @@ fn a_spin_the_other_way_round_swings_about_the_opposite_of_the_momentum() {
     let motion = motion([1.0, 2.0, 3.0], [0.0, 0.03, -1.0]);
     let [least, most] = motion.angles_to_momentum(2).unwrap().map(|a| PI - a);
     assert!((least - 0.02).abs() < 1e-5 && (most - 0.01).abs() < 1e-5, "{least} {most}");
-    assert!(matches!(motion.regime(), Regime::Circulating { about: Axis::Largest, rate, .. } if rate > 0.0));
+    assert!(matches!(motion.regime(), Regime::Elliptic { about: Axis::Largest, rate, .. } if rate > 0.0));
 }
 
 /// The top's greatest component is the radius of its circle: for (1, 1) it is sqrt(2).
@@ -222,5 +222,28 @@ fn several_instants_at_once_are_each_to_the_bit_what_they_are_alone() {
         let alone: Vec<_> = times.iter().map(|&t| motion.at(t).unwrap()).collect();
         assert_eq!(motion.at_each(&times).unwrap(), alone);
         assert!(motion.at_each(&[1.0, f64::NAN]).is_err() && motion.at_each(&[]).unwrap().is_empty());
+    }
+}
+
+/// A modulus is at most 1, and where it is 1 to rounding the complement still tells the motion from the separatrix.
+#[test]
+fn the_modulus_next_to_the_separatrix_is_not_above_one() {
+    for (moments, omega) in [
+        (
+            [1.438952918759294, 2.0351257746035527, 3.054333979342899],
+            [-2.803572890169369e-10, 1.4128433977268962, 4.337202859078787e-10],
+        ),
+        (
+            [1.4560894309137202, 2.640236159616809, 3.181192674717668],
+            [-2.1973103005059826e-13, 1.1949140362241835, 9.800867417548897e-15],
+        ),
+        (
+            [1.9149007781432585, 2.7781989565381853, 3.416671648272757],
+            [-1.4142360841877147e-15, 1.2921435889791737, -1.7173859936859786e-16],
+        ),
+    ] {
+        let regime = motion(moments, omega).regime();
+        let Regime::Elliptic { modulus, complement, .. } = regime else { panic!("{regime:?}") };
+        assert!(modulus == 1.0 && complement > 0.0, "{modulus:?} {complement:e}");
     }
 }

@@ -6,8 +6,7 @@ use common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use serde_json::Value;
-use tumbling::dynamics::stability::time_between_flips;
-use tumbling::exact::{FreeMotion, Instant, Regime};
+use tumbling::exact::{FreeMotion, Instant, Regime, time_between_flips};
 use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 /// The rounding of one input, relative.
@@ -207,7 +206,7 @@ proptest! {
     fn the_twist_is_the_integral_of_the_rate_about_the_momentum(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
         let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        let Regime::Circulating { about, complement, .. } = motion.regime() else { panic!("not circulating") };
+        let Regime::Elliptic { about, complement, .. } = motion.regime() else { panic!("not circulating") };
         prop_assume!(complement > 1e-3);
         let mut order = [0, 1, 2];
         order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
@@ -411,7 +410,7 @@ fn the_side_of_the_separatrix_is_decided_without_rounding() {
         let above = i128::from(w1).pow(2) - 2 * i128::from(w3).pow(2);
         #[allow(clippy::cast_precision_loss)]
         let (x, z) = (w1 as f64, w3 as f64);
-        let Regime::Circulating { about, complement, .. } =
+        let Regime::Elliptic { about, complement, .. } =
             motion([2.0, 3.0, 4.0].map(|i| heavy * i), [x, x, z]).regime()
         else {
             panic!("on the separatrix")

@@ -144,7 +144,7 @@ proptest! {
             }
         }
         if let Ok(moments) = PrincipalMoments::try_from(m) {
-            let _ = tumbling::dynamics::stability::time_between_flips(moments, &v);
+            let _ = tumbling::exact::time_between_flips(moments, &v);
             for axis in tumbling::Axis::ALL {
                 let _ = tumbling::dynamics::stability::of_spin(moments, axis, mass);
             }

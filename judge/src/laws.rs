@@ -156,11 +156,11 @@ impl Laws {
         floor: f64,
     ) -> Result<Self, tumbling::Error> {
         let exact = FreeMotion::new((*moments).try_into()?, &first.omega)?;
-        let middle = matches!(exact.regime(), Regime::Circulating { .. } | Regime::Separatrix { .. })
+        let middle = matches!(exact.regime(), Regime::Elliptic { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
         let circled = match exact.regime() {
-            Regime::Circulating { about: Axis::Largest, .. } => Some(ordered(moments)[2]),
-            Regime::Circulating { .. } | Regime::Separatrix { .. } => Some(ordered(moments)[0]),
+            Regime::Elliptic { about: Axis::Largest, .. } => Some(ordered(moments)[2]),
+            Regime::Elliptic { .. } | Regime::Separatrix { .. } => Some(ordered(moments)[0]),
             Regime::SymmetricTop { axis, .. } => Some(axis),
             _ => None,
         };

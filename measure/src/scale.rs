@@ -509,7 +509,7 @@ mod tests {
         let mut kinds = [0, 0];
         for k in 1..2000 {
             let motion = body(k).motion().unwrap();
-            if let tumbling::exact::Regime::Circulating { about, .. } = motion.regime() {
+            if let tumbling::exact::Regime::Elliptic { about, .. } = motion.regime() {
                 kinds[usize::from(about == tumbling::Axis::Largest)] += 1;
             }
         }

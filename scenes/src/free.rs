@@ -80,7 +80,7 @@ fn attainable(
         return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
     }
     let complement = match regime {
-        Regime::Circulating { complement, .. } => complement,
+        Regime::Elliptic { complement, .. } => complement,
         _ => 0.0,
     };
     let moments = motion.moments();

@@ -7,7 +7,8 @@ use crate::states::States;
 use crate::strategy::Strategy;
 use crate::{driven, free};
 use nalgebra::Vector3;
-use tumbling::dynamics::{observe, polhode::Polhode};
+use tumbling::dynamics::observe;
+use tumbling::exact::Polhode;
 use tumbling::exact::{Flips, FreeMotion};
 use tumbling::{Inertia, PrincipalMoments};
 

@@ -4,7 +4,6 @@
 //! difference that matters, which is taken in twice the precision; nothing that is small is formed by
 //! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
 
-use crate::exact::elliptic::quarter_period_from_root;
 use crate::inertia::PrincipalMoments;
 use crate::number::double_double::{DoubleDouble, exact_products, exact_sum};
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -121,21 +120,16 @@ impl Asymmetric {
         self.scaled_complement.scaled(self.small + shift)
     }
 
-    /// The modulus `k`.
+    /// The modulus `k`, at most 1: next to the separatrix its rounding could exceed that.
     pub(crate) fn modulus(&self) -> f64 {
         let [d_mx, off, d_cm, round] =
             [self.d_mx, self.off_squared, self.d_cm, self.round_squared].map(DoubleDouble::hi);
-        times_power_of_two((d_mx * off / (d_cm * round)).sqrt(), self.off_axis)
+        times_power_of_two((d_mx * off / (d_cm * round)).sqrt(), self.off_axis).min(1.0)
     }
 
-    /// A quarter of the period in Jacobi's argument; infinite on the separatrix.
-    pub(crate) fn quarter_period(&self) -> DoubleDouble {
-        if self.separatrix {
-            return DoubleDouble::from(f64::INFINITY);
-        }
-        let scaled = self.scaled_complement;
-        let root = scaled.sqrt().scaled(self.small / 2);
-        quarter_period_from_root(scaled.scaled(self.small), root)
+    /// The square root of the complementary modulus, with all its digits where that is subnormal too.
+    pub(crate) fn root_of_complement(&self) -> DoubleDouble {
+        self.scaled_complement.sqrt().scaled(self.small / 2)
     }
 
     /// The largest values of the spin along the across and the middle axis, times `2^lift`, and the around axis.

@@ -1,11 +1,8 @@
-//! Stability of a steady spin about each principal axis, and the time between flips.
+//! Stability of a steady spin about each principal axis.
 
-use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, Refusal, finite, finite_vector};
+use crate::error::{Error, Refusal, finite};
 use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
-use crate::number::power_of_two::times_power_of_two;
-use nalgebra::Vector3;
 use std::fmt;
 
 /// The square of the rate at which a small disturbance changes, (1/s)²: positive where it grows, negative
@@ -97,43 +94,4 @@ pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stab
         Axis::Middle => Stability::Growth { rate },
         Axis::Smallest | Axis::Largest => Stability::Libration { rate },
     })
-}
-
-/// The time between two flips of a free body, s: half the period of its spin as seen from the body.
-/// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
-///
-/// The spin (rad/s) is along the principal axes. A flip is when the spin
-/// component along the middle axis changes sign; every free motion but those named does that, a stable
-/// libration too, where it is small and quick.
-///
-/// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the arithmetic-geometric mean
-/// [Gau99](crate::references). The small differences on which it hangs are taken between the given moments, never between
-/// squares, so that it is right for a push of 1e-300 too.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::{PrincipalMoments, dynamics::stability::time_between_flips};
-/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-/// let book = time_between_flips(moments, &Vector3::new(0.0, 10.0, 0.001))?;
-/// assert_eq!(format!("{:.4}", book.unwrap()), "3.4805");
-/// assert_eq!(time_between_flips(moments, &Vector3::new(0.0, 10.0, 0.0))?, None);
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-///
-/// # Errors
-/// A spin that is not finite, or a time beyond `f64`.
-pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
-    finite_vector("the spin", omega)?;
-    let Kind::Asymmetric(motion) = classify(moments, omega) else {
-        return Ok(None);
-    };
-    if motion.separatrix {
-        return Ok(None);
-    }
-    let half_period = motion.quarter_period() * 2.0 / motion.rate();
-    let time = times_power_of_two(half_period.hi(), -motion.clock);
-    if !time.is_finite() || time == 0.0 {
-        return Err(Refusal::OutOfRange { what: "the time between flips", value: time }.into());
-    }
-    Ok(Some(time))
 }

@@ -1,61 +1,130 @@
 //! The motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
-use super::klein;
+use super::kernel::{FirstAxis, Kernel, unit};
+use crate::body::attitude::product;
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::number::{Lane, gathered};
+use crate::number::{Gather, Lane, gather_fields};
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::PI;
 
 /// A turn at an even rate about a fixed direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Turn {
-    direction: Vector3<f64>,
+pub(crate) struct Turn<T = f64> {
+    direction: [T; 3],
     /// Turns of half the angle, which is what a quaternion takes, per unit of scaled time.
-    half_rate: DoubleDouble,
+    half_rate: DoubleDouble<T>,
 }
 
+gather_fields!(Turn { direction, half_rate });
+
 impl Turn {
+    /// That of a body at rest.
+    pub(crate) const NONE: Self = Self { direction: [0.0; 3], half_rate: DoubleDouble::ZERO };
+
     /// About the vector whose scaled components in twice the precision are given, at the rate of its length.
     pub(crate) fn along(vector: [DoubleDouble; 3]) -> Self {
         let scale = exponent(vector.iter().fold(0.0, |m: f64, x| m.max(x.hi().abs())));
         let scaled = vector.map(|x| x.scaled(-scale));
         let length = (scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]).sqrt();
-        let [x, y, z] = scaled.map(|x| (x / length).hi());
+        let direction = scaled.map(|x| (x / length).hi());
         let half_rate = (length / (DoubleDouble::PI * 4.0)).scaled(scale);
-        Self { direction: Vector3::new(x, y, z), half_rate }
+        Self { direction, half_rate }
     }
 
     /// Radians per unit of scaled time.
     pub(crate) fn rate(&self) -> f64 {
         4.0 * PI * self.half_rate.hi()
     }
+}
 
-    pub(crate) fn at(&self, time: f64) -> Quaternion<f64> {
+impl<T: Lane> Turn<T> {
+    /// The turn since the start.
+    #[inline(always)]
+    pub(crate) fn at(&self, time: T) -> Quaternion<T> {
         let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
-        let [x, y, z] = self.direction.into();
-        klein::quaternion(klein::unit(about([x, y, z], sin, cos)))
+        let [x, y, z] = self.direction;
+        unit(Quaternion::new(cos, x * sin, y * sin, z * sin))
     }
 }
 
-/// The quaternion of a turn about a direction.
-#[inline(always)]
-fn about<T: Lane>(direction: [T; 3], sin: T, cos: T) -> [T; 4] {
-    let [x, y, z] = direction;
-    [cos, x * sin, y * sin, z * sin]
+/// A spin that does not change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SteadySpin<T = f64> {
+    omega: Vector3<T>,
 }
 
-/// The spin of a body with two equal moments circles its axis evenly, and the body turns evenly about its
-/// momentum.
+impl<T: Lane> Gather for SteadySpin<T> {
+    type One = Vector3<f64>;
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Vector3<f64>) -> Self {
+        Self { omega: Gather::gather(from, of) }
+    }
+}
+
+impl<T: Lane> Kernel<T> for SteadySpin<T> {
+    type Attitude = Turn<T>;
+    type Phase = ();
+
+    #[inline(always)]
+    fn phase(&self, _: T) {}
+
+    #[inline(always)]
+    fn omega(&self, (): &()) -> Vector3<T> {
+        self.omega
+    }
+
+    #[inline(always)]
+    fn turn(&self, turn: &Turn<T>, (): &(), time: T) -> Quaternion<T> {
+        turn.at(time)
+    }
+}
+
+/// The spin of a body with two equal moments: it circles the third axis evenly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TopSpin<T = f64> {
+    axis: FirstAxis<T>,
+    /// Along that axis and the next two, at the start.
+    omega: [T; 3],
+    /// Turns about it per unit of scaled time.
+    wobble: DoubleDouble<T>,
+}
+
+gather_fields!(TopSpin { axis, omega, wobble });
+
+impl<T: Lane> Kernel<T> for TopSpin<T> {
+    /// The turn about the momentum.
+    type Attitude = Turn<T>;
+    /// The time: spin and attitude turn by different angles.
+    type Phase = T;
+
+    #[inline(always)]
+    fn phase(&self, time: T) -> T {
+        time
+    }
+
+    #[inline(always)]
+    fn omega(&self, &time: &T) -> Vector3<T> {
+        let (sin, cos) = sin_cos_of_turns(self.wobble * time);
+        let [along, first, second] = self.omega;
+        self.axis.arranged([along, first * cos - second * sin, second * cos + first * sin]).into()
+    }
+
+    #[inline(always)]
+    fn turn(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Quaternion<T> {
+        let (sin, cos) = sin_cos_of_turns(self.wobble * (time * 0.5));
+        let zero = T::splat(0.0);
+        let [x, y, z] = self.axis.arranged([-sin, zero, zero]);
+        unit(product(&about_momentum.at(time), &Quaternion::new(cos, x, y, z)))
+    }
+}
+
+/// The motion of a body with two equal moments: its spin circles its axis, and the body turns evenly about its momentum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Precession {
     axis: usize,
-    omega: Vector3<f64>,
-    /// Turns of the spin about the axis per unit of scaled time.
-    wobble: DoubleDouble,
-    /// The turn about the momentum.
-    about_momentum: Turn,
+    pub(super) spin: TopSpin,
+    pub(super) about_momentum: Turn,
     /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
     smooth: f64,
 }
@@ -74,7 +143,9 @@ impl Precession {
         let twice_energy = m[0] * w[0] + m[1] * w[1] + m[2] * w[2];
         let (length, along) = (about_momentum.rate(), w[axis].abs());
         let smooth = (twice_energy + length * along) / (length + moments[axis] / equal * along);
-        Self { axis, omega: *omega, wobble, about_momentum, smooth }
+        let omega = [0, 1, 2].map(|k| omega[(axis + k) % 3]);
+        let spin = TopSpin { axis: FirstAxis::new(axis), omega, wobble };
+        Self { axis, spin, about_momentum, smooth }
     }
 
     pub(crate) fn axis(&self) -> usize {
@@ -83,17 +154,17 @@ impl Precession {
 
     /// The largest component that the spin can have, rad/s.
     pub(crate) fn greatest_spin(&self) -> f64 {
-        let [a, b] = [1, 2].map(|k| self.omega[(self.axis + k) % 3]);
-        a.hypot(b).max(self.omega[self.axis].abs())
+        let [along, a, b] = self.spin.omega;
+        a.hypot(b).max(along.abs())
     }
 
     /// Turns per unit of scaled time.
     pub(crate) fn wobble_turns(&self) -> f64 {
-        self.wobble.hi()
+        self.spin.wobble.hi()
     }
 
     pub(crate) fn wobble(&self) -> DoubleDouble {
-        self.wobble
+        self.spin.wobble
     }
 
     /// `L / I` with the equal moments, radians per unit of scaled time.
@@ -103,102 +174,16 @@ impl Precession {
 
     /// Radians about the momentum in half a turn of the spin.
     pub(crate) fn twist_of_half_period(&self) -> f64 {
-        0.5 * self.smooth / self.wobble.hi().abs()
+        0.5 * self.smooth / self.wobble_turns().abs()
     }
 
     pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
-        let (a, b) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
-        let (sin, cos) = sin_cos_of_turns(self.wobble * time);
-        let mut omega = self.omega;
-        omega[a] = self.omega[a] * cos - self.omega[b] * sin;
-        omega[b] = self.omega[b] * cos + self.omega[a] * sin;
-        omega
+        self.spin.omega(&time)
     }
 
+    /// The turn since the start.
     pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
-        let (sin, cos) = sin_cos_of_turns(self.wobble * (0.5 * time));
-        let mut back = [0.0; 3];
-        back[self.axis] = -sin;
-        let turn = self.about_momentum.at(time);
-        let turn = [turn.w, turn.i, turn.j, turn.k];
-        klein::quaternion(klein::unit(klein::product(turn, [cos, back[0], back[1], back[2]])))
-    }
-}
-
-/// Even turns of many bodies, side by side: those at rest too, which turn by nothing.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Turns<T> {
-    direction: [T; 3],
-    half_rate: DoubleDouble<T>,
-}
-
-impl<T: Lane> Turns<T> {
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> Option<Turn>) -> Self {
-        let half_rate = |s: &S| of(s).map_or(DoubleDouble::ZERO, |turn| turn.half_rate);
-        Self {
-            direction: [0, 1, 2].map(|n| gathered(from, |s| of(s).map_or(0.0, |turn| turn.direction[n]))),
-            half_rate: DoubleDouble::parts(
-                gathered(from, |s| half_rate(s).hi()),
-                gathered(from, |s| half_rate(s).lo()),
-            ),
-        }
-    }
-
-    /// The turn since the start, real part first.
-    #[inline(always)]
-    pub(crate) fn at(&self, time: T) -> [T; 4] {
-        let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
-        klein::unit(about(self.direction, sin, cos))
-    }
-}
-
-/// The spins of many tops, side by side.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Wobbles<T> {
-    /// 1 in the place of the axis.
-    axis: [T; 3],
-    omega: [T; 3],
-    wobble: DoubleDouble<T>,
-}
-
-impl<T: Lane> Wobbles<T> {
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Precession) -> Self {
-        Self {
-            axis: [0, 1, 2].map(|n| gathered(from, |s| if of(s).axis == n { 1.0 } else { 0.0 })),
-            omega: [0, 1, 2].map(|n| gathered(from, |s| of(s).omega[n])),
-            wobble: DoubleDouble::parts(
-                gathered(from, |s| of(s).wobble.hi()),
-                gathered(from, |s| of(s).wobble.lo()),
-            ),
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn omega(&self, time: T) -> [T; 3] {
-        let (sin, cos) = sin_cos_of_turns(self.wobble * time);
-        let along = self.axis.map(|x| T::splat(0.5).lt(x));
-        // In each place what it would be if that were the first or the second place after the axis.
-        [0, 1, 2].map(|n| {
-            let [before, after] = [self.omega[(n + 2) % 3], self.omega[(n + 1) % 3]];
-            let first = self.omega[n] * cos - after * sin;
-            let second = self.omega[n] * cos + before * sin;
-            T::select(along[n], self.omega[n], T::select(along[(n + 2) % 3], first, second))
-        })
-    }
-
-    /// The turn since the start, real part first, from that about the momentum.
-    #[inline(always)]
-    pub(crate) fn turn(&self, about_momentum: &Turns<T>, time: T) -> [T; 4] {
-        let (sin, cos) = sin_cos_of_turns(self.wobble * (time * 0.5));
-        let nothing = T::splat(0.0);
-        let [x, y, z] = self.axis.map(|along| T::select(nothing.lt(along), -sin, nothing));
-        klein::unit(klein::product(about_momentum.at(time), [cos, x, y, z]))
-    }
-}
-
-impl Precession {
-    pub(crate) fn about_momentum(&self) -> Turn {
-        self.about_momentum
+        self.spin.turn(&self.about_momentum, &time, time)
     }
 }
 

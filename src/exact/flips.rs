@@ -48,7 +48,8 @@ impl Clock {
             Self::Once(time) => time,
             Self::Evenly { offset, rate } => (DoubleDouble::from(number) - offset) / rate,
         };
-        times_power_of_two(scaled.hi(), -exponent)
+        // A flip at the start is at 0, not at -0.
+        times_power_of_two(scaled.hi(), -exponent) + 0.0
     }
 
     /// The number of the first flip after `t`, which may be one that never comes.

@@ -61,7 +61,7 @@ impl FreeMotion {
     pub fn growth_rate(&self) -> Result<Option<f64>, Error> {
         match self.regime() {
             Regime::Separatrix { rate } => Ok(Some(rate)),
-            Regime::Circulating { rate, complement, .. } => Ok((complement <= CLOSE).then_some(rate)),
+            Regime::Elliptic { rate, complement, .. } => Ok((complement <= CLOSE).then_some(rate)),
             Regime::Steady { speed } => {
                 let order = self.moments.order();
                 if self.start[order[0]] != 0.0 || self.start[order[2]] != 0.0 {

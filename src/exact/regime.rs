@@ -14,8 +14,8 @@ use std::fmt;
 /// assert_eq!(regime([0.0, -2.0, 0.0])?, Regime::Steady { speed: 2.0 });
 /// // 6 (6-4) w3² = 3 (4-3) w1² exactly: between circling the one axis and the other.
 /// assert!(matches!(regime([2.0, 1.0, 1.0])?, Regime::Separatrix { .. }));
-/// assert!(matches!(regime([1.9, 1.0, 1.0])?, Regime::Circulating { about: Axis::Largest, .. }));
-/// assert!(matches!(regime([2.1, 1.0, 1.0])?, Regime::Circulating { about: Axis::Smallest, .. }));
+/// assert!(matches!(regime([1.9, 1.0, 1.0])?, Regime::Elliptic { about: Axis::Largest, .. }));
+/// assert!(matches!(regime([2.1, 1.0, 1.0])?, Regime::Elliptic { about: Axis::Smallest, .. }));
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +40,7 @@ pub enum Regime {
         precession: f64,
     },
     /// Three different moments: the spin circles the axis of the largest or the smallest one.
-    Circulating {
+    Elliptic {
         /// Which of the two.
         about: Axis,
         /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal libration.
@@ -78,7 +78,7 @@ impl fmt::Display for Regime {
                 let (nutation, precession) = (number(nutation), number(precession));
                 write!(f, "symmetric top, nutation {nutation} rad/s, precession {precession} rad/s")
             }
-            Self::Circulating { about, modulus, .. } => {
+            Self::Elliptic { about, modulus, .. } => {
                 write!(f, "circulating about the axis of the {about} moment, modulus {}", number(modulus))
             }
             Self::Separatrix { rate } => write!(f, "separatrix, rate {} 1/s", number(rate)),

@@ -4,8 +4,8 @@ mod elementary;
 mod needle;
 mod series;
 
-use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
+use super::elliptic_motion::{EllipticMotion, Halves};
 use super::{FreeMotion, Law};
 use crate::error::{Error, Refusal, finite};
 use crate::number::double_double::DoubleDouble;
@@ -166,7 +166,7 @@ impl FreeMotion {
 
 /// The change near a whole number of half periods, after each of which the spin is that before it with two signs
 /// turned: a series over the time that is left, and how much later or earlier the half periods end.
-fn near_return(motion: &Elliptic, halves: &Halves, moments: &[f64; 3], omega: &[f64; 3]) -> Change {
+fn near_return(motion: &EllipticMotion, halves: &Halves, moments: &[f64; 3], omega: &[f64; 3]) -> Change {
     let series::Short { mut change, omega: end, .. } =
         series::short(moments, omega, halves.time, halves.argument);
     if halves.count == 0.0 {

@@ -4,8 +4,8 @@
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
-use crate::number::Lane;
 use crate::number::power_of_two::times_power_of_two;
+use crate::number::{Gather, Lane, gather_fields};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
@@ -14,6 +14,8 @@ pub(crate) struct DoubleDouble<T = f64> {
     hi: T,
     lo: T,
 }
+
+gather_fields!(DoubleDouble { hi, lo });
 
 impl DoubleDouble {
     pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
@@ -42,11 +44,6 @@ impl DoubleDouble {
 }
 
 impl<T: Lane> DoubleDouble<T> {
-    /// From a number and what its rounding lost.
-    pub(crate) fn parts(hi: T, lo: T) -> Self {
-        Self { hi, lo }
-    }
-
     /// The nearest single number.
     #[inline(always)]
     pub(crate) fn hi(self) -> T {

@@ -1,6 +1,7 @@
 //! Several numbers side by side, worked on at once.
 
 use super::Field;
+use nalgebra::Vector3;
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Sub};
 
@@ -148,8 +149,46 @@ impl Lane for f64 {
     }
 }
 
-/// What `of` says of each of `from`, side by side. Where there are fewer than lanes the last is repeated: no
-/// lane minds what the others have.
-pub(crate) fn gathered<T: Lane, S>(from: &[S], of: impl Fn(&S) -> f64) -> T {
-    T::from_lanes(|k| from.get(k).or(from.last()).map_or(0.0, &of))
+/// Lanes from as many single numbers: of one, or of all those of a structure.
+pub(crate) trait Gather {
+    /// What each lane is taken from.
+    type One;
+
+    /// The parts `of` each of `from`, side by side. Where there are fewer of these than lanes the last is repeated: no lane
+    /// depends on the others.
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Self::One) -> Self;
 }
+
+impl<T: Lane> Gather for T {
+    type One = f64;
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &f64) -> Self {
+        T::from_lanes(|k| from.get(k).or(from.last()).map_or(0.0, |s| *of(s)))
+    }
+}
+
+impl<G: Gather, const N: usize> Gather for [G; N] {
+    type One = [G::One; N];
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &[G::One; N]) -> Self {
+        std::array::from_fn(|n| G::gather(from, |s| &of(s)[n]))
+    }
+}
+
+impl<T: Lane> Gather for Vector3<T> {
+    type One = Vector3<f64>;
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Vector3<f64>) -> Self {
+        [0, 1, 2].map(|n| T::gather(from, |s| &of(s)[n])).into()
+    }
+}
+
+/// Gathers a structure that is generic over its lanes, field by field.
+macro_rules! gather_fields {
+    ($Name:ident { $($field:ident),* }) => {
+        impl<T: Lane> Gather for $Name<T> {
+            type One = $Name<f64>;
+            fn gather<S>(from: &[S], of: impl Fn(&S) -> &Self::One) -> Self {
+                Self { $($field: Gather::gather(from, |s| &of(s).$field)),* }
+            }
+        }
+    };
+}
+pub(crate) use gather_fields;

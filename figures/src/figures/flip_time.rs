@@ -4,7 +4,7 @@ use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
 use tumbling::dynamics::observe::sign_changes;
-use tumbling::dynamics::stability::time_between_flips;
+use tumbling::exact::time_between_flips;
 
 const SPIN: f64 = 10.0;
 const STEP: f64 = 0.0005;

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::TAU;
 use tumbling::Inertia;
-use tumbling::dynamics::stability::time_between_flips;
+use tumbling::exact::time_between_flips;
 
 /// All spins with which a body has the same energy.
 pub(super) struct Ellipsoid {

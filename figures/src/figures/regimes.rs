@@ -32,7 +32,7 @@ impl Map {
     /// the same momentum takes to turn the body once about its middle axis.
     fn flip(&self, level: f64) -> Result<(Axis, f64), Box<dyn Error>> {
         let motion = self.motion(level)?;
-        let Regime::Circulating { about, .. } = motion.regime() else {
+        let Regime::Elliptic { about, .. } = motion.regime() else {
             return Err("a level with no period".into());
         };
         let half = 0.5 * motion.period()?.ok_or("no period")?;

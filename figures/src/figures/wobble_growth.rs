@@ -3,7 +3,7 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::Vector3;
-use tumbling::dynamics::stability::time_between_flips;
+use tumbling::exact::time_between_flips;
 
 const SPIN: f64 = 10.0;
 const STEP: f64 = 0.0002;

@@ -7,8 +7,7 @@ use exchange::{Line, Numbers};
 use nalgebra::Vector3;
 use std::sync::{Mutex, PoisonError};
 use tumbling::body::named;
-use tumbling::exact::{FreeMotion, Regime};
-use tumbling::dynamics::stability::time_between_flips;
+use tumbling::exact::{FreeMotion, Regime, time_between_flips};
 use tumbling::{Axis, Error, ErrorKind};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as half of the rest.
@@ -110,8 +109,8 @@ fn prepared([which, spin, push]: [f64; 3]) -> Result<[f64; 13], Why> {
     *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some(motion);
 
     let around = match motion.regime() {
-        Regime::Circulating { about: Axis::Smallest, .. } => 2.0,
-        Regime::Circulating { about: Axis::Largest, .. } => 1.0,
+        Regime::Elliptic { about: Axis::Smallest, .. } => 2.0,
+        Regime::Elliptic { about: Axis::Largest, .. } => 1.0,
         _ => 3.0,
     };
     // Of a spin of size 1, so that no square is beyond `f64`.

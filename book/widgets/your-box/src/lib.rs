@@ -132,8 +132,8 @@ mod tests {
             let mut order = [0_u8, 1, 2];
             order.sort_by(|&a, &b| moments[usize::from(a)].total_cmp(&moments[usize::from(b)]));
             let right = match FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().regime() {
-                Regime::Circulating { about: Axis::Smallest, .. } => order[0]..=order[0],
-                Regime::Circulating { .. } => order[2]..=order[2],
+                Regime::Elliptic { about: Axis::Smallest, .. } => order[0]..=order[0],
+                Regime::Elliptic { .. } => order[2]..=order[2],
                 Regime::Separatrix { .. } => 3..=3,
                 Regime::SymmetricTop { .. } => 4..=4,
                 _ => 5..=12,

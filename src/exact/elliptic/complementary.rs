@@ -1,8 +1,7 @@
 //! Jacobi's functions near and on the separatrix: theta sums in hyperbolic functions, after Jacobi's
 //! imaginary transformation.
 
-use super::Values;
-use crate::number::{Lane, gathered};
+use crate::number::{Gather, Lane, gather_fields};
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the root of `E` beside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,7 +12,7 @@ pub(crate) struct Decay<T = f64> {
     square: T,
     /// `1 - exp(-2x)`, small where `x` is.
     gap: T,
-    /// The root of the complementary nome over `exp(-x)`: this exponential seen from the other end of the way.
+    /// The root of the complementary nome over `exp(-x)`: this exponential from the other end of the passage.
     pub(crate) rising: T,
 }
 
@@ -58,7 +57,7 @@ fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
 
 /// The sums for a complementary nome `p` of at most 0.02, that is the direct nome above 0.08.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Hyperbolic<T = f64> {
+pub(crate) struct ComplementarySeries<T = f64> {
     /// Powers of `p`: the second, the fourth, the first.
     powers: [T; 3],
     /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
@@ -66,7 +65,9 @@ pub(crate) struct Hyperbolic<T = f64> {
     far: [T; 3],
 }
 
-impl Hyperbolic {
+gather_fields!(ComplementarySeries { powers, near, far });
+
+impl ComplementarySeries {
     /// `complement` is `2^shift k'`; `cn` and `dn` come out times `2^shift` too.
     pub(crate) fn new(p: f64, complement: f64, shift: i32) -> Self {
         let p2 = p * p;
@@ -84,24 +85,9 @@ impl Hyperbolic {
             ],
         }
     }
-
-    /// The three functions where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if
-    /// `far`, what is left of it to the quarter period, so that the small ones keep their digits there.
-    pub(crate) fn at(&self, x: &Decay, far: bool) -> Values {
-        Values::of(self.values(x, far))
-    }
 }
 
-impl<T: Lane> Hyperbolic<T> {
-    /// Those of many, side by side.
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Hyperbolic) -> Self {
-        Self {
-            powers: [0, 1, 2].map(|n| gathered(from, |s| of(s).powers[n])),
-            near: [0, 1, 2].map(|n| gathered(from, |s| of(s).near[n])),
-            far: [0, 1, 2].map(|n| gathered(from, |s| of(s).far[n])),
-        }
-    }
-
+impl<T: Lane> ComplementarySeries<T> {
     /// The four sums without their first exponential: those of the odd multiples, alternating (a hyperbolic
     /// sine) and not (a cosine), then those of the even multiples, alternating and not.
     #[inline(always)]
@@ -122,7 +108,8 @@ impl<T: Lane> Hyperbolic<T> {
         [sine, cosine, even - odd, even + odd]
     }
 
-    /// `sn`, `cn`, `dn`, as [`at`](Hyperbolic::at).
+    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if `far`, what is left of it
+    /// to the quarter period, so that the small ones keep their digits there.
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, far: T::Mask) -> [T; 3] {
         let [sine, cosine, alternating, plain] = self.sums(x);

@@ -7,9 +7,10 @@
 //! integral. All that is small, near the separatrix or in a small wobble, is carried times powers of two, as in the
 //! motion itself; on the separatrix `m' = 0` the same formulas hold as they are.
 
-use super::{Elliptic, Form};
+use super::{EllipticMotion, Form};
 use crate::error::{Error, Refusal};
-use crate::exact::elliptic::{Values, rd};
+use crate::exact::elliptic::rd;
+use crate::exact::kernel::Kernel;
 use crate::exact::sensitivity::Change;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
@@ -18,6 +19,19 @@ use std::f64::consts::TAU;
 
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
 const REST: f64 = 700.0;
+
+/// Jacobi's three functions at one argument.
+struct Values {
+    sn: f64,
+    cn: f64,
+    dn: f64,
+}
+
+impl Values {
+    fn of([sn, cn, dn]: [f64; 3]) -> Self {
+        Self { sn, cn, dn }
+    }
+}
 
 /// What one place on the way contributes: the half turns there, `dn dF/dm` without them, and the integral of `cn²` as
 /// quarter turns and a rest, counted from the flip or the saddle, whichever is nearer.
@@ -57,7 +71,7 @@ pub(crate) struct Halves {
 /// From where on the integral is that of the separatrix to rounding.
 const FAR: f64 = 1e100;
 
-impl Elliptic {
+impl EllipticMotion {
     /// The half periods nearest to `time`; none on the separatrix.
     pub(crate) fn half_periods(&self, time: f64) -> Halves {
         let run = self.constants.rate * time;
@@ -154,20 +168,24 @@ impl Elliptic {
 
     fn place(&self, time: f64) -> Place {
         let (values, halves) = match &self.form {
-            Form::Trigonometric { spin, start, turns, .. } => {
-                let (sin, cos) = super::advanced(start, *turns * time);
-                let values = spin.at(sin, cos);
-                let at_start = DoubleDouble::from(start[0].atan2(start[1]) / TAU);
-                let (whole, left) = ((*turns * time + at_start) * 2.0).split();
+            Form::Direct { spin, .. } => {
+                let [sin, cos] = spin.phase(time);
+                let values = Values::of(spin.series.values(sin, cos));
+                let angle = spin.start[0].atan2(spin.start[1]);
+                let (whole, left) = ((spin.turns * time + DoubleDouble::from(angle / TAU)) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
                 let halves =
                     if even == values.cn.is_sign_positive() { whole } else { whole + 1_f64.copysign(left) };
                 (values, halves)
             }
-            Form::Hyperbolic { spin, way, .. } => {
-                let place = way.at(time);
-                (place.spin(spin), place.halves)
+            Form::Complementary { spin, .. } => {
+                let argument = spin.phase(time);
+                (Values::of(argument.values(&spin.series)), argument.halves)
+            }
+            Form::Separatrix { spin, .. } => {
+                let argument = spin.fold.without_return(time);
+                (Values::of(argument.values(&spin.series)), argument.halves)
             }
         };
         let down = self.down();

@@ -1,12 +1,11 @@
 //! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
 
-use super::Values;
-use crate::number::{Lane, gathered};
+use crate::number::{Gather, Lane, gather_fields};
 
 /// The sums for a nome of at most 0.09: four terms each reach rounding. Written as polynomials in
 /// `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Trigonometric<T = f64> {
+pub(crate) struct DirectSeries<T = f64> {
     /// `theta_3, theta_4 = even ± odd`.
     outer: [T; 4],
     /// `theta_2 / (2 q^(1/4) cos z)` and `theta_1 / (2 q^(1/4) sin z) = even ± odd`.
@@ -15,7 +14,9 @@ pub(crate) struct Trigonometric<T = f64> {
     factors: [T; 3],
 }
 
-impl Trigonometric {
+gather_fields!(DirectSeries { outer, inner, factors });
+
+impl DirectSeries {
     pub(crate) fn new(q: f64) -> Self {
         let (q2, q4, q6, q9) = (q * q, q.powi(4), q.powi(6), q.powi(9));
         let q12 = q6 * q6;
@@ -26,23 +27,9 @@ impl Trigonometric {
         sums.factors = [third / second, fourth / second, fourth / third];
         sums
     }
-
-    /// The three functions from sine and cosine of `z`, the argument with the half period stretched to pi.
-    pub(crate) fn at(&self, sin: f64, cos: f64) -> Values {
-        Values::of(self.values(sin, cos))
-    }
 }
 
-impl<T: Lane> Trigonometric<T> {
-    /// Those of many, side by side.
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Trigonometric) -> Self {
-        Self {
-            outer: [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).outer[n])),
-            inner: [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).inner[n])),
-            factors: [0, 1, 2].map(|n| gathered(from, |s| of(s).factors[n])),
-        }
-    }
-
+impl<T: Lane> DirectSeries<T> {
     /// `theta_3`, `theta_4`, and `theta_2`, `theta_1` without their first factors, from `cos 2z`.
     #[inline(always)]
     fn thetas(&self, c: T) -> [T; 4] {

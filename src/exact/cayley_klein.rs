@@ -10,12 +10,11 @@
 //!
 //! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) have the rotation
 //! matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 - n)/2`, with `n`
-//! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the quaternion one of length 1; nothing has to
-//! be integrated, no angle unwound.
+//! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the
+//! quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
 use crate::number::double_double::DoubleDouble;
-use crate::number::{Lane, gathered};
-use nalgebra::Quaternion;
+use crate::number::{Gather, Lane, gather_fields};
 
 /// `a + b j`, not of length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +22,8 @@ pub(crate) struct Pair<T = f64> {
     pub(crate) a: [T; 2],
     pub(crate) b: [T; 2],
 }
+
+gather_fields!(Pair { a, b });
 
 #[inline(always)]
 fn times<T: Lane>(x: [T; 2], y: [T; 2]) -> [T; 2] {
@@ -35,14 +36,6 @@ fn conjugate<T: Lane>(x: [T; 2]) -> [T; 2] {
 }
 
 impl<T: Lane> Pair<T> {
-    /// Those of many, side by side.
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Pair) -> Self {
-        Self {
-            a: [0, 1].map(|n| gathered(from, |s| of(s).a[n])),
-            b: [0, 1].map(|n| gathered(from, |s| of(s).b[n])),
-        }
-    }
-
     #[inline(always)]
     pub(crate) fn length(&self) -> T {
         (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).sqrt()
@@ -78,49 +71,13 @@ impl<T: Lane> Pair<T> {
     }
 }
 
-/// One of length 1 to a few roundings brought to length 1 as near as its components can be: real part first.
-#[inline(always)]
-pub(crate) fn unit<T: Lane>([w, x, y, z]: [T; 4]) -> [T; 4] {
-    // Sorted into pairs so that the sum stays short; the excess itself has all the digits it needs.
-    let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);
-    let factor = -(excess * 0.5) + 1.0;
-    [w * factor, x * factor, y * factor, z * factor]
-}
-
-/// The product of two quaternions, real parts first.
-#[inline(always)]
-pub(crate) fn product<T: Lane>(a: [T; 4], b: [T; 4]) -> [T; 4] {
-    [
-        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
-        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
-    ]
-}
-
-/// A vector turned by a quaternion of length 1, real part first.
-#[inline(always)]
-pub(crate) fn rotated<T: Lane>(q: [T; 4], v: [T; 3]) -> [T; 3] {
-    let [w, x, y, z] = q;
-    let across = |v: [T; 3]| [y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]];
-    let t = across(v).map(|x| x * 2.0);
-    let u = across(t);
-    [v[0] + t[0] * w + u[0], v[1] + t[1] * w + u[1], v[2] + t[2] * w + u[2]]
-}
-
-/// As the library's users have it.
-#[inline(always)]
-pub(crate) fn quaternion([w, x, y, z]: [f64; 4]) -> Quaternion<f64> {
-    Quaternion::new(w, x, y, z)
-}
-
 /// What both forms are made from.
 pub(crate) struct Shape {
     /// Whether the across, the middle and the circled axis follow each other in cyclic order, `s = 1`, and
     /// whether the spin along the circled one is positive.
     pub(crate) cyclic: bool,
     pub(crate) forward: bool,
-    /// `|b/a|` at the middle of the way, where the spin's across component vanishes.
+    /// `|b/a|` at the saddle, where the spin's across component vanishes.
     pub(crate) tilt: f64,
     /// Where the zero lies: `2B = pi y/K` in sines and cosines, `pi y/(4K')` in hyperbolic functions.
     pub(crate) depth: f64,
@@ -134,7 +91,7 @@ impl Shape {
 
 /// The two theta functions in sines and cosines, as polynomials in `cos 2z`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TrigonometricPair<T = f64> {
+pub(crate) struct DirectPair<T = f64> {
     a_real: [T; 4],
     a_imaginary: [T; 3],
     b_along_sin: [T; 3],
@@ -142,7 +99,9 @@ pub(crate) struct TrigonometricPair<T = f64> {
     sense: T,
 }
 
-impl TrigonometricPair {
+gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos, sense });
+
+impl DirectPair {
     /// `q` is the nome and `shape.depth = pi y/K`, twice the imaginary shift.
     pub(crate) fn new(q: f64, shape: &Shape) -> Self {
         let fall = (-shape.depth).exp();
@@ -181,18 +140,7 @@ impl TrigonometricPair {
     }
 }
 
-impl<T: Lane> TrigonometricPair<T> {
-    /// Those of many, side by side.
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &TrigonometricPair) -> Self {
-        Self {
-            a_real: [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).a_real[n])),
-            a_imaginary: [0, 1, 2].map(|n| gathered(from, |s| of(s).a_imaginary[n])),
-            b_along_sin: [0, 1, 2].map(|n| gathered(from, |s| of(s).b_along_sin[n])),
-            b_along_cos: [0, 1, 2].map(|n| gathered(from, |s| of(s).b_along_cos[n])),
-            sense: gathered(from, |s| of(s).sense),
-        }
-    }
-
+impl<T: Lane> DirectPair<T> {
     /// From sine and cosine of `z`.
     #[inline(always)]
     pub(crate) fn raw(&self, sin: T, cos: T) -> Pair<T> {
@@ -218,8 +166,8 @@ fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
 /// The two theta functions in hyperbolic functions, after the imaginary transformation: sums in
 /// `e = exp(-x)` and `r = p² exp(x)`, where `x` is Jacobi's argument times `pi/(2K')`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct HyperbolicPair<T = f64> {
-    /// The nome `p = exp(-pi K/(2K'))`, that is the value of both `e` and `r` at the middle of the way.
+pub(crate) struct ComplementaryPair<T = f64> {
+    /// The nome `p = exp(-pi K/(2K'))`, that is the value of both `e` and `r` at the saddle.
     nome: T,
     rising: [[T; 5]; 2],
     falling: [[T; 4]; 2],
@@ -227,7 +175,9 @@ pub(crate) struct HyperbolicPair<T = f64> {
     sense: T,
 }
 
-impl HyperbolicPair {
+gather_fields!(ComplementaryPair { nome, rising, falling, amplitude, sense });
+
+impl ComplementaryPair {
     /// `shape.depth = pi y/(4K')`.
     pub(crate) fn new(nome: f64, shape: &Shape) -> Self {
         let p = nome;
@@ -255,8 +205,8 @@ impl HyperbolicPair {
         pair
     }
 
-    /// At the middle of the way, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
-    pub(crate) fn angle_and_turning_at_middle(&self) -> (f64, f64) {
+    /// At the saddle, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
+    pub(crate) fn angle_and_turning_at_saddle(&self) -> (f64, f64) {
         let p = self.nome;
         let sum = |wave: usize, weigh: bool| {
             let mut total = [0.0; 2];
@@ -280,18 +230,7 @@ impl HyperbolicPair {
     }
 }
 
-impl<T: Lane> HyperbolicPair<T> {
-    /// Those of many, side by side.
-    pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &HyperbolicPair) -> Self {
-        Self {
-            nome: gathered(from, |s| of(s).nome),
-            rising: [0, 1].map(|w| [0, 1, 2, 3, 4].map(|n| gathered(from, |s| of(s).rising[w][n]))),
-            falling: [0, 1].map(|w| [0, 1, 2, 3].map(|n| gathered(from, |s| of(s).falling[w][n]))),
-            amplitude: gathered(from, |s| of(s).amplitude),
-            sense: gathered(from, |s| of(s).sense),
-        }
-    }
-
+impl<T: Lane> ComplementaryPair<T> {
     /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half turns.
     #[inline(always)]
     pub(crate) fn raw(&self, e: T, rise: T, side: T, turn: T) -> Pair<T> {
@@ -323,7 +262,7 @@ impl<T: Lane> HyperbolicPair<T> {
 
 /// Cosine and sine of the common phase.
 #[inline(always)]
-pub(crate) fn phase<T: Lane>(turns: DoubleDouble<T>) -> [T; 2] {
+pub(crate) fn phase_factor<T: Lane>(turns: DoubleDouble<T>) -> [T; 2] {
     let (sin, cos) = crate::exact::elliptic::sin_cos_of_turns(turns);
     [cos, sin]
 }

@@ -1,8 +1,8 @@
 //! The path of the spin in the body, from what is conserved alone.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::dynamics::stability::time_between_flips;
 use crate::error::{Error, finite_vector};
+use crate::exact::time_between_flips;
 use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
@@ -23,7 +23,7 @@ impl Polhode {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::{PrincipalMoments, dynamics::polhode::Polhode};
+    /// use tumbling::{PrincipalMoments, exact::Polhode};
     /// // A spin about the middle axis, with a push along the third: on the way it nears both others.
     /// let polhode = Polhode::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(0.0, 5.0, 0.1))?;
     /// assert!((polhode.least - Vector3::new(0.0, 0.0, 0.1)).norm() < 1e-15);

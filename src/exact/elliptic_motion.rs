@@ -1,0 +1,199 @@
+//! The motion of a body with three different moments, about its largest or smallest axis or between: Jacobi's elliptic functions.
+
+mod axes;
+mod complementary;
+mod direct;
+mod folded_argument;
+mod neighbours;
+mod prepare;
+
+pub(super) use neighbours::Halves;
+pub(super) use {complementary::Attitude as ComplementaryAttitude, complementary::Spin as ComplementarySpin};
+pub(super) use {direct::Attitude as DirectAttitude, direct::Spin as DirectSpin};
+
+use super::Regime;
+use super::flips::Clock;
+use super::kernel::Kernel;
+use crate::inertia::Axis;
+use crate::number::double_double::DoubleDouble;
+use nalgebra::{Quaternion, Vector3};
+use std::f64::consts::PI;
+
+/// All that an instant needs, in units where the largest spin is near 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct EllipticMotion {
+    /// Body indices of the axis across, the middle, the axis circled.
+    axes: [usize; 3],
+    /// Amplitudes of the spin along them, with their signs.
+    amplitudes: [f64; 3],
+    /// Two powers of two for each component of the body that take it to rad/s, where the spin is not well within the range of
+    /// `f64`; together one would not do.
+    unscale: Option<[[f64; 2]; 3]>,
+    /// The largest component that the spin ever has, rad/s.
+    greatest: f64,
+    form: Form,
+    constants: Constants,
+}
+
+/// The series by which the motion is summed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Form {
+    /// In the nome.
+    Direct { spin: DirectSpin, attitude: DirectAttitude },
+    /// In the complementary nome.
+    Complementary { spin: ComplementarySpin, attitude: ComplementaryAttitude },
+    /// The same with a complementary nome of zero: the motion does not return.
+    Separatrix { spin: ComplementarySpin, attitude: ComplementaryAttitude },
+}
+
+/// What belongs to the whole motion rather than to an instant, in the same units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Constants {
+    about: Axis,
+    modulus: f64,
+    complement: f64,
+    /// The same times `2^shift`, and the powers of two taken into the three components: `[shift + lift, lift,
+    /// shift]`. One of the two is 0.
+    scaled_complement: f64,
+    lifts: [i32; 3],
+    /// With its sign, per unit of time.
+    rate: DoubleDouble,
+    /// `K`, infinite on the separatrix.
+    quarter: DoubleDouble,
+    /// Jacobi's argument at the start, from the nearest flip.
+    argument: DoubleDouble,
+    /// The greatest share of the momentum along each of the three axes.
+    shares: [f64; 3],
+}
+
+impl EllipticMotion {
+    pub(crate) fn regime(&self, per_second: impl Fn(f64) -> f64) -> Regime {
+        let Constants { about, modulus, complement, rate, .. } = self.constants;
+        let rate = per_second(rate.hi().abs());
+        match self.form {
+            Form::Separatrix { .. } => Regime::Separatrix { rate },
+            _ => Regime::Elliptic { about, modulus, complement, rate },
+        }
+    }
+
+    /// Index of the axis circled.
+    pub(crate) fn around(&self) -> usize {
+        self.axes[2]
+    }
+
+    pub(crate) fn greatest_spin(&self) -> f64 {
+        self.greatest
+    }
+
+    /// Half the spin's period, in scaled time.
+    pub(crate) fn half_period(&self) -> Option<f64> {
+        let Constants { rate, quarter, .. } = self.constants;
+        quarter.hi().is_finite().then(|| (quarter * 2.0 / rate.abs()).hi())
+    }
+
+    pub(crate) fn clock(&self) -> Clock {
+        let Constants { rate, quarter, argument, .. } = self.constants;
+        match self.form {
+            Form::Separatrix { .. } => Clock::Once(-argument / rate),
+            _ => Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) },
+        }
+    }
+
+    /// Least and greatest angle between a principal axis and the momentum.
+    pub(crate) fn angles(&self, axis: usize) -> [f64; 2] {
+        let [across, middle, around] = self.constants.shares;
+        let least = around * self.constants.complement;
+        let swing = |angle: f64| [angle, PI - angle];
+        if axis == self.axes[0] {
+            swing(around.atan2(across))
+        } else if axis == self.axes[1] {
+            swing(least.atan2(middle))
+        } else {
+            let [near, far] = [across.atan2(around), middle.atan2(least)];
+            if self.amplitudes[2] > 0.0 { [near, far] } else { [PI - far, PI - near] }
+        }
+    }
+
+    /// Radians about the momentum from one flip to the next.
+    pub(crate) fn twist_of_half_period(&self) -> Option<f64> {
+        let half = self.half_period()?;
+        let (drift, step) = match &self.form {
+            Form::Direct { attitude, .. } => (attitude.drift, 0.0),
+            Form::Complementary { attitude, .. } | Form::Separatrix { attitude, .. } => {
+                (attitude.drift, attitude.step * self.constants.rate.hi().signum())
+            }
+        };
+        Some((4.0 * PI * (drift.hi() * half + step)).abs())
+    }
+
+    /// The constants that run in lanes: those of the direct series.
+    pub(super) fn direct(&self) -> Option<(&DirectSpin, &DirectAttitude)> {
+        match &self.form {
+            Form::Direct { spin, attitude } if self.unscale.is_none() => Some((spin, attitude)),
+            _ => None,
+        }
+    }
+
+    /// The constants that run in lanes: those of the complementary series, where the motion returns.
+    pub(super) fn complementary(&self) -> Option<(&ComplementarySpin, &ComplementaryAttitude)> {
+        match &self.form {
+            Form::Complementary { spin, attitude } if self.unscale.is_none() => Some((spin, attitude)),
+            _ => None,
+        }
+    }
+
+    /// The spin at scaled time `time`.
+    pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
+        self.unscaled(match &self.form {
+            Form::Direct { spin, .. } => spin.omega(&spin.phase(time)),
+            Form::Complementary { spin, .. } => spin.omega(&spin.phase(time)),
+            Form::Separatrix { spin, attitude } => without_return(spin, attitude, time).0,
+        })
+    }
+
+    /// The turn since the start at scaled time `time`.
+    pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
+        match &self.form {
+            Form::Direct { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
+            Form::Complementary { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
+            Form::Separatrix { spin, attitude } => spin.turn(attitude, &spin.fold.without_return(time), time),
+        }
+    }
+
+    /// Spin and turn since the start at scaled time `time`.
+    pub(crate) fn at(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
+        let (omega, turn) = match &self.form {
+            Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),
+            Form::Complementary { spin, attitude } => both(spin, attitude, spin.phase(time), time),
+            Form::Separatrix { spin, attitude } => both(spin, attitude, spin.fold.without_return(time), time),
+        };
+        (self.unscaled(omega), turn)
+    }
+
+    /// In rad/s where the amplitudes are not.
+    #[inline(always)]
+    fn unscaled(&self, omega: Vector3<f64>) -> Vector3<f64> {
+        let Some(unscale) = &self.unscale else { return omega };
+        Vector3::from_fn(|k, _| omega[k] * unscale[k][0] * unscale[k][1])
+    }
+}
+
+#[inline(always)]
+fn both<K: Kernel<f64>>(
+    spin: &K,
+    attitude: &K::Attitude,
+    phase: K::Phase,
+    time: f64,
+) -> (Vector3<f64>, Quaternion<f64>) {
+    (spin.omega(&phase), spin.turn(attitude, &phase, time))
+}
+
+// Not inlined: the separatrix is rare, and the way of all other motions is the shorter for it.
+#[inline(never)]
+fn without_return(
+    spin: &ComplementarySpin,
+    attitude: &ComplementaryAttitude,
+    time: f64,
+) -> (Vector3<f64>, Quaternion<f64>) {
+    both(spin, attitude, spin.fold.without_return(time), time)
+}

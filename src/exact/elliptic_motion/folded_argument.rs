@@ -1,0 +1,106 @@
+//! Jacobi's argument, folded onto one passage between two saddles.
+//!
+//! A saddle is where the motion passes the middle axis, a flip where its spin along that axis vanishes; the two alternate every
+//! quarter period `K`. Near the separatrix a passage is long, and what counts is the distance from the nearest of the two.
+
+use crate::exact::cayley_klein::{ComplementaryPair, Pair};
+use crate::exact::elliptic::{ComplementarySeries, Decay};
+use crate::number::double_double::DoubleDouble;
+use crate::number::{Gather, Lane, gather_fields};
+
+/// How Jacobi's argument runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fold<T = f64> {
+    /// The argument at the start, from the nearest flip.
+    pub(super) start: DoubleDouble<T>,
+    /// Half periods per unit of time; on the separatrix, which has none, the argument itself.
+    pub(super) rate: DoubleDouble<T>,
+    /// From flip to saddle, and from flip to flip: infinite on the separatrix.
+    pub(super) quarter: DoubleDouble<T>,
+    pub(super) half: DoubleDouble<T>,
+    /// `pi/(2K')`.
+    pub(super) stretch: T,
+    /// The square root of the complementary nome: `exp(-x)` at the saddle.
+    pub(super) nome_root: T,
+    /// The sign of `cn` at the start.
+    pub(super) turn: T,
+}
+
+gather_fields!(Fold { start, rate, quarter, half, stretch, nome_root, turn });
+
+/// The argument at one instant: `exp(-x)` of its distance from the nearest flip or saddle.
+pub(crate) struct FoldedArgument<T: Lane = f64> {
+    decay: Decay<T>,
+    near_saddle: T::Mask,
+    /// Its sign, from the nearest flip.
+    side: T,
+    /// The sign of `cn`.
+    turn: T,
+    /// Half periods since the start.
+    pub(super) halves: T,
+}
+
+impl Fold {
+    /// On the separatrix, where there is no half period to take off.
+    #[inline(always)]
+    pub(super) fn without_return(&self, time: f64) -> FoldedArgument {
+        // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that large will do.
+        let run = self.rate * time;
+        let end = DoubleDouble::from(1e300_f64.copysign(self.rate.hi()) * 1_f64.copysign(time));
+        self.folded(0.0, if run.hi().abs() < 1e300 { run.plus(self.start) } else { end })
+    }
+}
+
+impl<T: Lane> Fold<T> {
+    /// At a time, where the motion returns.
+    #[inline(always)]
+    pub(super) fn at(&self, time: T) -> FoldedArgument<T> {
+        let (halves, left) = (self.rate * time).split();
+        self.folded(halves, (self.half * left).plus(self.start))
+    }
+
+    #[inline(always)]
+    fn folded(&self, mut halves: T, mut u: DoubleDouble<T>) -> FoldedArgument<T> {
+        let beyond = self.quarter.hi().lt(u.hi().abs());
+        if T::any(beyond) {
+            let side = u.hi().sign();
+            u = DoubleDouble::select(beyond, u.plus(self.half.signed(-side)), u);
+            halves = T::select(beyond, halves + side, halves);
+        }
+        let side = u.hi().sign();
+        let from_flip = u.signed(side);
+        let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
+        let from_saddle = self.quarter.plus(from_flip.signed(T::splat(-1.0)));
+        let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
+        let zero = T::splat(0.0);
+        let odd = zero.lt((halves - (halves * 0.5).round_ties_even() * 2.0).abs());
+        // Rounding may leave it a hair beyond the saddle.
+        let main = distance.hi();
+        let x = T::select(zero.lt(main), main, zero) * self.stretch;
+        FoldedArgument {
+            decay: Decay::new(x, distance.lo() * self.stretch, self.nome_root),
+            near_saddle,
+            side,
+            turn: T::select(odd, -self.turn, self.turn),
+            halves,
+        }
+    }
+}
+
+impl<T: Lane> FoldedArgument<T> {
+    /// The attitude's two numbers here.
+    #[inline(always)]
+    pub(super) fn pair(&self, pair: &ComplementaryPair<T>) -> Pair<T> {
+        let [root, rising] = [self.decay.root, self.decay.rising];
+        let here = T::select(self.near_saddle, rising, root);
+        let there = T::select(self.near_saddle, root, rising);
+        pair.raw(here, there, self.side, self.turn)
+    }
+
+    /// `sn`, `cn`, `dn` here.
+    #[inline(always)]
+    pub(super) fn values(&self, series: &ComplementarySeries<T>) -> [T; 3] {
+        let [sn, cn, dn] = series.values(&self.decay, self.near_saddle);
+        [self.turn * self.side * sn, self.turn * cn, dn]
+    }
+}

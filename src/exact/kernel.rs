@@ -1,0 +1,64 @@
+//! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one.
+
+use crate::number::{Gather, Lane, gather_fields};
+use nalgebra::{Quaternion, Vector3};
+
+/// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart, since spins are also
+/// asked for alone.
+pub(super) trait Kernel<T: Lane> {
+    /// The further constants of the attitude.
+    type Attitude;
+    /// What spin and attitude at one instant have in common.
+    type Phase;
+
+    /// At scaled time `time`.
+    fn phase(&self, time: T) -> Self::Phase;
+
+    /// The spin along the principal axes, rad/s.
+    fn omega(&self, phase: &Self::Phase) -> Vector3<T>;
+
+    /// The turn since the start.
+    fn turn(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Quaternion<T>;
+}
+
+/// Which principal axis is taken first, which differs from body to body: the other two follow in cyclic order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FirstAxis<T = f64> {
+    index: T,
+}
+
+gather_fields!(FirstAxis { index });
+
+impl FirstAxis {
+    pub(super) fn new(axis: usize) -> Self {
+        Self { index: [0.0, 1.0, 2.0][axis % 3] }
+    }
+}
+
+impl<T: Lane> FirstAxis<T> {
+    /// Components given from the first axis on, in the order of the body.
+    #[inline(always)]
+    pub(super) fn arranged(&self, [first, second, third]: [T; 3]) -> [T; 3] {
+        let (is_x, is_z) = (self.index.lt(T::splat(0.5)), T::splat(1.5).lt(self.index));
+        if T::WIDTH == 1 {
+            // One branch is less than six selections.
+            return match (T::any(is_x), T::any(is_z)) {
+                (true, _) => [first, second, third],
+                (_, true) => [second, third, first],
+                _ => [third, first, second],
+            };
+        }
+        let one_of = |if_x, if_y, if_z| T::select(is_x, if_x, T::select(is_z, if_z, if_y));
+        [one_of(first, third, second), one_of(second, first, third), one_of(third, second, first)]
+    }
+}
+
+/// A quaternion of length 1 to a few roundings brought to length 1 as near as its components can be.
+#[inline(always)]
+pub(super) fn unit<T: Lane>(q: Quaternion<T>) -> Quaternion<T> {
+    let (w, x, y, z) = (q.coords.w, q.coords.x, q.coords.y, q.coords.z);
+    // Sorted into pairs so that the sum stays short; the excess itself has all the digits it needs.
+    let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);
+    let factor = -(excess * 0.5) + 1.0;
+    Quaternion::new(w * factor, x * factor, y * factor, z * factor)
+}
