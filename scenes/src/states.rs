@@ -55,10 +55,10 @@ impl<'a> States<'a> {
                 return Ok(Answer { time, spin: *spin, attitude: *attitude, energy, gap });
             }
             _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
-            Strategy::Rotation(motion)
-            | Strategy::SymmetricTop(motion)
-            | Strategy::EllipticSpin(motion)
-            | Strategy::Elliptic(motion) => {
+            Strategy::Rotation(motion) => {
+                (Some(plan.body.omega), Some(plan.turned(motion.attitude(time)?.into_inner())))
+            }
+            Strategy::SymmetricTop(motion) | Strategy::EllipticSpin(motion) | Strategy::Elliptic(motion) => {
                 let outputs = plan.scene.outputs();
                 let spin = outputs.spin || (outputs.gap && plan.gap.is_none());
                 match (spin, outputs.attitude) {
