@@ -36,7 +36,6 @@ mod sensitivity;
 pub use batch::{Batch, Spins};
 pub use flips::Flips;
 pub use regime::Regime;
-pub use sensitivity::Sensitivity;
 
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};

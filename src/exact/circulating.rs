@@ -1,11 +1,10 @@
 //! The motion of a body with three different moments, about its largest or smallest axis or between.
 
 mod abreast;
-mod neighbours;
+mod variations;
 mod way;
 
 pub(super) use abreast::{Going, Lingering, LingeringTurn, Waving, WavingTurn};
-pub(super) use neighbours::Halves;
 
 use super::Regime;
 use super::flips::Clock;
@@ -229,6 +228,10 @@ impl Elliptic {
     /// Index of the axis circled.
     pub(crate) fn around(&self) -> usize {
         self.axes[2]
+    }
+
+    pub(crate) fn modulus(&self) -> f64 {
+        self.constants.modulus
     }
 
     pub(crate) fn greatest_spin(&self) -> f64 {
