@@ -39,8 +39,10 @@ struct Derivatives {
     spin_by_tensor: ByTensor,
 }
 
-/// Up to this many radians the power series in time are taken.
-const SHORT: f64 = 1.0;
+/// Up to this angle, and up to this distance of Jacobi's argument from whole half periods, the power series in time are
+/// taken, rad.
+const SHORT: f64 = 0.5;
+const NEAR_RETURN: f64 = 0.5;
 
 impl FreeMotion {
     /// The state transition matrix from the start to time `t`, of attitude error (rad) and spin error (rad/s), both in
@@ -121,13 +123,15 @@ impl FreeMotion {
     pub fn tensor_sensitivity(&self, t: f64) -> Result<Matrix6<f64>, Error> {
         let found = self.derivatives(t, true)?;
         let heaviest = exponent(self.moments.max());
-        let frame = match self.mount {
-            Some(mount) => mount.frame.to_rotation_matrix().into_inner(),
-            None => Matrix3::identity(),
+        let frame = self.mount.map(|mount| mount.frame.to_rotation_matrix().into_inner());
+        let in_body = |block: &ByTensor, power: i32| {
+            let block = match &frame {
+                Some(frame) => frame * block * along_principal_axes(frame),
+                // The products in the other order.
+                None => ByTensor::from_columns(&[0, 1, 2, 5, 4, 3].map(|k| block.column(k))),
+            };
+            block.map(|x| times_power_of_two(x, power))
         };
-        let along = along_principal_axes(&frame);
-        let in_body =
-            |block: &ByTensor, power: i32| (frame * block * along).map(|x| times_power_of_two(x, power));
         let mut sensitivity = Matrix6::zeros();
         sensitivity.fixed_rows_mut::<3>(0).copy_from(&in_body(&found.turn_by_tensor, -heaviest));
         sensitivity
@@ -180,7 +184,7 @@ impl FreeMotion {
             }
             Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
             Law::Elliptic(motion) => {
-                if motion.half_periods(time).argument.abs() <= SHORT {
+                if motion.half_periods(time).argument.abs() <= NEAR_RETURN {
                     near_return(motion, moments, omega, time, tensor)
                 } else {
                     let mut found = motion.derivatives(moments, time, tensor)?;
