@@ -143,6 +143,9 @@ impl FreeMotion {
     fn derivatives(&self, t: f64, tensor: bool) -> Result<Derivatives, Error> {
         let time = finite("the time", t)? * self.clock;
         let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
+        if self.law == Law::AtRest {
+            return Ok(Derivatives::at_rest(time));
+        }
         let angle = Vector3::from(omega).norm() * time.abs();
         if angle <= SHORT {
             let request = Request { attitude: true, tensor };
@@ -165,11 +168,7 @@ impl FreeMotion {
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
         Ok(match &self.law {
-            Law::AtRest => {
-                let request = Request { attitude: false, tensor };
-                span(moments, omega, time, [0.0; 2], request).into()
-            }
-            Law::Steady(_) => {
+            Law::AtRest | Law::Steady(_) => {
                 let moving = [0, 1, 2].map(|k| omega[k] != 0.0);
                 match moving {
                     [true, false, false] => elementary::principal(moments, 0, omega[0], time),
@@ -254,6 +253,19 @@ impl FreeMotion {
             spin: found.spin,
             turn_by_tensor,
             spin_by_tensor: found.by_tensor,
+        }
+    }
+}
+
+impl Derivatives {
+    /// A body that is given a spin has it, and turns by it.
+    fn at_rest(time: f64) -> Self {
+        Self {
+            back: Matrix3::identity(),
+            turn: Matrix3::identity() * time,
+            spin: Matrix3::identity(),
+            turn_by_tensor: ByTensor::zeros(),
+            spin_by_tensor: ByTensor::zeros(),
         }
     }
 }

@@ -162,7 +162,8 @@ fn order([argument, angle]: [f64; 2]) -> usize {
 impl Series {
     /// Euler's equations, their derivative `F' = k (F w + w F)`, and `q' = q w/2`.
     fn new(rows: [Row; 3], attitude: Option<Row>, factors: &[f64; 3], h: f64, longest: usize) -> Self {
-        let mut series = Self { order: longest, rows: [[[0.0; 4]; 3]; TERMS + 1], attitude: [[0.0; 4]; TERMS + 1] };
+        let mut series =
+            Self { order: longest, rows: [[[0.0; 4]; 3]; TERMS + 1], attitude: [[0.0; 4]; TERMS + 1] };
         (series.rows[0], series.attitude[0]) = (rows, attitude.unwrap_or_default());
         let mut least = f64::INFINITY;
         for n in 0..longest {
@@ -331,21 +332,11 @@ const NODE_COUNT: usize = 8;
 /// The nodes of Gauss's rule on (-1, 1) ([DLMF](crate::references) 3.5(v)), and its weights on an interval of length 1.
 const NODES: [f64; NODE_COUNT] = mirrored(
     -1.0,
-    [
-        0.183_434_642_495_649_8,
-        0.525_532_409_916_329,
-        0.796_666_477_413_626_7,
-        0.960_289_856_497_536_2,
-    ],
+    [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_2],
 );
 const WEIGHTS: [f64; NODE_COUNT] = mirrored(
     1.0,
-    [
-        0.181_341_891_689_180_98,
-        0.156_853_322_938_943_64,
-        0.111_190_517_226_687_23,
-        0.050_614_268_145_188_13,
-    ],
+    [0.181_341_891_689_180_98, 0.156_853_322_938_943_64, 0.111_190_517_226_687_23, 0.050_614_268_145_188_13],
 );
 /// The weights of the integrals from each node to the interval's end.
 const REMAINING: [[f64; NODE_COUNT]; NODE_COUNT] = remaining_weights();
