@@ -39,10 +39,12 @@ struct Derivatives {
     spin_by_tensor: ByTensor,
 }
 
-/// Up to this angle, and up to this distance of Jacobi's argument from whole half periods, the power series in time are
-/// taken, rad.
-const SHORT: f64 = 0.5;
+/// Up to this angle the power series in time are taken, rad; and up to this distance of Jacobi's argument from whole half
+/// periods, for needles up to that of `SHORT`: their closed form cancels more.
+const SHORT: f64 = 1.0;
 const NEAR_RETURN: f64 = 0.5;
+/// A moment below this share of the largest makes a needle.
+const NEEDLE: f64 = 1e-3;
 
 impl FreeMotion {
     /// The state transition matrix from the start to time `t`, of attitude error (rad) and spin error (rad/s), both in
@@ -183,7 +185,8 @@ impl FreeMotion {
             }
             Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
             Law::Elliptic(motion) => {
-                if motion.half_periods(time).argument.abs() <= NEAR_RETURN {
+                let thin = Vector3::from(*moments).min() < NEEDLE * Vector3::from(*moments).max();
+                if motion.half_periods(time).argument.abs() <= if thin { SHORT } else { NEAR_RETURN } {
                     near_return(motion, moments, omega, time, tensor)
                 } else {
                     let mut found = motion.derivatives(moments, time, tensor)?;

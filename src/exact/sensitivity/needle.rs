@@ -56,13 +56,12 @@ impl FreeMotion {
         if count > COUNTABLE {
             return None;
         }
-        let rest = if count > 0.0 { time - count * period } else { time };
         let over = |time: f64| -> Derivatives {
             let request = Request { attitude: true, tensor };
             span(moments, omega, time, [speed * time; 2], request).into()
         };
-        let mut found = over(rest);
-        let mut power = if count > 0.0 { Some(over(period)) } else { None };
+        let mut found = over(if count > 0.0 { time - count * period } else { time });
+        let mut power = (count > 0.0).then(|| over(period));
         while let Some(whole) = power {
             let half = (0.5 * count).trunc();
             if count > 2.0 * half {
@@ -71,7 +70,7 @@ impl FreeMotion {
             count = half;
             power = (count > 0.0).then(|| whole.then(&whole));
         }
-        // Over many periods the closed form has the spin to more digits.
+        // Beyond short spans the closed form has the spin to more digits.
         Some(self.spin_derivatives(moments, omega, time, tensor).map(|spin| Derivatives {
             spin: spin.spin,
             spin_by_tensor: spin.by_tensor,
