@@ -18,6 +18,7 @@ use std::collections::HashSet;
 use std::fmt;
 use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
+use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 
 fn main() -> ExitCode {
@@ -163,7 +164,9 @@ fn solve(case: &Fields<'_>) -> Result<Answer, String> {
     let moments = vector(case, "inertia")?;
     let omega = vector(case, "w0")?;
     let times = numbers(case, "t")?;
-    let motion = FreeMotion::new(&moments, &omega).map_err(|error| error.to_string())?;
+    let moments = PrincipalMoments::try_from(moments);
+    let motion =
+        moments.and_then(|moments| FreeMotion::new(moments, &omega)).map_err(|error| error.to_string())?;
     let mut answer = Answer::default();
     for t in times {
         let at = motion.at(t).map_err(|error| error.to_string())?;

@@ -18,7 +18,7 @@ fn main() -> Result<(), tumbling::Error> {
     for omega in [[1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1e-12, 0.0]] {
         let omega = Vector3::from(omega);
         let l = inertia.momentum(&omega);
-        let gap = inertia.gap(&omega)?.to_degrees();
+        let gap = inertia.angle_to_momentum(&omega)?.to_degrees();
         let spin = format!("({}, {:?}, {})", omega.x, omega.y, omega.z);
         let momentum = format!("({:.3}, {:.3}, {:.3})", l.x, l.y, l.z);
         let angle = if gap > 0.0 && gap < 1e-3 { format!("{gap:.3e}°") } else { format!("{gap:.1}°") };

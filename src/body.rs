@@ -4,10 +4,12 @@ pub mod attitude;
 pub mod named;
 mod state;
 
-pub use state::State;
+pub(crate) use state::along;
+pub use state::{Rate, State};
 
-use crate::error::{Error, finite_vector};
+use crate::error::{Error, Refusal, finite_vector};
 use crate::inertia::{Inertia, InverseInertia, omega_world};
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// A rigid body turning about its centre of mass: constant inertia in its own frame, an attitude that
@@ -27,6 +29,8 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serial::Flight", into = "crate::serial::Flight"))]
 pub struct Body {
     inertia: Inertia,
     inverse: InverseInertia,
@@ -65,7 +69,7 @@ impl Body {
         let off = in_body.iter().chain(&in_world).find(|x| !x.is_finite());
         let gone = (in_body == Vector3::zeros() && *momentum_world != Vector3::zeros()).then_some(&0.0);
         match off.or(gone) {
-            Some(&value) => Err(Error::OutOfRange { what: "the spin", value }),
+            Some(&value) => Err(Refusal::OutOfRange { what: "the spin", value }.into()),
             None => Ok(body),
         }
     }
@@ -83,7 +87,7 @@ impl Body {
         let momentum = attitude::matrix(&attitude)? * inertia.momentum(omega_body);
         let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
         if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
-            return Err(Error::OutOfRange { what: "the angular momentum", value });
+            return Err(Refusal::OutOfRange { what: "the angular momentum", value }.into());
         }
         Self::new(inertia, attitude, &momentum)
     }
@@ -145,10 +149,44 @@ impl Body {
         self.inverse.omega(&self.momentum_body())
     }
 
+    /// Attitude and angular momentum, the momentum in body axes.
+    #[must_use]
+    pub fn state(&self) -> State<f64> {
+        State { attitude: self.attitude.into_inner(), momentum: self.momentum_body() }
+    }
+
+    /// The same body in another state.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::{Body, Inertia};
+    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 1.0);
+    /// let body = Body::spinning(Inertia::from_moments(1.0, 2.0, 2.5)?, turned, &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let same = body.with_state(&body.state())?;
+    /// assert!((same.momentum_world() - body.momentum_world()).norm() < 1e-15);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
+        let attitude = attitude::checked(&UnitQuaternion::new_unchecked(state.attitude))?;
+        self.with(attitude, &(attitude::rotation_matrix(attitude.quaternion()) * state.momentum))
+    }
+
     /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or short of
     /// digits if it falls below.
     #[must_use]
     pub fn energy(&self) -> f64 {
-        0.5 * self.omega_body().dot(&self.momentum_body())
+        let (omega, momentum) = (self.omega_body(), self.momentum_body());
+        let energy = 0.5 * omega.dot(&momentum);
+        if energy.is_finite() {
+            return energy;
+        }
+        // Terms of opposite sign are beyond `f64`: their sum may still be within it.
+        let scaled =
+            |v: Vector3<f64>| (v.map(|x| times_power_of_two(x, -exponent(v.amax()))), exponent(v.amax()));
+        let ((omega, a), (momentum, b)) = (scaled(omega), scaled(momentum));
+        times_power_of_two(0.5 * omega.dot(&momentum), a + b)
     }
 }

@@ -9,16 +9,16 @@
 //!
 //! ```
 //! use nalgebra::Vector3;
-//! use tumbling::exact::FreeMotion;
+//! use tumbling::{PrincipalMoments, exact::FreeMotion};
 //!
 //! // A book spun about its middle axis, with a push of a thousandth.
-//! let moments = Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0);
-//! let motion = FreeMotion::new(&moments, &Vector3::new(1.0, 0.0, 1e-3))?;
+//! let moments = PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
+//! let motion = FreeMotion::new(moments, &Vector3::new(1.0, 0.0, 1e-3))?;
 //! let flip = motion.next_flip(0.0)?.unwrap();
 //! let after = motion.at(flip * 2.0)?;
 //! assert!((after.omega.x + 1.0).abs() < 1e-6); // turned over
 //! // The momentum has not moved in the world.
-//! let momentum = after.attitude * moments.component_mul(&after.omega);
+//! let momentum = after.attitude * moments.vector().component_mul(&after.omega);
 //! assert!((momentum - Vector3::new(10.0 / 12.0, 0.0, 5e-3 / 12.0)).norm() < 1e-14);
 //! # Ok::<(), tumbling::Error>(())
 //! ```
@@ -39,8 +39,8 @@ pub use regime::Regime;
 
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite, finite_vector};
-use crate::inertia::possible_moments;
+use crate::error::{Error, Refusal, finite, finite_vector};
+use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use circulating::Elliptic;
 pub(crate) use elementary::{Precession, Turn, scaled};
@@ -54,7 +54,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// is still a spin and an attitude that the motion passes through.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeMotion {
-    moments: Vector3<f64>,
+    moments: PrincipalMoments,
     start: Vector3<f64>,
     exponent: i32,
     clock: f64,
@@ -117,33 +117,28 @@ impl Instant {
 }
 
 impl FreeMotion {
-    /// For principal moments (kg m²) in any order and the spin (rad/s) along the same axes at time 0. The world
+    /// From the principal moments and the spin (rad/s) along the same axes at time 0. The world
     /// is taken along the body's axes at that time: the attitude starts as the identity.
     ///
     /// # Errors
-    /// A moment that is not finite and positive, three that no body has or of which one is less
-    /// than 1e-100 of another, a spin that is not finite, one so
-    /// great that the motion passes through a spin beyond `f64`, or one so close to the separatrix (a push
-    /// of less than 1e-570 of the spin) that the two cannot be told apart.
-    pub fn new(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Self, Error> {
-        possible_moments(moments)?;
-        Self::of_principal(moments, omega)
-    }
-
-    fn of_principal(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Self, Error> {
+    /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the motion passes
+    /// through a spin beyond `f64`, or one so close to the separatrix (a push of less than 1e-570 of the spin) that the two
+    /// cannot be told apart.
+    pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;
-        let (i, w): ([f64; 3], [f64; 3]) = ((*moments).into(), (*omega).into());
+        let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
         let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
         if thinnest < THINNEST {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "1e-100 of the largest moment",
-                small: THINNEST * moments.max(),
+                small: THINNEST * moments.largest(),
                 larger: "the smallest moment",
-                large: moments.min(),
-            });
+                large: moments.smallest(),
+            }
+            .into());
         }
-        let law = match classify(i, w) {
+        let law = match classify(moments, omega) {
             Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
             Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
             Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
@@ -156,10 +151,10 @@ impl FreeMotion {
         };
         // With room for the roundings on the way.
         if !(greatest * (1.0 + 1e-12)).is_finite() {
-            return Err(Error::OutOfRange { what: "the greatest spin", value: greatest });
+            return Err(Refusal::OutOfRange { what: "the greatest spin", value: greatest }.into());
         }
         let clock = times_power_of_two(1.0, exponent);
-        Ok(Self { moments: *moments, start: *omega, exponent, clock, law, mount: None })
+        Ok(Self { moments, start: *omega, exponent, clock, law, mount: None })
     }
 
     /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they are.
@@ -188,16 +183,13 @@ impl FreeMotion {
         let omega = body.omega_body();
         let diagonal = tensor[(0, 1)] == 0.0 && tensor[(0, 2)] == 0.0 && tensor[(1, 2)] == 0.0;
         let (moments, frame) = if diagonal {
-            (tensor.diagonal(), UnitQuaternion::identity())
+            (PrincipalMoments::of_tensor(tensor.diagonal())?, UnitQuaternion::identity())
         } else {
             let principal = body.inertia().principal();
-            (principal.moments(), principal.rotation())
+            (principal.principal_moments()?, principal.rotation())
         };
-        for &moment in &moments {
-            crate::error::positive("a principal moment", moment)?;
-        }
         let along = frame.inverse() * omega;
-        let motion = Self::of_principal(&moments, &along)?;
+        let motion = Self::new(moments, &along)?;
         let attitude = body.attitude();
         Ok(Self { mount: Some(Mount { frame, world: attitude * frame, attitude, omega }), ..motion })
     }
@@ -206,10 +198,10 @@ impl FreeMotion {
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::exact::FreeMotion;
-    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 2.5), &Vector3::new(0.5, -1.0, 0.2))?;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(0.5, -1.0, 0.2))?;
     /// let start = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
-    /// let turned = motion.facing(&start)?;
+    /// let turned = motion.with_attitude(&start)?;
     /// assert_eq!(turned.attitude(0.0)?, start);
     /// assert!(turned.attitude(7.0)?.angle_to(&(start * motion.attitude(7.0)?)) < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
@@ -217,7 +209,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// An attitude whose length is not 1 to a billionth, or that is not finite.
-    pub fn facing(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+    pub fn with_attitude(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let attitude = crate::body::attitude::checked(attitude)?;
         let (frame, omega) = match &self.mount {
             Some(mount) => (mount.frame, mount.omega),
@@ -327,9 +319,9 @@ impl FreeMotion {
         UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.attitude(turned)))
     }
 
-    /// The principal moments, kg m², in the order in which they were given.
+    /// The principal moments, in the order in which they were given.
     #[must_use]
-    pub fn moments(&self) -> Vector3<f64> {
+    pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }
 
@@ -342,7 +334,7 @@ impl FreeMotion {
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
                 axis: top.axis(),
-                wobble: per_second(top.wobble_turns() * std::f64::consts::TAU),
+                nutation: per_second(top.wobble_turns() * std::f64::consts::TAU),
                 precession: per_second(top.precession()),
             },
             Law::Elliptic(motion) => motion.regime(per_second),
@@ -359,7 +351,7 @@ impl FreeMotion {
         let Some((clock, exponent)) = self.clock_of_flips() else { return Ok(None) };
         match clock.next_after(t, exponent)? {
             Some(value) if !value.is_finite() => {
-                Err(Error::OutOfRange { what: "the time of the next flip", value })
+                Err(Refusal::OutOfRange { what: "the time of the next flip", value }.into())
             }
             time => Ok(time),
         }
@@ -371,8 +363,8 @@ impl FreeMotion {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
-    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.001))?;
     /// let times: Vec<String> = motion.flips(0.0, 10.0)?.map(|t| format!("{t:.4}")).collect();
     /// assert_eq!(times, ["1.7402", "5.2207", "8.7012"]);
     /// # Ok::<(), tumbling::Error>(())
@@ -397,7 +389,11 @@ impl FreeMotion {
     /// A scaled time in seconds.
     fn seconds(&self, what: &'static str, time: f64) -> Result<f64, Error> {
         let value = times_power_of_two(time, -self.exponent);
-        if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+        if value.is_finite() && value > 0.0 {
+            Ok(value)
+        } else {
+            Err(Refusal::OutOfRange { what, value }.into())
+        }
     }
 }
 

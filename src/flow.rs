@@ -14,17 +14,18 @@ use crate::step::{State, System};
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
+/// use tumbling::PrincipalMoments;
 /// use tumbling::step::{State, System, Torque};
 /// // A free body, an hour in one step.
-/// let moments = Vector3::new(1.0, 2.0, 2.5);
-/// let free = System::free(&moments)?;
+/// let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
+/// let free = System::free(moments)?;
 /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
 /// let end = tumbling::flow::step(&free, &start, 3600.0)?;
 /// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&free.omega(&motion.momentum));
 /// assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-14);
 /// // A step forth and one back, under a torque.
 /// let weight = Torque::gravity(Vector3::new(0.0, 0.0, 0.1), 3.0);
-/// let top = System::with(&moments, vec![weight])?;
+/// let top = System::with(moments, vec![weight])?;
 /// let there = tumbling::flow::step(&top, &start, 0.1)?;
 /// let back = tumbling::flow::step(&top, &there, -0.1)?;
 /// assert!((back.momentum - start.momentum).norm() < 1e-14);
@@ -36,13 +37,13 @@ use crate::step::{State, System};
 pub fn step(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     finite("the step", h)?;
     let half = 0.5 * h;
-    let kicked = if system.is_free() { start.clone() } else { system.kicked(start, &half) };
+    let kicked = if system.is_free() { *start } else { system.kick(start, half) };
     let omega = system.omega(&kicked.momentum);
-    let drift = FreeMotion::new(system.moments(), &omega)?.at(h)?;
+    let drift = FreeMotion::new((*system.moments()).try_into()?, &omega)?.at(h)?;
     let end = State {
         attitude: attitude::product(&kicked.attitude, &drift.attitude.into_inner()),
         momentum: system.momentum(&drift.omega),
     };
-    let end = if system.is_free() { end } else { system.kicked_back(&end, &half) };
-    end.whole()
+    let end = if system.is_free() { end } else { system.adjoint_kick(&end, half) };
+    end.checked()
 }

@@ -3,22 +3,24 @@
 //! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
+mod display;
+mod inverse;
+mod moments;
+mod nearest;
+mod possible;
 mod principal;
 
+pub use inverse::InverseInertia;
+pub use moments::PrincipalMoments;
+pub(crate) use moments::ascending;
+pub use nearest::Adjusted;
 pub use principal::{Axis, PrincipalAxes};
 
-use crate::error::{Error, finite, finite_vector, not_negative, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::number::Ring;
-use crate::number::double_double::{Double, difference_of_products};
-use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use crate::number::double_double::DoubleDouble;
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-
-/// How many units in the last place of the largest moment count as rounding: twice what was seen when
-/// flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
-const ROUNDING_ULPS: f64 = 32.0;
-
-/// The same for a diagonal tensor, whose moments come from a sum or two.
-const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 
 /// The tensor turned by the rotation matrix `rotation`: `R I R^T`.
 ///
@@ -32,6 +34,7 @@ const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 /// let turned = tumbling::inertia::turned(&quarter_turn_about_z, &tensor);
 /// assert_eq!(turned.diagonal(), Vector3::new(13, 10, 5));
 /// ```
+#[must_use]
 pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T> {
     rotation * tensor * rotation.transpose()
 }
@@ -44,6 +47,7 @@ pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T>
 /// let far = tumbling::inertia::point_mass(&2, &Vector3::new(3, 1, 0));
 /// assert_eq!(far, Matrix3::new(2, -6, 0, -6, 18, 0, 0, 0, 20));
 /// ```
+#[must_use]
 pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
     let [x, y, z] = [&offset.x, &offset.y, &offset.z];
     let times = |a: &T, b: &T| mass.clone() * a.clone() * b.clone();
@@ -74,6 +78,7 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
 /// let omega = tumbling::inertia::omega_world(&rotation, &inverse, &Vector3::new(2.0, 4.0, 8.0));
 /// assert_eq!(omega, Vector3::new(1.0, 1.0, 1.0));
 /// ```
+#[must_use]
 pub fn omega_world<T: Ring>(
     rotation: &Matrix3<T>,
     inverse_body: &Matrix3<T>,
@@ -93,10 +98,12 @@ pub fn omega_world<T: Ring>(
 /// let tensor = Inertia::from_moments(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
 /// let omega = Vector3::new(1.0, 1.0, 0.0);
 /// assert_eq!(tensor.momentum(&omega), Vector3::new(10.0 / 12.0, 13.0 / 12.0, 0.0));
-/// assert_eq!(format!("{:.1}", tensor.gap(&omega)?.to_degrees()), "7.4");
+/// assert_eq!(format!("{:.1}", tensor.angle_to_momentum(&omega)?.to_degrees()), "7.4");
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serial::Tensor", into = "crate::serial::Tensor"))]
 pub struct Inertia {
     tensor: Matrix3<f64>,
 }
@@ -122,58 +129,6 @@ impl Inertia {
         Self::from_matrix(&Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz))
     }
 
-    /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
-    /// its sums have, so only its range is checked.
-    pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
-        in_range("a moment of inertia", &tensor)?;
-        moments_in_range(&PrincipalAxes::of(&tensor).moments())?;
-        Ok(Self { tensor })
-    }
-
-    /// From the whole matrix. Mirrored entries may differ by rounding, as they do after `R I R^T`; then
-    /// their mean is kept.
-    ///
-    /// # Errors
-    /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below
-    /// zero, or a tensor that no distribution of mass has.
-    pub fn from_matrix(tensor: &Matrix3<f64>) -> Result<Self, Error> {
-        Self::within(tensor, 0.0)
-    }
-
-    /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`, whose
-    /// rounding it carries.
-    fn within(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
-        let rounding = ROUNDING_ULPS * ulp(origin);
-        for ((i, j), what) in
-            [((0, 0), "the moment Ixx"), ((1, 1), "the moment Iyy"), ((2, 2), "the moment Izz")]
-        {
-            let moment = finite(what, tensor[(i, j)])?;
-            if origin == 0.0 || moment < -rounding {
-                not_negative(what, moment)?;
-            }
-        }
-        let tolerance = ROUNDING_ULPS * ulp(tensor.amax().max(origin));
-        for ((row, column), what) in
-            [((0, 1), "the product Ixy"), ((0, 2), "the product Ixz"), ((1, 2), "the product Iyz")]
-        {
-            let value = finite(what, tensor[(row, column)])?;
-            let mirrored = finite(what, tensor[(column, row)])?;
-            if (value - mirrored).abs() > tolerance {
-                return Err(Error::Asymmetric { row, column, value, mirrored, tolerance });
-            }
-        }
-        let tensor = evened(tensor);
-        positive("the largest moment of inertia", tensor.diagonal().max())?;
-        let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
-        let moments = PrincipalAxes::of(&tensor).moments();
-        moments_in_range(&moments)?;
-        physically_possible(
-            &moments,
-            (ulps * ulp(moments[2])).max(if origin == 0.0 { 0.0 } else { rounding }),
-        )?;
-        Ok(Self { tensor })
-    }
-
     /// The tensor's matrix, kg m².
     #[must_use]
     pub fn matrix(&self) -> Matrix3<f64> {
@@ -194,28 +149,28 @@ impl Inertia {
     ///
     /// # Errors
     /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
-    pub fn gap(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
+    pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector("the spin", omega)?;
         if *omega == Vector3::zeros() {
-            return Err(Error::ZeroVector { what: "the spin" });
+            return Err(Refusal::ZeroVector { what: "the spin" }.into());
         }
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
-        let w = omega.map(|x| Double::from(unit(x, omega.amax())));
-        let tensor = self.tensor.map(|x| Double::from(unit(x, self.tensor.amax())));
+        let w = omega.map(|x| DoubleDouble::from(unit(x, omega.amax())));
+        let tensor = self.tensor.map(|x| DoubleDouble::from(unit(x, self.tensor.amax())));
         let row = |i: usize| tensor[(i, 0)] * w.x + tensor[(i, 1)] * w.y + tensor[(i, 2)] * w.z;
         let l = [row(0), row(1), row(2)];
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
-        if l.iter().all(|x| x.value().abs() <= rounding) {
-            return Err(Error::ZeroVector { what: "the angular momentum" });
+        if l.iter().all(|x| x.hi().abs() <= rounding) {
+            return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
         }
         let cross = Vector3::new(
-            (w.y * l[2] - w.z * l[1]).value(),
-            (w.z * l[0] - w.x * l[2]).value(),
-            (w.x * l[1] - w.y * l[0]).value(),
+            (w.y * l[2] - w.z * l[1]).hi(),
+            (w.z * l[0] - w.x * l[2]).hi(),
+            (w.x * l[1] - w.y * l[0]).hi(),
         );
-        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).value();
+        let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).hi();
         Ok(length(&cross).atan2(dot))
     }
 
@@ -229,7 +184,7 @@ impl Inertia {
         if moment.is_finite() {
             Ok(moment)
         } else {
-            Err(Error::OutOfRange { what: "the moment", value: moment })
+            Err(Refusal::OutOfRange { what: "the moment", value: moment }.into())
         }
     }
 
@@ -250,15 +205,17 @@ impl Inertia {
     /// `offset` (m) away: the parallel-axis theorem backwards.
     ///
     /// # Errors
-    /// As [`shifted_from_centre`](Self::shifted_from_centre); also a tensor that cannot be that body's
-    /// about that point, since what remains about the centre is impossible by more than the rounding of the tensor
-    /// given.
+    /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that body's
+    /// about that point, since what remains about the centre is zero or impossible by more than the rounding of the
+    /// tensor given.
     pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
         positive("the mass", mass)?;
         finite_vector("the offset", offset)?;
         let shifted = self.tensor - point_mass(&mass, offset);
-        in_range("a shifted moment", &shifted)?;
-        Self::within(&shifted, self.tensor.amax())
+        Self::rounded(&shifted, self.tensor.amax()).map_err(|error| {
+            let source = Box::new(error);
+            Refusal::OffCentre { mass, distance: length(offset), source }.into()
+        })
     }
 
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
@@ -267,32 +224,10 @@ impl Inertia {
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::body::attitude::matrix(attitude)?;
-        // Valid before, hence after: only the rounding of mirrored entries is to be evened out.
-        let tensor = evened(&turned(&rotation, &self.tensor));
+        // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
+        let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range("a turned moment", &tensor)?;
         Ok(Self { tensor })
-    }
-
-    /// The inverse, computed once, to be kept and turned instead of inverting at each step.
-    ///
-    /// # Errors
-    /// A smallest moment that is zero to rounding (an ideal rod), or an inverse beyond `f64`.
-    pub fn inverse(&self) -> Result<InverseInertia, Error> {
-        let m = &self.tensor;
-        let diagonal = is_diagonal(m);
-        let moments = self.principal().moments();
-        // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
-        let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
-        if moments[0] <= rounding {
-            return Err(Error::Singular { smallest: moments[0], largest: moments[2] });
-        }
-        let inverse = if diagonal {
-            Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
-        } else {
-            adjugate_inverse(m)
-        };
-        in_range("an inverse moment", &inverse)?;
-        Ok(InverseInertia { matrix: inverse })
     }
 
     /// The principal moments and axes.
@@ -302,101 +237,23 @@ impl Inertia {
     }
 }
 
-/// The inverse of an inertia tensor, `w = J L`, in 1/(kg m²), from [`Inertia::inverse`].
-///
-/// ```
-/// use nalgebra::Vector3;
-/// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
-/// assert_eq!(inverse.omega(&Vector3::new(2.0, 2.0, 0.0)), Vector3::new(1.0, 0.5, 0.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InverseInertia {
-    matrix: Matrix3<f64>,
-}
+/// As [`Inertia::from_matrix`].
+impl TryFrom<Matrix3<f64>> for Inertia {
+    type Error = Error;
 
-impl InverseInertia {
-    /// The matrix, 1/(kg m²).
-    #[must_use]
-    pub fn matrix(&self) -> Matrix3<f64> {
-        self.matrix
+    fn try_from(tensor: Matrix3<f64>) -> Result<Self, Error> {
+        Self::from_matrix(&tensor)
     }
-
-    /// Angular velocity in rad/s from angular momentum in kg m²/s, both in this tensor's axes.
-    #[must_use]
-    pub fn omega(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
-        self.matrix * momentum
-    }
-
-    /// The inverse in axes turned by `attitude`: `R J R^T`.
-    ///
-    /// # Errors
-    /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
-    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?;
-        let matrix = evened(&turned(&rotation, &self.matrix));
-        in_range("an inverse moment", &matrix)?;
-        Ok(Self { matrix })
-    }
-}
-
-/// That three principal moments, in any order, are positive and can belong to one body.
-pub(crate) fn possible_moments(moments: &Vector3<f64>) -> Result<(), Error> {
-    moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
-    let mut sorted: [f64; 3] = (*moments).into();
-    sorted.sort_by(f64::total_cmp);
-    physically_possible(&sorted.into(), DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
 }
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
-/// do not overflow, and left alone where they agree, so that small ones keep their last bit.
-fn evened(m: &Matrix3<f64>) -> Matrix3<f64> {
-    m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b })
+/// do not overflow, and left alone where they agree, so that small ones keep their last bit. Zeros come out without a sign.
+fn symmetrized(m: &Matrix3<f64>) -> Matrix3<f64> {
+    m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b } + 0.0)
 }
 
 fn is_diagonal(m: &Matrix3<f64>) -> bool {
     m[(0, 1)] == 0.0 && m[(0, 2)] == 0.0 && m[(1, 2)] == 0.0
-}
-
-/// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
-/// the other two, to rounding.
-fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
-    if moments[0] < -tolerance {
-        return Err(Error::Negative { what: "the smallest principal moment", value: moments[0] });
-    }
-    let excess = (moments[2] - moments[1]) - moments[0];
-    if excess > tolerance {
-        return Err(Error::TriangleInequality { moments: (*moments).into(), excess, tolerance });
-    }
-    Ok(())
-}
-
-/// That the largest principal moment is a finite number: it can exceed every entry of the tensor.
-fn moments_in_range(moments: &Vector3<f64>) -> Result<(), Error> {
-    match moments.iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Error::OutOfRange { what: "a principal moment", value }),
-        None => Ok(()),
-    }
-}
-
-/// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
-/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows.
-fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
-    let scale = exponent(m.amax());
-    let a = m.map(|x| times_power_of_two(x, -scale));
-    let cofactor = |i: usize, j: usize| {
-        let (r, s) = ((i + 1) % 3, (i + 2) % 3);
-        let (p, q) = ((j + 1) % 3, (j + 2) % 3);
-        difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
-    };
-    let determinant = (Double::from(a[(0, 0)]) * cofactor(0, 0)
-        + Double::from(a[(0, 1)]) * cofactor(0, 1)
-        + Double::from(a[(0, 2)]) * cofactor(0, 2))
-    .value();
-    Matrix3::from_fn(|i, j| {
-        let (i, j) = (i.min(j), i.max(j));
-        times_power_of_two(cofactor(i, j).value() / determinant, -scale)
-    })
 }
 
 /// That a computed tensor is finite and did not vanish: `what` names one of its entries.
@@ -404,7 +261,7 @@ fn in_range(what: &'static str, tensor: &Matrix3<f64>) -> Result<(), Error> {
     let off = tensor.iter().find(|x| !x.is_finite());
     let gone = tensor.diagonal().iter().all(|&x| x == 0.0).then_some(&0.0);
     match off.or(gone) {
-        Some(&value) => Err(Error::OutOfRange { what, value }),
+        Some(&value) => Err(Refusal::OutOfRange { what, value }.into()),
         None => Ok(()),
     }
 }
@@ -419,7 +276,7 @@ pub(crate) fn length(v: &Vector3<f64>) -> f64 {
 pub(crate) fn unit(what: &'static str, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     finite_vector(what, v)?;
     if *v == Vector3::zeros() {
-        return Err(Error::ZeroVector { what });
+        return Err(Refusal::ZeroVector { what }.into());
     }
     let scale = exponent(v.amax());
     Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())

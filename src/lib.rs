@@ -12,7 +12,7 @@
 //! // A box of 2 x 1 x 3 m and 1 kg, spun halfway between two of its edges.
 //! let inertia = Cuboid::new(2.0, 1.0, 3.0)?.with_mass(1.0)?.inertia();
 //! let omega = Vector3::new(1.0, 1.0, 0.0);
-//! assert_eq!(format!("{:.1}°", inertia.gap(&omega)?.to_degrees()), "7.4°");
+//! assert_eq!(format!("{:.1}°", inertia.angle_to_momentum(&omega)?.to_degrees()), "7.4°");
 //!
 //! // Near its middle axis, it flips for the first time after 15.1 s.
 //! let start = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 0.01, 0.01))?;
@@ -67,8 +67,12 @@ pub mod solid;
 pub mod step;
 
 mod error;
+#[cfg(feature = "serde")]
+mod serial;
 
-pub use body::{Body, State};
-pub use error::Error;
-pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes};
+pub use body::{Body, Rate, State};
+#[doc(hidden)]
+pub use error::Refusal;
+pub use error::{Error, ErrorKind};
+pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

@@ -41,8 +41,8 @@ pub use polhode::Polhode;
 pub use states::{Answer, States};
 
 use crate::body::attitude;
-use crate::error::{Error, finite, finite_vector, not_negative, positive};
-use crate::inertia::{Inertia, possible_moments};
+use crate::error::{Error, Refusal, finite, finite_vector, not_negative, positive};
+use crate::inertia::{Inertia, PrincipalMoments};
 use crate::step::Torque;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -120,7 +120,7 @@ impl Toss {
             (axes.moments(), Some(axes.rotation()))
         };
         let tensor = if frame.is_some() { TossPart::Products } else { TossPart::Moments };
-        possible_moments(&moments).map_err(of(tensor))?;
+        let checked = PrincipalMoments::try_from(moments).map_err(of(tensor))?;
         let along = |v: &Vector3<f64>| frame.map_or(*v, |frame| frame.inverse() * v);
         let start = of(TossPart::Start);
         let omega = match &self.with {
@@ -150,14 +150,14 @@ impl Toss {
                 _ => omega.abs(),
             },
         };
-        Ok(Principal { moments, omega, frame, world, attitude, rounded })
+        Ok(Principal { moments: checked, omega, frame, world, attitude, rounded })
     }
 }
 
 /// A body along its principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Principal {
-    moments: Vector3<f64>,
+    moments: PrincipalMoments,
     omega: Vector3<f64>,
     /// Principal axes to body axes, where they are not the same.
     frame: Option<UnitQuaternion<f64>>,
@@ -213,18 +213,19 @@ impl Times {
         match self {
             Self::Given(times) => {
                 if times.is_empty() {
-                    return Err(Error::TooFew { what: "times", count: 0, needed: 1 });
+                    return Err(Refusal::TooFew { what: "times", count: 0, needed: 1 }.into());
                 }
                 for &time in times {
                     not_negative("a time", time)?;
                 }
                 match times.windows(2).find(|pair| pair[0] > pair[1]) {
-                    Some(pair) => Err(Error::Order {
+                    Some(pair) => Err(Refusal::Order {
                         smaller: "a time",
                         small: pair[0],
                         larger: "the one after it",
                         large: pair[1],
-                    }),
+                    }
+                    .into()),
                     None => Ok(()),
                 }
             }
@@ -232,12 +233,13 @@ impl Times {
                 let steps = not_negative("the span", *span)? / positive("the time between states", *step)?;
                 let most = 1.0 / f64::EPSILON;
                 if steps > most {
-                    return Err(Error::Order {
+                    return Err(Refusal::Order {
                         smaller: "the number of states",
                         small: steps,
                         larger: "the greatest that f64 counts one by one",
                         large: most,
-                    });
+                    }
+                    .into());
                 }
                 Ok(())
             }
@@ -347,9 +349,9 @@ impl Scene {
         accuracy: f64,
     ) -> Result<Self, Error> {
         if bodies.is_empty() {
-            return Err(Error::TooFew { what: "bodies", count: 0, needed: 1 });
+            return Err(Refusal::TooFew { what: "bodies", count: 0, needed: 1 }.into());
         }
-        let of_torque = |index, source| Error::OfTorque { index, source: Box::new(source) };
+        let of_torque = |index, source| Refusal::OfTorque { index, source: Box::new(source) };
         torques
             .iter()
             .enumerate()
@@ -357,10 +359,10 @@ impl Scene {
         times.validate()?;
         finite("the accuracy", accuracy)?;
         if positive("the accuracy", accuracy)? >= 1.0 {
-            return Err(Error::NotBelow { what: "the accuracy", value: accuracy, limit: 1.0 });
+            return Err(Refusal::NotBelow { what: "the accuracy", value: accuracy, limit: 1.0 }.into());
         }
         if accuracy < 2.0 * f64::EPSILON {
-            return Err(Error::Unattainable { asked: accuracy, attainable: 2.0 * f64::EPSILON });
+            return Err(Refusal::Unattainable { asked: accuracy, attainable: 2.0 * f64::EPSILON }.into());
         }
         let torques = torques.into_iter().filter(|torque| !driven::is_nothing(torque)).collect();
         Ok(Self { bodies, torques, times, wants, accuracy })
@@ -399,16 +401,17 @@ impl Scene {
     /// How to answer for the body of this number, from 0.
     ///
     /// # Errors
-    /// With the number of the body: what is wrong with it, [what it does not have](Error::Undefined), an accuracy that [cannot be
-    /// had](Error::Unattainable), or a motion that leaves `f64`.
+    /// With the number of the body: what is wrong with it, [what it does not have](crate::Refusal::Undefined), an accuracy that [cannot be
+    /// had](crate::Refusal::Unattainable), or a motion that leaves `f64`.
     pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
-        let of_body = |source| Error::OfBody { index, source: Box::new(source) };
+        let of_body = |source| Refusal::OfBody { index, source: Box::new(source) }.into();
         let Some(toss) = self.bodies.get(index) else {
-            return Err(Error::TooFew {
+            return Err(Refusal::TooFew {
                 what: "bodies",
                 count: self.bodies.len(),
                 needed: index.saturating_add(1),
-            });
+            }
+            .into());
         };
         Plan::new(self, toss).map_err(of_body)
     }

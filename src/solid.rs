@@ -52,7 +52,7 @@ pub use tube::{Tube, tube_moments};
 
 use crate::error::{Error, positive};
 use crate::number::Ring;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::{Matrix3, Vector3};
 
 /// A shape filled evenly with mass.
@@ -79,23 +79,23 @@ pub trait Solid {
     fn with_density(&self, density: f64) -> Result<MassProperties, Error> {
         positive("the density", density)?;
         let measure = positive("the volume", self.measure()?)?;
-        let mass = Wide::from(density) * Wide::from(measure);
+        let mass = Extended::from(density) * Extended::from(measure);
         self.with_mass(mass.in_full("the mass")?)
     }
 }
 
 /// The properties of a shape whose centre is the origin and whose axes are principal.
-fn centred(mass: f64, law: impl FnOnce(&Wide) -> Vector3<Wide>) -> Result<MassProperties, Error> {
+fn centred(mass: f64, law: impl FnOnce(&Extended) -> Vector3<Extended>) -> Result<MassProperties, Error> {
     centred_at(Vector3::zeros(), mass, law)
 }
 
 /// The same with its centre elsewhere.
 fn centred_at(
-    centre: Vector3<Wide>,
+    centre: Vector3<Extended>,
     mass: f64,
-    law: impl FnOnce(&Wide) -> Vector3<Wide>,
+    law: impl FnOnce(&Extended) -> Vector3<Extended>,
 ) -> Result<MassProperties, Error> {
-    let mass = Wide::from(positive("the mass", mass)?);
+    let mass = Extended::from(positive("the mass", mass)?);
     let inertia = Matrix3::from_diagonal(&law(&mass));
     MassMoments { mass, centre, inertia }.checked()
 }

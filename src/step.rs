@@ -5,21 +5,21 @@
 //!
 //! Nothing here knows the [exact motion](crate::exact): the two judge each other.
 
+mod adaptive;
 mod fixed_rate;
 mod method;
 mod methods;
-mod physics_engine;
 mod pitfalls;
+mod stepper;
 mod system;
 mod torque;
 
-pub use crate::body::State;
-pub use fixed_rate::game;
-pub use method::{About, Keeps, Method};
-pub(crate) use methods::dormand_prince::controlled_within;
-pub use methods::dormand_prince::{Controlled, LEAST_TOLERANCE, MOST_STEPS, controlled};
+pub use crate::body::{Rate, State};
+pub use adaptive::{AdaptiveRun, LEAST_TOLERANCE, MOST_STEPS, adaptive, adaptive_within};
+pub use fixed_rate::fixed_rate;
+pub use method::{Conserved, Method, MethodInfo};
 pub use methods::rk4::rk4;
-pub use physics_engine::{Limits, PHYSICS_ENGINES, PhysicsEngine};
-pub use pitfalls::Engine;
+pub use pitfalls::{Carried, Engine};
+pub use stepper::Stepper;
 pub use system::System;
-pub use torque::Torque;
+pub use torque::{Torque, TorqueFunction};

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use serde_json::Value;
 use tumbling::dynamics::stability::time_between_flips;
 use tumbling::exact::{FreeMotion, Instant, Regime};
-use tumbling::{Axis, Body, Error, Inertia};
+use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 /// The rounding of one input, relative.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
@@ -31,7 +31,7 @@ fn judge(table: &str) -> [(f64, String); 4] {
     let mut worst = [(); 4].map(|()| (0.0, String::new()));
     for case in file["cases"].as_array().unwrap() {
         let vector = |field: &str| Vector3::from_vec(numbers(&case[field]));
-        let motion = FreeMotion::new(&vector("inertia"), &vector("w0")).unwrap();
+        let motion = FreeMotion::new(vector("inertia").try_into().unwrap(), &vector("w0")).unwrap();
         for (k, t) in numbers(&case["t"]).into_iter().enumerate() {
             let Instant { omega, attitude } = motion.at(t).unwrap();
             assert_eq!(motion.omega(t).unwrap(), omega);
@@ -71,7 +71,7 @@ fn random_hard_motions_are_met_as_well() {
 }
 
 fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
-    FreeMotion::new(&moments.into(), &omega.into()).unwrap()
+    FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
 }
 
 /// The angle between two attitudes is at most twice this.
@@ -87,7 +87,7 @@ fn distinct(m: &Vector3<f64>) -> bool {
 proptest! {
     #[test]
     fn the_momentum_stays_where_it_is_in_the_world(m in moments(), omega in generic_spin(), t in -1e4..1e4_f64) {
-        let at = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
         let momentum = at.attitude * m.component_mul(&at.omega);
         let start = m.component_mul(&omega);
         // The direction is of the phase's doing only through the spin's: both carry errors of 1e4 turns.
@@ -99,7 +99,7 @@ proptest! {
     // Independent of all formulas: the equations of motion themselves, by central differences.
     #[test]
     fn spin_and_attitude_obey_the_equations_of_motion(m in moments(), omega in generic_spin(), t in -9.0..9.0_f64) {
-        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let h = 1e-4;
         let [before, at, after] = [t - h, t, t + h].map(|t| motion.at(t).unwrap());
         let slope = (after.omega - before.omega) / (2.0 * h);
@@ -117,8 +117,8 @@ proptest! {
     #[test]
     fn there_and_back_is_the_start(m in moments(), omega in generic_spin(), t in -100.0..100.0_f64) {
         prop_assume!(distinct(&m));
-        let there = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
-        let back = FreeMotion::new(&m, &there.omega).unwrap().at(-t).unwrap();
+        let there = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let back = FreeMotion::new(m.try_into().unwrap(), &there.omega).unwrap().at(-t).unwrap();
         // A rounding at the far end grows as the motion's own sensitivity, some hundreds here.
         prop_assert!((back.omega - omega).norm() < 1e-10);
         prop_assert!(apart(&(there.attitude * back.attitude), &UnitQuaternion::identity()) < 1e-10);
@@ -127,9 +127,9 @@ proptest! {
     #[test]
     fn two_stretches_of_time_are_one(m in moments(), omega in generic_spin(), s in -50.0..50.0_f64, t in -50.0..50.0_f64) {
         prop_assume!(distinct(&m));
-        let first = FreeMotion::new(&m, &omega).unwrap();
+        let first = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let half = first.at(s).unwrap();
-        let then = FreeMotion::new(&m, &half.omega).unwrap().at(t).unwrap();
+        let then = FreeMotion::new(m.try_into().unwrap(), &half.omega).unwrap().at(t).unwrap();
         let whole = first.at(s + t).unwrap();
         prop_assert!((then.omega - whole.omega).norm() < 1e-10);
         prop_assert!(apart(&(half.attitude * then.attitude), &whole.attitude) < 1e-10);
@@ -137,7 +137,7 @@ proptest! {
 
     #[test]
     fn renaming_and_turning_the_axes_changes_nothing(m in moments(), omega in generic_spin(), t in -20.0..20.0_f64) {
-        let at = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
         // All 24 ways to lay a right-handed frame along the axes.
         for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
             for signs in 0..8 {
@@ -147,7 +147,7 @@ proptest! {
                     continue;
                 }
                 let other = Vector3::from_fn(|i, _| m[order[i]]);
-                let turned = FreeMotion::new(&other, &(frame * omega)).unwrap().at(t).unwrap();
+                let turned = FreeMotion::new(other.try_into().unwrap(), &(frame * omega)).unwrap().at(t).unwrap();
                 prop_assert!((turned.omega - frame * at.omega).norm() < 1e-13);
                 let seen = frame * at.attitude.to_rotation_matrix().matrix() * frame.transpose();
                 let seen_there = turned.attitude.to_rotation_matrix().into_inner();
@@ -161,7 +161,7 @@ proptest! {
         m in moments(), omega in generic_spin(), frame in attitude(), start in attitude(), t in -20.0..20.0_f64,
     ) {
         prop_assume!(distinct(&m));
-        let plain = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
+        let plain = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
         let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&frame).unwrap();
         let body = Body::spinning(inertia, start, &(frame * omega)).unwrap();
         let motion = FreeMotion::of(&body).unwrap();
@@ -176,8 +176,8 @@ proptest! {
         m in moments(), omega in generic_spin(), t in -20.0..20.0_f64, heavier in -600..500_i32, faster in -600..490_i32,
     ) {
         let (i, w) = (2_f64.powi(heavier), 2_f64.powi(faster));
-        let at = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
-        let scaled = FreeMotion::new(&(m * i), &(omega * w)).unwrap().at(t / w).unwrap();
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let scaled = FreeMotion::new((m * i).try_into().unwrap(), &(omega * w)).unwrap().at(t / w).unwrap();
         prop_assert_eq!(scaled.omega, at.omega * w);
         prop_assert_eq!(scaled.attitude, at.attitude);
     }
@@ -185,8 +185,8 @@ proptest! {
     #[test]
     fn flips_are_where_the_middle_spin_vanishes_one_beat_apart(m in moments(), omega in generic_spin(), from in -50.0..50.0_f64) {
         prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(&m, &omega).unwrap();
-        let beat = time_between_flips(&m, &omega).unwrap().unwrap();
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let beat = time_between_flips(m.try_into().unwrap(), &omega).unwrap().unwrap();
         prop_assert!((motion.period().unwrap().unwrap() / beat - 2.0).abs() < 1e-15);
         let times: Vec<f64> = motion.flips(from, from + 5.5 * beat).unwrap().collect();
         prop_assert!(times.len() == 5 || times.len() == 6);
@@ -206,7 +206,7 @@ proptest! {
     #[test]
     fn the_twist_is_the_integral_of_the_rate_about_the_momentum(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let Regime::Circulating { about, complement, .. } = motion.regime() else { panic!("not circulating") };
         prop_assume!(complement > 1e-3);
         let mut order = [0, 1, 2];
@@ -236,13 +236,13 @@ proptest! {
     #[test]
     fn the_angles_to_the_momentum_bound_the_whole_motion_and_are_reached(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         angles_bound_the_motion(&m, &motion)?;
     }
 
     #[test]
     fn the_herpolhode_lies_in_the_invariable_plane(m in moments(), omega in generic_spin()) {
-        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let momentum = m.component_mul(&omega);
         let height = momentum.dot(&omega);
         for point in motion.herpolhode(30.0, 50).unwrap() {
@@ -257,9 +257,9 @@ proptest! {
     ) {
         let mut m = Vector3::repeat(1.0);
         m[axis] = c;
-        let exact = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
+        let exact = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
         m[(axis + 1) % 3] += 10_f64.powi(-power);
-        let near = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
+        let near = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
         let bound = 1e3 * 10_f64.powi(-power);
         prop_assert!((near.omega - exact.omega).norm() < bound && apart(&near.attitude, &exact.attitude) < bound);
     }
@@ -267,7 +267,7 @@ proptest! {
     #[test]
     fn a_nearly_spherical_body_spins_as_a_sphere(omega in generic_spin(), t in -30.0..30.0_f64, a in 0..40_u32, b in 0..40_u32) {
         let step = |n: u32| 1.0 + f64::from(n) * f64::EPSILON;
-        let at = FreeMotion::new(&Vector3::new(1.0, step(a), step(b)), &omega).unwrap().at(t).unwrap();
+        let at = FreeMotion::new(PrincipalMoments::new(1.0, step(a), step(b)).unwrap(), &omega).unwrap().at(t).unwrap();
         prop_assert!((at.omega - omega).norm() < 1e-11);
         prop_assert!(apart(&at.attitude, &UnitQuaternion::from_scaled_axis(omega * t)) < 1e-11);
     }
@@ -278,7 +278,7 @@ proptest! {
         let largest = m.imax();
         let mut omega = Vector3::repeat(push);
         omega[largest] = -1.0;
-        let at = FreeMotion::new(&m, &omega).unwrap().at(t).unwrap();
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
         let steady = UnitQuaternion::from_scaled_axis(Vector3::from_fn(|i, _| if i == largest { -t } else { 0.0 }));
         prop_assert!(apart(&at.attitude, &steady) < 1e-12 && (at.omega[largest] + 1.0).abs() < 1e-14);
     }
@@ -304,7 +304,7 @@ proptest! {
     fn no_input_at_all_makes_it_panic_and_what_is_accepted_gives_numbers(
         m in prop_oneof![any_vector(), moments()], omega in any_vector(), t in anything(), u in anything(),
     ) {
-        let Ok(motion) = FreeMotion::new(&m, &omega) else { return Ok(()) };
+        let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) else { return Ok(()) };
         let _ = (motion.period(), motion.growth_rate(), motion.next_flip(t), motion.regime());
         let _ = (motion.twist_of_half_period(), motion.rotation_number(), motion.angles_to_momentum(1));
         let _ = (motion.polhode(3), motion.herpolhode(t, 3));
@@ -317,7 +317,7 @@ proptest! {
                 prop_assert!((at.attitude.norm() - 1.0).abs() < 1e-15, "{at:?}");
             }
             Err(error) => {
-                let named = matches!(error, Error::NotFinite { .. });
+                let named = error.kind() == ErrorKind::NotFinite;
                 prop_assert!(!t.is_finite() && named, "{error}");
             }
         }
@@ -327,7 +327,7 @@ proptest! {
 #[test]
 fn the_start_comes_back_to_the_bit() {
     let omega = Vector3::new(0.1, -0.7, 0.3);
-    let at = FreeMotion::new(&Vector3::new(1.0, 2.0, 2.5), &omega).unwrap().at(0.0).unwrap();
+    let at = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), &omega).unwrap().at(0.0).unwrap();
     assert_eq!(at, Instant { omega, attitude: UnitQuaternion::identity() });
 }
 
@@ -433,15 +433,16 @@ fn a_sphere_and_a_symmetric_top_move_as_their_elementary_formulas_say() {
     assert!(half_turn.w.abs() < 1e-15 && (half_turn.k - 12.0 / 13.0).abs() < 1e-15);
     // (I3 - I1) w3/I1 = 0.5 * 2 = 1 rad/s: a quarter turn of the spin in pi/2 s; L/I1 = |(1, 0, 3)|.
     let top = motion([1.0, 1.0, 1.5], [1.0, 0.0, 2.0]);
-    let Regime::SymmetricTop { axis: 2, wobble, precession } = top.regime() else { panic!("not a top") };
-    assert!((wobble - 1.0).abs() < 1e-15 && (precession - 10_f64.sqrt()).abs() < 1e-15);
+    let Regime::SymmetricTop { axis: 2, nutation, precession } = top.regime() else { panic!("not a top") };
+    assert!((nutation - 1.0).abs() < 1e-15 && (precession - 10_f64.sqrt()).abs() < 1e-15);
     let at = top.omega(std::f64::consts::FRAC_PI_2).unwrap();
     assert!((at - Vector3::new(0.0, 1.0, 2.0)).norm() < 1e-15, "{at}");
 }
 
 #[test]
 fn what_no_body_can_do_is_named() {
-    let error = |m: [f64; 3], w: [f64; 3]| FreeMotion::new(&m.into(), &w.into()).unwrap_err().to_string();
+    let new = |m: [f64; 3], w: [f64; 3]| FreeMotion::new(m.try_into()?, &w.into());
+    let error = |m: [f64; 3], w: [f64; 3]| new(m, w).unwrap_err().to_string();
     assert!(error([1.0, 1.0, 3.0], [1.0, 0.0, 0.0]).contains("triangle inequality"));
     assert!(error([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("principal moment"));
     assert!(error([1.0, 1.0, 1.0], [f64::NAN, 0.0, 0.0]).contains("the spin"));
@@ -456,8 +457,11 @@ fn what_no_body_can_do_is_named() {
 fn on_the_separatrix_the_spin_is_on_the_middle_axis_however_late_one_asks() {
     let end = 88_f64.sqrt() / 4.0;
     for spin in [1.0, -1.0, 1e100] {
-        let motion =
-            FreeMotion::new(&Vector3::new(3.0, 4.0, 6.0), &(Vector3::new(2.0, 1.0, 1.0) * spin)).unwrap();
+        let motion = FreeMotion::new(
+            PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(),
+            &(Vector3::new(2.0, 1.0, 1.0) * spin),
+        )
+        .unwrap();
         assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
         for power in [3, 16, 17, 38, 39, 40, 42, 43, 59, 100, 200, 300, 307, 308] {
             for t in [10_f64.powi(power), -(10_f64.powi(power))] {

@@ -5,10 +5,11 @@ mod common;
 use common::*;
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use tumbling::PrincipalMoments;
 use tumbling::exact::{FreeMotion, Regime};
 
 fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
-    FreeMotion::new(&moments.into(), &omega.into()).unwrap()
+    FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
 }
 
 fn motion_near_the_middle(push: f64) -> FreeMotion {
@@ -84,7 +85,7 @@ proptest! {
         let [a, b, c] = order;
         let mut omega = omega * push;
         omega[b] = 1.0;
-        let motion = FreeMotion::new(&m, &omega).unwrap();
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let Regime::Circulating { complement, .. } = motion.regime() else { return Ok(()) };
         let rate = motion.growth_rate().unwrap();
         prop_assert_eq!(rate.is_some(), complement <= 0.1);
@@ -137,11 +138,13 @@ fn flips_are_counted_without_being_visited() {
     let at = middle.nth(1_000_000_000_000_000).unwrap();
     assert!(at.abs() < 2.0 * half && middle.next().unwrap() > at && many.last().unwrap() > 0.99e15 * half);
     // The one flip of the separatrix, and the none of a wobble that is none.
-    let once = FreeMotion::new(&Vector3::new(3.0, 4.0, 6.0), &Vector3::new(2.0, 1.0, 1.0)).unwrap();
+    let once =
+        FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &Vector3::new(2.0, 1.0, 1.0)).unwrap();
     let flip = once.next_flip(-1e9).unwrap().unwrap();
     let count = |from, to| once.flips(from, to).unwrap().remaining();
     assert_eq!([count(-1e300, 1e300), count(flip, 1.0), count(-1.0, flip), count(1.0, -1.0)], [1, 0, 1, 0]);
-    let steady = FreeMotion::new(&Vector3::new(3.0, 4.0, 6.0), &Vector3::new(0.0, 1.0, 0.0)).unwrap();
+    let steady =
+        FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &Vector3::new(0.0, 1.0, 0.0)).unwrap();
     assert_eq!((steady.flips(0.0, 1e300).unwrap().remaining(), steady.next_flip(0.0).unwrap()), (0, None));
 }
 

@@ -3,11 +3,12 @@
 mod common;
 
 use common::cloud::{Cloud, assert_integrates, assert_same, decades, gauss, size, slices};
+use common::refused;
 use nalgebra::{UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
 use tumbling::solid::*;
-use tumbling::{Error, Inertia};
+use tumbling::{ErrorKind, Inertia};
 
 const MASS: f64 = 0.7;
 
@@ -165,7 +166,7 @@ proptest! {
         for shape in every_shape(a, b, c) {
             match shape.with_mass(mass) {
                 Ok(p) => prop_assert!(Inertia::from_matrix(&p.inertia().matrix()).is_ok(), "{p:?}"),
-                Err(e) => prop_assert!(matches!(e, Error::OutOfRange { .. }), "{e}"),
+                Err(e) => prop_assert_eq!(e.kind(), ErrorKind::Unrepresentable, "{}", e),
             }
         }
     }
@@ -298,19 +299,19 @@ fn a_body_smaller_than_any_atom_or_larger_than_the_sky_has_its_moments() {
     ] {
         let ball = Ball::new(radius).unwrap().with_mass(mass);
         if moment == 0.0 {
-            assert!(matches!(ball, Err(Error::OutOfRange { value: 0.0, .. })), "{ball:?}");
+            refused(ball, ErrorKind::Unrepresentable, "comes out as 0.0");
         } else {
             let got = ball.unwrap().inertia().matrix()[(1, 1)];
             assert!((got - moment).abs() <= 1e-15 * moment, "{got:e} {moment:e}");
         }
     }
     let beyond = Ball::new(1e200).unwrap();
-    assert!(matches!(beyond.measure(), Err(Error::OutOfRange { value: f64::INFINITY, .. })));
-    assert!(matches!(beyond.with_mass(1.0), Err(Error::OutOfRange { value: f64::INFINITY, .. })));
-    assert!(matches!(beyond.with_density(1e-300), Err(Error::OutOfRange { .. })));
+    refused(beyond.measure(), ErrorKind::Unrepresentable, "the volume comes out as inf");
+    refused(beyond.with_mass(1.0), ErrorKind::Unrepresentable, "a moment of inertia comes out as inf");
+    refused(beyond.with_density(1e-300), ErrorKind::Unrepresentable, "the volume comes out as inf");
     // A needle whose thin side alone vanishes in f64 is told, not made an ideal rod.
     let needle = Cuboid::new(1e-170, 1e-170, 1.0).unwrap().with_mass(1.0);
-    assert!(matches!(needle, Err(Error::OutOfRange { value: 0.0, .. })), "{needle:?}");
+    refused(needle, ErrorKind::Unrepresentable, "a moment of inertia comes out as 0.0");
 }
 
 #[test]
@@ -318,7 +319,7 @@ fn a_shell_without_thickness_has_mass_but_no_density() {
     for shell in [&HollowSphere::new(2.0, 2.0).unwrap() as &dyn Solid, &Tube::new(2.0, 2.0, 3.0).unwrap()] {
         assert_eq!(shell.measure(), Ok(0.0));
         assert!(shell.with_mass(1.0).is_ok());
-        assert!(matches!(shell.with_density(1.0), Err(Error::NotPositive { value: 0.0, .. })));
+        refused(shell.with_density(1.0), ErrorKind::OutOfBounds, "the volume is 0.0");
     }
 }
 

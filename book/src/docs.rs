@@ -26,7 +26,8 @@ pub(crate) fn make() -> Result<(), String> {
 /// # Errors
 /// A file that cannot be copied.
 pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
-    // The library's own pages, what they load, and the sources they lead to: what else was documented there is not ours to show.
+    // The library's own pages, what they load, and the sources they lead to: what else was documented there
+    // is not ours to show.
     let Some(made) = made().filter(|made| made.join("tumbling/index.html").is_file()) else {
         return Ok(false);
     };
@@ -80,7 +81,7 @@ mod tests {
         let page = fs::read_to_string(paths::chapters().join("library.md")).unwrap();
         let rooms: Vec<&str> =
             library.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
-        assert!(rooms.len() > 10);
+        assert!(rooms.len() >= 7);
         for room in rooms {
             let link = format!("({FOLDER}/tumbling/{room}/index.html)");
             assert!(page.contains(&link), "the chapter library.md does not link to {link}");

@@ -1,5 +1,6 @@
 //! Drawing figures into their committed files, or checking that these are what would be drawn.
 
+use crate::files::write_changed;
 use crate::say;
 use std::any::Any;
 use std::fs;
@@ -24,12 +25,9 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let mut failures = Vec::new();
     each_drawn(figures, |(figure, drawn, took)| {
         let outcome = drawn.and_then(|svg| {
-            let file = file_of(figure, folder);
-            if fs::read(&file).is_ok_and(|old| old == svg.as_bytes()) {
-                return Ok("as it was");
-            }
-            changed += 1;
-            fs::write(&file, svg).map(|()| "new").map_err(|e| format!("cannot write {}: {e}", file.display()))
+            let new = write_changed(&file_of(figure, folder), svg.as_bytes())?;
+            changed += usize::from(new);
+            Ok(if new { "new" } else { "as it was" })
         });
         match outcome {
             Ok(news) => say!("  {:24} {:6.2} s  {news}", figure.name, took.as_secs_f64()),

@@ -1,73 +1,51 @@
 //! The reader's way through the exercises: what is done, what comes next, and a fresh start.
 //!
-//! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if it passes
-//! and nothing outside of its marks was changed.
+//! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if
+//! it passes and nothing outside of its marks was changed.
 
-use crate::{complain, nearest, say};
+use crate::{complain, say};
+use clap::Subcommand;
+use clap::builder::{PossibleValue, PossibleValuesParser, ValueParser};
 use std::collections::BTreeSet;
 use std::fs;
 use std::process::ExitCode;
 use tumbling_exercises::{self as exercises, Exercise};
 
-/// What is asked about them.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Asked {
-    /// All of them, by chapter.
-    List,
-    /// The next that is not done.
+/// What to do instead of listing them.
+#[derive(Debug, Clone, PartialEq, Eq, Subcommand)]
+pub(crate) enum Command {
+    /// Name the next one that is not done, with its file and its command
     Next,
-    /// These brought back.
-    Reset(Vec<String>),
-    /// Which files are not as the book has them.
+    /// Bring the files of these back as they were
+    Reset {
+        /// The exercises
+        #[arg(value_name = "NAME", required = true, value_parser = name(), hide_possible_values = true)]
+        names: Vec<String>,
+    },
+    /// Fail and name the files that are not as the book has them
     Untouched,
 }
 
-const WORDS: [&str; 3] = ["next", "reset", "untouched"];
-
-/// Reads the words after `exercises`.
-///
-/// # Errors
-/// A sentence that says what was not understood, and what was perhaps meant.
-pub(crate) fn parse(words: &[String]) -> Result<Asked, String> {
-    let Some((first, rest)) = words.split_first() else {
-        return Ok(Asked::List);
-    };
-    match (first.as_str(), rest) {
-        ("next", []) => Ok(Asked::Next),
-        ("untouched", []) => Ok(Asked::Untouched),
-        ("next" | "untouched", [extra, ..]) => {
-            Err(format!("`exercises {first}` takes no further word, but got `{extra}`."))
-        }
-        ("reset", []) => Err("`exercises reset` takes the name of an exercise, or several.".into()),
-        ("reset", names) => {
-            let all = exercises::all()?;
-            for name in names {
-                if all.iter().all(|e| e.name != *name) {
-                    let near = nearest::perhaps(name, all.iter().map(|e| e.name.as_str()));
-                    return Err(format!(
-                        "There is no exercise `{name}`.{near} `-- exercises` lists them all."
-                    ));
-                }
-            }
-            Ok(Asked::Reset(names.to_vec()))
-        }
-        (unknown, _) => {
-            let near = nearest::perhaps(unknown, WORDS);
-            Err(format!("There is no `exercises {unknown}`.{near} To run one: `cargo exercise NAME`."))
-        }
+/// An exercise's name on the command line. Where the exercises cannot be read any will do: `run` says why
+/// they cannot.
+fn name() -> ValueParser {
+    let value = |e: Exercise| PossibleValue::new(e.name).help(e.title);
+    match exercises::all() {
+        Ok(all) => PossibleValuesParser::new(all.into_iter().map(value)).into(),
+        Err(_) => ValueParser::string(),
     }
 }
 
-/// Carries it out.
+/// Carries out a command; without one lists the exercises.
 ///
 /// # Errors
 /// What could not be read, written or run.
-pub(crate) fn run(asked: &Asked) -> Result<ExitCode, String> {
+pub(crate) fn run(command: Option<&Command>) -> Result<ExitCode, String> {
     let all = exercises::all()?;
-    match asked {
-        Asked::List => list(&all)?,
-        Asked::Next => say!("{}", next(&all, &standings(&all)?)),
-        Asked::Reset(names) => {
+    match command {
+        None => list(&all)?,
+        Some(Command::Next) => say!("{}", next(&all, &standings(&all)?)),
+        Some(Command::Reset { names }) => {
             for exercise in all.iter().filter(|e| names.contains(&e.name)) {
                 let file = exercises::stubs().join(format!("{}.md", exercise.name));
                 fs::write(&file, exercise.stub())
@@ -75,7 +53,7 @@ pub(crate) fn run(asked: &Asked) -> Result<ExitCode, String> {
                 say!("{} is as it was.", shown(exercise));
             }
         }
-        Asked::Untouched => {
+        Some(Command::Untouched) => {
             let mut touched = BTreeSet::from_iter(exercises::unmatched(&all)?);
             let open = |e: &&Exercise| before_running(e) == Some(Standing::Open);
             touched.extend(all.iter().filter(|e| !open(e)).map(|e| e.name.clone()));
@@ -117,7 +95,8 @@ fn shown(exercise: &Exercise) -> String {
     format!("book/exercises/stubs/{}.md", exercise.name)
 }
 
-/// What the file alone tells: `Begun` where only a run can tell whether it is done; nothing where it cannot be read.
+/// What the file alone tells: `Begun` where only a run can tell whether it is done; nothing where it cannot
+/// be read.
 fn before_running(exercise: &Exercise) -> Option<Standing> {
     let text = exercises::file(exercise, &exercises::stubs()).ok()?;
     Some(if text.replace("\r\n", "\n") == exercise.stub() { Standing::Open } else { Standing::Begun })
@@ -201,26 +180,6 @@ fn next(all: &[Exercise], standings: &[Standing]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn parsed(words: &[&str]) -> Result<Asked, String> {
-        parse(&words.iter().map(ToString::to_string).collect::<Vec<_>>())
-    }
-
-    #[test]
-    fn words_after_exercises_are_understood_or_answered_with_what_is_near() {
-        assert_eq!(parsed(&[]), Ok(Asked::List));
-        assert_eq!(parsed(&["next"]), Ok(Asked::Next));
-        assert_eq!(parsed(&["untouched"]), Ok(Asked::Untouched));
-        assert_eq!(parsed(&["reset", "two_arrows_1"]), Ok(Asked::Reset(vec!["two_arrows_1".into()])));
-        let wrong = parsed(&["reset", "two_arrow_1"]).unwrap_err();
-        assert!(
-            wrong.starts_with("There is no exercise `two_arrow_1`. Did you mean `two_arrows_1`"),
-            "{wrong}"
-        );
-        assert!(parsed(&["reset"]).unwrap_err().contains("takes the name"));
-        assert!(parsed(&["nxt"]).unwrap_err().contains("Did you mean `next`?"));
-        assert!(parsed(&["next", "one"]).unwrap_err().contains("`one`"));
-    }
 
     #[test]
     fn a_reader_who_waits_is_told_what_for() {

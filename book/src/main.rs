@@ -1,24 +1,25 @@
-//! Draws the figures and builds the book; `--help` tells the commands.
+//! Draws the figures and builds the book; `--help` lists the commands.
 
 mod build;
 mod cli;
 mod docs;
 mod draw;
 mod exercises;
+mod files;
 mod guard;
 mod judge;
 mod log;
 mod measure;
-mod nearest;
 mod paths;
 mod places;
 mod preprocess;
 mod share;
 
+use clap::Parser as _;
 use std::process::ExitCode;
 
-/// Writes a line to standard output. A reader that went away (`| head`) is no reason to stop, nor
-/// to complain: the work goes on without being told of.
+/// Writes a line to standard output. A reader that went away (`| head`) is no reason to stop, nor to
+/// complain: the work goes on.
 macro_rules! say {
     ($($arg:tt)*) => {{
         use std::io::Write as _;
@@ -37,14 +38,7 @@ macro_rules! complain {
 pub(crate) use complain;
 
 fn main() -> ExitCode {
-    let asked = match cli::parse(std::env::args_os().skip(1)) {
-        Ok(asked) => asked,
-        Err(wrong) => {
-            complain!("{wrong}\nTry `cargo run --release -- --help`.");
-            return ExitCode::from(2);
-        }
-    };
-    match cli::run(asked) {
+    match cli::run(cli::Cli::parse()) {
         Ok(code) => code,
         Err(reason) => {
             complain!("error: {reason}");

@@ -1,18 +1,88 @@
 //! The command `measure`: error against run time, on this machine.
 
 use crate::{paths, say};
+use clap::{Args, Subcommand};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::process::Command;
 use std::time::Instant;
+use tempfile::TempDir;
 use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
 use tumbling_measure::record::{self, Record};
 use tumbling_measure::{atlas as places, contestant, savings, story};
 
+/// What to measure.
+#[derive(Debug, Args)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    after_help = "`git checkout measure/record` brings the book's own record back."
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    what: Option<What>,
+    /// Coarser, in less than a minute, into measure/quick/
+    #[arg(long)]
+    quick: bool,
+    /// Also published solvers and an engine in the same run; compiles some two hundred crates first
+    #[arg(long)]
+    peers: bool,
+    /// A billion turns by one method alone, a quarter of an hour or more
+    #[arg(long, value_name = "METHOD", conflicts_with_all = ["quick", "peers"])]
+    long: Option<String>,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Count what scenes cost by what is requested, and what crates each part brings; needs valgrind
+    ///
+    /// Renews measure/record/scenes.csv.
+    Scenes {
+        /// Write nothing; fail where the record says otherwise
+        #[arg(long)]
+        check: bool,
+        /// Also time the build of each part from nothing, some minutes
+        #[arg(long, conflicts_with = "check")]
+        builds: bool,
+    },
+    /// Move a hundred to ten million bodies, and an engine's too, some minutes
+    ///
+    /// Renews measure/record/scale.csv.
+    Scale {
+        /// Up to a hundred thousand bodies, into measure/quick/
+        #[arg(long)]
+        quick: bool,
+    },
+    /// A scene for valgrind to watch
+    #[command(hide = true)]
+    Scene { name: String, plans: u64, rounds: u64 },
+    /// A short run for valgrind to watch
+    #[command(hide = true)]
+    Count { contestant: String, times: u64 },
+}
+
+/// Carries out the command.
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    match (&arguments.what, &arguments.long) {
+        (Some(What::Scenes { check, builds }), _) => scenes(*check, *builds),
+        (Some(What::Scale { quick }), _) => scale(*quick),
+        (Some(What::Scene { name, plans, rounds }), _) => Ok(savings::child(name, *plans, *rounds)?),
+        (Some(What::Count { contestant, times }), _) => {
+            instructions::child(&contestant::ours(), &story::all()?, contestant, *times)?;
+            Ok(())
+        }
+        (None, Some(method)) => {
+            let folder = paths::repository().join("measure/record");
+            say!("{}", campaign::longest(method, campaign::LONGEST, &folder)?);
+            Ok(())
+        }
+        (None, None) => measure(arguments.quick, arguments.peers),
+    }
+}
+
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
-pub(crate) fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
+fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     let folder = paths::repository().join("measure").join(if quick { "quick" } else { "record" });
     let start = Instant::now();
     if peers {
@@ -57,7 +127,7 @@ fn through(mut cargo: Command) -> Result<(), Box<dyn Error>> {
 }
 
 /// Many bodies, beside Rapier: by a build for any machine, then by one for this machine.
-pub(crate) fn scale(quick: bool) -> Result<(), Box<dyn Error>> {
+fn scale(quick: bool) -> Result<(), Box<dyn Error>> {
     let measure = paths::repository().join("measure");
     let folder = measure.join(if quick { "quick" } else { "record" });
     let start = Instant::now();
@@ -105,21 +175,9 @@ fn progress() -> impl FnMut(&str) {
     }
 }
 
-/// The longest run.
-pub(crate) fn longest(method: &str) -> Result<(), Box<dyn Error>> {
-    let folder = paths::repository().join("measure/record");
-    say!("{}", campaign::longest(method, campaign::LONGEST, &folder)?);
-    Ok(())
-}
-
-/// A short run, so many times: what valgrind watches.
-pub(crate) fn count(name: &str, times: u64) -> Result<(), Box<dyn Error>> {
-    instructions::child(&contestant::ours(), &story::all()?, name, times)?;
-    Ok(())
-}
-
-/// Counts what scenes cost; renews the record with that and with what each part brings to a build, or holds the record to it.
-pub(crate) fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
+/// Counts what scenes cost; renews the record with that and with what each part brings to a build, or holds
+/// the record to it.
+fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
     let words = ["measure", "scene"].map(Into::into).to_vec();
     let again = Again { program: std::env::current_exe()?.into(), words };
     let mut rows = savings::executed(&again, &mut progress())?;
@@ -132,11 +190,9 @@ pub(crate) fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
         }
         return Err(told.join("\n").into());
     }
-    let folder = std::env::temp_dir().join(format!("tumbling-builds-{}", std::process::id()));
-    let built = savings::compiled(paths::repository(), builds.then_some(folder.as_path()), &mut progress());
-    // What cannot be removed is the system's to remove.
-    let _ = std::fs::remove_dir_all(&folder);
-    rows.extend(built?);
+    let folder = builds.then(TempDir::new).transpose()?;
+    let folder = folder.as_ref().map(TempDir::path);
+    rows.extend(savings::compiled(paths::repository(), folder, &mut progress())?);
     let file = paths::repository().join("measure/record/scenes.csv");
     // The record as it is now, not as it was when this program was compiled.
     let now = std::fs::read_to_string(&file).ok().and_then(|text| Record::read(&text).ok());
@@ -144,9 +200,4 @@ pub(crate) fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
         .map_err(|error| format!("{}: {error}", file.display()))?;
     say!("The record is in {}", file.display());
     Ok(())
-}
-
-/// A scene, so many times: what valgrind watches.
-pub(crate) fn count_scene(name: &str, plans: u64, rounds: u64) -> Result<(), Box<dyn Error>> {
-    Ok(savings::child(name, plans, rounds)?)
 }

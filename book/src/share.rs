@@ -30,8 +30,9 @@ impl Site {
     }
 }
 
-/// Gives each page its own description and what a shared link shows; with a site's address also the full addresses
-/// and `sitemap.xml`. Only what is built here has this: mdBook alone gives every page the book's description.
+/// Gives each page its own description and what a shared link shows; with a site's address also the full
+/// addresses and `sitemap.xml`. Only what is built here has this: mdBook alone gives every page the book's
+/// description.
 ///
 /// # Errors
 /// A page that cannot be read or written, or is not as expected.

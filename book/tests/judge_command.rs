@@ -57,8 +57,8 @@ fn a_right_record_exits_with_0_a_wrong_one_with_1_and_no_record_with_2() {
         (&["-", "--inertia", "1,1,9"], "t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "9"),
         (&["-", "--threshold", "nothing"], "", "above zero"),
         (&["-", "--fit", "500"], &top(1.0), "the record has 400"),
-        (&["-", "--jsno"], "", "Did you mean `--json`"),
-        (&[], "", "takes a file"),
+        (&["-", "--jsno"], "", "similar argument exists: '--json'"),
+        (&[], "", "<FILE>"),
     ] {
         let output = judge(arguments, input);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", words(&output));

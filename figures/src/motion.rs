@@ -12,7 +12,7 @@ pub(crate) fn spun(inertia: Inertia, omega: Vector3<f64>) -> Result<Body, Error>
 
 /// How fast a push grows on a spin `omega` (rad/s) about the middle axis, 1/s.
 pub(crate) fn growth(moments: &Vector3<f64>, omega: f64) -> Result<f64, Box<dyn std::error::Error>> {
-    match of_spin((*moments).into(), Axis::Middle, omega)? {
+    match of_spin((*moments).try_into()?, Axis::Middle, omega)? {
         Stability::Growth { rate } => Ok(rate),
         _ => Err("a middle axis that does not flip".into()),
     }

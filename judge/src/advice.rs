@@ -1,7 +1,8 @@
 //! What a rule is called, who goes by it, and what to do about it.
 
+use crate::engines::{Limits, PHYSICS_ENGINES};
 use crate::suspects::{Base, Rule, Spin, When};
-use tumbling::step::{Limits, Method, PHYSICS_ENGINES};
+use tumbling::step::Method;
 
 /// A number with five significant digits, as people write it.
 pub(crate) fn significant(x: f64) -> String {
@@ -207,12 +208,12 @@ const fn of_method(method: Method) -> &'static str {
             "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. Turn the \
              momentum instead of adding to it (three exact turns a step, or Buss's method). Chapter \"Where things break\", the fix."
         }
-        Method::Rescaled | Method::RescaledStraight => {
+        Method::Rescaled | Method::RescaledLinearAttitude => {
             "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts \
              toward the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without \
              rescaling). Chapter \"Where things break\", the fix."
         }
-        Method::OneNewton | Method::LinearisedImplicit => {
+        Method::ImplicitOneNewton | Method::LinearisedImplicit => {
             "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by themselves; of a step \
              that turns by a radian or more it can multiply the energy. Use the implicit midpoint rule or three exact turns a step. Chapter \"Where things break\", the fix."
         }

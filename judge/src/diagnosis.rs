@@ -205,7 +205,7 @@ fn apart(subject: &Subject, pairs: &[Pair], floor: Floor) -> Option<String> {
     let spins = [
         (Rule::Method(Method::ConstantSpin, 1), "no gyroscopic term"),
         (Rule::Straight(Spin::Explicit), "explicit gyroscopic step"),
-        (Rule::Method(Method::OneNewton, 1), "one Newton step"),
+        (Rule::Method(Method::ImplicitOneNewton, 1), "one Newton step"),
         (Rule::Method(Method::ImplicitMidpoint, 1), "implicit midpoint"),
         (Rule::Method(Method::RungeKutta4, 1), "Runge and Kutta's fourth order"),
         (Rule::Exact, "the exact motion"),

@@ -24,7 +24,7 @@ pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64
     let none = |problem: &str| Error::Fit { rows: rows.len(), problem: problem.into() };
     let [first, .., last] = rows else { return Err(none("it takes two rows at least")) };
     let left = |omega: &Vector3<f64>| -> Result<f64, tumbling::Error> {
-        let motion = FreeMotion::new(moments, omega)?;
+        let motion = FreeMotion::new((*moments).try_into()?, omega)?;
         rows.iter()
             .try_fold(0.0, |sum, row| Ok(sum + (motion.omega(row.t - first.t)? - row.omega).norm_squared()))
     };
@@ -37,7 +37,7 @@ pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64
         if settled {
             break;
         }
-        let motion = FreeMotion::new(moments, &omega)?;
+        let motion = FreeMotion::new((*moments).try_into()?, &omega)?;
         let (mut normal, mut side) = (Matrix3::zeros(), Vector3::zeros());
         for row in rows {
             let t = row.t - first.t;

@@ -155,7 +155,7 @@ impl Laws {
         direction: Option<Vector3<f64>>,
         floor: f64,
     ) -> Result<Self, tumbling::Error> {
-        let exact = FreeMotion::new(moments, &first.omega)?;
+        let exact = FreeMotion::new((*moments).try_into()?, &first.omega)?;
         let middle = matches!(exact.regime(), Regime::Circulating { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
         let circled = match exact.regime() {

@@ -14,6 +14,7 @@ mod comment;
 mod curve;
 mod derived;
 mod diagnosis;
+mod engines;
 mod error;
 mod faults;
 mod fit;
@@ -34,6 +35,7 @@ mod verdict;
 
 pub use curve::Growth;
 pub use diagnosis::{Diagnosis, Explanation, Sure};
+pub use engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 pub use error::Error;
 pub use fit::Fit;
 pub use laws::{FlipCount, Law, LawName};

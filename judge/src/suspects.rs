@@ -1,10 +1,11 @@
 //! Rules that may have made a record: each takes a row one step further.
 
+use crate::engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::laws::unit;
 use crate::state::{Pair, Row};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Engine, Limits, Method, PHYSICS_ENGINES, PhysicsEngine, State, System, Torque};
+use tumbling::step::{Engine, Method, State, System, Torque};
 use tumbling::{Body, Inertia, body::attitude, dynamics::euler};
 
 /// A rule, as a diagnosis names it.
@@ -98,8 +99,8 @@ impl Base {
     pub fn name(self) -> String {
         match self {
             Self::Exact => "the exact motion".into(),
-            Self::Method(method, 1) => method.about().name.into(),
-            Self::Method(method, parts) => format!("{}, {parts} parts a step", method.about().name),
+            Self::Method(method, 1) => method.info().name.into(),
+            Self::Method(method, parts) => format!("{}, {parts} parts a step", method.info().name),
         }
     }
 }
@@ -113,7 +114,7 @@ pub(crate) fn straight(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Qua
 pub(crate) fn bare(method: Method, parts: u32) -> PhysicsEngine {
     let engine = PHYSICS_ENGINES[0];
     PhysicsEngine {
-        name: method.about().name,
+        name: method.info().name,
         version: None,
         setting: "",
         method,
@@ -174,7 +175,7 @@ pub(crate) struct Subject {
 impl Subject {
     pub(crate) fn new(moments: Vector3<f64>, torque: Option<Vector3<f64>>) -> Result<Self, tumbling::Error> {
         let torques = torque.map(|torque| vec![Torque::InWorld(torque)]).unwrap_or_default();
-        Ok(Self { moments, torque, system: System::with(&moments, torques)? })
+        Ok(Self { moments, torque, system: System::with(moments.try_into()?, torques)? })
     }
 
     fn motion(&self, state: &Row) -> State<f64> {
@@ -193,7 +194,7 @@ impl Subject {
     ) -> Result<(Quaternion<f64>, Vector3<f64>), tumbling::Error> {
         match base {
             Base::Exact => {
-                let after = FreeMotion::new(&self.moments, &from.omega)?.at(h)?;
+                let after = FreeMotion::new(self.moments.try_into()?, &from.omega)?.at(h)?;
                 let start = from.attitude.unwrap_or_else(Quaternion::identity);
                 Ok((start * after.attitude.into_inner(), after.omega))
             }

@@ -349,7 +349,7 @@ fn momentum_of(
     omega: &Vector3<f64>,
 ) -> Result<Option<Vector3<f64>>, tumbling::Error> {
     let Some(first) = rows.first() else { return Ok(None) };
-    let motion = FreeMotion::new(moments, omega)?;
+    let motion = FreeMotion::new((*moments).try_into()?, omega)?;
     let mut sum = Vector3::zeros();
     for row in rows {
         let Some(q) = row.attitude else { return Ok(None) };

@@ -42,7 +42,7 @@ fn rules_are_named_by_the_attitudes_that_they_make() {
         Method::ConstantSpin,
         Method::SemiImplicitEuler,
         Method::Rescaled,
-        Method::OneNewton,
+        Method::ImplicitOneNewton,
         Method::ExplicitEuler,
         Method::Buss,
     ] {

@@ -2,8 +2,8 @@
 
 use std::io::BufReader;
 use std::path::PathBuf;
-use tumbling::step::{Method, PHYSICS_ENGINES};
-use tumbling_judge::{LawName, Options, Outcome, Sure, Verdict, judge};
+use tumbling::step::Method;
+use tumbling_judge::{LawName, Options, Outcome, PHYSICS_ENGINES, Sure, Verdict, judge};
 
 fn records() -> Vec<(String, Verdict)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines");
@@ -30,7 +30,7 @@ fn the_diagnosis_of_every_recorded_engine_names_its_rule() {
         let engine = engine.trim_end_matches("-1e9");
         let engine = PHYSICS_ENGINES.iter().find(|x| x.record == Some(engine)).unwrap();
         let diagnosis = verdict.diagnosis.unwrap();
-        let twins = [Method::OneNewton, Method::LinearisedImplicit];
+        let twins = [Method::ImplicitOneNewton, Method::LinearisedImplicit];
         let (method, parts) = diagnosis.best.rule.method().unwrap();
         let same = method == engine.method
             || story != "pushed" && twins.contains(&method) && twins.contains(&engine.method);

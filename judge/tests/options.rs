@@ -71,7 +71,7 @@ fn a_fit_to_what_is_no_free_motion_is_refused() {
 
 #[test]
 fn a_law_may_have_a_limit_of_its_own() {
-    let text = csv(&stepped(Method::OneNewton, SPIN, 0.001, 2000));
+    let text = csv(&stepped(Method::ImplicitOneNewton, SPIN, 0.001, 2000));
     let with = |options: Options| judge(text.as_bytes(), &options).unwrap();
     let usual = with(Options::default());
     assert_eq!(usual.outcome, Outcome::Passed);
@@ -93,7 +93,7 @@ fn a_law_may_have_a_limit_of_its_own() {
 fn the_points_to_draw_a_run_by_are_the_rows_and_the_exact_motion() {
     let rows = stepped(Method::SemiImplicitEuler, SPIN, 0.02, 3000);
     let verdict = judged(&csv(&rows));
-    let motion = FreeMotion::new(&MOMENTS, &SPIN).unwrap();
+    let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
     let energy = |w: &Vector3<f64>| w.dot(&MOMENTS.component_mul(w));
     let each = 16; // 3001 rows in at most 256 points
     assert_eq!(verdict.curve.len(), 3001_usize.div_ceil(each));

@@ -16,7 +16,7 @@ const H: f64 = 1.0 / 60.0;
 
 /// The commonest rule of all: the spin straight by the gyroscopic term, then the attitude straight by the spin.
 fn plain(gyroscopic: bool, by_old: bool, count: u32) -> Vec<Row> {
-    let system = System::free(&BODY).unwrap();
+    let system = System::free(BODY.try_into().unwrap()).unwrap();
     stepped_by(SPIN, H, count, |motion| {
         let old = system.omega(&motion.momentum);
         let rate = angular_acceleration(&BODY, &old, &Vector3::zeros());

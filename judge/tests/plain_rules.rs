@@ -82,7 +82,7 @@ fn rules_written_out_by_hand_are_the_best_and_to_rounding() {
     // Spins alone for the first: how the attitude is turned is its own question.
     let cases: [Case<'_>; 3] = [
         (explicit, false, &[Method::SemiImplicitEuler, Method::ExplicitEuler]),
-        (one_newton, true, &[Method::OneNewton, Method::LinearisedImplicit]),
+        (one_newton, true, &[Method::ImplicitOneNewton, Method::LinearisedImplicit]),
         (without_term, true, &[Method::ConstantSpin]),
     ];
     for (rule, attitude, methods) in cases {

@@ -105,7 +105,7 @@ impl Runner {
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact motion",
-            Self::Stepper(method) => method.about().name,
+            Self::Stepper(method) => method.info().name,
         }
     }
 }

@@ -118,9 +118,9 @@ pub const LONGEST: u64 = 1_000_000_000;
 /// # Errors
 /// A name that no method has, or a folder that cannot be written to.
 pub fn longest(name: &str, turns: u64, folder: &Path) -> Result<String, Wrong> {
-    let method = Method::ALL.iter().copied().find(|method| method.about().name == name);
+    let method = Method::ALL.iter().copied().find(|method| method.info().name == name);
     let Some(method) = method else {
-        let names: Vec<&str> = Method::ALL.iter().map(|method| method.about().name).collect();
+        let names: Vec<&str> = Method::ALL.iter().map(|method| method.info().name).collect();
         return Err(format!("There is no method `{name}`. There are: {}.", names.join(", ")).into());
     };
     fs::create_dir_all(folder)?;

@@ -5,9 +5,9 @@ use crate::operations;
 use crate::story::Story;
 use std::cell::RefCell;
 use std::hint::black_box;
-use tumbling::Error;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{About, Method, State};
+use tumbling::step::{Method, MethodInfo, State};
+use tumbling::{Error, ErrorKind};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -44,8 +44,8 @@ impl Group {
         }
     }
 
-    fn of(about: &About) -> Self {
-        match (about.order, about.keeps.energy, about.keeps.momentum) {
+    fn of(info: &MethodInfo) -> Self {
+        match (info.order, info.conserved.energy, info.conserved.momentum) {
             (0, ..) => Self::Wrong,
             (_, true, true) => Self::Both,
             (_, _, true) => Self::Momentum,
@@ -98,9 +98,9 @@ pub enum Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        match error {
-            Error::OutOfRange { .. } | Error::NotFinite { .. } => Self::NotFinite,
-            other => Self::Refused(other.to_string()),
+        match error.kind() {
+            ErrorKind::Unrepresentable | ErrorKind::NotFinite => Self::NotFinite,
+            _ => Self::Refused(error.to_string()),
         }
     }
 }
@@ -150,15 +150,15 @@ pub struct Ours(pub Method);
 
 impl Contestant for Ours {
     fn name(&self) -> &str {
-        self.0.about().name
+        self.0.info().name
     }
 
     fn group(&self) -> Group {
-        Group::of(self.0.about())
+        Group::of(self.0.info())
     }
 
     fn order(&self) -> u32 {
-        self.0.about().order
+        self.0.info().order
     }
 
     fn knob(&self) -> Knob {
@@ -179,9 +179,9 @@ impl Contestant for Ours {
             return Err(Failure::Refused("it is set by its steps".into()));
         };
         let h = black_box(step_of(story, steps));
-        let mut motion = story.start.clone();
+        let mut motion = story.start;
         for k in 1..=steps {
-            motion = self.0.step(&story.system, &motion, &h)?;
+            motion = self.0.step(&story.system, &motion, h)?;
             if let Some(watch) = watch.as_deref_mut() {
                 watch.see(time_of(k, steps, story.end), &motion);
             }
@@ -249,7 +249,7 @@ impl Contestant for Exact {
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.momentum);
-        let exact = FreeMotion::new(moments, &omega)?;
+        let exact = FreeMotion::new((*moments).try_into()?, &omega)?;
         asked(&exact, story, watch)
     }
 }
@@ -283,7 +283,7 @@ impl Contestant for Prepared {
         let mut kept = self.0.borrow_mut();
         if kept.as_ref().is_none_or(|(name, _)| *name != story.name) {
             let omega = story.system.omega(&story.start.momentum);
-            *kept = Some((story.name, FreeMotion::new(story.system.moments(), &omega)?));
+            *kept = Some((story.name, FreeMotion::new((*story.system.moments()).try_into()?, &omega)?));
         }
         let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };
         asked(exact, story, watch)

@@ -66,7 +66,7 @@ impl<'a> Watch<'a> {
             story,
             middle: story.middle(),
             world: in_world(&start.attitude, &start.momentum),
-            before: Some((0.0, start.clone())),
+            before: Some((0.0, *start)),
             flips: 0,
             last: None,
             worst: [0.0; 3],
@@ -91,7 +91,7 @@ impl<'a> Watch<'a> {
                 self.last = Some((t, before));
             }
         }
-        self.before = Some((time, motion.clone()));
+        self.before = Some((time, *motion));
         if self.story.keeps_energy() {
             let off = relative(self.story.energy(motion), self.story.truth.energy);
             self.worst[0] = self.worst[0].max(off);
@@ -147,7 +147,10 @@ impl<'a> Watch<'a> {
     fn last_flip(&self) -> Option<f64> {
         let (t, state) = self.last.as_ref()?;
         let omega = self.story.system.omega(&state.momentum);
-        let on = FreeMotion::new(self.story.system.moments(), &omega).ok()?.next_flip(0.0).ok()??;
+        let on = FreeMotion::new((*self.story.system.moments()).try_into().ok()?, &omega)
+            .ok()?
+            .next_flip(0.0)
+            .ok()??;
         Some(t + on)
     }
 }

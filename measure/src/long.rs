@@ -7,6 +7,7 @@ use crate::operations::evaluations_of_step;
 use crate::record::Long;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::TAU;
+use tumbling::PrincipalMoments;
 use tumbling::step::{Method, State, System};
 
 /// Steps in a turn of the spin.
@@ -14,7 +15,7 @@ pub const STEPS: u32 = 20;
 
 /// The document's box, and spins that differ a little from start to start.
 fn start(k: u32) -> Option<(System<f64>, State<f64>, f64)> {
-    let system = System::free(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)).ok()?;
+    let system = System::free(PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0).ok()?).ok()?;
     let omega = Vector3::new(0.6 + 0.07 * f64::from(k), 0.5, 0.7 - 0.05 * f64::from(k));
     let h = TAU / (f64::from(STEPS) * omega.norm());
     Some((system.clone(), State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) }, h))
@@ -77,7 +78,7 @@ pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
             (squares.iter().sum::<f64>() / f64::from(starts)).sqrt()
         };
         rows.push(Long {
-            contestant: method.about().name.into(),
+            contestant: method.info().name.into(),
             group: group.into(),
             steps: STEPS,
             turns: end,
@@ -90,7 +91,7 @@ pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
     // What went wrong, once, after the last window that all came through.
     if let Some((_, outcome)) = runs.iter().find(|(_, outcome)| *outcome != Outcome::Right) {
         rows.push(Long {
-            contestant: method.about().name.into(),
+            contestant: method.info().name.into(),
             group: group.into(),
             steps: STEPS,
             turns: ends.get(rows.len()).copied().unwrap_or(turns),
@@ -120,7 +121,7 @@ fn one(
         let mut window = Window::default();
         for _ in done..end {
             for _ in 0..STEPS {
-                motion = match method.step(system, &motion, &h) {
+                motion = match method.step(system, &motion, h) {
                     Ok(motion) => motion,
                     Err(e) => return (windows, Failure::from(e).into()),
                 };

@@ -158,7 +158,7 @@ pub fn evaluations_of_step(
     let h = Tallied::new(step);
     let (done, steps) = counted(|| {
         for _ in 0..STEPS {
-            motion = method.step(&system, &motion, &h).ok()?;
+            motion = method.step(&system, &motion, h).ok()?;
         }
         Some(())
     });

@@ -512,7 +512,7 @@ mod tests {
         let mut kinds = [0, 0];
         for k in 1..2000 {
             let Given { moments, omega, .. } = body(k);
-            let motion = tumbling::exact::FreeMotion::new(&moments, &omega).unwrap();
+            let motion = tumbling::exact::FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap();
             if let tumbling::exact::Regime::Circulating { about, .. } = motion.regime() {
                 kinds[usize::from(about == tumbling::Axis::Largest)] += 1;
             }

@@ -100,7 +100,7 @@ impl Story {
         if entry["damping"].is_array() && vector(&entry["damping"])? != Vector3::zeros() {
             torques.push(Torque::Damping(vector(&entry["damping"])?));
         }
-        let system = System::with(&moments, torques)?;
+        let system = System::with(moments.try_into()?, torques)?;
         let start =
             State { attitude: Quaternion::identity(), momentum: system.momentum(&vector(&entry["omega"])?) };
         let [w, x, y, z] = numbers(&entry["attitude"])?;
@@ -114,7 +114,7 @@ impl Story {
 
 /// Those of a free body, by the exact motion.
 fn flips(system: &System<f64>, start: &State<f64>, end: f64) -> Result<Flips, Wrong> {
-    let exact = FreeMotion::new(system.moments(), &system.omega(&start.momentum))?;
+    let exact = FreeMotion::new((*system.moments()).try_into()?, &system.omega(&start.momentum))?;
     let times: Vec<f64> = exact.flips(0.0, end)?.collect();
     let [.., before, last] = times.as_slice() else { return Err("fewer than two flips".into()) };
     Ok(Flips { count: u64::try_from(times.len())?, last: *last, apart: last - before })

@@ -44,7 +44,10 @@ fn a_method_of_order_four_shows_slope_four() {
 fn the_exact_motion_is_where_the_table_says() {
     for story in story::all().unwrap().iter().filter(|story| story.system.is_free()) {
         let omega = story.system.omega(&story.start.momentum);
-        let there = FreeMotion::new(story.system.moments(), &omega).unwrap().at(story.end).unwrap();
+        let there = FreeMotion::new((*story.system.moments()).try_into().unwrap(), &omega)
+            .unwrap()
+            .at(story.end)
+            .unwrap();
         let off = turn(there.attitude.quaternion(), &story.truth.motion.attitude);
         // A radian of turn loses at most some units of rounding.
         assert!(off < 4.0 * f64::EPSILON * story.speed() * story.end, "{}: {off:e}", story.name);
@@ -146,8 +149,8 @@ fn a_slow_clock_shows_as_phase() {
         }
         fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
             let omega = story.system.omega(&story.start.momentum);
-            let exact = FreeMotion::new(story.system.moments(), &omega)?;
-            let mut motion = story.start.clone();
+            let exact = FreeMotion::new((*story.system.moments()).try_into()?, &omega)?;
+            let mut motion = story.start;
             let watch = watch.unwrap();
             for k in 1..=10_000_u32 {
                 let t = story.end * f64::from(k) / 1e4;

@@ -5,7 +5,7 @@ use num_dual::Dual64;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use tumbling::number::Field;
-use tumbling::step::{State, rk4};
+use tumbling::step::{Rate, State, rk4};
 use tumbling::{body::attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia};
 use tumbling_proofs::{Fraction, Rational, Series};
 use wide::f64x4;
@@ -67,11 +67,11 @@ fn laws<T: Field>(spin: Vector3<T>, h: T) -> Vec<T> {
     let rotation = attitude::rotation_matrix(&tilted);
     let momentum = spin.component_mul(&moments);
     let start = State { attitude: tilted.clone(), momentum: momentum.clone() };
-    let law = |m: &State<T>| State {
+    let law = |m: &State<T>| Rate {
         attitude: attitude::rate(&m.attitude, &(&inverse * &m.momentum)),
         momentum: euler::momentum_rate(&inverse, &m.momentum, &torque),
     };
-    let end = rk4(&start, &h, law);
+    let end = rk4(&start, h, law, State::plus);
     let mut all = Vec::new();
     all.extend(euler::angular_acceleration(&moments, &spin, &torque).iter().cloned());
     all.extend(euler::tensor_times_acceleration(&tensor, &spin, &torque).iter().cloned());

@@ -155,7 +155,7 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
             }
         };
         if let Err(error) = done {
-            told(Error::OfBody { index, source: Box::new(error) });
+            told(tumbling::Refusal::OfBody { index, source: Box::new(error) }.into());
         }
     }
     for (text, bodies) in alike {

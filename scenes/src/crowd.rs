@@ -178,7 +178,10 @@ impl<'p> Desk<'p> {
             Ok(state) if !failed[place] => room[time * bodies + place] = Some(state),
             Err(source) if !failed[place] => {
                 failed[place] = true;
-                wrong.push((first + place, Error::OfBody { index: first + place, source: Box::new(source) }));
+                wrong.push((
+                    first + place,
+                    tumbling::Refusal::OfBody { index: first + place, source: Box::new(source) }.into(),
+                ));
             }
             _ => {}
         };

@@ -27,9 +27,9 @@ use std::fmt::{self, Write as _};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use tumbling::Error;
 use tumbling::scene::{LetGo, Scene, Times, Toss, TossPart, Wants};
 use tumbling::step::Torque;
+use tumbling::{Error, Refusal};
 
 /// What is wrong with a file, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -309,17 +309,18 @@ pub fn read(text: &str) -> Result<File, Wrong> {
         };
         root.refused(field, &error)
     })?;
-    let scene = Scene::new(tosses, torques, times, wants, accuracy).map_err(|error| match error {
-        Error::OfTorque { index, source } => match torque_tables.get(index) {
-            Some(table) => {
-                let field = TORQUE.into_iter().find(|field| table.get(field).is_some());
-                table.refused(field.unwrap_or_default(), &source)
-            }
-            None => Wrong { line: None, field: None, why: source.to_string() },
-        },
-        // Bodies and times are there and right: this is all that is left.
-        other => root.refused("accuracy", &other),
-    })?;
+    let scene =
+        Scene::new(tosses, torques, times, wants, accuracy).map_err(|error| match error.refusal() {
+            Refusal::OfTorque { index, source } => match torque_tables.get(*index) {
+                Some(table) => {
+                    let field = TORQUE.into_iter().find(|field| table.get(field).is_some());
+                    table.refused(field.unwrap_or_default(), source)
+                }
+                None => Wrong { line: None, field: None, why: source.to_string() },
+            },
+            // Bodies and times are there and right: this is all that is left.
+            _ => root.refused("accuracy", &error),
+        })?;
     let place = |body: &Fields<'_, '_>| Place {
         line: lines.at(&body.span),
         fields: BODY.into_iter().filter_map(|name| Some((name, lines.at(&body.get(name)?.span())))).collect(),

@@ -70,7 +70,7 @@ pub struct Given {
 
 impl Given {
     fn motion(&self) -> Result<FreeMotion, Error> {
-        FreeMotion::new(&self.moments, &self.omega)?.facing(&self.attitude)
+        FreeMotion::new(self.moments.try_into()?, &self.omega)?.with_attitude(&self.attitude)
     }
 }
 
@@ -256,7 +256,7 @@ impl<W: Want> Many<W> {
 
 fn check(times: &[f64]) -> Result<(), Error> {
     match times.iter().find(|t| !t.is_finite()) {
-        Some(&value) => Err(Error::NotFinite { what: "the time", value }),
+        Some(&value) => Err(Error::not_finite("the time", value)),
         None => Ok(()),
     }
 }

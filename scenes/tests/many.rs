@@ -3,9 +3,9 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use std::sync::Mutex;
-use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Instant, Regime, Spins};
 use tumbling::number::Lane;
+use tumbling::{Error, ErrorKind};
 use tumbling_scenes::many::{Four, Given, INSTANTS, Many, TILE, Want};
 
 fn given(moments: [f64; 3], omega: [f64; 3]) -> Given {
@@ -49,7 +49,7 @@ fn every_kind() -> Vec<Given> {
 }
 
 fn motion(given: &Given) -> Result<FreeMotion, Error> {
-    FreeMotion::new(&given.moments, &given.omega)?.facing(&given.attitude)
+    FreeMotion::new(given.moments.try_into()?, &given.omega)?.with_attitude(&given.attitude)
 }
 
 fn bits(instant: &Instant) -> [u64; 7] {
@@ -160,8 +160,8 @@ fn one_impossible_body_among_many_is_named_and_the_others_are_answered() {
     let many = Many::instants(bodies, one, |_| {});
     let refused = many.refused();
     assert_eq!(refused.iter().map(|r| r.body).collect::<Vec<_>>(), [2, wrong]);
-    assert!(matches!(refused[0].error, Error::NotFinite { .. }), "{}", refused[0].error);
-    assert!(matches!(refused[1].error, Error::TriangleInequality { .. }), "{}", refused[1].error);
+    assert!(refused[0].error.kind() == ErrorKind::NotFinite, "{}", refused[0].error);
+    assert!(refused[1].error.kind() == ErrorKind::Impossible, "{}", refused[1].error);
     let mut seen = 0;
     many.in_order(
         &[0.5],
@@ -200,8 +200,8 @@ fn no_bodies_and_no_times_give_nothing_and_a_time_that_is_no_number_is_refused_b
     for wrong in [f64::NAN, f64::INFINITY] {
         let times = [vec![1.0; 3 * INSTANTS], vec![wrong]].concat();
         let put = |_: tumbling_scenes::many::Chunk<'_, Vector3<f64>>| panic!("an answer");
-        assert!(matches!(some.each(&times, |_| (), put), Err(Error::NotFinite { .. })));
-        assert!(matches!(some.in_order(&times, |_| (), put), Err(Error::NotFinite { .. })));
+        assert!(some.each(&times, |_| (), put).is_err_and(|error| error.kind() == ErrorKind::NotFinite));
+        assert!(some.in_order(&times, |_| (), put).is_err_and(|error| error.kind() == ErrorKind::NotFinite));
     }
 }
 

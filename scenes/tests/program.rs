@@ -45,7 +45,7 @@ fn the_states_are_printed_with_all_their_digits_under_names_and_units() {
         "body,t [s],wx [rad/s],wy [rad/s],wz [rad/s],qw,qx,qy,qz,kinetic energy [J],gap [rad]"
     );
     let moments = Vector3::new(0.833_333_333_333_333_4, 1.083_333_333_333_333_3, 0.416_666_666_666_666_7);
-    let exact = FreeMotion::new(&moments, &Vector3::new(1.0, 0.01, 0.01)).unwrap();
+    let exact = FreeMotion::new(moments.try_into().unwrap(), &Vector3::new(1.0, 0.01, 0.01)).unwrap();
     let mut count = 0;
     for line in lines {
         let x: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();

@@ -1,6 +1,6 @@
 //! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
 
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::number::{Analytic, Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
@@ -17,6 +17,7 @@ const UNIT_TOLERANCE: f64 = 1e-9;
 /// assert_eq!(product(&i, &j), k);
 /// assert_eq!(product(&j, &i), Quaternion::new(0, 0, 0, -1));
 /// ```
+#[must_use]
 pub fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let [a, b, c, d] = [&p.coords.w, &p.coords.x, &p.coords.y, &p.coords.z];
     let [e, f, g, h] = [&q.coords.w, &q.coords.x, &q.coords.y, &q.coords.z];
@@ -39,6 +40,7 @@ pub fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
 /// let half_turn_about_x = tumbling::body::attitude::rotation_matrix(&Quaternion::new(0, 1, 0, 0));
 /// assert_eq!(half_turn_about_x, Matrix3::new(1, 0, 0, 0, -1, 0, 0, 0, -1));
 /// ```
+#[must_use]
 pub fn rotation_matrix<T: Ring>(q: &Quaternion<T>) -> Matrix3<T> {
     let [w, x, y, z] = [&q.coords.w, &q.coords.x, &q.coords.y, &q.coords.z];
     let t = |a: &T, b: &T| a.clone() * b.clone();
@@ -66,6 +68,7 @@ pub fn rotation_matrix<T: Ring>(q: &Quaternion<T>) -> Matrix3<T> {
 /// let rate = tumbling::body::attitude::rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
 /// assert_eq!(rate, Quaternion::new(0.0, 0.0, 0.0, 1.5));
 /// ```
+#[must_use]
 pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quaternion<T> {
     let [x, y, z] = [&omega_body.x, &omega_body.y, &omega_body.z].map(T::clone);
     let spin = Quaternion::new(T::zero(), x, y, z);
@@ -82,6 +85,7 @@ pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quat
 /// let turn = tumbling::body::attitude::turn(&Vector3::new(0.0, 0.0, 3.0));
 /// assert!((turn - Quaternion::new(1.5_f64.cos(), 0.0, 0.0, 1.5_f64.sin())).norm() < 1e-15);
 /// ```
+#[must_use]
 pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
     let half = vector.map(|x| x / T::integer(2));
     let (cosine, sinc) = half.dot(&half).cos_sinc_of_root();
@@ -89,16 +93,17 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
     Quaternion::new(cosine, x, y, z)
 }
 
-/// `vector` seen from axes that are turned by the unit quaternion `q`: the inverse turn of it.
+/// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an attitude.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::body::attitude::{seen_from, turn};
+/// use tumbling::body::attitude::{rotate_inverse, turn};
 /// let quarter = turn(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
-/// let seen = seen_from(&quarter, &Vector3::new(1.0, 0.0, 0.0));
+/// let seen = rotate_inverse(&quarter, &Vector3::new(1.0, 0.0, 0.0));
 /// assert!((seen - Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-15);
 /// ```
-pub fn seen_from<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
+#[must_use]
+pub fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
     // v - 2 w (u x v) + 2 u x (u x v), with u the vector part: no matrix.
     let part = Vector3::new(q.coords.x.clone(), q.coords.y.clone(), q.coords.z.clone());
     let across = part.cross(vector);
@@ -117,7 +122,7 @@ pub(crate) fn checked(attitude: &UnitQuaternion<f64>) -> Result<UnitQuaternion<f
     let q = attitude.quaternion();
     let norm = finite("the length of the attitude quaternion", q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {
-        return Err(Error::NotUnit { norm, tolerance: UNIT_TOLERANCE });
+        return Err(Refusal::NotUnit { norm, tolerance: UNIT_TOLERANCE }.into());
     }
     let drifted = (norm - 1.0).abs() > 2.0 * f64::EPSILON;
     Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { *attitude })

@@ -3,6 +3,9 @@
 //! All lie alike: the long way along z, so that z is the axis with the smallest moment, y the one with the
 //! largest, and **x the middle one**, the one that flips, as in the book's box.
 //!
+//! Each is a list of straight [parts](NamedBody::parts), from which its mass properties are computed; drawings are made
+//! of the same parts.
+//!
 //! ```
 //! use tumbling::Axis;
 //! for body in tumbling::body::named::all() {
@@ -12,23 +15,23 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
+mod boxes;
+mod part;
+mod racket;
+mod steel;
+
+pub use boxes::{BOOK, EvenBox, PHONE, REMOTE_CONTROL, THE_BOX};
+pub use part::{Fill, Part, Section};
+
 use crate::error::Error;
-use crate::solid::{Compound, Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_1_SQRT_2, TAU};
-
-/// Density of steel, kg/m³: a textbook value.
-const STEEL: f64 = 7850.0;
-
-/// Density of ash wood, kg/m³: a textbook value; real handles differ by a tenth either way.
-const ASH: f64 = 680.0;
+use crate::solid::{Compound, MassProperties};
 
 /// A body with a name, as listed by [`all`].
 #[derive(Debug, Clone, Copy)]
 pub struct NamedBody {
     name: &'static str,
     sizes_from: &'static str,
-    make: fn() -> Result<MassProperties, Error>,
+    parts: fn(&mut dyn FnMut(Part)),
 }
 
 impl NamedBody {
@@ -44,35 +47,54 @@ impl NamedBody {
         self.sizes_from
     }
 
+    /// The solids of which it consists.
+    #[must_use]
+    pub fn parts(&self) -> Vec<Part> {
+        let mut parts = Vec::new();
+        self.each_part(&mut |part| parts.push(part));
+        parts
+    }
+
+    /// Hands each of its [parts](Self::parts) to `put`, without a list in between.
+    pub fn each_part(&self, put: &mut dyn FnMut(Part)) {
+        (self.parts)(put);
+    }
+
     /// Its mass, centre and inertia.
     ///
     /// # Errors
     /// None: the sizes are constants.
     pub fn properties(&self) -> Result<MassProperties, Error> {
-        (self.make)()
+        let mut whole = Compound::new();
+        for part in self.parts() {
+            whole = whole.with(part.properties()?, part.middle, part.attitude());
+        }
+        whole.properties()
     }
 }
+
+const fn body(name: &'static str, sizes_from: &'static str, parts: fn(&mut dyn FnMut(Part))) -> NamedBody {
+    NamedBody { name, sizes_from, parts }
+}
+
+const ALL: [NamedBody; 8] = [
+    body("the box", "the book's worked example", |put| put(THE_BOX.part("box", "even"))),
+    body("the book", "a standard paperback format; thickness and mass worked out from its paper", |put| {
+        put(BOOK.part("pages", "paper"));
+    }),
+    body("the phone", "its maker's published sizes, evenly filled", |put| put(PHONE.part("phone", "even"))),
+    body("the remote control", "its maker's published sizes, evenly filled", |put| {
+        put(REMOTE_CONTROL.part("remote control", "even"));
+    }),
+    body("the hammer", "typical, chosen by us; textbook densities", steel::hammer),
+    body("the tennis racket", "typical, chosen by us; compared with a measured racket", racket::parts),
+    body("the wing nut", "a standard's table for thread M10; its wings simplified by us", steel::wing_nut),
+    body("the T-handle", "chosen by us", steel::t_handle),
+];
 
 /// Every named body, in the order in which the book meets them.
 #[must_use]
 pub fn all() -> &'static [NamedBody] {
-    const fn body(
-        name: &'static str,
-        sizes_from: &'static str,
-        make: fn() -> Result<MassProperties, Error>,
-    ) -> NamedBody {
-        NamedBody { name, sizes_from, make }
-    }
-    const ALL: [NamedBody; 8] = [
-        body("the box", "the book's worked example", the_box),
-        body("the book", "a standard paperback format; thickness and mass worked out from its paper", book),
-        body("the phone", "its maker's published sizes, evenly filled", phone),
-        body("the remote control", "its maker's published sizes, evenly filled", remote_control),
-        body("the hammer", "typical, chosen by us; textbook densities", hammer),
-        body("the tennis racket", "typical, chosen by us; compared with a measured racket", tennis_racket),
-        body("the wing nut", "a standard's table for thread M10; its wings simplified by us", wing_nut),
-        body("the T-handle", "chosen by us", t_handle),
-    ];
     &ALL
 }
 
@@ -81,7 +103,7 @@ pub fn all() -> &'static [NamedBody] {
 /// # Errors
 /// None: the sizes are constants.
 pub fn the_box() -> Result<MassProperties, Error> {
-    Cuboid::new(2.0, 1.0, 3.0)?.with_mass(1.0)
+    ALL[0].properties()
 }
 
 /// A paperback of 320 pages, held shut by a rubber band.
@@ -93,7 +115,7 @@ pub fn the_box() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn book() -> Result<MassProperties, Error> {
-    Cuboid::new(0.129, 0.020, 0.198)?.with_mass(0.340)
+    ALL[1].properties()
 }
 
 /// A phone: 71.6 mm by 7.80 mm by 147.6 mm, 171 g.
@@ -104,7 +126,7 @@ pub fn book() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn phone() -> Result<MassProperties, Error> {
-    Cuboid::new(0.0716, 0.0078, 0.1476)?.with_mass(0.171)
+    ALL[2].properties()
 }
 
 /// A remote control: 35 mm by 9.25 mm by 136 mm, 63 g.
@@ -115,7 +137,7 @@ pub fn phone() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn remote_control() -> Result<MassProperties, Error> {
-    Cuboid::new(0.035, 0.00925, 0.136)?.with_mass(0.063)
+    ALL[3].properties()
 }
 
 /// A hammer: a steel head of 100 mm by 32 mm by 32 mm across the end of an ash handle 290 mm long and 29 mm
@@ -127,11 +149,7 @@ pub fn remote_control() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn hammer() -> Result<MassProperties, Error> {
-    let (handle, side) = (0.290, 0.032);
-    Compound::new()
-        .at(Cylinder::new(0.0145, handle)?.with_density(ASH)?, along_z(0.5 * handle))
-        .at(Cuboid::new(0.100, side, side)?.with_density(STEEL)?, along_z(handle + 0.5 * side))
-        .properties()
+    ALL[4].properties()
 }
 
 /// A tennis racket, 685 mm long and 0.327 kg: an oval hoop with 16 by 19 strings, two throat bars and a
@@ -144,34 +162,7 @@ pub fn hammer() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn tennis_racket() -> Result<MassProperties, Error> {
-    // The hoop, as 48 straight bars of the same mass; its middle is 520 mm from the butt.
-    let (wide, long, middle) = (0.122, 0.165, 0.520);
-    let corner = |i: u32| {
-        let (sin, cos) = (TAU * f64::from(i) / 48.0).sin_cos();
-        [wide * cos, middle + long * sin]
-    };
-    let mut racket = Compound::new();
-    for i in 0..48 {
-        racket = bar(racket, 0.150 / 48.0, corner(i), corner(i + 1))?;
-    }
-    // The strings, mains along z and crosses along x, 17 g shared out by their lengths.
-    let half_chord = |at: f64| (1.0 - at * at).sqrt();
-    let places = |count: u32| (1..=count).map(move |i| f64::from(2 * i) / f64::from(count + 1) - 1.0);
-    let chords = |count: u32, half: f64| places(count).map(half_chord).sum::<f64>() * 2.0 * half;
-    let per_metre = 0.017 / (chords(16, long) + chords(19, wide));
-    for at in places(16) {
-        let half = long * half_chord(at);
-        racket = bar(racket, per_metre * 2.0 * half, [wide * at, middle - half], [wide * at, middle + half])?;
-    }
-    for at in places(19) {
-        let (half, z) = (wide * half_chord(at), middle + long * at);
-        racket = bar(racket, per_metre * 2.0 * half, [-half, z], [half, z])?;
-    }
-    for side in [-1.0, 1.0] {
-        racket = bar(racket, 0.025, [side * 0.012, 0.190], [side * 0.080, 0.395])?;
-    }
-    let handle = Cuboid::new(0.034, 0.029, 0.190)?.with_mass(0.110)?;
-    racket.at(handle, along_z(0.095)).properties()
+    ALL[5].properties()
 }
 
 /// A wing nut for thread M10, of steel: a round boss along x with its wings spread along z. It comes off its
@@ -185,16 +176,7 @@ pub fn tennis_racket() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn wing_nut() -> Result<MassProperties, Error> {
-    let (radius, height, top, span) = (0.00825, 0.0068, 0.0177, 0.0362);
-    let (wing_height, reach) = (0.0118, 0.5 * span - radius);
-    let boss = Tube::new(0.0045, radius, height)?.with_density(STEEL)?;
-    let wing = Cuboid::new(wing_height, 0.0033, reach)?.with_density(STEEL)?;
-    let place = |side: f64| Vector3::new(top - 0.5 * wing_height, 0.0, side * (radius + 0.5 * reach));
-    Compound::new()
-        .with(boss, Vector3::new(0.5 * height, 0.0, 0.0), z_to_x())
-        .at(wing, place(1.0))
-        .at(wing, place(-1.0))
-        .properties()
+    ALL[6].properties()
 }
 
 /// A T-handle of steel rod 12 mm thick: a crossbar of 100 mm along z, and a stem of 50 mm along x from its
@@ -206,30 +188,5 @@ pub fn wing_nut() -> Result<MassProperties, Error> {
 /// # Errors
 /// None: the sizes are constants.
 pub fn t_handle() -> Result<MassProperties, Error> {
-    let (radius, stem) = (0.006, 0.050);
-    Compound::new()
-        .at(Cylinder::new(radius, 0.100)?.with_density(STEEL)?, Vector3::zeros())
-        .with(
-            Cylinder::new(radius, stem)?.with_density(STEEL)?,
-            Vector3::new(radius + 0.5 * stem, 0.0, 0.0),
-            z_to_x(),
-        )
-        .properties()
-}
-
-/// The compound and a thin bar in its xz plane, from one `[x, z]` to another.
-fn bar(compound: Compound, mass: f64, from: [f64; 2], to: [f64; 2]) -> Result<Compound, Error> {
-    let (dx, dz) = (to[0] - from[0], to[1] - from[1]);
-    let middle = Vector3::new(0.5 * (from[0] + to[0]), 0.0, 0.5 * (from[1] + to[1]));
-    let attitude = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), dx.atan2(dz));
-    Ok(compound.with(ThinRod::new(dx.hypot(dz))?.with_mass(mass)?, middle, attitude))
-}
-
-fn along_z(z: f64) -> Vector3<f64> {
-    Vector3::new(0.0, 0.0, z)
-}
-
-/// The quarter turn that lays what stood along z along x, with no rounding between its components.
-fn z_to_x() -> UnitQuaternion<f64> {
-    UnitQuaternion::new_unchecked(Quaternion::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2, 0.0))
+    ALL[7].properties()
 }

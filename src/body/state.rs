@@ -1,41 +1,55 @@
 //! Attitude and angular momentum at one instant: what moves, and all that a step needs to know of the past.
 
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::{Analytic, Field};
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, SVector, Vector3};
 
-/// What a stepper moves: an attitude, and a vector that the attitude's rate depends on. For a
-/// [`Method`](crate::step::Method) that is the angular momentum in body axes; for an [`Engine`](crate::step::Engine) momentum or spin in
-/// the world. Also the rates of both.
-#[derive(Debug, Clone, PartialEq)]
+/// A body's attitude and angular momentum at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State<T: nalgebra::Scalar> {
     /// Body to world; of length 1 where a body stands, of any length inside a step.
     pub attitude: Quaternion<T>,
-    /// The vector carried along.
+    /// In body axes, kg m²/s.
+    pub momentum: Vector3<T>,
+}
+
+/// The rate at which a [`State`] changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rate<T: nalgebra::Scalar> {
+    /// `q' = q w / 2`, 1/s.
+    pub attitude: Quaternion<T>,
+    /// `L' = L x w + torque` in body axes, N m.
     pub momentum: Vector3<T>,
 }
 
 impl<T: Field> State<T> {
-    /// `self + other * factor`.
-    pub(crate) fn plus(&self, other: &Self, factor: &T) -> Self {
-        let along = |x: &T, y: T| x.clone() + y * factor.clone();
+    /// `self + rate h`: straight along the rate for `h` seconds, the attitude's length left as it comes.
+    #[must_use]
+    pub fn plus(&self, rate: &Rate<T>, h: T) -> Self {
         Self {
-            attitude: Quaternion::from_vector(
-                self.attitude.coords.zip_map(&other.attitude.coords, |x, y| along(&x, y)),
-            ),
-            momentum: self.momentum.zip_map(&other.momentum, |x, y| along(&x, y)),
+            attitude: Quaternion::from_vector(along(&self.attitude.coords, &rate.attitude.coords, &h)),
+            momentum: along(&self.momentum, &rate.momentum, &h),
         }
     }
 }
 
+/// `start + rate h`.
+pub(crate) fn along<T: Field, const N: usize>(
+    start: &SVector<T, N>,
+    rate: &SVector<T, N>,
+    h: &T,
+) -> SVector<T, N> {
+    start.zip_map(rate, |x, y| x + y * h.clone())
+}
+
 impl<T: Analytic> State<T> {
-    /// The motion, if all its numbers are finite.
-    pub(crate) fn whole(self) -> Result<Self, Error> {
+    /// The state, if all its numbers are finite.
+    pub(crate) fn checked(self) -> Result<Self, Error> {
         let size = self.attitude.coords.iter().chain(&self.momentum).map(Analytic::size).sum::<f64>();
         if size.is_finite() {
             Ok(self)
         } else {
-            Err(Error::OutOfRange { what: "the motion after a step", value: size })
+            Err(Refusal::OutOfRange { what: "the motion after a step", value: size }.into())
         }
     }
 }

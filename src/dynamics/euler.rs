@@ -14,6 +14,7 @@ use nalgebra::{Matrix3, Vector3};
 /// let coupling = tumbling::dynamics::euler::coupling(&Vector3::new(2, 3, 4), &Vector3::new(1, 10, 100));
 /// assert_eq!(coupling, Vector3::new(-1000, 200, -10));
 /// ```
+#[must_use]
 pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
     let term = |i: usize, j: usize| {
         (moments[i].clone() - moments[j].clone()) * (omega[i].clone() * omega[j].clone())
@@ -32,6 +33,7 @@ pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T>
 /// let pushed = tumbling::dynamics::euler::angular_acceleration(&moments, &omega, &Vector3::new(2.0, 0.0, 3.0));
 /// assert_eq!(pushed, Vector3::new(0.0, 0.0, 1.0));
 /// ```
+#[must_use]
 pub fn angular_acceleration<T: Field>(
     moments: &Vector3<T>,
     omega: &Vector3<T>,
@@ -49,6 +51,7 @@ pub fn angular_acceleration<T: Field>(
 /// let rate = tumbling::dynamics::euler::momentum_rate(&inverse, &Vector3::new(0, 1, 1), &Vector3::zeros());
 /// assert_eq!(rate, Vector3::new(-1, 0, 0));
 /// ```
+#[must_use]
 pub fn momentum_rate<T: Ring>(
     inverse: &Matrix3<T>,
     momentum: &Vector3<T>,
@@ -65,6 +68,7 @@ pub fn momentum_rate<T: Ring>(
 /// let rate = tumbling::dynamics::euler::tensor_times_acceleration(&tensor, &Vector3::new(1, 10, 100), &Vector3::zeros());
 /// assert_eq!(rate, Vector3::new(-1000, 200, -10));
 /// ```
+#[must_use]
 pub fn tensor_times_acceleration<T: Ring>(
     tensor: &Matrix3<T>,
     omega: &Vector3<T>,

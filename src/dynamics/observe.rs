@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 /// let energy = tumbling::dynamics::observe::energy(&Vector3::new(1.0, 1.0, 0.0), &Vector3::new(2.0, 4.0, 0.0));
 /// assert_eq!(energy, 3.0);
 /// ```
+#[must_use]
 pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
     omega.dot(momentum) / T::integer(2)
 }

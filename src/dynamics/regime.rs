@@ -5,8 +5,10 @@
 //! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
 
 use crate::exact::elliptic::quarter_period_from_root;
-use crate::number::double_double::{Double, exact_products, exact_sum};
+use crate::inertia::PrincipalMoments;
+use crate::number::double_double::{DoubleDouble, exact_products, exact_sum};
 use crate::number::power_of_two::{exponent, times_power_of_two};
+use nalgebra::Vector3;
 
 /// What kind of free motion this is, decided without rounding.
 #[allow(clippy::large_enum_variant)] // made once and taken apart at once
@@ -30,59 +32,56 @@ pub(crate) struct Asymmetric {
     pub(crate) middle: usize,
     /// Scaled moments, and the distances `|I_C - I_X|`, `|I_C - I_M|`, `|I_M - I_X|`.
     pub(crate) moments: [f64; 3],
-    pub(crate) d_cx: Double,
-    pub(crate) d_cm: Double,
-    pub(crate) d_mx: Double,
+    pub(crate) d_cx: DoubleDouble,
+    pub(crate) d_cm: DoubleDouble,
+    pub(crate) d_mx: DoubleDouble,
     /// Exactly on the separatrix.
     pub(crate) separatrix: bool,
     /// `|L² - 2 E I_M|` times `2^(-2 small)`; its sign says which axis is circled.
-    discriminant: Double,
+    discriminant: DoubleDouble,
     pub(crate) small: i32,
     /// `|2 E I_C - L²|` times `2^(-2 off_axis)`, and `|L² - 2 E I_X|`.
-    off_squared: Double,
+    off_squared: DoubleDouble,
     pub(crate) off_axis: i32,
-    round_squared: Double,
+    round_squared: DoubleDouble,
     /// The complementary modulus times `2^-small`.
-    scaled_complement: Double,
+    scaled_complement: DoubleDouble,
 }
 
-fn distance(a: f64, b: f64) -> Double {
-    (Double::from(a) - Double::from(b)).abs()
+fn distance(a: f64, b: f64) -> DoubleDouble {
+    (DoubleDouble::from(a) - DoubleDouble::from(b)).abs()
 }
 
-/// Sorts out the motion; the moments must be positive and finite, the spin finite.
-pub(crate) fn classify(moments: [f64; 3], omega: [f64; 3]) -> Kind {
+/// The kind of the motion; the spin must be finite.
+pub(crate) fn classify(moments: PrincipalMoments, omega: &Vector3<f64>) -> Kind {
     let idle = |i: usize, j: usize| moments[i] == moments[j] || omega[i] == 0.0 || omega[j] == 0.0;
     if idle(0, 1) && idle(1, 2) && idle(2, 0) {
         return Kind::Steady;
     }
-    for axis in 0..3 {
-        if moments[(axis + 1) % 3] == moments[(axis + 2) % 3] {
-            return Kind::Symmetric(axis);
-        }
+    match moments.axis_of_symmetry() {
+        Some(axis) => Kind::Symmetric(axis),
+        None => Kind::Asymmetric(Asymmetric::new(moments, (*omega).into())),
     }
-    Kind::Asymmetric(Asymmetric::new(moments, omega))
 }
 
 impl Asymmetric {
-    fn new(moments: [f64; 3], omega: [f64; 3]) -> Self {
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    fn new(moments: PrincipalMoments, omega: [f64; 3]) -> Self {
+        let order = moments.order();
         let [low, middle, high] = order;
         let largest = |v: [f64; 3]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let heaviest = exponent(moments[high]);
+        let heaviest = exponent(moments.largest());
         let clock = exponent(largest(omega)).clamp(-1000, 1000);
-        let i = moments.map(|x| times_power_of_two(x, -heaviest));
+        let i = <[f64; 3]>::from(moments).map(|x| times_power_of_two(x, -heaviest));
         let small = even(exponent(omega[low].abs().max(omega[high].abs())) - clock);
         let signed = discriminant(&i, &omega, &order, clock + small);
-        let (around, across) = if signed.value() >= 0.0 { (high, low) } else { (low, high) };
+        let (around, across) = if signed.hi() >= 0.0 { (high, low) } else { (low, high) };
         let d_cx = distance(i[around], i[across]);
         let d_cm = distance(i[around], i[middle]);
         let d_mx = distance(i[middle], i[across]);
         let off_axis = even(exponent(omega[across].abs().max(omega[middle].abs())) - clock);
-        let term = |axis: usize, d: Double, scale: i32| {
+        let term = |axis: usize, d: DoubleDouble, scale: i32| {
             let w = times_power_of_two(omega[axis], -scale);
-            d * i[axis] * Double::product(w, w)
+            d * i[axis] * DoubleDouble::product(w, w)
         };
         let discriminant = signed.abs();
         let round_squared = term(middle, d_mx, clock) + term(around, d_cx, clock);
@@ -95,7 +94,7 @@ impl Asymmetric {
             d_cx,
             d_cm,
             d_mx,
-            separatrix: signed == Double::ZERO,
+            separatrix: signed == DoubleDouble::ZERO,
             discriminant,
             small,
             off_squared: term(across, d_cx, clock + off_axis) + term(middle, d_cm, clock + off_axis),
@@ -110,29 +109,29 @@ impl Asymmetric {
     }
 
     /// The rate at which Jacobi's argument runs, without its sign.
-    pub(crate) fn rate(&self) -> Double {
+    pub(crate) fn rate(&self) -> DoubleDouble {
         let [x, m, c] = [self.across, self.middle, self.around].map(|axis| self.moment(axis));
         // Rooted in two parts, so that a needle's small moment meets its small difference first.
-        let first = self.d_cm / Double::from(x);
-        (first * self.round_squared / Double::product(m, c)).sqrt()
+        let first = self.d_cm / DoubleDouble::from(x);
+        (first * self.round_squared / DoubleDouble::product(m, c)).sqrt()
     }
 
     /// The complementary modulus `k'`, times `2^shift`.
-    pub(crate) fn complement(&self, shift: i32) -> Double {
+    pub(crate) fn complement(&self, shift: i32) -> DoubleDouble {
         self.scaled_complement.scaled(self.small + shift)
     }
 
     /// The modulus `k`.
     pub(crate) fn modulus(&self) -> f64 {
         let [d_mx, off, d_cm, round] =
-            [self.d_mx, self.off_squared, self.d_cm, self.round_squared].map(Double::value);
+            [self.d_mx, self.off_squared, self.d_cm, self.round_squared].map(DoubleDouble::hi);
         times_power_of_two((d_mx * off / (d_cm * round)).sqrt(), self.off_axis)
     }
 
     /// A quarter of the period in Jacobi's argument; infinite on the separatrix.
-    pub(crate) fn quarter_period(&self) -> Double {
+    pub(crate) fn quarter_period(&self) -> DoubleDouble {
         if self.separatrix {
-            return Double::from(f64::INFINITY);
+            return DoubleDouble::from(f64::INFINITY);
         }
         let scaled = self.scaled_complement;
         let root = scaled.sqrt().scaled(self.small / 2);
@@ -140,8 +139,8 @@ impl Asymmetric {
     }
 
     /// The largest values of the spin along the across and the middle axis, times `2^lift`, and the around axis.
-    pub(crate) fn amplitudes(&self, lift: i32) -> [Double; 3] {
-        let off = |axis: usize, d: Double| {
+    pub(crate) fn amplitudes(&self, lift: i32) -> [DoubleDouble; 3] {
+        let off = |axis: usize, d: DoubleDouble| {
             (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis + lift)
         };
         let round = (self.round_squared / (self.d_cx * self.moment(self.around))).sqrt();
@@ -151,7 +150,7 @@ impl Asymmetric {
     /// `L² - 2 E I_M` with the sign turned so that it is not negative where the larger axis is circled;
     /// here its size alone, which may underflow near the separatrix.
     pub(crate) fn distance_from_separatrix(&self) -> f64 {
-        self.discriminant.scaled(2 * self.small).value()
+        self.discriminant.scaled(2 * self.small).hi()
     }
 }
 
@@ -161,23 +160,23 @@ fn even(n: i32) -> i32 {
 }
 
 /// `I_hi (I_hi - I_M) w_hi² - I_lo (I_M - I_lo) w_lo²`, with the spins times `2^-scale`: this is `L² - 2 E I_M`.
-fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) -> Double {
+fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) -> DoubleDouble {
     let [low, middle, high] = *order;
     let term = |axis: usize| {
         let w = times_power_of_two(omega[axis], -scale);
-        distance(i[axis], i[middle]) * i[axis] * Double::product(w, w)
+        distance(i[axis], i[middle]) * i[axis] * DoubleDouble::product(w, w)
     };
     let (above, below) = (term(high), term(low));
     let difference = above - below;
-    if difference.value().abs() > 1e-15 * above.value() {
+    if difference.hi().abs() > 1e-15 * above.hi() {
         return difference;
     }
     // So close that twice the precision may not tell it from the separatrix: without rounding.
     let terms = |axis: usize, sign: f64| {
         let w = times_power_of_two(omega[axis], -scale);
-        let gap = Double::sum(i[axis], -i[middle]);
+        let gap = DoubleDouble::sum(i[axis], -i[middle]);
         let gap = gap.abs();
-        let with_moment = exact_products([gap.rest(), gap.value()].into_iter(), sign * i[axis]);
+        let with_moment = exact_products([gap.lo(), gap.hi()].into_iter(), sign * i[axis]);
         exact_products(exact_products(with_moment, w), w)
     };
     let mut all = terms(high, 1.0).chain(terms(low, -1.0)); // sixteen each

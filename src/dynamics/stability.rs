@@ -1,14 +1,15 @@
-//! What becomes of a small wobble about each principal axis: its rate, and the time between flips.
+//! Stability of a steady spin about each principal axis, and the time between flips.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite, finite_vector, positive};
-use crate::inertia::Axis;
+use crate::error::{Error, Refusal, finite, finite_vector};
+use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
+use std::fmt;
 
-/// The square of the rate at which a small wobble changes, (1/s)²: positive where it grows, negative
-/// where it swings, for a spin `omega` about the axis with moment `about`, the others being `first` and
+/// The square of the rate at which a small disturbance changes, (1/s)²: positive where it grows, negative
+/// where it librates, for a spin `omega` about the axis with moment `about`, the others being `first` and
 /// `second`.
 ///
 /// It is `-w² (I - I_first)(I - I_second) / (I_first I_second)`: Euler's equations with the two small
@@ -20,6 +21,7 @@ use nalgebra::Vector3;
 /// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &1.0, &2.0, &3.0) < 0.0);
 /// assert!(tumbling::dynamics::stability::rate_squared(&1.0, &3.0, &1.0, &2.0) < 0.0);
 /// ```
+#[must_use]
 pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T {
     let [w, i, a, b] = [omega, about, first, second].map(T::clone);
     w.clone() * w * ((i.clone() - a.clone()) / a) * ((b.clone() - i) / b)
@@ -29,9 +31,9 @@ pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T 
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Stability {
-    /// It circles the axis, ever as small, at this many radians per second, seen from the body.
-    Wobble {
-        /// Angular frequency of the wobble, rad/s.
+    /// The spin librates: it circles the axis on a small closed curve in body axes, and stays as near.
+    Libration {
+        /// Angular frequency, rad/s.
         rate: f64,
     },
     /// It grows as `exp(rate t)` while small: the spin will flip.
@@ -44,32 +46,36 @@ pub enum Stability {
     Neutral,
 }
 
-/// Sorted moments that are finite and positive; their order is what the axes' names mean.
-fn sorted(moments: [f64; 3]) -> Result<[f64; 3], Error> {
-    for moment in moments {
-        positive("a principal moment", moment)?;
+/// As `libration at 5.77 rad/s`; a precision goes to the rate.
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, rate, unit) = match self {
+            Self::Libration { rate } => ("libration at ", rate, " rad/s"),
+            Self::Growth { rate } => ("growth at ", rate, " 1/s"),
+            Self::Neutral => return f.write_str("neutral"),
+        };
+        f.write_str(what)?;
+        fmt::Display::fmt(rate, f)?;
+        f.write_str(unit)
     }
-    let mut sorted = moments;
-    sorted.sort_by(f64::total_cmp);
-    Ok(sorted)
 }
 
-/// The fate of a small disturbance of a steady spin `omega` (rad/s) about `axis`, for principal moments
-/// in any order (kg m²).
+/// The fate of a small disturbance of a steady spin `omega` (rad/s) about `axis`.
 ///
 /// ```
-/// use tumbling::{Axis, dynamics::stability::{Stability, of_spin}};
-/// let moments = [1.0, 2.0, 3.0];
+/// use tumbling::{Axis, PrincipalMoments, dynamics::stability::{Stability, of_spin}};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
 /// let Stability::Growth { rate } = of_spin(moments, Axis::Middle, 10.0)? else { panic!() };
 /// assert_eq!(format!("{rate:.4}"), "5.7735"); // 10 / sqrt(3)
-/// assert!(matches!(of_spin(moments, Axis::Largest, 10.0)?, Stability::Wobble { .. }));
+/// assert_eq!(format!("{:.1}", of_spin(moments, Axis::Smallest, 10.0)?), "libration at 5.8 rad/s");
+/// assert!(matches!(of_spin(moments, Axis::Largest, 10.0)?, Stability::Libration { .. }));
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
 /// # Errors
-/// A moment that is not finite and positive, a spin that is not finite, or a rate beyond `f64`.
-pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, Error> {
-    let sorted = sorted(moments)?;
+/// A spin that is not finite, or a rate beyond `f64`.
+pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stability, Error> {
+    let sorted = moments.sorted();
     let speed = finite("the spin", omega)?.abs();
     let about = sorted[axis.index()];
     let [first, second] = match axis {
@@ -85,20 +91,20 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
         return Ok(Stability::Neutral);
     }
     if !rate.is_finite() || rate == 0.0 {
-        return Err(Error::OutOfRange { what: "the rate of the wobble", value: rate });
+        return Err(Refusal::OutOfRange { what: "the rate of a small disturbance", value: rate }.into());
     }
     Ok(match axis {
         Axis::Middle => Stability::Growth { rate },
-        Axis::Smallest | Axis::Largest => Stability::Wobble { rate },
+        Axis::Smallest | Axis::Largest => Stability::Libration { rate },
     })
 }
 
 /// The time between two flips of a free body, s: half the period of its spin as seen from the body.
 /// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
 ///
-/// Takes the principal moments and the spin along the same axes, in any order. A flip is when the spin
+/// The spin (rad/s) is along the principal axes. A flip is when the spin
 /// component along the middle axis changes sign; every free motion but those named does that, a stable
-/// wobble too, where it is small and quick.
+/// libration too, where it is small and quick.
 ///
 /// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the arithmetic-geometric mean
 /// [Gau99](crate::references). The small differences on which it hangs are taken between the given moments, never between
@@ -106,31 +112,28 @@ pub fn of_spin(moments: [f64; 3], axis: Axis, omega: f64) -> Result<Stability, E
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::dynamics::stability::time_between_flips;
-/// let moments = Vector3::new(1.0, 2.0, 3.0);
-/// let book = time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.001))?;
+/// use tumbling::{PrincipalMoments, dynamics::stability::time_between_flips};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// let book = time_between_flips(moments, &Vector3::new(0.0, 10.0, 0.001))?;
 /// assert_eq!(format!("{:.4}", book.unwrap()), "3.4805");
-/// assert_eq!(time_between_flips(&moments, &Vector3::new(0.0, 10.0, 0.0))?, None);
+/// assert_eq!(time_between_flips(moments, &Vector3::new(0.0, 10.0, 0.0))?, None);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
 /// # Errors
-/// A moment that is not finite and positive, a spin that is not finite, or a time beyond `f64`.
-pub fn time_between_flips(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
-    for &moment in moments {
-        positive("a principal moment", moment)?;
-    }
+/// A spin that is not finite, or a time beyond `f64`.
+pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
     finite_vector("the spin", omega)?;
-    let Kind::Asymmetric(motion) = classify((*moments).into(), (*omega).into()) else {
+    let Kind::Asymmetric(motion) = classify(moments, omega) else {
         return Ok(None);
     };
     if motion.separatrix {
         return Ok(None);
     }
     let half_period = motion.quarter_period() * 2.0 / motion.rate();
-    let time = times_power_of_two(half_period.value(), -motion.clock);
+    let time = times_power_of_two(half_period.hi(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
-        return Err(Error::OutOfRange { what: "the time between flips", value: time });
+        return Err(Refusal::OutOfRange { what: "the time between flips", value: time }.into());
     }
     Ok(Some(time))
 }

@@ -19,12 +19,11 @@ use std::mem::size_of;
 /// A batch of some hundred bodies fits a processor's second cache; of many more make several.
 ///
 /// ```
-/// use nalgebra::Vector3;
-/// use tumbling::exact::{Batch, FreeMotion};
-/// let moments = Vector3::new(1.0, 2.0, 3.0);
+/// use tumbling::{PrincipalMoments, exact::{Batch, FreeMotion}};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
 /// let motions = [[0.0, 0.0, 5.0], [1.0, 2.0, 3.0], [0.0, 10.0, 0.001]]
 ///     .into_iter()
-///     .map(|omega| FreeMotion::new(&moments, &omega.into()))
+///     .map(|omega| FreeMotion::new(moments, &omega.into()))
 ///     .collect::<Result<Vec<_>, _>>()?;
 /// // One lane here; several with a type that has them.
 /// let batch = Batch::<f64>::new(&motions);
@@ -43,8 +42,9 @@ pub struct Batch<T> {
 ///
 /// ```
 /// use nalgebra::Vector3;
+/// use tumbling::PrincipalMoments;
 /// use tumbling::exact::{Batch, FreeMotion, Spins};
-/// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(1.0, 2.0, 3.0))?;
+/// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(1.0, 2.0, 3.0))?;
 /// let (spins, both) = (Spins::<f64>::new(&[motion; 100]), Batch::<f64>::new(&[motion; 100]));
 /// assert!(spins.bytes() < both.bytes());
 /// spins.each(&[0.5], |_, _, omega| assert_eq!(Ok(omega), motion.omega(0.5)))?;
@@ -389,7 +389,7 @@ const NOBODY: usize = usize::MAX;
 /// Where no time has passed at all: there the start itself is the answer.
 #[inline(always)]
 fn stands<T: Lane>(time: T) -> T::Mask {
-    time.size().below(T::of(f64::from_bits(1)))
+    time.abs().lt(T::splat(f64::from_bits(1)))
 }
 
 impl<T: Lane> Kinds<T> {

@@ -10,11 +10,11 @@ use super::Regime;
 use super::flips::Clock;
 use super::klein::{self, HyperbolicPair, Pair, Shape, TrigonometricPair, phase};
 use crate::dynamics::regime::Asymmetric;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::exact::elliptic::{self, Hyperbolic, TURNING_RATIO, Trigonometric};
 use crate::inertia::Axis;
 use crate::number::Lane;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -36,7 +36,7 @@ pub(crate) struct Elliptic {
     form: Form,
     start: Pair,
     /// Turns of the common phase, which is half the angle about the momentum, per unit of time.
-    drift: Double,
+    drift: DoubleDouble,
     constants: Constants,
 }
 
@@ -55,11 +55,11 @@ struct Constants {
     scaled_complement: f64,
     lifts: [i32; 3],
     /// With its sign, per unit of time.
-    rate: Double,
+    rate: DoubleDouble,
     /// Infinite on the separatrix.
-    quarter: Double,
+    quarter: DoubleDouble,
     /// Jacobi's argument at the start.
-    argument: Double,
+    argument: DoubleDouble,
     /// The greatest share of the momentum along each of the three axes.
     shares: [f64; 3],
 }
@@ -71,7 +71,7 @@ enum Form {
         pair: TrigonometricPair,
         /// Sine and cosine of the phase at the start, and turns of it per unit of time.
         start: [f64; 2],
-        turns: Double,
+        turns: DoubleDouble,
         turns_per_argument: f64,
     },
     Hyperbolic {
@@ -89,20 +89,20 @@ impl Elliptic {
         let (x, m, c) = (motion.across, motion.middle, motion.around);
         let i = motion.moments;
         let modulus = motion.modulus();
-        let complement = motion.complement(0).value();
+        let complement = motion.complement(0).hi();
         let quarter = motion.quarter_period();
         let other = elliptic::quarter_period(modulus);
-        let ratio = if motion.separatrix { 0.0 } else { other / quarter.value() };
+        let ratio = if motion.separatrix { 0.0 } else { other / quarter.hi() };
         // What is small may be out of range beside what is not: near the saddle the across and the circled
         // component (with cn, dn and the complement), in a small wobble the across and the middle one.
         let wobbles = ratio >= TURNING_RATIO;
         let shift = if wobbles || motion.small > -200 { 0 } else { (-motion.small).min(1000) };
         let lift = if wobbles && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let [amplitude_x, amplitude_m, amplitude_c] = motion.amplitudes(lift);
-        let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).value() };
+        let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
         if !motion.separatrix && !wobbles && !scaled_complement.is_normal() {
             let what = "how close to the separatrix the motion is, as a complementary modulus,";
-            return Err(Error::OutOfRange { what, value: complement });
+            return Err(Refusal::OutOfRange { what, value: complement }.into());
         }
         let at_start = |axis: usize, up: i32| times_power_of_two(omega[axis], up - motion.clock);
         let [w_x, w_m, w_c] = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];
@@ -114,29 +114,28 @@ impl Elliptic {
         let rate = motion.rate() * direction;
 
         // The start: sn, and cn, dn times 2^shift.
-        let [sn, cn, dn] =
-            [w_m / amplitude_m.value(), w_x / amplitude_x.value(), w_c.abs() / amplitude_c.value()];
+        let [sn, cn, dn] = [w_m / amplitude_m.hi(), w_x / amplitude_x.hi(), w_c.abs() / amplitude_c.hi()];
 
         // L and 2E in the same units, and the momentum's greatest shares.
         let w = [0, 1, 2].map(|axis| times_power_of_two(omega[axis], -motion.clock));
-        let sum = |f: &dyn Fn(usize) -> Double| f(0) + f(1) + f(2);
-        let twice_energy = sum(&|k| Double::product(w[k], w[k]) * i[k]);
-        let momentum = sum(&|k| Double::product(w[k], w[k]) * Double::product(i[k], i[k])).sqrt();
-        let share_c = amplitude_c.value() * i[c] / momentum.value();
+        let sum = |f: &dyn Fn(usize) -> DoubleDouble| f(0) + f(1) + f(2);
+        let twice_energy = sum(&|k| DoubleDouble::product(w[k], w[k]) * i[k]);
+        let momentum = sum(&|k| DoubleDouble::product(w[k], w[k]) * DoubleDouble::product(i[k], i[k])).sqrt();
+        let share_c = amplitude_c.hi() * i[c] / momentum.hi();
         let [share_x, share_m] = [(amplitude_x, x), (amplitude_m, m)]
-            .map(|(amplitude, axis)| amplitude.scaled(-lift).value() * i[axis] / momentum.value());
+            .map(|(amplitude, axis)| amplitude.scaled(-lift).hi() * i[axis] / momentum.hi());
 
         // The zero of the theta functions: y = rho^(-1/2) R_F((rho-1)/rho, (rho-1+m)/rho, 1).
-        let [d_cx, d_cm, d_mx] = [motion.d_cx, motion.d_cm, motion.d_mx].map(Double::value);
+        let [d_cx, d_cm, d_mx] = [motion.d_cx, motion.d_cm, motion.d_mx].map(DoubleDouble::hi);
         let over_rho = d_cm * i[x] / (d_cx * i[m]);
         let excess = d_mx * i[c] / (d_cx * i[m]);
         let depth = over_rho.sqrt()
             * elliptic::rf_of_roots(excess.sqrt(), (excess + modulus * modulus * over_rho).sqrt(), 1.0);
 
         let tilt = share_m / (1.0 + share_c * complement);
-        let tau = Double::PI * 2.0;
+        let tau = DoubleDouble::PI * 2.0;
         let (mut form, drift) = if wobbles {
-            let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.value() };
+            let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.hi() };
             let q = (-PI * ratio).exp();
             let pair = TrigonometricPair::new(q, &shape);
             let turns = rate / (quarter * 4.0);
@@ -144,13 +143,13 @@ impl Elliptic {
             // the theta function turns there.
             let about = (twice_energy + momentum * amplitude_c) / (momentum + amplitude_c * i[c]) * sign;
             let drift = about * 0.5 / tau - turns * pair.turning_at_zero();
-            let start = phase_at_start(sn, cn, dn, complement, quarter.value());
+            let start = phase_at_start(sn, cn, dn, complement, quarter.hi());
             let form = Form::Trigonometric {
                 spin: Trigonometric::new(q),
                 pair,
                 start,
                 turns,
-                turns_per_argument: 0.25 / quarter.value(),
+                turns_per_argument: 0.25 / quarter.hi(),
             };
             (form, drift)
         } else {
@@ -160,13 +159,13 @@ impl Elliptic {
             let stretch = PI / (2.0 * other);
             let (angle, turning) = pair.angle_and_turning_at_middle();
             // At the saddle the rate is L/I_M but for terms that vanish with the complement.
-            let slow = amplitude_c.value() * complement;
-            let lead = momentum / Double::from(i[m]);
+            let slow = amplitude_c.hi() * complement;
+            let lead = momentum / DoubleDouble::from(i[m]);
             let side = if i[c] > i[m] { 1.0 } else { -1.0 };
             let signed_distance = side * motion.distance_from_separatrix();
-            let l = momentum.value();
+            let l = momentum.hi();
             let rest = -(signed_distance + l * slow * (i[c] - i[m])) / (i[m] * (l + i[c] * slow));
-            let about = (lead + Double::from(rest)) * sign;
+            let about = (lead + DoubleDouble::from(rest)) * sign;
             let drift = (about * 0.5 - rate * (stretch * turning)) / tau;
             let way = Way {
                 start: argument_at_start(sn, cn, dn, scaled_complement, quarter, shift),
@@ -180,7 +179,7 @@ impl Elliptic {
             let spin = Hyperbolic::new(p * p, scaled_complement, shift);
             (Form::Hyperbolic { spin, pair, way, step: 2.0 * angle / (2.0 * PI) }, drift)
         };
-        let mut amplitudes = [amplitude_x.value(), amplitude_m.value(), sign * amplitude_c.value()];
+        let mut amplitudes = [amplitude_x.hi(), amplitude_m.hi(), sign * amplitude_c.hi()];
         form.meet_the_start(&mut amplitudes, [w_x, w_m, w_c], modulus);
         let (start, argument) = (form.start(), form.argument());
         let lifts = [shift + lift, lift, shift];
@@ -191,7 +190,7 @@ impl Elliptic {
             let part = if total < -900 { 600 } else { 0 };
             [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)]
         });
-        let top = |amplitude: Double, up: i32| times_power_of_two(amplitude.value(), motion.clock - up);
+        let top = |amplitude: DoubleDouble, up: i32| times_power_of_two(amplitude.hi(), motion.clock - up);
         let greatest = top(amplitude_x, lift).max(top(amplitude_m, lift)).max(top(amplitude_c, 0));
         Ok(Self {
             axes: [x, m, c],
@@ -218,8 +217,8 @@ impl Elliptic {
 
     pub(crate) fn regime(&self, per_second: impl Fn(f64) -> f64) -> Regime {
         let Constants { about, modulus, complement, rate, quarter, .. } = self.constants;
-        let rate = per_second(rate.value().abs());
-        if quarter.value().is_infinite() {
+        let rate = per_second(rate.hi().abs());
+        if quarter.hi().is_infinite() {
             return Regime::Separatrix { rate };
         }
         Regime::Circulating { about, modulus, complement, rate }
@@ -241,12 +240,12 @@ impl Elliptic {
     /// Half the spin's period, in scaled time.
     pub(crate) fn half_period(&self) -> Option<f64> {
         let Constants { rate, quarter, .. } = self.constants;
-        quarter.value().is_finite().then(|| (quarter * 2.0 / rate.abs()).value())
+        quarter.hi().is_finite().then(|| (quarter * 2.0 / rate.abs()).hi())
     }
 
     pub(crate) fn clock(&self) -> Clock {
         let Constants { rate, quarter, argument, .. } = self.constants;
-        if quarter.value().is_infinite() {
+        if quarter.hi().is_infinite() {
             return Clock::Once(-argument / rate);
         }
         Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) }
@@ -272,9 +271,9 @@ impl Elliptic {
         let half = self.half_period()?;
         let step = match &self.form {
             Form::Trigonometric { .. } => 0.0,
-            Form::Hyperbolic { step, .. } => step * self.constants.rate.value().signum(),
+            Form::Hyperbolic { step, .. } => step * self.constants.rate.hi().signum(),
         };
-        Some((4.0 * PI * (self.drift.value() * half + step)).abs())
+        Some((4.0 * PI * (self.drift.hi() * half + step)).abs())
     }
 
     #[inline(always)]
@@ -322,11 +321,11 @@ impl Elliptic {
         spin: &Trigonometric,
         pair: &TrigonometricPair,
         start: &[f64; 2],
-        turns: &Double,
+        turns: &DoubleDouble,
         time: f64,
     ) -> (Vector3<f64>, Quaternion<f64>) {
         let (sin, cos) = advanced(start, *turns * time);
-        let turned = pair.raw(sin, cos).turned(phase(drifted(self.drift, time, Double::ZERO)));
+        let turned = pair.raw(sin, cos).turned(phase(drifted(self.drift, time, DoubleDouble::ZERO)));
         (self.spin(spin.values(sin, cos)), self.turn(turned.since(&self.start)))
     }
 
@@ -340,7 +339,7 @@ impl Elliptic {
         time: f64,
     ) -> (Vector3<f64>, Quaternion<f64>) {
         let place = way.at(time);
-        let extra = Double::product(place.halves, step);
+        let extra = DoubleDouble::product(place.halves, step);
         let turned = place.pair(pair).turned(phase(drifted(self.drift, time, extra)));
         (self.spin(place.values(spin)), self.turn(turned.since(&self.start)))
     }
@@ -350,11 +349,11 @@ impl Elliptic {
         let (pair, extra) = match &self.form {
             Form::Trigonometric { pair, start, turns, .. } => {
                 let (sin, cos) = advanced(start, *turns * time);
-                (pair.raw(sin, cos), Double::ZERO)
+                (pair.raw(sin, cos), DoubleDouble::ZERO)
             }
             Form::Hyperbolic { pair, way, step, .. } => {
                 let place = way.at(time);
-                (place.pair(pair), Double::product(place.halves, *step))
+                (place.pair(pair), DoubleDouble::product(place.halves, *step))
             }
         };
         self.turn(pair.turned(phase(drifted(self.drift, time, extra))).since(&self.start))
@@ -385,7 +384,7 @@ impl Form {
                 let angle = 2.0 * PI * *turns_per_argument * shift;
                 (*sin, *cos) = (*sin - *cos * angle, *cos + *sin * angle);
             }
-            Self::Hyperbolic { way, .. } => way.start = way.start - Double::from(shift),
+            Self::Hyperbolic { way, .. } => way.start = way.start - DoubleDouble::from(shift),
         }
     }
 
@@ -397,10 +396,10 @@ impl Form {
     }
 
     /// Jacobi's argument at the start.
-    fn argument(&self) -> Double {
+    fn argument(&self) -> DoubleDouble {
         match self {
             Self::Trigonometric { start: [sin, cos], turns_per_argument, .. } => {
-                Double::from(sin.atan2(*cos) / (2.0 * PI * turns_per_argument))
+                DoubleDouble::from(sin.atan2(*cos) / (2.0 * PI * turns_per_argument))
             }
             Self::Hyperbolic { way, .. } => way.start,
         }
@@ -429,7 +428,7 @@ fn arranged(axis: usize, [first, second, third]: [f64; 3]) -> [f64; 3] {
 
 /// Sine and cosine of the start's phase moved on by some turns.
 #[inline(always)]
-fn advanced<T: Lane>(start: &[T; 2], turns: Double<T>) -> (T, T) {
+fn advanced<T: Lane>(start: &[T; 2], turns: DoubleDouble<T>) -> (T, T) {
     let (sin, cos) = elliptic::sin_cos_of_turns(turns);
     let [sin0, cos0] = *start;
     (sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin)
@@ -437,7 +436,7 @@ fn advanced<T: Lane>(start: &[T; 2], turns: Double<T>) -> (T, T) {
 
 /// The common phase at a time, in turns, with what the half turns have added.
 #[inline(always)]
-fn drifted<T: Lane>(drift: Double<T>, time: T, extra: Double<T>) -> Double<T> {
+fn drifted<T: Lane>(drift: DoubleDouble<T>, time: T, extra: DoubleDouble<T>) -> DoubleDouble<T> {
     drift * time + extra
 }
 
@@ -457,16 +456,23 @@ fn phase_at_start(sn: f64, cn: f64, dn: f64, complement: f64, quarter: f64) -> [
 
 /// Jacobi's argument at the start, between the saddles (`cn` taken as positive); `cn`, `dn` and the
 /// complement are times `2^shift`.
-fn argument_at_start(sn: f64, cn: f64, dn: f64, complement: f64, quarter: Double, shift: i32) -> Double {
+fn argument_at_start(
+    sn: f64,
+    cn: f64,
+    dn: f64,
+    complement: f64,
+    quarter: DoubleDouble,
+    shift: i32,
+) -> DoubleDouble {
     let folded = if cn < 0.0 { -sn } else { sn };
     let cn = cn.abs();
     let [true_cn, true_dn] = [cn, dn].map(|x| times_power_of_two(x, -shift));
-    let near = sn.abs() <= true_cn || quarter.value().is_infinite();
+    let near = sn.abs() <= true_cn || quarter.hi().is_infinite();
     let size = if near {
-        Double::from(sn.abs() * elliptic::rf_of_roots(true_cn, true_dn, 1.0))
+        DoubleDouble::from(sn.abs() * elliptic::rf_of_roots(true_cn, true_dn, 1.0))
     } else {
         let root = complement / dn;
-        quarter - Double::from(cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, 1.0))
+        quarter - DoubleDouble::from(cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, 1.0))
     };
     if folded < 0.0 { -size } else { size }
 }

@@ -2,7 +2,7 @@
 
 use super::klein;
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::number::{Lane, gathered};
 use nalgebra::{Quaternion, Vector3};
@@ -13,23 +13,23 @@ use std::f64::consts::PI;
 pub(crate) struct Turn {
     direction: Vector3<f64>,
     /// Turns of half the angle, which is what a quaternion takes, per unit of scaled time.
-    half_rate: Double,
+    half_rate: DoubleDouble,
 }
 
 impl Turn {
     /// About the vector whose scaled components in twice the precision are given, at the rate of its length.
-    pub(crate) fn along(vector: [Double; 3]) -> Self {
-        let scale = exponent(vector.iter().fold(0.0, |m: f64, x| m.max(x.value().abs())));
+    pub(crate) fn along(vector: [DoubleDouble; 3]) -> Self {
+        let scale = exponent(vector.iter().fold(0.0, |m: f64, x| m.max(x.hi().abs())));
         let scaled = vector.map(|x| x.scaled(-scale));
         let length = (scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]).sqrt();
-        let [x, y, z] = scaled.map(|x| (x / length).value());
-        let half_rate = (length / (Double::PI * 4.0)).scaled(scale);
+        let [x, y, z] = scaled.map(|x| (x / length).hi());
+        let half_rate = (length / (DoubleDouble::PI * 4.0)).scaled(scale);
         Self { direction: Vector3::new(x, y, z), half_rate }
     }
 
     /// Radians per unit of scaled time.
     pub(crate) fn rate(&self) -> f64 {
-        4.0 * PI * self.half_rate.value()
+        4.0 * PI * self.half_rate.hi()
     }
 
     pub(crate) fn at(&self, time: f64) -> Quaternion<f64> {
@@ -53,7 +53,7 @@ pub(crate) struct Precession {
     axis: usize,
     omega: Vector3<f64>,
     /// Turns of the spin about the axis per unit of scaled time.
-    wobble: Double,
+    wobble: DoubleDouble,
     /// The turn about the momentum.
     about_momentum: Turn,
     /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
@@ -64,12 +64,13 @@ impl Precession {
     /// `moments` with the largest near 1, `scaled` the spin in scaled units, `omega` the spin itself.
     pub(crate) fn new(moments: &[f64; 3], axis: usize, scaled: &[f64; 3], omega: &Vector3<f64>) -> Self {
         let equal = moments[(axis + 1) % 3];
-        let difference = Double::from(moments[axis]) - Double::from(equal);
-        let wobble = difference * scaled[axis] / Double::from(equal) / (Double::PI * 2.0);
-        let momentum = [0, 1, 2].map(|k| Double::product(moments[k], scaled[k]) / Double::from(equal));
+        let difference = DoubleDouble::from(moments[axis]) - DoubleDouble::from(equal);
+        let wobble = difference * scaled[axis] / DoubleDouble::from(equal) / (DoubleDouble::PI * 2.0);
+        let momentum =
+            [0, 1, 2].map(|k| DoubleDouble::product(moments[k], scaled[k]) / DoubleDouble::from(equal));
         let about_momentum = Turn::along(momentum);
         // psi' = (2E + L |w_C|)/(L + I_C |w_C|), all over the equal moment.
-        let (m, w) = (momentum.map(Double::value), scaled);
+        let (m, w) = (momentum.map(DoubleDouble::hi), scaled);
         let twice_energy = m[0] * w[0] + m[1] * w[1] + m[2] * w[2];
         let (length, along) = (about_momentum.rate(), w[axis].abs());
         let smooth = (twice_energy + length * along) / (length + moments[axis] / equal * along);
@@ -88,10 +89,10 @@ impl Precession {
 
     /// Turns per unit of scaled time.
     pub(crate) fn wobble_turns(&self) -> f64 {
-        self.wobble.value()
+        self.wobble.hi()
     }
 
-    pub(crate) fn wobble(&self) -> Double {
+    pub(crate) fn wobble(&self) -> DoubleDouble {
         self.wobble
     }
 
@@ -102,7 +103,7 @@ impl Precession {
 
     /// Radians about the momentum in half a turn of the spin.
     pub(crate) fn twist_of_half_period(&self) -> f64 {
-        0.5 * self.smooth / self.wobble.value().abs()
+        0.5 * self.smooth / self.wobble.hi().abs()
     }
 
     pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
@@ -128,17 +129,17 @@ impl Precession {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Turns<T> {
     direction: [T; 3],
-    half_rate: Double<T>,
+    half_rate: DoubleDouble<T>,
 }
 
 impl<T: Lane> Turns<T> {
     pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> Option<Turn>) -> Self {
-        let half_rate = |s: &S| of(s).map_or(Double::ZERO, |turn| turn.half_rate);
+        let half_rate = |s: &S| of(s).map_or(DoubleDouble::ZERO, |turn| turn.half_rate);
         Self {
             direction: [0, 1, 2].map(|n| gathered(from, |s| of(s).map_or(0.0, |turn| turn.direction[n]))),
-            half_rate: Double::parts(
-                gathered(from, |s| half_rate(s).value()),
-                gathered(from, |s| half_rate(s).rest()),
+            half_rate: DoubleDouble::parts(
+                gathered(from, |s| half_rate(s).hi()),
+                gathered(from, |s| half_rate(s).lo()),
             ),
         }
     }
@@ -157,7 +158,7 @@ pub(crate) struct Wobbles<T> {
     /// 1 in the place of the axis.
     axis: [T; 3],
     omega: [T; 3],
-    wobble: Double<T>,
+    wobble: DoubleDouble<T>,
 }
 
 impl<T: Lane> Wobbles<T> {
@@ -165,9 +166,9 @@ impl<T: Lane> Wobbles<T> {
         Self {
             axis: [0, 1, 2].map(|n| gathered(from, |s| if of(s).axis == n { 1.0 } else { 0.0 })),
             omega: [0, 1, 2].map(|n| gathered(from, |s| of(s).omega[n])),
-            wobble: Double::parts(
-                gathered(from, |s| of(s).wobble.value()),
-                gathered(from, |s| of(s).wobble.rest()),
+            wobble: DoubleDouble::parts(
+                gathered(from, |s| of(s).wobble.hi()),
+                gathered(from, |s| of(s).wobble.lo()),
             ),
         }
     }
@@ -175,13 +176,13 @@ impl<T: Lane> Wobbles<T> {
     #[inline(always)]
     pub(crate) fn omega(&self, time: T) -> [T; 3] {
         let (sin, cos) = sin_cos_of_turns(self.wobble * time);
-        let along = self.axis.map(|x| T::of(0.5).below(x));
+        let along = self.axis.map(|x| T::splat(0.5).lt(x));
         // In each place what it would be if that were the first or the second place after the axis.
         [0, 1, 2].map(|n| {
             let [before, after] = [self.omega[(n + 2) % 3], self.omega[(n + 1) % 3]];
             let first = self.omega[n] * cos - after * sin;
             let second = self.omega[n] * cos + before * sin;
-            T::choose(along[n], self.omega[n], T::choose(along[(n + 2) % 3], first, second))
+            T::select(along[n], self.omega[n], T::select(along[(n + 2) % 3], first, second))
         })
     }
 
@@ -189,8 +190,8 @@ impl<T: Lane> Wobbles<T> {
     #[inline(always)]
     pub(crate) fn turn(&self, about_momentum: &Turns<T>, time: T) -> [T; 4] {
         let (sin, cos) = sin_cos_of_turns(self.wobble * (time * 0.5));
-        let nothing = T::of(0.0);
-        let [x, y, z] = self.axis.map(|along| T::choose(nothing.below(along), -sin, nothing));
+        let nothing = T::splat(0.0);
+        let [x, y, z] = self.axis.map(|along| T::select(nothing.lt(along), -sin, nothing));
         klein::unit(klein::product(about_momentum.at(time), [cos, x, y, z]))
     }
 }

@@ -21,7 +21,7 @@ pub(crate) use jacobi::TURNING_RATIO;
 pub(crate) use trig::sin_cos_of_turns;
 pub(crate) use trigonometric::Trigonometric;
 
-use crate::error::{Error, not_negative};
+use crate::error::{Error, Refusal, not_negative};
 
 /// Jacobi's three functions at one argument: `sn² + cn² = 1` and `dn² + k² sn² = 1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,5 +59,5 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> Result<f64, Error> {
     let root = |a: f64| crate::number::power_of_two::times_power_of_two(a, -2 * half).sqrt();
     let scaled = rf_of_roots(root(x), root(y), root(z));
     let value = crate::number::power_of_two::times_power_of_two(scaled, -half);
-    if value.is_finite() { Ok(value) } else { Err(Error::OutOfRange { what: "R_F", value }) }
+    if value.is_finite() { Ok(value) } else { Err(Refusal::OutOfRange { what: "R_F", value }.into()) }
 }

@@ -1,7 +1,7 @@
 //! When a free body flips: every instant, in order, without a list.
 
-use crate::error::Error;
-use crate::number::double_double::Double;
+use crate::error::{Error, Refusal};
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
 use std::iter::FusedIterator;
 
@@ -16,9 +16,9 @@ const LAST_APART: f64 = LAST / 4.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Clock {
     /// At this scaled time alone.
-    Once(Double),
+    Once(DoubleDouble),
     /// At all whole numbers of `offset + rate t`.
-    Evenly { offset: Double, rate: Double },
+    Evenly { offset: DoubleDouble, rate: DoubleDouble },
 }
 
 /// The flips in an interval, in order of time from either end; see [`FreeMotion::flips`](super::FreeMotion::flips).
@@ -38,7 +38,7 @@ pub struct Flips {
 impl Clock {
     fn step(&self) -> f64 {
         match self {
-            Self::Evenly { rate, .. } if rate.value() < 0.0 => -1.0,
+            Self::Evenly { rate, .. } if rate.hi() < 0.0 => -1.0,
             Self::Evenly { .. } | Self::Once(_) => 1.0,
         }
     }
@@ -46,9 +46,9 @@ impl Clock {
     fn instant(&self, number: f64, exponent: i32) -> f64 {
         let scaled = match *self {
             Self::Once(time) => time,
-            Self::Evenly { offset, rate } => (Double::from(number) - offset) / rate,
+            Self::Evenly { offset, rate } => (DoubleDouble::from(number) - offset) / rate,
         };
-        times_power_of_two(scaled.value(), -exponent)
+        times_power_of_two(scaled.hi(), -exponent)
     }
 
     /// The number of the first flip after `t`, which may be one that never comes.
@@ -56,15 +56,16 @@ impl Clock {
         let Self::Evenly { offset, rate } = *self else {
             return Ok(if self.instant(0.0, exponent) > t { 0.0 } else { 1.0 });
         };
-        let half_turns = (rate * times_power_of_two(t, exponent) + offset).value();
+        let half_turns = (rate * times_power_of_two(t, exponent) + offset).hi();
         let room = limit - 8.0;
         if half_turns.is_nan() || half_turns.abs() > room {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "the number of flips from the start",
                 small: half_turns.abs(),
                 larger: "the greatest for which f64 tells one flip's time from the next",
                 large: room,
-            });
+            }
+            .into());
         }
         // From one or two before: the instant decides, as it is rounded.
         let step = self.step();
@@ -97,8 +98,8 @@ impl Flips {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
-    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.001))?;
     /// let flips = motion.flips(0.0, 1e9)?; // 31 years, one flip every 3.4805 s
     /// assert_eq!(flips.remaining(), 287_315_314);
     /// assert_eq!(flips.last().map(|t| format!("{t:.3}")).as_deref(), Some("999999999.263"));

@@ -2,7 +2,7 @@
 
 use super::{FreeMotion, Law, Regime};
 use crate::dynamics::stability::{Stability, of_spin};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::inertia::Axis;
 use crate::inertia::unit;
 use nalgebra::Vector3;
@@ -17,8 +17,8 @@ impl FreeMotion {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
-    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 10.0, 0.001))?;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.001))?;
     /// assert_eq!(format!("{:.4}", motion.period()?.unwrap()), "6.9610");
     /// # Ok::<(), tumbling::Error>(())
     /// ```
@@ -45,9 +45,9 @@ impl FreeMotion {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
-    /// let moments = Vector3::new(1.0, 2.0, 3.0);
-    /// let rate = |x: f64, y: f64, z: f64| FreeMotion::new(&moments, &Vector3::new(x, y, z))?.growth_rate();
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+    /// let rate = |x: f64, y: f64, z: f64| FreeMotion::new(moments, &Vector3::new(x, y, z))?.growth_rate();
     /// // 10 rad/s about the middle axis: 10/sqrt(3).
     /// assert!((rate(0.0, 10.0, 0.0)?.unwrap() - 5.7735).abs() < 1e-4);
     /// assert!((rate(0.0, 10.0, 0.001)?.unwrap() - 5.7735).abs() < 1e-4);
@@ -63,14 +63,13 @@ impl FreeMotion {
             Regime::Separatrix { rate } => Ok(Some(rate)),
             Regime::Circulating { rate, complement, .. } => Ok((complement <= CLOSE).then_some(rate)),
             Regime::Steady { speed } => {
-                let mut order = [0, 1, 2];
-                order.sort_by(|&i, &j| self.moments[i].total_cmp(&self.moments[j]));
+                let order = self.moments.order();
                 if self.start[order[0]] != 0.0 || self.start[order[2]] != 0.0 {
                     return Ok(None);
                 }
-                Ok(match of_spin(self.moments.into(), Axis::Middle, speed)? {
+                Ok(match of_spin(self.moments, Axis::Middle, speed)? {
                     Stability::Growth { rate } => Some(rate),
-                    Stability::Wobble { .. } | Stability::Neutral => None,
+                    Stability::Libration { .. } | Stability::Neutral => None,
                 })
             }
             Regime::AtRest | Regime::SymmetricTop { .. } => Ok(None),
@@ -82,10 +81,10 @@ impl FreeMotion {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::exact::FreeMotion;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
     /// // A wobble about the largest moment. By hand: with the spin (0.03, 0, 1) a quarter period later, that
     /// // axis is 1/100 off the momentum, at the start 2/100.
-    /// let motion = FreeMotion::new(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(0.0, 0.03, 1.0))?;
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 0.03, 1.0))?;
     /// let degrees = |axis| motion.angles_to_momentum(axis).map(|a| a.map(|x| format!("{:.2}", x.to_degrees())));
     /// assert_eq!(degrees(2)?, ["0.57", "1.15"]);
     /// assert_eq!(degrees(1)?, ["88.85", "91.15"]);
@@ -96,14 +95,14 @@ impl FreeMotion {
     /// A body at rest, which has no momentum, or an axis above 2.
     pub fn angles_to_momentum(&self, axis: usize) -> Result<[f64; 2], Error> {
         if axis > 2 {
-            return Err(Error::NoSuchAxis { axis });
+            return Err(Refusal::NoSuchAxis { axis }.into());
         }
         let scaled = |v: Vector3<f64>, by: f64| v.map(|x| x / by);
         if self.start == Vector3::zeros() {
-            return Err(Error::ZeroVector { what: "the angular momentum" });
+            return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
         }
-        let momentum =
-            scaled(self.moments, self.moments.max()).component_mul(&scaled(self.start, self.start.amax()));
+        let momentum = scaled(self.moments.vector(), self.moments.largest())
+            .component_mul(&scaled(self.start, self.start.amax()));
         let share = unit("the angular momentum", &momentum)?;
         let swing = |along: f64, off: f64| {
             let least = off.atan2(along);

@@ -13,7 +13,7 @@
 //! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the quaternion one of length 1; nothing has to
 //! be integrated, no angle unwound.
 
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::{Lane, gathered};
 use nalgebra::Quaternion;
 
@@ -45,7 +45,7 @@ impl<T: Lane> Pair<T> {
 
     #[inline(always)]
     pub(crate) fn length(&self) -> T {
-        (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).root()
+        (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).sqrt()
     }
 
     /// Turned about `i` by twice the angle whose cosine and sine are given.
@@ -68,7 +68,7 @@ impl<T: Lane> Pair<T> {
             times(conjugate(a0), self.b),
             times(b0, conjugate(self.a)),
         ];
-        let over = T::of(1.0) / self.length();
+        let over = T::splat(1.0) / self.length();
         [
             (dot[0][0] + dot[1][0]) * over,
             (dot[0][1] + dot[1][1]) * over,
@@ -211,8 +211,8 @@ impl<T: Lane> TrigonometricPair<T> {
 /// `b`, whose axes follow each other one way or the other.
 #[inline(always)]
 fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
-    let cyclic = T::of(0.0).below(sense);
-    [T::choose(cyclic, real, imaginary), T::choose(cyclic, imaginary, -real)]
+    let cyclic = T::splat(0.0).lt(sense);
+    [T::select(cyclic, real, imaginary), T::select(cyclic, imaginary, -real)]
 }
 
 /// The two theta functions in hyperbolic functions, after the imaginary transformation: sums in
@@ -323,7 +323,7 @@ impl<T: Lane> HyperbolicPair<T> {
 
 /// Cosine and sine of the common phase.
 #[inline(always)]
-pub(crate) fn phase<T: Lane>(turns: Double<T>) -> [T; 2] {
+pub(crate) fn phase<T: Lane>(turns: DoubleDouble<T>) -> [T; 2] {
     let (sin, cos) = crate::exact::elliptic::sin_cos_of_turns(turns);
     [cos, sin]
 }

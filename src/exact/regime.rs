@@ -1,15 +1,15 @@
 //! Which kind of free motion it is, with the numbers that belong to that kind.
 
 use crate::inertia::Axis;
+use std::fmt;
 
 /// The kinds of free motion, each with its own constants.
 ///
 /// ```
-/// use nalgebra::Vector3;
-/// use tumbling::Axis;
+/// use tumbling::{Axis, PrincipalMoments};
 /// use tumbling::exact::{FreeMotion, Regime};
-/// let moments = Vector3::new(3.0, 4.0, 6.0);
-/// let regime = |omega: [f64; 3]| FreeMotion::new(&moments, &omega.into()).map(|motion| motion.regime());
+/// let moments = PrincipalMoments::new(3.0, 4.0, 6.0)?;
+/// let regime = |omega: [f64; 3]| FreeMotion::new(moments, &omega.into()).map(|motion| motion.regime());
 /// assert_eq!(regime([0.0, 0.0, 0.0])?, Regime::AtRest);
 /// assert_eq!(regime([0.0, -2.0, 0.0])?, Regime::Steady { speed: 2.0 });
 /// // 6 (6-4) w3² = 3 (4-3) w1² exactly: between circling the one axis and the other.
@@ -29,21 +29,21 @@ pub enum Regime {
         /// Angular speed, rad/s.
         speed: f64,
     },
-    /// Two moments are equal and the spin is oblique: it circles the third axis evenly, while the body
-    /// turns evenly about its angular momentum.
+    /// Two moments are equal and the spin is oblique: it circles the axis of symmetry at a constant rate, while that axis
+    /// precesses about the angular momentum.
     SymmetricTop {
         /// Index of the body's axis of symmetry, from 0, among the principal axes in the order given.
         axis: usize,
-        /// How fast the spin circles that axis, seen from the body, rad/s; positive is counter-clockwise.
-        wobble: f64,
-        /// How fast the axis circles the angular momentum, seen from the world, rad/s: `L / I`.
+        /// Rate at which the spin circles that axis in the body (the free nutation), rad/s; positive is counter-clockwise.
+        nutation: f64,
+        /// Rate at which that axis circles the angular momentum in the world, rad/s: `L / I`.
         precession: f64,
     },
     /// Three different moments: the spin circles the axis of the largest or the smallest one.
     Circulating {
         /// Which of the two.
         about: Axis,
-        /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal wobble.
+        /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal libration.
         modulus: f64,
         /// The complement `k' = sqrt(1 - k²)`, with all its digits: 0 would be the separatrix.
         complement: f64,
@@ -56,4 +56,32 @@ pub enum Regime {
         /// How fast it leaves and returns, 1/s: as `exp(±rate t)`.
         rate: f64,
     },
+}
+
+/// As `circulating about the axis of the largest moment, modulus 0.5`; a precision goes to each number.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::{PrincipalMoments, exact::FreeMotion};
+/// let top = FreeMotion::new(PrincipalMoments::new(1.0, 1.0, 1.5)?, &Vector3::new(1.0, 0.0, 2.0))?;
+/// let said = "symmetric top, nutation 1.00 rad/s, precession 3.16 rad/s";
+/// assert_eq!(format!("{:.2}", top.regime()), said);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+impl fmt::Display for Regime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |x: f64| f.precision().map_or_else(|| x.to_string(), |digits| format!("{x:.digits$}"));
+        match *self {
+            Self::AtRest => f.write_str("at rest"),
+            Self::Steady { speed } => write!(f, "steady spin, {} rad/s", number(speed)),
+            Self::SymmetricTop { nutation, precession, .. } => {
+                let (nutation, precession) = (number(nutation), number(precession));
+                write!(f, "symmetric top, nutation {nutation} rad/s, precession {precession} rad/s")
+            }
+            Self::Circulating { about, modulus, .. } => {
+                write!(f, "circulating about the axis of the {about} moment, modulus {}", number(modulus))
+            }
+            Self::Separatrix { rate } => write!(f, "separatrix, rate {} 1/s", number(rate)),
+        }
+    }
 }

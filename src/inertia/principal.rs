@@ -1,5 +1,7 @@
 //! Principal axes: the three perpendicular directions about which a body spins cleanly.
 
+use super::{PrincipalMoments, ascending};
+use crate::error::Error;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
@@ -49,6 +51,14 @@ impl PrincipalAxes {
         self.moments
     }
 
+    /// The moments as those of a body that can turn about each axis, smallest first.
+    ///
+    /// # Errors
+    /// A smallest moment that is not positive, such as that of an ideal rod.
+    pub fn principal_moments(&self) -> Result<PrincipalMoments, Error> {
+        PrincipalMoments::of_tensor(self.moments)
+    }
+
     /// The moment about `axis`, kg m².
     #[must_use]
     pub fn moment(&self, axis: Axis) -> f64 {
@@ -91,8 +101,7 @@ impl PrincipalAxes {
                 break;
             }
         }
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| a[(i, i)].total_cmp(&a[(j, j)]));
+        let order = ascending(&a.diagonal());
         let moments = Vector3::from_fn(|i, _| a[(order[i], order[i])]);
         let axes = order.map(|i| v.column(i).into_owned());
         Self {
@@ -102,12 +111,12 @@ impl PrincipalAxes {
     }
 }
 
-/// One Jacobi rotation in the plane of axes `p` and `q`; false if their product was already nothing
-/// beside both moments.
+/// One Jacobi rotation in the plane of axes `p` and `q`; false if their product was already zero to rounding
+/// relative to both moments.
 fn rotate(a: &mut Matrix3<f64>, v: &mut Matrix3<f64>, p: usize, q: usize) -> bool {
     let product = a[(p, q)];
     let (mp, mq) = (a[(p, p)], a[(q, q)]);
-    // Relative to the geometric mean, so that a small moment beside a large one is not swamped.
+    // Relative to the geometric mean, so that a small moment is not swamped by a large one.
     let negligible = f64::EPSILON * 0.125 * mp.abs().sqrt() * mq.abs().sqrt();
     if product == 0.0 {
         return false;
@@ -160,15 +169,15 @@ fn canonical_frame(moments: &Vector3<f64>, axes: &[Vector3<f64>; 3]) -> Matrix3<
             [first, second, first.cross(&second)]
         }
     };
-    Matrix3::from_columns(&[a, b, c])
+    // Adding zero turns -0 into 0, so that equal frames also print alike.
+    Matrix3::from_columns(&[a, b, c]).map(|x| x + 0.0)
 }
 
 /// The axis, turned so that its first component above 0.57 is positive. A unit vector always has one:
 /// the largest is at least 1/sqrt(3) = 0.577...
 fn pointing(axis: &Vector3<f64>) -> Vector3<f64> {
     let negative = axis.iter().find(|x| x.abs() > 0.57).is_some_and(|&x| x < 0.0);
-    // Adding zero turns -0 into 0, so that equal frames also print alike.
-    if negative { -axis } else { *axis }.map(|x| x + 0.0)
+    if negative { -axis } else { *axis }
 }
 
 /// Two unit vectors that complete `lone` to a right-handed frame `(first, second, lone)`.

@@ -10,12 +10,12 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Double<T = f64> {
+pub(crate) struct DoubleDouble<T = f64> {
     hi: T,
     lo: T,
 }
 
-impl Double {
+impl DoubleDouble {
     pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// The circle's constant to 107 bits.
@@ -41,7 +41,7 @@ impl Double {
     }
 }
 
-impl<T: Lane> Double<T> {
+impl<T: Lane> DoubleDouble<T> {
     /// From a number and what its rounding lost.
     pub(crate) fn parts(hi: T, lo: T) -> Self {
         Self { hi, lo }
@@ -49,13 +49,13 @@ impl<T: Lane> Double<T> {
 
     /// The nearest single number.
     #[inline(always)]
-    pub(crate) fn value(self) -> T {
+    pub(crate) fn hi(self) -> T {
         self.hi
     }
 
     /// What the nearest single number leaves out.
     #[inline(always)]
-    pub(crate) fn rest(self) -> T {
+    pub(crate) fn lo(self) -> T {
         self.lo
     }
 
@@ -69,7 +69,7 @@ impl<T: Lane> Double<T> {
     #[inline(always)]
     pub(crate) fn product(a: T, b: T) -> Self {
         let hi = a * b;
-        Self { hi, lo: a.left_off(b, hi) }
+        Self { hi, lo: a.two_product_error(b, hi) }
     }
 
     /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the work.
@@ -87,8 +87,8 @@ impl<T: Lane> Double<T> {
 
     /// `yes` where the mask says so, `no` elsewhere.
     #[inline(always)]
-    pub(crate) fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self { hi: T::choose(mask, yes.hi, no.hi), lo: T::choose(mask, yes.lo, no.lo) }
+    pub(crate) fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
 
     /// The nearest integer, and what is left: at most a half, in one number that has all its digits.
@@ -96,16 +96,16 @@ impl<T: Lane> Double<T> {
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
     #[inline(always)]
     pub(crate) fn split(self) -> (T, T) {
-        let whole = self.hi.whole();
+        let whole = self.hi.round_ties_even();
         let left = (self.hi - whole) + self.lo;
         // The low part can carry it just past the half.
-        let more = left.whole();
-        let finite = left.size().below(T::of(f64::INFINITY));
-        (T::choose(finite, whole + more, T::of(0.0)), T::choose(finite, left - more, T::of(0.0)))
+        let more = left.round_ties_even();
+        let finite = left.abs().lt(T::splat(f64::INFINITY));
+        (T::select(finite, whole + more, T::splat(0.0)), T::select(finite, left - more, T::splat(0.0)))
     }
 }
 
-impl From<f64> for Double {
+impl From<f64> for DoubleDouble {
     fn from(hi: f64) -> Self {
         Self { hi, lo: 0.0 }
     }
@@ -113,21 +113,21 @@ impl From<f64> for Double {
 
 /// `a + b` without error.
 #[inline(always)]
-fn two_sum<T: Lane>(a: T, b: T) -> Double<T> {
+fn two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     let part = hi - a;
     let lo = (a - (hi - part)) + (b - part);
-    Double { hi, lo }
+    DoubleDouble { hi, lo }
 }
 
 /// `a + b` without error, where `|a| >= |b|` or `a` is zero.
 #[inline(always)]
-fn quick_two_sum<T: Lane>(a: T, b: T) -> Double<T> {
+fn quick_two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
-    Double { hi, lo: b - (hi - a) }
+    DoubleDouble { hi, lo: b - (hi - a) }
 }
 
-impl<T: Lane> Add for Double<T> {
+impl<T: Lane> Add for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -138,39 +138,39 @@ impl<T: Lane> Add for Double<T> {
     }
 }
 
-impl<T: Lane> Neg for Double<T> {
+impl<T: Lane> Neg for DoubleDouble<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 }
 
-impl<T: Lane> Sub for Double<T> {
+impl<T: Lane> Sub for DoubleDouble<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<T: Lane> Mul for Double<T> {
+impl<T: Lane> Mul for DoubleDouble<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let hi = self.hi * other.hi;
-        let lo = self.hi.left_off(other.hi, hi);
+        let lo = self.hi.two_product_error(other.hi, hi);
         quick_two_sum(hi, lo + (self.hi * other.lo + self.lo * other.hi))
     }
 }
 
-impl<T: Lane> Mul<T> for Double<T> {
+impl<T: Lane> Mul<T> for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: T) -> Self {
         let hi = self.hi * other;
-        quick_two_sum(hi, self.hi.left_off(other, hi) + self.lo * other)
+        quick_two_sum(hi, self.hi.two_product_error(other, hi) + self.lo * other)
     }
 }
 
-impl Div for Double {
+impl Div for DoubleDouble {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
@@ -184,7 +184,7 @@ impl Div for Double {
 
 /// The sum of any terms, exact before it is rounded to twice the precision: an expansion grown term by term
 /// [She97](crate::references).
-pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> Double {
+pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> DoubleDouble {
     let mut expansion = [0.0; N];
     for (count, term) in terms.into_iter().enumerate() {
         let mut carried = term;
@@ -198,20 +198,20 @@ pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> Double {
         }
     }
     // Parts do not overlap, the largest last.
-    expansion.iter().fold(Double::ZERO, |sum, &part| sum + Double::from(part))
+    expansion.iter().fold(DoubleDouble::ZERO, |sum, &part| sum + DoubleDouble::from(part))
 }
 
 /// Every term multiplied by `factor`, without error: two for each.
 pub(crate) fn exact_products(terms: impl Iterator<Item = f64>, factor: f64) -> impl Iterator<Item = f64> {
     terms.flat_map(move |term| {
-        let product = Double::product(term, factor);
+        let product = DoubleDouble::product(term, factor);
         [product.lo, product.hi]
     })
 }
 
 /// `a b - c d` as if computed exactly and rounded once (but for underflow).
-pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> Double {
-    Double::product(a, b) - Double::product(c, d)
+pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> DoubleDouble {
+    DoubleDouble::product(a, b) - DoubleDouble::product(c, d)
 }
 
 #[cfg(test)]
@@ -230,7 +230,7 @@ mod tests {
             let (c, d) = (a + da, b + db);
             let exact = i128::from(a) * i128::from(b) - i128::from(c) * i128::from(d);
             #[allow(clippy::cast_precision_loss)]
-            let ours = difference_of_products(a as f64, b as f64, c as f64, d as f64).value();
+            let ours = difference_of_products(a as f64, b as f64, c as f64, d as f64).hi();
             #[allow(clippy::cast_precision_loss)]
             let expected = exact as f64;
             prop_assert!((ours - expected).abs() <= f64::EPSILON * expected.abs(), "{ours} {expected}");
@@ -241,13 +241,13 @@ mod tests {
     fn an_exact_sum_finds_what_is_left_hundreds_of_bits_down() {
         let tiny = 2_f64.powi(-300);
         let sum = exact_sum([1.0, 1e10, tiny, -1e10, 2_f64.powi(-100), -1.0, -2_f64.powi(-100)]);
-        assert_eq!(sum.value(), tiny);
-        assert_eq!(exact_sum([0.1, -0.1]), Double::ZERO);
+        assert_eq!(sum.hi(), tiny);
+        assert_eq!(exact_sum([0.1, -0.1]), DoubleDouble::ZERO);
     }
 
     #[test]
     fn the_low_part_keeps_what_rounding_lost() {
-        let tiny = Double::from(f64::one()) + Double::from(1e-25) - Double::from(1.0);
-        assert_eq!(tiny.value(), 1e-25);
+        let tiny = DoubleDouble::from(f64::one()) + DoubleDouble::from(1e-25) - DoubleDouble::from(1.0);
+        assert_eq!(tiny.hi(), 1e-25);
     }
 }

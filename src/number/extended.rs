@@ -4,19 +4,19 @@
 //! solids are run on this number, so that nothing overflows or vanishes on the way; only the result must
 //! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
 
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `significand * 2^exponent`, with `1 <= |significand| < 2`, or zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Wide {
+pub(crate) struct Extended {
     significand: f64,
     exponent: i32,
 }
 
-impl Wide {
+impl Extended {
     fn normal(significand: f64, scale: i32) -> Self {
         if significand == 0.0 {
             return Self { significand: 0.0, exponent: 0 };
@@ -33,14 +33,14 @@ impl Wide {
     /// As an `f64` that is finite.
     pub(crate) fn finite(self, what: &'static str) -> Result<f64, Error> {
         let value = self.nearest();
-        if value.is_finite() { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+        if value.is_finite() { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
     }
 
     /// As an `f64` that has all its digits: a subnormal number has lost some, a vanished one all.
     pub(crate) fn in_full(self, what: &'static str) -> Result<f64, Error> {
         let value = self.finite(what)?;
         let whole = self.significand == 0.0 || value.is_normal();
-        if whole { Ok(value) } else { Err(Error::OutOfRange { what, value }) }
+        if whole { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
     }
 
     pub(crate) fn abs(self) -> Self {
@@ -52,13 +52,13 @@ impl Wide {
     }
 }
 
-impl From<f64> for Wide {
+impl From<f64> for Extended {
     fn from(x: f64) -> Self {
         Self::normal(x, 0)
     }
 }
 
-impl Add for Wide {
+impl Add for Extended {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         if other.significand == 0.0 {
@@ -73,59 +73,59 @@ impl Add for Wide {
     }
 }
 
-impl Neg for Wide {
+impl Neg for Extended {
     type Output = Self;
     fn neg(self) -> Self {
         Self { significand: -self.significand, ..self }
     }
 }
 
-impl Sub for Wide {
+impl Sub for Extended {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Wide {
+impl Mul for Extended {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         Self::normal(self.significand * other.significand, self.exponent + other.exponent)
     }
 }
 
-impl Div for Wide {
+impl Div for Extended {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         Self::normal(self.significand / other.significand, self.exponent - other.exponent)
     }
 }
 
-impl AddAssign for Wide {
+impl AddAssign for Extended {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl SubAssign for Wide {
+impl SubAssign for Extended {
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl MulAssign for Wide {
+impl MulAssign for Extended {
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
-impl DivAssign for Wide {
+impl DivAssign for Extended {
     fn div_assign(&mut self, other: Self) {
         *self = *self / other;
     }
 }
 
-impl Zero for Wide {
+impl Zero for Extended {
     fn zero() -> Self {
         Self::from(0.0)
     }
@@ -134,7 +134,7 @@ impl Zero for Wide {
     }
 }
 
-impl One for Wide {
+impl One for Extended {
     fn one() -> Self {
         Self::from(1.0)
     }
@@ -143,6 +143,7 @@ impl One for Wide {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ErrorKind;
     use proptest::prelude::*;
 
     proptest! {
@@ -151,7 +152,7 @@ mod tests {
             a in -1e100_f64..1e100, b in -1e100_f64..1e100, s in -200_i32..200,
         ) {
             let b = times_power_of_two(b, s);
-            let (wa, wb) = (Wide::from(a), Wide::from(b));
+            let (wa, wb) = (Extended::from(a), Extended::from(b));
             prop_assert_eq!((wa + wb).nearest(), a + b);
             prop_assert_eq!((wa - wb).nearest(), a - b);
             prop_assert_eq!((wa * wb).nearest(), a * b);
@@ -163,8 +164,8 @@ mod tests {
 
     #[test]
     fn a_product_may_leave_the_range_of_f64_and_come_back() {
-        let huge = Wide::from(1.5e300);
-        let tiny = Wide::from(5e-324);
+        let huge = Extended::from(1.5e300);
+        let tiny = Extended::from(5e-324);
         assert_eq!((huge * huge * huge / huge / huge).nearest(), 1.5e300);
         assert_eq!((tiny * tiny * huge / tiny / huge).nearest(), 5e-324);
         assert_eq!((huge * huge).nearest(), f64::INFINITY);
@@ -172,9 +173,10 @@ mod tests {
 
     #[test]
     fn what_f64_cannot_hold_in_full_is_refused_and_an_exact_zero_is_not() {
-        let tiny = Wide::from(1e-200);
-        assert!(matches!((tiny * tiny).in_full("x"), Err(Error::OutOfRange { value: 0.0, .. })));
-        assert!(matches!((tiny * Wide::from(1e-110)).in_full("x"), Err(Error::OutOfRange { .. })));
+        let tiny = Extended::from(1e-200);
+        let kind = |number: Extended| number.in_full("x").map_err(|error| error.kind());
+        assert_eq!(kind(tiny * tiny), Err(ErrorKind::Unrepresentable));
+        assert_eq!(kind(tiny * Extended::from(1e-110)), Err(ErrorKind::Unrepresentable));
         assert_eq!((tiny - tiny).in_full("x"), Ok(0.0));
     }
 }

@@ -11,7 +11,7 @@ use std::ops::{Add, Mul, Sub};
 /// a lane's answer is to the bit what the same `f64` would have got alone, whatever stands in the other lanes. A
 /// type that keeps its promises keeps that one too:
 ///
-/// - `+ - * /` and [`root`](Self::root) of each lane are those of `f64`, rounded once and nothing fused;
+/// - `+ - * /` and [`sqrt`](Self::sqrt) of each lane are those of `f64`, rounded once and nothing fused;
 /// - arithmetic with an `f64` on the right is arithmetic with that number in every lane;
 /// - `zero` and `one` have it in every lane.
 ///
@@ -21,8 +21,8 @@ use std::ops::{Add, Mul, Sub};
 /// use tumbling::number::Lane;
 /// // Written once, for any number of bodies side by side.
 /// fn swapped<T: Lane>(low: T, high: T) -> [T; 2] {
-///     let wrong = high.below(low);
-///     [T::choose(wrong, high, low), T::choose(wrong, low, high)]
+///     let wrong = high.lt(low);
+///     [T::select(wrong, high, low), T::select(wrong, low, high)]
 /// }
 /// assert_eq!(swapped(2.0, 1.0), [1.0, 2.0]);
 /// ```
@@ -37,7 +37,7 @@ pub trait Lane:
 
     /// The number that `of` gives for each lane.
     #[must_use]
-    fn of_lanes(of: impl FnMut(usize) -> f64) -> Self;
+    fn from_lanes(of: impl FnMut(usize) -> f64) -> Self;
 
     /// The number in lane `k`.
     #[must_use]
@@ -45,7 +45,7 @@ pub trait Lane:
 
     /// Whether it is less than `other`; no where either is not a number.
     #[must_use]
-    fn below(self, other: Self) -> Self::Mask;
+    fn lt(self, other: Self) -> Self::Mask;
 
     /// Whether any lane says yes.
     #[must_use]
@@ -53,11 +53,11 @@ pub trait Lane:
 
     /// `yes` where the mask says so, `no` elsewhere.
     #[must_use]
-    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// Without its sign.
     #[must_use]
-    fn size(self) -> Self;
+    fn abs(self) -> Self;
 
     /// 1 with its sign, that of zero too.
     #[must_use]
@@ -65,15 +65,15 @@ pub trait Lane:
 
     /// The square root of a number that is not negative.
     #[must_use]
-    fn root(self) -> Self;
+    fn sqrt(self) -> Self;
 
     /// The nearest whole number, the even one of two equally near.
     #[must_use]
-    fn whole(self) -> Self;
+    fn round_ties_even(self) -> Self;
 
     /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding left off.
     #[must_use]
-    fn left_off(self, other: Self, product: Self) -> Self;
+    fn two_product_error(self, other: Self, product: Self) -> Self;
 
     /// Two to this power: a whole number from -1022 to 1023.
     #[must_use]
@@ -81,8 +81,8 @@ pub trait Lane:
 
     /// The same number in every lane.
     #[must_use]
-    fn of(x: f64) -> Self {
-        Self::of_lanes(|_| x)
+    fn splat(x: f64) -> Self {
+        Self::from_lanes(|_| x)
     }
 }
 
@@ -91,7 +91,7 @@ impl Lane for f64 {
     const WIDTH: usize = 1;
 
     #[inline(always)]
-    fn of_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
+    fn from_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
         of(0)
     }
 
@@ -101,7 +101,7 @@ impl Lane for f64 {
     }
 
     #[inline(always)]
-    fn below(self, other: Self) -> bool {
+    fn lt(self, other: Self) -> bool {
         self < other
     }
 
@@ -111,12 +111,12 @@ impl Lane for f64 {
     }
 
     #[inline(always)]
-    fn choose(mask: bool, yes: Self, no: Self) -> Self {
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
 
     #[inline(always)]
-    fn size(self) -> Self {
+    fn abs(self) -> Self {
         self.abs()
     }
 
@@ -126,17 +126,17 @@ impl Lane for f64 {
     }
 
     #[inline(always)]
-    fn root(self) -> Self {
+    fn sqrt(self) -> Self {
         self.sqrt()
     }
 
     #[inline(always)]
-    fn whole(self) -> Self {
+    fn round_ties_even(self) -> Self {
         self.round_ties_even()
     }
 
     #[inline(always)]
-    fn left_off(self, other: Self, product: Self) -> Self {
+    fn two_product_error(self, other: Self, product: Self) -> Self {
         self.mul_add(other, -product)
     }
 
@@ -151,5 +151,5 @@ impl Lane for f64 {
 /// What `of` says of each of `from`, side by side. Where there are fewer than lanes the last is repeated: no
 /// lane minds what the others have.
 pub(crate) fn gathered<T: Lane, S>(from: &[S], of: impl Fn(&S) -> f64) -> T {
-    T::of_lanes(|k| from.get(k).or(from.last()).map_or(0.0, &of))
+    T::from_lanes(|k| from.get(k).or(from.last()).map_or(0.0, &of))
 }

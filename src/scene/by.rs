@@ -1,9 +1,9 @@
 //! How a driven body is stepped: on, finer, and at what price.
 
 use super::cost;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::flow;
-use crate::step::{LEAST_TOLERANCE, Method, State, System, controlled_within};
+use crate::step::{LEAST_TOLERANCE, Method, State, System, adaptive_within};
 
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ impl By {
     /// `duration` seconds on, in so many steps at least if they are of a fixed length, which are taken off those left.
     ///
     /// # Errors
-    /// [`Error::TooMany`] when none is left, or as the steps.
+    /// [`ErrorKind::TooMany`](crate::ErrorKind) when none is left, or as the steps.
     pub(super) fn on(
         self,
         system: &System<f64>,
@@ -37,20 +37,20 @@ impl By {
     ) -> Result<State<f64>, Error> {
         let (step, method) = match self {
             Self::Control(tolerance) => {
-                return controlled_within(system, start, duration, tolerance, left).map(|run| run.end);
+                return adaptive_within(system, start, duration, tolerance, left).map(|run| run.end);
             }
             Self::Steps(method, step) => (step, Some(method)),
             Self::Flow(step) => (step, None),
         };
         let (count, h) = parts(duration, step, least)?;
         if count > *left {
-            return Err(Error::TooMany { what: "steps", count });
+            return Err(Refusal::TooMany { what: "steps", count }.into());
         }
-        let mut motion = start.clone();
+        let mut motion = *start;
         for _ in 0..count {
             *left -= 1;
             motion = match method {
-                Some(method) => method.step(system, &motion, &h)?,
+                Some(method) => method.step(system, &motion, h)?,
                 None => flow::step(system, &motion, h)?,
             };
         }
@@ -98,7 +98,7 @@ impl By {
 fn parts(duration: f64, step: f64, least: usize) -> Result<(usize, f64), Error> {
     let count = (duration / step).ceil().max(least as f64);
     if count.is_nan() || count > 1.0 / f64::EPSILON {
-        return Err(Error::OutOfRange { what: "the number of steps", value: count });
+        return Err(Refusal::OutOfRange { what: "the number of steps", value: count }.into());
     }
     Ok((count as usize, duration / count))
 }

@@ -4,7 +4,7 @@ use super::by::By;
 use super::plan::{Driven, Way};
 use super::{Principal, Scene, Wants, cost};
 use crate::dynamics::observe;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind, Refusal};
 use crate::step::{LEAST_TOLERANCE, Method, State, System, Torque};
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -15,6 +15,7 @@ pub(super) fn is_nothing(torque: &Torque<f64>) -> bool {
         Torque::InBody(value) | Torque::InWorld(value) | Torque::Damping(value) => *value == zero,
         Torque::Aligning { arm, field } => *arm == zero || *field == zero,
         Torque::Dissipation(strength) => *strength == 0.0,
+        Torque::Function(_) => false,
     }
 }
 
@@ -28,11 +29,18 @@ fn along(body: &Principal, torque: &Torque<f64>) -> Result<Torque<f64>, Error> {
         Torque::InBody(value) => Torque::InBody(turned(value)),
         Torque::Aligning { arm, field } => Torque::Aligning { arm: turned(arm), field: *field },
         Torque::Damping(c) if body.frame.is_some() && (c.x != c.y || c.y != c.z) => {
-            return Err(Error::Undefined {
+            return Err(Refusal::Undefined {
                 what: "damping that differs from axis to axis",
                 why: "it is told along the principal axes, and those of a body with products of inertia have no order to go by: \
                       give the body's moments along them, without products",
-            });
+            }.into());
+        }
+        Torque::Function(_) => {
+            return Err(Refusal::Undefined {
+                what: "a scene with a torque by a function",
+                why: "a plan goes by how strong the torques are, which a function does not say: use a stepper",
+            }
+            .into());
         }
         Torque::InWorld(_) | Torque::Damping(_) | Torque::Dissipation(_) => torque.clone(),
     })
@@ -60,6 +68,7 @@ fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
                 swing = swing.max((arm.norm() * field.norm() * lightest).sqrt());
             }
             Torque::Damping(c) => loss = loss.max(c.component_mul(system.inverse()).max()),
+            Torque::Function(_) => (),
             Torque::Dissipation(k) => loss = loss.max(k * start.momentum.norm_squared() * lightest),
         }
     }
@@ -88,7 +97,7 @@ const INNER: f64 = 16.0;
 #[allow(clippy::cast_precision_loss)]
 pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let torques = scene.torques.iter().map(|torque| along(body, torque)).collect::<Result<_, _>>()?;
-    let system = System::with(&body.moments, torques)?;
+    let system = System::with(body.moments, torques)?;
     let start = State { attitude: body.world.into_inner(), momentum: system.momentum(&body.omega) };
     let (end, accuracy) = (scene.times.end(), scene.accuracy);
     let Rates { spin, push, loss } = rates(&system, &start, end);
@@ -98,7 +107,7 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     let trial = Trial { system: &system, start: &start, times: &times, wants, accuracy, end, turned, lost };
     let stiff = loss > STIFF * spin.max(1.0 / end) && lost > LONG;
     let way = |(by, seen, steps): Settled, trials: f64| {
-        let driven = Driven { system: system.clone(), start: start.clone(), by, seen, steps, trials, stiff };
+        let driven = Driven { system: system.clone(), start, by, seen, steps, trials, stiff };
         match by {
             By::Control(_) => Way::Controlled(driven),
             By::Flow(_) => Way::Flow(driven),
@@ -150,17 +159,19 @@ pub(super) fn way(body: &Principal, scene: &Scene) -> Result<Way, Error> {
     match (best, refusal) {
         (Some((_, settled)), _) => Ok(way(settled, trials)),
         (None, Some(error)) => Err(error),
-        (None, None) => Err(Error::Disagreement { asked: accuracy, steps: 0 }),
+        (None, None) => Err(Refusal::Disagreement { asked: accuracy, steps: 0 }.into()),
     }
 }
 
 /// Of two refusals the one that offers more.
 fn kinder(one: Error, other: Error) -> Error {
-    match (&one, &other) {
-        (Error::Unattainable { attainable: a, .. }, Error::Unattainable { attainable: b, .. }) if b < a => {
+    match (one.refusal(), other.refusal()) {
+        (Refusal::Unattainable { attainable: a, .. }, Refusal::Unattainable { attainable: b, .. })
+            if b < a =>
+        {
             other
         }
-        (Error::Unattainable { .. }, _) => one,
+        (Refusal::Unattainable { .. }, _) => one,
         _ => other,
     }
 }
@@ -243,25 +254,27 @@ impl Trial<'_> {
     fn settled(&self, first: By, left: &mut usize, most: f64) -> Result<Settled, Error> {
         let steps = self.steps(first);
         if steps.is_nan() {
-            return Err(Error::OutOfRange {
+            return Err(Refusal::OutOfRange {
                 what: "the number of steps that the torques ask for",
                 value: steps,
-            });
+            }
+            .into());
         }
         if steps > *left as f64 {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "the number of steps that the torques ask for",
                 small: steps,
                 larger: "the most that are tried",
                 large: *left as f64,
-            });
+            }
+            .into());
         }
         let all = *left;
         let mut by = first;
         let (mut best, mut before) = (f64::INFINITY, 0.0);
         let mut coarse = self.run(by, None, left, most);
         for _ in 0..ROUNDS {
-            if let Err(Error::TooMany { .. }) = coarse {
+            if coarse.as_ref().is_err_and(|error| error.kind() == ErrorKind::TooMany) {
                 break;
             }
             let seen = coarse.as_ref().map_or(f64::INFINITY, |_| best);
@@ -297,10 +310,10 @@ impl Trial<'_> {
         }
         match coarse {
             _ if 2.0 * best < 1.0 => {
-                Err(Error::Unattainable { asked: self.accuracy, attainable: 2.0 * best })
+                Err(Refusal::Unattainable { asked: self.accuracy, attainable: 2.0 * best }.into())
             }
-            Err(error) if best.is_infinite() && !matches!(error, Error::TooMany { .. }) => Err(error),
-            _ => Err(Error::Disagreement { asked: self.accuracy, steps: all - *left }),
+            Err(error) if best.is_infinite() && error.kind() != ErrorKind::TooMany => Err(error),
+            _ => Err(Refusal::Disagreement { asked: self.accuracy, steps: all - *left }.into()),
         }
     }
 
@@ -328,7 +341,7 @@ impl Trial<'_> {
         left: &mut usize,
         most: f64,
     ) -> Result<(Vec<State<f64>>, usize), Error> {
-        let (mut now, mut motion) = (0.0, self.start.clone());
+        let (mut now, mut motion) = (0.0, *self.start);
         let whole = (*left).min(most as usize);
         let mut of_run = whole;
         let mut seen = Vec::with_capacity(self.times.len());
@@ -339,7 +352,7 @@ impl Trial<'_> {
                     let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
                     (motion, now) = (by.on(self.system, &motion, between, least, of_run)?, time);
                 }
-                seen.push(motion.clone());
+                seen.push(motion);
             }
             Ok(())
         };
@@ -385,7 +398,7 @@ mod tests {
     /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin is two thirds of it.
     #[test]
     fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_asked_for() {
-        let system = System::free(&Vector3::new(1e-4, 1.0, 1.0)).unwrap();
+        let system = System::free([1e-4, 1.0, 1.0].try_into().unwrap()).unwrap();
         let [a, b] = [0.1, 0.2].map(|heavy| State {
             attitude: Quaternion::identity(),
             momentum: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
@@ -404,7 +417,7 @@ mod tests {
     /// Between times that are closer than a step two runs would take the same one, and agree whatever it is worth.
     #[test]
     fn a_finer_run_has_twice_the_steps_between_any_two_times() {
-        let system = System::free(&Vector3::new(1.0, 2.0, 2.5)).unwrap();
+        let system = System::free([1.0, 2.0, 2.5].try_into().unwrap()).unwrap();
         let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
         let times = &[0.01, 0.02, 1.0][..];
         let (accuracy, end, turned, lost) = (0.1, 1.0, 1.0, 0.0);

@@ -62,7 +62,7 @@ impl Plan<'_> {
             Way::EllipticSpin(_) => "the spin by Jacobi's functions".into(),
             Way::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
             Way::Stepper(driven) | Way::Stiff(driven) => {
-                let name = driven.method().map_or("", |method| method.about().name);
+                let name = driven.method().map_or("", |method| method.info().name);
                 let torque = match driven.method() {
                     Some(Method::LinearisedImplicit) => "with the torque inside",
                     _ => "between kicks of the torque",

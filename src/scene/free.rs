@@ -3,7 +3,7 @@
 use super::plan::{Rotation, Top, Way};
 use super::{Principal, Wants};
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::exact::{FreeMotion, Precession, Regime, Turn, scaled};
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
@@ -14,11 +14,11 @@ const ROUNDINGS: f64 = 16.0;
 /// The cheapest way.
 pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Result<Way, Error> {
     let (moments, omega): ([f64; 3], [f64; 3]) = (body.moments.into(), body.omega.into());
-    let kind = classify(moments, omega);
+    let kind = classify(body.moments, &body.omega);
     let follows = wants.attitude || wants.spin || (wants.gap && matches!(kind, Kind::Asymmetric(_)));
     if !follows {
         if wants.flips && matches!(kind, Kind::Asymmetric(_)) {
-            let motion = FreeMotion::new(&body.moments, &body.omega)?;
+            let motion = FreeMotion::new(body.moments, &body.omega)?;
             attainable(&motion, body, end, accuracy)?;
         }
         return Ok(Way::Nothing);
@@ -46,7 +46,7 @@ pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Re
             Ok(Way::SymmetricTop(Top { precession, clock }))
         }
         Kind::Asymmetric(_) => {
-            let motion = Box::new(FreeMotion::new(&body.moments, &body.omega)?);
+            let motion = Box::new(FreeMotion::new(body.moments, &body.omega)?);
             attainable(&motion, body, end, accuracy)?;
             Ok(if wants.attitude { Way::Elliptic(motion) } else { Way::EllipticSpin(motion) })
         }
@@ -54,7 +54,7 @@ pub(super) fn way(body: &Principal, wants: Wants, end: f64, accuracy: f64) -> Re
 }
 
 fn allowed(asked: f64, attainable: f64) -> Result<(), Error> {
-    if asked >= attainable { Ok(()) } else { Err(Error::Unattainable { asked, attainable }) }
+    if asked >= attainable { Ok(()) } else { Err(Refusal::Unattainable { asked, attainable }.into()) }
 }
 
 /// How many times as much as their own size some of the body's numbers may be rounded by.
@@ -63,7 +63,7 @@ fn coarser(body: &Principal) -> f64 {
         rounded.zip_map(size, |rounded, size| if rounded == 0.0 { 1.0 } else { rounded / size }).max()
     };
     let speed = Vector3::repeat(body.omega.norm().max(f64::MIN_POSITIVE));
-    share(&body.rounded.moments, &body.moments).max(share(&body.rounded.omega, &speed)).max(1.0)
+    share(&body.rounded.moments, &body.moments.vector()).max(share(&body.rounded.omega, &speed)).max(1.0)
 }
 
 /// Refuses an accuracy below what the conditioning of the motion leaves. Where a bound that costs nothing does not settle it, the
@@ -71,14 +71,16 @@ fn coarser(body: &Principal) -> f64 {
 fn attainable(motion: &FreeMotion, body: &Principal, end: f64, accuracy: f64) -> Result<(), Error> {
     let speed = motion.omega(0.0)?.norm();
     if !(speed * end).is_finite() {
-        return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
+        return Err(
+            Refusal::OutOfRange { what: "the angle turned up to the last time", value: speed * end }.into()
+        );
     }
     let complement = match motion.regime() {
         Regime::Circulating { complement, .. } => complement,
         _ => 0.0,
     };
     let moments = motion.moments();
-    let thin = moments.max() / moments.min();
+    let thin = moments.largest() / moments.smallest();
     let bound =
         ROUNDINGS * f64::EPSILON * thin * coarser(body) * (speed * end).max(1.0) / (complement * complement);
     if accuracy >= bound {

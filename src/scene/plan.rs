@@ -3,9 +3,9 @@
 use super::by::By;
 use super::states::States;
 use super::{Polhode, Principal, Scene, Toss, Wants, driven, free};
-use crate::error::{Error, finite};
+use crate::error::{Error, Refusal, finite};
 use crate::exact::{Flips, FreeMotion, Precession, Turn};
-use crate::inertia::Inertia;
+use crate::inertia::{Inertia, PrincipalMoments};
 use crate::step::{Method, State, System};
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -134,18 +134,18 @@ impl<'a> Plan<'a> {
             refuse_of_driven(wants)?;
             if moves { driven::way(&body, scene)? } else { Way::Nothing }
         };
-        let [a, b, c] = body.moments.into();
-        let inertia = Inertia::from_moments(a, b, c)?;
-        let energy = if wants.energy && free { Some(energy(&body.moments, &body.omega)?) } else { None };
+        let inertia = Inertia::from(body.moments);
+        let energy = if wants.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
         if wants.gap && body.omega == Vector3::zeros() {
-            return Err(Error::Undefined {
+            return Err(Refusal::Undefined {
                 what: "the angle between spin and momentum",
                 why: "a body at rest has neither",
-            });
+            }
+            .into());
         }
         let steady =
             matches!(way, Way::Nothing | Way::Constant { .. } | Way::Rotation(_) | Way::SymmetricTop(_));
-        let gap = if wants.gap && steady { Some(inertia.gap(&body.omega)?) } else { None };
+        let gap = if wants.gap && steady { Some(inertia.angle_to_momentum(&body.omega)?) } else { None };
         Ok(Self { scene, body, way, energy, gap, inertia })
     }
 
@@ -182,7 +182,7 @@ impl<'a> Plan<'a> {
         let end = self.scene.times.end();
         match &self.way {
             Way::EllipticSpin(motion) | Way::Elliptic(motion) => motion.flips(0.0, end),
-            _ => FreeMotion::new(&self.body.moments, &self.body.omega)?.flips(0.0, end),
+            _ => FreeMotion::new(self.body.moments, &self.body.omega)?.flips(0.0, end),
         }
     }
 
@@ -201,19 +201,19 @@ const POLHODE: &str = "the polhode";
 const WHY: &str = "a torque acts: what it follows from is not conserved";
 
 fn refuse_driven(scene: &Scene, what: &'static str) -> Result<(), Error> {
-    if scene.torques.is_empty() { Ok(()) } else { Err(Error::Undefined { what, why: WHY }) }
+    if scene.torques.is_empty() { Ok(()) } else { Err(Refusal::Undefined { what, why: WHY }.into()) }
 }
 
 fn refuse_of_driven(wants: Wants) -> Result<(), Error> {
     match (wants.flips, wants.polhode) {
-        (true, _) => Err(Error::Undefined { what: FLIPS, why: WHY }),
-        (_, true) => Err(Error::Undefined { what: POLHODE, why: WHY }),
+        (true, _) => Err(Refusal::Undefined { what: FLIPS, why: WHY }.into()),
+        (_, true) => Err(Refusal::Undefined { what: POLHODE, why: WHY }.into()),
         _ => Ok(()),
     }
 }
 
 /// Half of `w . I w`.
-pub(super) fn energy(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Result<f64, Error> {
-    let energy = crate::dynamics::observe::energy(omega, &moments.component_mul(omega));
-    finite("the energy", energy).map_err(|_| Error::OutOfRange { what: "the energy", value: energy })
+pub(super) fn energy(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<f64, Error> {
+    let energy = crate::dynamics::observe::energy(omega, &moments.vector().component_mul(omega));
+    finite("the energy", energy).map_err(|_| Refusal::OutOfRange { what: "the energy", value: energy }.into())
 }

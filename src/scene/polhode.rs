@@ -22,7 +22,7 @@ impl Polhode {
     pub(super) fn of(body: &Principal) -> Result<Self, Error> {
         let (moments, omega) = (body.moments, body.omega);
         let still = omega.map(f64::abs);
-        match classify(moments.into(), omega.into()) {
+        match classify(moments, &omega) {
             Kind::Steady => Ok(Self { least: still, greatest: still, period: None }),
             Kind::Symmetric(axis) => {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -37,14 +37,14 @@ impl Polhode {
             }
             Kind::Asymmetric(motion) => {
                 let [across, middle, around] =
-                    motion.amplitudes(0).map(|size| times_power_of_two(size.value(), motion.clock));
+                    motion.amplitudes(0).map(|size| times_power_of_two(size.hi(), motion.clock));
                 let (mut least, mut greatest) = (Vector3::zeros(), Vector3::zeros());
                 greatest[motion.across] = across;
                 greatest[motion.middle] = middle;
                 greatest[motion.around] = around;
                 // Zero on the separatrix.
-                least[motion.around] = around * motion.complement(0).value();
-                let period = time_between_flips(&moments, &omega)?.map(|half| 2.0 * half);
+                least[motion.around] = around * motion.complement(0).hi();
+                let period = time_between_flips(moments, &omega)?.map(|half| 2.0 * half);
                 Ok(Self { least, greatest, period })
             }
         }

@@ -37,7 +37,7 @@ impl<'a> States<'a> {
     pub(super) fn new(plan: &'a Plan<'a>) -> Self {
         let walker = match &plan.way {
             Way::Stepper(driven) | Way::Flow(driven) | Way::Controlled(driven) | Way::Stiff(driven) => {
-                Some((0.0, driven.start.clone()))
+                Some((0.0, driven.start))
             }
             _ => None,
         };
@@ -100,7 +100,7 @@ impl Plan<'_> {
         match &self.way {
             Way::EllipticSpin(motion) | Way::Elliptic(motion) => Some(**motion),
             Way::Rotation(_) | Way::SymmetricTop(_) => {
-                FreeMotion::new(&self.body.moments, &self.body.omega).ok()
+                FreeMotion::new(self.body.moments, &self.body.omega).ok()
             }
             _ => None,
         }
@@ -164,11 +164,11 @@ impl Plan<'_> {
             spin: if wants.spin { along.map(|omega| self.body.in_body(omega)) } else { None },
             attitude: if wants.attitude { attitude } else { None },
             energy: match moving(wants.energy, self.energy) {
-                Some(omega) => Some(energy(&self.body.moments, &omega)?),
+                Some(omega) => Some(energy(self.body.moments, &omega)?),
                 None => self.energy,
             },
             gap: match moving(wants.gap, self.gap) {
-                Some(omega) => Some(self.inertia.gap(&omega)?),
+                Some(omega) => Some(self.inertia.angle_to_momentum(&omega)?),
                 None => self.gap,
             },
         })
@@ -181,7 +181,7 @@ fn walked(
     driven: &Driven,
     time: f64,
 ) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
-    let (mut now, mut motion) = walker.take().unwrap_or_else(|| (0.0, driven.start.clone()));
+    let (mut now, mut motion) = walker.take().unwrap_or((0.0, driven.start));
     if time > now {
         motion = driven.by.on(&driven.system, &motion, time - now, 1, &mut { usize::MAX })?;
         now = time;

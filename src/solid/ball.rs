@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, cube, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -13,6 +13,7 @@ use std::f64::consts::PI;
 /// ```
 /// assert_eq!(tumbling::solid::ball_moment(&10.0, &3.0), 36.0);
 /// ```
+#[must_use]
 pub fn ball_moment<T: Field>(mass: &T, radius: &T) -> T {
     T::integer(2) * mass.clone() * square(radius) / T::integer(5)
 }
@@ -50,12 +51,12 @@ impl Ball {
 
 impl Solid for Ball {
     fn measure(&self) -> Result<f64, Error> {
-        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
-        (four_thirds_pi * cube(&Wide::from(self.radius))).in_full("the volume")
+        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
+        (four_thirds_pi * cube(&Extended::from(self.radius))).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let r = Wide::from(self.radius);
+        let r = Extended::from(self.radius);
         centred(mass, |m| Vector3::repeat(ball_moment(m, &r)))
     }
 }

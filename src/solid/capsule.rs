@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -20,6 +20,7 @@ use std::f64::consts::PI;
 /// let across = 3.0 * (3.0 + 16.0) / 12.0 + (0.4 + 1.5 + 4.0);
 /// assert_eq!(moments, Vector3::new(across, across, 1.5 + 0.4));
 /// ```
+#[must_use]
 pub fn capsule_moments<T: Field>(mass: &T, radius: &T, length: &T) -> Vector3<T> {
     let n = T::integer;
     let (middle, caps) = (n(3) * length.clone(), n(4) * radius.clone());
@@ -74,13 +75,13 @@ impl Capsule {
 
 impl Solid for Capsule {
     fn measure(&self) -> Result<f64, Error> {
-        let (r, l) = (Wide::from(self.radius), Wide::from(self.length));
-        let stretched = Wide::from(3.0) * l + Wide::from(4.0) * r;
-        (Wide::from(PI) * (square(&r) * stretched) / Wide::from(3.0)).in_full("the volume")
+        let (r, l) = (Extended::from(self.radius), Extended::from(self.length));
+        let stretched = Extended::from(3.0) * l + Extended::from(4.0) * r;
+        (Extended::from(PI) * (square(&r) * stretched) / Extended::from(3.0)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (r, l) = (Wide::from(self.radius), Wide::from(self.length));
+        let (r, l) = (Extended::from(self.radius), Extended::from(self.length));
         centred(mass, |m| capsule_moments(m, &r, &l))
     }
 }

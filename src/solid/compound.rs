@@ -60,13 +60,13 @@ impl Compound {
     /// The whole's mass, centre and inertia.
     ///
     /// # Errors
-    /// No parts; a position that is not finite or an attitude not of length 1, as [`Error::Part`] with the
+    /// No parts; a position that is not finite or an attitude not of length 1, named by the
     /// part's number; or a result that `f64` does not hold.
     pub fn properties(&self) -> Result<MassProperties, Error> {
         let mut placed = Vec::with_capacity(self.parts.len());
         for (index, (part, position, attitude)) in self.parts.iter().enumerate() {
             let put = part.turned(attitude).and_then(|p| p.moved(position));
-            placed.push(put.map_err(|e| Error::Part { index, source: Box::new(e) })?);
+            placed.push(put.map_err(|e| e.of_part(index))?);
         }
         MassProperties::combine(&placed)
     }

@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred_at, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use num_traits::Zero;
 use std::f64::consts::PI;
@@ -17,6 +17,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::cone_moments(&80.0, &1.0, &4.0);
 /// assert_eq!(moments, Vector3::new(60.0, 60.0, 24.0));
 /// ```
+#[must_use]
 pub fn cone_moments<T: Field>(mass: &T, radius: &T, height: &T) -> Vector3<T> {
     let rr = square(radius);
     let three_m = T::integer(3) * mass.clone();
@@ -67,13 +68,13 @@ impl Cone {
 
 impl Solid for Cone {
     fn measure(&self) -> Result<f64, Error> {
-        let (r, h) = (Wide::from(self.radius), Wide::from(self.height));
-        (Wide::from(PI) * (square(&r) * h) / Wide::from(3.0)).in_full("the volume")
+        let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
+        (Extended::from(PI) * (square(&r) * h) / Extended::from(3.0)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (r, h) = (Wide::from(self.radius), Wide::from(self.height));
-        let centre = Vector3::new(Wide::zero(), Wide::zero(), h / Wide::from(4.0));
+        let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
+        let centre = Vector3::new(Extended::zero(), Extended::zero(), h / Extended::from(4.0));
         centred_at(centre, mass, |m| cone_moments(m, &r, &h))
     }
 }

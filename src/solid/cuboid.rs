@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 
 /// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source:
@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 /// let moments = tumbling::solid::cuboid_moments(&12.0, &2.0, &1.0, &3.0);
 /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
 /// ```
+#[must_use]
 pub fn cuboid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
     let twelfth = mass.clone() / T::integer(12);
     let (aa, bb, cc) = (square(a), square(b), square(c));
@@ -57,12 +58,12 @@ impl Cuboid {
 
 impl Solid for Cuboid {
     fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.edges.map(Wide::from);
+        let [a, b, c] = self.edges.map(Extended::from);
         (a * b * c).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b, c] = self.edges.map(Wide::from);
+        let [a, b, c] = self.edges.map(Extended::from);
         centred(mass, |m| cuboid_moments(m, &a, &b, &c))
     }
 }

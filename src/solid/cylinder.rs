@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::cylinder_moments(&12.0, &2.0, &3.0);
 /// assert_eq!(moments, Vector3::new(21.0, 21.0, 24.0));
 /// ```
+#[must_use]
 pub fn cylinder_moments<T: Field>(mass: &T, radius: &T, height: &T) -> Vector3<T> {
     let rr = square(radius);
     let across = mass.clone() * (T::integer(3) * rr.clone() + square(height)) / T::integer(12);
@@ -63,12 +64,12 @@ impl Cylinder {
 
 impl Solid for Cylinder {
     fn measure(&self) -> Result<f64, Error> {
-        let (r, h) = (Wide::from(self.radius), Wide::from(self.height));
-        (Wide::from(PI) * (square(&r) * h)).in_full("the volume")
+        let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
+        (Extended::from(PI) * (square(&r) * h)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (r, h) = (Wide::from(self.radius), Wide::from(self.height));
+        let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
         centred(mass, |m| cylinder_moments(m, &r, &h))
     }
 }

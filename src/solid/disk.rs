@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -14,6 +14,7 @@ use std::f64::consts::PI;
 /// use nalgebra::Vector3;
 /// assert_eq!(tumbling::solid::disk_moments(&3.0, &2.0), Vector3::new(3.0, 3.0, 6.0));
 /// ```
+#[must_use]
 pub fn disk_moments<T: Field>(mass: &T, radius: &T) -> Vector3<T> {
     let across = mass.clone() * square(radius) / T::integer(4);
     Vector3::new(across.clone(), across.clone(), across.clone() + across)
@@ -53,11 +54,11 @@ impl ThinDisk {
 impl Solid for ThinDisk {
     /// The area, m², so that its density is in kg/m².
     fn measure(&self) -> Result<f64, Error> {
-        (Wide::from(PI) * square(&Wide::from(self.radius))).in_full("the area")
+        (Extended::from(PI) * square(&Extended::from(self.radius))).in_full("the area")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let r = Wide::from(self.radius);
+        let r = Extended::from(self.radius);
         centred(mass, |m| disk_moments(m, &r))
     }
 }

@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::ellipsoid_moments(&5.0, &2.0, &1.0, &3.0);
 /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
 /// ```
+#[must_use]
 pub fn ellipsoid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
     let fifth = mass.clone() / T::integer(5);
     let (aa, bb, cc) = (square(a), square(b), square(c));
@@ -57,13 +58,13 @@ impl Ellipsoid {
 
 impl Solid for Ellipsoid {
     fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.semi_axes.map(Wide::from);
-        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
+        let [a, b, c] = self.semi_axes.map(Extended::from);
+        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
         (four_thirds_pi * (a * b * c)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b, c] = self.semi_axes.map(Wide::from);
+        let [a, b, c] = self.semi_axes.map(Extended::from);
         centred(mass, |m| ellipsoid_moments(m, &a, &b, &c))
     }
 }

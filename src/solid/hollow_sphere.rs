@@ -1,9 +1,9 @@
 //! A ball with a round hole in its middle, down to a thin shell.
 
 use super::{MassProperties, Solid, centred, square};
-use crate::error::{Error, not_negative, positive};
+use crate::error::{Error, Refusal, not_negative, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 /// assert_eq!(hollow_sphere_moment(&35.0, &1.0, &2.0), 62.0); // 2/5 * 35 * 31/7
 /// assert_eq!(hollow_sphere_moment(&3.0, &2.0, &2.0), 8.0); // 2/3 * 3 * 2^2
 /// ```
+#[must_use]
 pub fn hollow_sphere_moment<T: Field>(mass: &T, inner: &T, outer: &T) -> T {
     let (ii, io, oo) = (square(inner), inner.clone() * outer.clone(), square(outer));
     let quartic = square(&oo)
@@ -71,13 +72,13 @@ impl HollowSphere {
 
 impl Solid for HollowSphere {
     fn measure(&self) -> Result<f64, Error> {
-        let (i, o) = (Wide::from(self.inner), Wide::from(self.outer));
-        let four_thirds_pi = Wide::from(4.0) * Wide::from(PI) / Wide::from(3.0);
+        let (i, o) = (Extended::from(self.inner), Extended::from(self.outer));
+        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
         (four_thirds_pi * (o - i) * (square(&o) + o * i + square(&i))).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (i, o) = (Wide::from(self.inner), Wide::from(self.outer));
+        let (i, o) = (Extended::from(self.inner), Extended::from(self.outer));
         centred(mass, |m| Vector3::repeat(hollow_sphere_moment(m, &i, &o)))
     }
 }
@@ -88,5 +89,5 @@ pub(super) fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
         return Ok(());
     }
     let (smaller, larger) = ("the inner radius", "the outer radius");
-    Err(Error::Order { smaller, small: inner, larger, large: outer })
+    Err(Refusal::Order { smaller, small: inner, larger, large: outer }.into())
 }

@@ -6,9 +6,9 @@
 
 use super::tetrahedron::determinant;
 use super::{MassMoments, MassProperties, Solid, shells, topology};
-use crate::error::{Error, finite_vector, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::PrincipalAxes;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
@@ -39,6 +39,7 @@ pub struct MeshSums<T: Ring> {
 /// assert_eq!(sums.first, Vector3::new(1, 1, 1));
 /// assert_eq!(sums.second, Matrix3::new(2, 1, 1, 1, 2, 1, 1, 1, 2));
 /// ```
+#[must_use]
 pub fn mesh_sums<'a, T: Ring>(
     triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
     reference: &Vector3<T>,
@@ -70,6 +71,7 @@ pub fn mesh_sums<'a, T: Ring>(
 /// assert_eq!(solid.mass, 16.0);
 /// assert_eq!(solid.centre, Vector3::new(1.0, 1.0, 1.5));
 /// ```
+#[must_use]
 pub fn mesh_moments<T: Field>(sums: &MeshSums<T>, reference: &Vector3<T>) -> MassMoments<T> {
     let n = T::integer;
     let mass = sums.six_volumes.clone() / n(6);
@@ -108,7 +110,7 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::Error;
+/// use tumbling::ErrorKind;
 /// use tumbling::solid::{Mesh, Solid};
 ///
 /// let corner = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
@@ -117,37 +119,38 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 /// assert_eq!(solid.measure()?, 16.0);
 /// assert_eq!(solid.with_mass(2.0)?.centre(), Vector3::new(1.0, 1.0, 1.5));
 ///
-/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]);
-/// assert!(matches!(open, Err(Error::OpenMesh { .. })));
-/// # Ok::<(), Error>(())
+/// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]).unwrap_err();
+/// assert_eq!(open.kind(), ErrorKind::BadMesh);
+/// assert!(open.to_string().contains("belongs to 1 face(s)"), "{open}");
+/// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     vertices: Vec<Vector3<f64>>,
     faces: Vec<[usize; 3]>,
     /// For density 1.
-    moments: MassMoments<Wide>,
+    moments: MassMoments<Extended>,
 }
 
 impl Mesh {
     /// From vertices (m) and faces, each naming three of them by number from 0.
     ///
     /// # Errors
-    /// Fewer than four vertices or faces, a vertex that is not finite (as [`Error::Part`]), a face that names
+    /// Fewer than four vertices or faces, a vertex that is not finite, a face that names
     /// a vertex which is not there or one twice, a face listed twice, an edge that is open, a face that is
     /// flipped, a volume that is not positive by more than rounding, a shell that is inside out or wrongly
     /// nested, or a tensor that no body has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
         for (what, count) in [("vertices", vertices.len()), ("faces", faces.len())] {
             if count < 4 {
-                return Err(Error::TooFew { what, count, needed: 4 });
+                return Err(Refusal::TooFew { what, count, needed: 4 }.into());
             }
         }
         for (index, vertex) in vertices.iter().enumerate() {
-            finite_vector("the vertex", vertex).map_err(|e| Error::Part { index, source: Box::new(e) })?;
+            finite_vector("the vertex", vertex).map_err(|e| e.of_part(index))?;
         }
         let shell = topology::shells(faces, vertices.len())?;
-        let wide: Vec<_> = vertices.iter().map(|v| v.map(Wide::from)).collect();
+        let wide: Vec<_> = vertices.iter().map(|v| v.map(Extended::from)).collect();
         let triangles = || faces.iter().map(|face| face.map(|v| &wide[v]));
         let near = mean(triangles());
         enclosed(triangles(), &near)?;
@@ -178,32 +181,32 @@ impl Solid for Mesh {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let mass = Wide::from(positive("the mass", mass)?);
+        let mass = Extended::from(positive("the mass", mass)?);
         let density = mass / self.moments.mass;
         MassMoments { mass, centre: self.moments.centre, inertia: self.moments.inertia * density }.checked()
     }
 }
 
 /// The mean of all corners, as steps from the first, so that far from the origin no digits are lost.
-fn mean<'a>(mut triangles: impl Iterator<Item = [&'a Vector3<Wide>; 3]>) -> Vector3<Wide> {
+fn mean<'a>(mut triangles: impl Iterator<Item = [&'a Vector3<Extended>; 3]>) -> Vector3<Extended> {
     let mut sum = Vector3::zeros();
-    let mut count = Wide::from(1.0);
+    let mut count = Extended::from(1.0);
     let Some([start, ..]) = triangles.next() else {
         return sum;
     };
     for corner in triangles.flatten() {
         sum += corner - start;
-        count += Wide::from(1.0);
+        count += Extended::from(1.0);
     }
     start + sum.map(|x| x / count)
 }
 
 /// That the volume is positive by more than rounding.
 fn enclosed<'a>(
-    triangles: impl Iterator<Item = [&'a Vector3<Wide>; 3]>,
-    reference: &Vector3<Wide>,
+    triangles: impl Iterator<Item = [&'a Vector3<Extended>; 3]>,
+    reference: &Vector3<Extended>,
 ) -> Result<(), Error> {
-    let (mut six_volumes, mut size, mut count) = (Wide::zero(), Wide::zero(), 0.0);
+    let (mut six_volumes, mut size, mut count) = (Extended::zero(), Extended::zero(), 0.0);
     for triangle in triangles {
         let (term, bound) = spanned(triangle, reference, determinant);
         six_volumes += term;
@@ -211,19 +214,20 @@ fn enclosed<'a>(
         count += 1.0;
     }
     // Eight half units for each term, as in a tetrahedron, and one for each addition.
-    let rounding = size * Wide::from((8.0 + count) * 0.5 * f64::EPSILON);
+    let rounding = size * Extended::from((8.0 + count) * 0.5 * f64::EPSILON);
     if (six_volumes - rounding).is_positive() {
         return Ok(());
     }
-    let sixth = |x: Wide| (x / Wide::from(6.0)).nearest();
-    Err(Error::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) })
+    let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
+    Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
 /// through itself may give one that none has.
-fn possible(tensor: &Matrix3<Wide>, count: usize) -> Result<(), Error> {
-    let largest =
-        tensor.diagonal().fold(Wide::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
+fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
+    let largest = tensor
+        .diagonal()
+        .fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
     let moments = PrincipalAxes::of(&tensor.map(|x| (x / largest).nearest())).moments();
     #[allow(clippy::cast_precision_loss)] // no mesh has 2^53 faces
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
@@ -231,7 +235,13 @@ fn possible(tensor: &Matrix3<Wide>, count: usize) -> Result<(), Error> {
     if excess <= tolerance {
         return Ok(());
     }
-    let size = |x: f64| (Wide::from(x) * largest).nearest();
+    let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
-    Err(Error::TriangleInequality { moments, excess: size(excess), tolerance: size(tolerance) })
+    Err(Refusal::TriangleInequality {
+        moments,
+        excess: size(excess),
+        tolerance: size(tolerance),
+        printed: false,
+    }
+    .into())
 }

@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 
 /// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about
@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 /// use nalgebra::Vector3;
 /// assert_eq!(tumbling::solid::plate_moments(&12.0, &2.0, &3.0), Vector3::new(9.0, 4.0, 13.0));
 /// ```
+#[must_use]
 pub fn plate_moments<T: Field>(mass: &T, a: &T, b: &T) -> Vector3<T> {
     let about = |edge: &T| mass.clone() * square(edge) / T::integer(12);
     let (x, y) = (about(b), about(a));
@@ -57,12 +58,12 @@ impl ThinPlate {
 impl Solid for ThinPlate {
     /// The area, m², so that its density is in kg/m².
     fn measure(&self) -> Result<f64, Error> {
-        let [a, b] = self.edges.map(Wide::from);
+        let [a, b] = self.edges.map(Extended::from);
         (a * b).in_full("the area")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b] = self.edges.map(Wide::from);
+        let [a, b] = self.edges.map(Extended::from);
         centred(mass, |m| plate_moments(m, &a, &b))
     }
 }

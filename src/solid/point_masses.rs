@@ -2,9 +2,9 @@
 
 use super::properties::combine_about_heaviest;
 use super::{MassMoments, MassProperties, combined};
-use crate::error::{Error, finite_vector, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass, centre and inertia of point masses at given positions: the definition itself, `sum m (|d|² 1 - d d^T)`
@@ -17,6 +17,7 @@ use nalgebra::{Matrix3, Vector3};
 /// assert_eq!(body.centre, Vector3::new(3.0, 3.0, 0.0));
 /// assert_eq!(body.inertia, Matrix3::new(12.0, -12.0, 0.0, -12.0, 12.0, 0.0, 0.0, 0.0, 24.0));
 /// ```
+#[must_use]
 pub fn point_masses_moments<T: Field>(points: &[(T, Vector3<T>)], reference: &Vector3<T>) -> MassMoments<T> {
     combined(&as_parts(points), reference)
 }
@@ -53,18 +54,18 @@ impl PointMasses {
     ///
     /// # Errors
     /// Fewer than two distinct positions (all in one place, they have no inertia), a mass that is not finite
-    /// and positive or a position that is not finite (as [`Error::Part`]), or a result that `f64` does not hold.
+    /// and positive or a position that is not finite, or a result that `f64` does not hold.
     pub fn new(points: &[(f64, Vector3<f64>)]) -> Result<Self, Error> {
         for (index, (mass, position)) in points.iter().enumerate() {
             positive("the mass", *mass)
                 .and_then(|_| finite_vector("the position", position))
-                .map_err(|e| Error::Part { index, source: Box::new(e) })?;
+                .map_err(|e| e.of_part(index))?;
         }
         if !points.iter().any(|p| p.1 != points[0].1) {
             let count = points.len().min(1);
-            return Err(Error::TooFew { what: "distinct points", count, needed: 2 });
+            return Err(Refusal::TooFew { what: "distinct points", count, needed: 2 }.into());
         }
-        let wide: Vec<_> = points.iter().map(|(m, p)| (Wide::from(*m), p.map(Wide::from))).collect();
+        let wide: Vec<_> = points.iter().map(|(m, p)| (Extended::from(*m), p.map(Extended::from))).collect();
         let masses = points.iter().map(|p| p.0);
         let properties = combine_about_heaviest(&as_parts(&wide), masses, "points")?.checked()?;
         Ok(Self { points: points.to_vec(), properties })

@@ -1,8 +1,8 @@
 //! What a solid tells the rest of the library: mass, centre, inertia about the centre.
 
-use crate::error::{Error, finite_vector, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -34,6 +34,7 @@ pub struct MassMoments<T: Ring> {
 /// assert_eq!(pair.centre.x, 3.0);
 /// assert_eq!(pair.inertia.diagonal(), Vector3::new(0.0, 12.0, 12.0)); // 1 * 3^2 + 3 * 1^2
 /// ```
+#[must_use]
 pub fn combined<T: Field>(parts: &[MassMoments<T>], reference: &Vector3<T>) -> MassMoments<T> {
     let mut mass = T::zero();
     let mut first = Vector3::zeros();
@@ -59,6 +60,7 @@ impl<T: Ring> MassMoments<T> {
     /// assert_eq!(ball.map(|x| *x as f32).inertia[(2, 2)], 1.0_f32);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
+    #[must_use]
     pub fn map<U: Ring>(&self, number: impl Fn(&T) -> U) -> MassMoments<U> {
         MassMoments {
             mass: number(&self.mass),
@@ -68,7 +70,7 @@ impl<T: Ring> MassMoments<T> {
     }
 }
 
-impl MassMoments<Wide> {
+impl MassMoments<Extended> {
     /// As `f64`, if that can hold it.
     pub(crate) fn checked(&self) -> Result<MassProperties, Error> {
         let mass = self.mass.in_full("the mass")?;
@@ -109,6 +111,11 @@ impl From<MassProperties> for MassMoments<f64> {
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "crate::serial::Properties", into = "crate::serial::Properties")
+)]
 pub struct MassProperties {
     mass: f64,
     centre: Vector3<f64>,
@@ -152,7 +159,7 @@ impl MassProperties {
         finite_vector("the offset", offset)?;
         let centre = self.centre + offset;
         match centre.iter().find(|x| !x.is_finite()) {
-            Some(&value) => Err(Error::OutOfRange { what: "the centre of mass", value }),
+            Some(&value) => Err(Refusal::OutOfRange { what: "the centre of mass", value }.into()),
             None => Ok(Self { centre, ..*self }),
         }
     }
@@ -173,11 +180,11 @@ impl MassProperties {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?.map(Wide::from);
-        let wide = MassMoments::from(*self).map(|x| Wide::from(*x));
+        let rotation = crate::body::attitude::matrix(attitude)?.map(Extended::from);
+        let wide = MassMoments::from(*self).map(|x| Extended::from(*x));
         let m = turned(&rotation, &wide.inertia);
         // Mirrored entries differ by rounding: keep their mean.
-        let inertia = (m + m.transpose()).map(|x| x / Wide::from(2.0));
+        let inertia = (m + m.transpose()).map(|x| x / Extended::from(2.0));
         MassMoments { mass: wide.mass, centre: rotation * wide.centre, inertia }.checked()
     }
 
@@ -198,8 +205,8 @@ impl MassProperties {
     /// ```
     pub fn about(&self, point: &Vector3<f64>) -> Result<Inertia, Error> {
         finite_vector("the point", point)?;
-        let mut wide = MassMoments::from(*self).map(|x| Wide::from(*x));
-        let offset = point.map(Wide::from) - wide.centre;
+        let mut wide = MassMoments::from(*self).map(|x| Extended::from(*x));
+        let offset = point.map(Extended::from) - wide.centre;
         wide.inertia += point_mass(&wide.mass, &offset);
         Ok(wide.checked()?.inertia)
     }
@@ -211,20 +218,20 @@ impl MassProperties {
     /// # Errors
     /// No parts, or a result that `f64` does not hold.
     pub fn combine(parts: &[Self]) -> Result<Self, Error> {
-        let wide: Vec<_> = parts.iter().map(|p| MassMoments::from(*p).map(|x| Wide::from(*x))).collect();
+        let wide: Vec<_> = parts.iter().map(|p| MassMoments::from(*p).map(|x| Extended::from(*x))).collect();
         combine_about_heaviest(&wide, parts.iter().map(|p| p.mass), "parts")?.checked()
     }
 }
 
 /// [`combined`] about the centre of the part that weighs most.
 pub(crate) fn combine_about_heaviest(
-    parts: &[MassMoments<Wide>],
+    parts: &[MassMoments<Extended>],
     masses: impl Iterator<Item = f64>,
     what: &'static str,
-) -> Result<MassMoments<Wide>, Error> {
+) -> Result<MassMoments<Extended>, Error> {
     let heaviest = parts.iter().zip(masses).max_by(|a, b| a.1.total_cmp(&b.1));
     let Some((part, _)) = heaviest else {
-        return Err(Error::TooFew { what, count: 0, needed: 1 });
+        return Err(Refusal::TooFew { what, count: 0, needed: 1 }.into());
     };
     Ok(combined(parts, &part.centre))
 }

@@ -3,7 +3,7 @@
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 
 /// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
@@ -13,6 +13,7 @@ use nalgebra::Vector3;
 /// use nalgebra::Vector3;
 /// assert_eq!(tumbling::solid::rod_moments(&4.0, &3.0), Vector3::new(3.0, 3.0, 0.0));
 /// ```
+#[must_use]
 pub fn rod_moments<T: Field>(mass: &T, length: &T) -> Vector3<T> {
     let across = mass.clone() * square(length) / T::integer(12);
     Vector3::new(across.clone(), across, T::zero())
@@ -58,7 +59,7 @@ impl Solid for ThinRod {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let l = Wide::from(self.length);
+        let l = Extended::from(self.length);
         centred(mass, |m| rod_moments(m, &l))
     }
 }

@@ -6,8 +6,8 @@
 //! of a triangle: [OS83](crate::references).
 
 use super::mesh::triple;
-use crate::error::Error;
-use crate::number::extended::Wide;
+use crate::error::{Error, Refusal};
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use num_traits::Zero;
 use std::f64::consts::TAU;
@@ -22,7 +22,11 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// That just inside and just outside each shell the winding number is 0 or 1. `shell` is the shell of each
 /// face, and each is closed.
-pub(super) fn check(vertices: &[Vector3<Wide>], faces: &[[usize; 3]], shell: &[usize]) -> Result<(), Error> {
+pub(super) fn check(
+    vertices: &[Vector3<Extended>],
+    faces: &[[usize; 3]],
+    shell: &[usize],
+) -> Result<(), Error> {
     let shells = Shell::all(vertices, faces, shell);
     if shells.len() < 2 {
         // One alone is right if its volume is positive, which is checked anyway.
@@ -42,11 +46,12 @@ pub(super) fn check(vertices: &[Vector3<Wide>], faces: &[[usize; 3]], shell: &[u
             }
             // Refused only if neither 0 nor 1 whichever side rounding put the point on.
             if winding + doubt < -0.5 || winding - doubt > 1.5 {
-                return Err(Error::MisplacedShell {
+                return Err(Refusal::MisplacedShell {
                     face: own.first,
                     volume: own.volume(vertices).nearest(),
                     winding: winding.round(),
-                });
+                }
+                .into());
             }
         }
     }
@@ -59,18 +64,18 @@ struct Shell {
     faces: Vec<[usize; 3]>,
     /// The face beside which to look: the highest, since the slimmer the less clear.
     best: [usize; 3],
-    low: Vector3<Wide>,
-    high: Vector3<Wide>,
+    low: Vector3<Extended>,
+    high: Vector3<Extended>,
 }
 
 /// A place near a vertex, kept as the step from it: far from the origin the sum would lose the step.
 struct Point {
-    start: Vector3<Wide>,
-    step: Vector3<Wide>,
+    start: Vector3<Extended>,
+    step: Vector3<Extended>,
 }
 
 impl Shell {
-    fn all(vertices: &[Vector3<Wide>], faces: &[[usize; 3]], shell: &[usize]) -> Vec<Self> {
+    fn all(vertices: &[Vector3<Extended>], faces: &[[usize; 3]], shell: &[usize]) -> Vec<Self> {
         let mut shells: Vec<Self> = Vec::new();
         let mut heights = Vec::new();
         for (first, (face, &number)) in faces.iter().zip(shell).enumerate() {
@@ -94,11 +99,11 @@ impl Shell {
     }
 
     /// The middle of its best face, moved off it by `side` of its height: outwards if that is positive.
-    fn beside(&self, vertices: &[Vector3<Wide>], side: f64) -> Point {
+    fn beside(&self, vertices: &[Vector3<Extended>], side: f64) -> Point {
         let [a, b, c] = self.best.map(|v| vertices[v]);
         let (up, _) = steepness(vertices, &self.best);
-        let middle = ((b - a) + (c - a)).map(|x| x / Wide::from(3.0));
-        Point { start: a, step: middle + up * Wide::from(side) }
+        let middle = ((b - a) + (c - a)).map(|x| x / Extended::from(3.0));
+        Point { start: a, step: middle + up * Extended::from(side) }
     }
 
     /// Not if the point lies outside its bounding box: there its winding number is 0.
@@ -108,20 +113,20 @@ impl Shell {
         !above.iter().chain(&below).any(|x| x.is_positive())
     }
 
-    fn volume(&self, vertices: &[Vector3<Wide>]) -> Wide {
+    fn volume(&self, vertices: &[Vector3<Extended>]) -> Extended {
         let start = vertices[self.best[0]];
-        let mut six_volumes = Wide::zero();
+        let mut six_volumes = Extended::zero();
         for face in &self.faces {
             let [a, b, c] = face.map(|v| vertices[v]);
             six_volumes += triple(&(a - start), &(b - a), &(c - a));
         }
-        six_volumes / Wide::from(6.0)
+        six_volumes / Extended::from(6.0)
     }
 }
 
 impl Point {
     /// The direction in which a vertex is seen, if it is not here.
-    fn sight(&self, vertex: &Vector3<Wide>) -> Option<Vector3<f64>> {
+    fn sight(&self, vertex: &Vector3<Extended>) -> Option<Vector3<f64>> {
         let away = (vertex - self.start) - self.step;
         let size = largest(&away);
         (!size.is_zero()).then(|| away.map(|x| (x / size).nearest()).normalize())
@@ -130,20 +135,20 @@ impl Point {
 
 /// A vector off the face, outwards, about as long as the face is high above its longest edge, and that length,
 /// both to a factor of two. Zero for a face without area.
-fn steepness(vertices: &[Vector3<Wide>], face: &[usize; 3]) -> (Vector3<Wide>, Wide) {
+fn steepness(vertices: &[Vector3<Extended>], face: &[usize; 3]) -> (Vector3<Extended>, Extended) {
     let [a, b, c] = face.map(|v| vertices[v]);
     let edges = [b - a, c - b, a - c];
     let longest =
-        edges.iter().map(largest).fold(Wide::zero(), |x, y| if (y - x).is_positive() { y } else { x });
+        edges.iter().map(largest).fold(Extended::zero(), |x, y| if (y - x).is_positive() { y } else { x });
     if longest.is_zero() {
-        return (Vector3::zeros(), Wide::zero());
+        return (Vector3::zeros(), Extended::zero());
     }
     let up = (b - a).cross(&(c - a)).map(|x| x / longest);
     (up, largest(&up))
 }
 
-fn largest(v: &Vector3<Wide>) -> Wide {
-    v.fold(Wide::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a })
+fn largest(v: &Vector3<Extended>) -> Extended {
+    v.fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a })
 }
 
 /// The solid angle of a triangle, positive seen from behind, given the unit vectors to its corners; none if

@@ -1,10 +1,10 @@
 //! A tetrahedron: the solid that every other with flat faces is cut into.
 
 use super::{MassMoments, MassProperties, Solid};
-use crate::error::{Error, finite_vector, positive};
+use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::point_mass;
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::{Matrix3, Vector3};
 
 /// Centre and inertia of a full tetrahedron: as if a twentieth of its mass sat at each vertex, measured from
@@ -20,6 +20,7 @@ use nalgebra::{Matrix3, Vector3};
 /// assert_eq!(body.centre, Vector3::new(1.0, 1.0, 1.0));
 /// assert_eq!(body.inertia, Matrix3::new(6.0, 1.0, 1.0, 1.0, 6.0, 1.0, 1.0, 1.0, 6.0));
 /// ```
+#[must_use]
 pub fn tetrahedron_moments<T: Field>(mass: &T, vertices: &[Vector3<T>; 4]) -> MassMoments<T> {
     let [a, b, c, d] = vertices;
     let edges = [b - a, c - a, d - a];
@@ -61,8 +62,8 @@ impl Tetrahedron {
         if (six_volume - rounding).is_positive() {
             return Ok(Self { vertices });
         }
-        let sixth = |x: Wide| (x / Wide::from(6.0)).nearest();
-        Err(Error::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) })
+        let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
+        Err(Refusal::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) }.into())
     }
 
     /// The vertices, m.
@@ -74,29 +75,29 @@ impl Tetrahedron {
 
 impl Solid for Tetrahedron {
     fn measure(&self) -> Result<f64, Error> {
-        (six_volume(&self.vertices).0 / Wide::from(6.0)).in_full("the volume")
+        (six_volume(&self.vertices).0 / Extended::from(6.0)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let mass = Wide::from(positive("the mass", mass)?);
-        tetrahedron_moments(&mass, &self.vertices.map(|v| v.map(Wide::from))).checked()
+        let mass = Extended::from(positive("the mass", mass)?);
+        tetrahedron_moments(&mass, &self.vertices.map(|v| v.map(Extended::from))).checked()
     }
 }
 
 /// Six times the volume, and how far rounding may have moved it.
-fn six_volume(vertices: &[Vector3<f64>; 4]) -> (Wide, Wide) {
-    let [a, b, c, d] = vertices.map(|v| v.map(Wide::from));
+fn six_volume(vertices: &[Vector3<f64>; 4]) -> (Extended, Extended) {
+    let [a, b, c, d] = vertices.map(|v| v.map(Extended::from));
     let (volume, size) = determinant([&(b - a), &(c - a), &(d - a)]);
     // Three roundings of the edges, two of each product, three of the sum: eight half units.
-    (volume.abs(), size * Wide::from(4.0 * f64::EPSILON))
+    (volume.abs(), size * Extended::from(4.0 * f64::EPSILON))
 }
 
 /// The determinant of three vectors, and the same with every term taken positive, which bounds its rounding.
-pub(super) fn determinant([a, b, c]: [&Vector3<Wide>; 3]) -> (Wide, Wide) {
-    let size = |v: &Vector3<Wide>| v.map(Wide::abs);
-    let plus = |p: &Vector3<Wide>, q: &Vector3<Wide>| {
+pub(super) fn determinant([a, b, c]: [&Vector3<Extended>; 3]) -> (Extended, Extended) {
+    let size = |v: &Vector3<Extended>| v.map(Extended::abs);
+    let plus = |p: &Vector3<Extended>, q: &Vector3<Extended>| {
         Vector3::new(p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x)
     };
-    let dot = |p: &Vector3<Wide>, q: &Vector3<Wide>| p.x * q.x + p.y * q.y + p.z * q.z;
+    let dot = |p: &Vector3<Extended>, q: &Vector3<Extended>| p.x * q.x + p.y * q.y + p.z * q.z;
     (super::mesh::triple(a, b, c), dot(&size(a), &plus(&size(b), &size(c))))
 }

@@ -4,7 +4,7 @@ use super::hollow_sphere::ordered;
 use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
 use crate::number::Field;
-use crate::number::extended::Wide;
+use crate::number::extended::Extended;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 /// let moments = tumbling::solid::tube_moments(&12.0, &1.0, &2.0, &3.0);
 /// assert_eq!(moments, Vector3::new(24.0, 24.0, 30.0));
 /// ```
+#[must_use]
 pub fn tube_moments<T: Field>(mass: &T, inner: &T, outer: &T, height: &T) -> Vector3<T> {
     let radii = square(inner) + square(outer);
     let across = mass.clone() * (T::integer(3) * radii.clone() + square(height)) / T::integer(12);
@@ -75,12 +76,12 @@ impl Tube {
 
 impl Solid for Tube {
     fn measure(&self) -> Result<f64, Error> {
-        let [i, o, h] = [self.inner, self.outer, self.height].map(Wide::from);
-        (Wide::from(PI) * ((o - i) * (o + i) * h)).in_full("the volume")
+        let [i, o, h] = [self.inner, self.outer, self.height].map(Extended::from);
+        (Extended::from(PI) * ((o - i) * (o + i) * h)).in_full("the volume")
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [i, o, h] = [self.inner, self.outer, self.height].map(Wide::from);
+        let [i, o, h] = [self.inner, self.outer, self.height].map(Extended::from);
         centred(mass, |m| tube_moments(m, &i, &o, &h))
     }
 }

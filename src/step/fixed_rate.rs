@@ -1,8 +1,10 @@
-//! A step for a game: right at 60 Hz, for ordinary bodies and spins.
+//! A step at a fixed rate, as a game takes it: right at 60 Hz for ordinary bodies and spins.
 
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
+use crate::inertia::ascending;
+use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::Vector3;
 
@@ -15,7 +17,7 @@ const LONGEST: f64 = 0.5;
 /// The most parts of one step.
 const MOST_PARTS: f64 = 1000.0;
 
-/// One step of a game's clock: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
+/// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
 /// radian; with a torque, all of it between two half kicks. At 60 Hz a steady spin has 30 rad/s before a second part is needed.
 ///
 /// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable spin stays stable for ever; the
@@ -23,13 +25,14 @@ const MOST_PARTS: f64 = 1000.0;
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::step::{State, System, game};
-/// let system = System::free(&Vector3::new(1.0, 2.0, 3.0))?;
-/// // Ten minutes about the axis of the largest moment, with a wobble: at 60 Hz a naive engine turns it about the middle one.
+/// use tumbling::PrincipalMoments;
+/// use tumbling::step::{State, System, fixed_rate};
+/// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
+/// // Ten minutes about the axis of the largest moment, with a nutation: at 60 Hz a naive engine turns it about the middle one.
 /// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
 /// for _ in 0..36_000 {
-///     motion = game(&system, &motion, 1.0 / 60.0)?;
+///     motion = fixed_rate(&system, &motion, 1.0 / 60.0)?;
 /// }
 /// let energy = |motion: &State<f64>| 0.5 * motion.momentum.dot(&system.omega(&motion.momentum));
 /// assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-12);
@@ -39,20 +42,20 @@ const MOST_PARTS: f64 = 1000.0;
 /// # Errors
 /// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of its moments do, or an attitude of
 /// no length.
-pub fn game(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
+pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     if system.is_free() {
-        return drifted(system, start, h);
+        return drifted(system, start, &h);
     }
-    let end = drifted(system, &system.kicked(start, &(0.5 * h)), h)?;
-    system.kicked_back(&end, &(0.5 * h)).whole()
+    let half = h.clone() / T::integer(2);
+    let end = drifted(system, &system.kick(start, half.clone()), &h)?;
+    system.adjoint_kick(&end, half).checked()
 }
 
 /// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
 #[inline]
-fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
-    let mut order = [0, 1, 2];
-    let moments = system.moments();
-    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+fn fastest<T: Analytic>(system: &System<T>, omega: &Vector3<T>) -> f64 {
+    let (moments, omega) = (system.moments().map(|x| x.size()), omega.map(|x| x.size()));
+    let order = ascending(&moments);
     let [a, b, c] = order.map(|i| moments[i]);
     let [x, y, z] = order.map(|i| omega[i] * omega[i]);
     // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows. Of a sphere nothing is given.
@@ -67,22 +70,24 @@ fn fastest(system: &System<f64>, omega: &Vector3<f64>) -> f64 {
 
 /// The free motion in the time of a step.
 #[inline]
-fn drifted(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
+fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let inverse = system.inverse();
     // Energy and momentum stay, and so does this: the parts do not change on the way.
     let omega = system.omega(&start.momentum);
     // No more than the energy allows about the smallest moment: cheap, and enough for most.
-    let rough = (start.momentum.dot(&omega) * inverse.max()).sqrt() * h.abs();
-    let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.abs() };
+    let largest = inverse.iter().map(Analytic::size).fold(0.0, f64::max);
+    let rough = (start.momentum.dot(&omega).size() * largest).sqrt() * h.size();
+    let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.size() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
-        return Err(Error::OutOfRange { what: "the turn of a step", value: turn });
+        return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
-    let prepared = Prepared::new(inverse, &start.momentum, &(h / parts), ORDER);
+    let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::integer(parts as u32)), ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;
     }
-    motion.attitude *= 1.0 / motion.attitude.norm();
-    motion.whole()
+    let over = T::one() / motion.attitude.coords.dot(&motion.attitude.coords).sqrt();
+    motion.attitude.coords.apply(|x| *x *= over.clone());
+    motion.checked()
 }

@@ -5,10 +5,11 @@ use super::methods::{
     buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
 };
 use crate::body::State;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::Vector3;
+use std::fmt;
 
 /// A way to step a body through time.
 ///
@@ -22,7 +23,7 @@ pub enum Method {
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
     /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its error controlled it is
-    /// [`controlled`](crate::step::controlled).
+    /// [`adaptive`](crate::step::adaptive).
     DormandPrince5,
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
     /// where it is in the world.
@@ -38,14 +39,14 @@ pub enum Method {
     /// Gauss's collocation with three stages.
     Gauss6,
     /// An exact turn about each principal axis, there and back.
-    ThreeRotations2,
+    RotationSplitting2,
     /// Seven of those in one step.
-    ThreeRotations4,
+    RotationSplitting4,
     /// Nine of those in one step.
-    ThreeRotations6,
+    RotationSplitting6,
     /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first two moments are the nearest.
     SymmetricTop,
-    /// The discrete Moser-Veselov algorithm.
+    /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a quarter turn or more.
     MoserVeselov2,
     /// The same with the moments preprocessed to order 4.
     MoserVeselov4,
@@ -59,47 +60,48 @@ pub enum Method {
     /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin never flips or precesses, and the momentum
     /// wanders in the world with the body; at any step, so that its order is 0.
     ConstantSpin,
-    /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo 4.0.0's Euler, Bullet 3.2.7's
+    /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo's Euler, Bullet's
     /// multibody. It gains energy, in time without bound: a stable spin is lost.
     SemiImplicitEuler,
     /// The same, with the momentum brought back to its length before the turn: Jolt with its flag on, Avian. It keeps `|L|` and
     /// turns a body that spins stably about its largest moment toward the middle one.
     Rescaled,
-    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier 0.36.1, in four parts a step.
-    RescaledStraight,
-    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet 3.2.7's rigid
+    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier, in four parts a step.
+    RescaledLinearAttitude,
+    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet's rigid
     /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
     /// multiply the energy.
-    OneNewton,
-    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the damping: MuJoCo 4.0.0's implicit
-    /// and implicitfast. For a free body the same as [`OneNewton`](Self::OneNewton).
+    ImplicitOneNewton,
+    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the damping: MuJoCo's implicit
+    /// and implicitfast. For a free body the same as [`ImplicitOneNewton`](Self::ImplicitOneNewton).
     LinearisedImplicit,
-    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's RK4 before version 4.0.0. The spin is right
+    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's former RK4. The spin is right
     /// to the fourth order, the attitude to the second.
     MeanSpinRungeKutta4,
     /// The same, each of the four spins corrected to the rate of the turn since the start of the step, as
-    /// [MK98](crate::references): MuJoCo 4.0.0's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body axes.
+    /// [MK98](crate::references): MuJoCo's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body axes.
     TurnedRungeKutta4,
 }
 
-/// What a method says of itself. Its order and what it keeps are proven or measured by the tests, for free motion.
+/// A method's name, order and conserved quantities, as proven or measured by the tests for free motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct About {
-    /// What it is called.
+pub struct MethodInfo {
+    /// Its usual name.
     pub name: &'static str,
     /// Errors at a given time fall as this power of the step.
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
-    /// What it keeps of a free motion but for rounding, however long the step.
-    pub keeps: Keeps,
-    /// Where it comes from: a key into the [references](crate::references), or whose engine uses it.
+    /// The quantities of a free motion that it conserves to rounding in every step that it takes: the implicit methods refuse steps that
+    /// turn the body too far.
+    pub conserved: Conserved,
+    /// Where it comes from: a key into the [references](crate::references), or a word.
     pub source: &'static str,
 }
 
-/// Laws of free motion that a method keeps but for rounding.
+/// The quantities of free motion that a method conserves to rounding, and whether it is reversible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Keeps {
+pub struct Conserved {
     /// The energy.
     pub energy: bool,
     /// The length of the angular momentum.
@@ -108,13 +110,14 @@ pub struct Keeps {
     pub direction: bool,
     /// The length of the attitude quaternion.
     pub unit: bool,
-    /// A step back undoes a step.
+    /// A step back undoes every step that is taken, or is refused where the iteration of the midpoint rule or of Gauss's stages
+    /// hardly converges.
     pub reversible: bool,
 }
 
-impl Keeps {
+impl Conserved {
     /// None of them.
-    pub const NOTHING: Self =
+    pub const NONE: Self =
         Self { energy: false, momentum: false, direction: false, unit: false, reversible: false };
 }
 
@@ -130,9 +133,9 @@ impl Method {
         Self::ImplicitMidpoint,
         Self::Gauss4,
         Self::Gauss6,
-        Self::ThreeRotations2,
-        Self::ThreeRotations4,
-        Self::ThreeRotations6,
+        Self::RotationSplitting2,
+        Self::RotationSplitting4,
+        Self::RotationSplitting6,
         Self::SymmetricTop,
         Self::MoserVeselov2,
         Self::MoserVeselov4,
@@ -142,30 +145,30 @@ impl Method {
         Self::ConstantSpin,
         Self::SemiImplicitEuler,
         Self::Rescaled,
-        Self::RescaledStraight,
-        Self::OneNewton,
+        Self::RescaledLinearAttitude,
+        Self::ImplicitOneNewton,
         Self::LinearisedImplicit,
         Self::MeanSpinRungeKutta4,
         Self::TurnedRungeKutta4,
     ];
 
-    /// What it says of itself.
+    /// Its name, order and conserved quantities.
     #[must_use]
-    pub const fn about(self) -> &'static About {
+    pub const fn info(self) -> &'static MethodInfo {
         match self {
             Self::ExplicitEuler => &explicit::EULER,
-            Self::RungeKutta4 => &rk4::ABOUT,
-            Self::DormandPrince5 => &dormand_prince::ABOUT,
-            Self::MuntheKaas4 => &lie::ABOUT,
-            Self::Buss => &buss::ABOUT,
-            Self::Spiral => &spiral::ABOUT,
+            Self::RungeKutta4 => &rk4::INFO,
+            Self::DormandPrince5 => &dormand_prince::INFO,
+            Self::MuntheKaas4 => &lie::INFO,
+            Self::Buss => &buss::INFO,
+            Self::Spiral => &spiral::INFO,
             Self::ImplicitMidpoint => &gauss::MIDPOINT,
             Self::Gauss4 => &gauss::GAUSS_4,
             Self::Gauss6 => &gauss::GAUSS_6,
-            Self::ThreeRotations2 => &splitting::ORDER_2,
-            Self::ThreeRotations4 => &splitting::ORDER_4,
-            Self::ThreeRotations6 => &splitting::ORDER_6,
-            Self::SymmetricTop => &symmetric_top::ABOUT,
+            Self::RotationSplitting2 => &splitting::ORDER_2,
+            Self::RotationSplitting4 => &splitting::ORDER_4,
+            Self::RotationSplitting6 => &splitting::ORDER_6,
+            Self::SymmetricTop => &symmetric_top::INFO,
             Self::MoserVeselov2 => &moser_veselov::ORDER_2,
             Self::MoserVeselov4 => &moser_veselov::ORDER_4,
             Self::MoserVeselov6 => &moser_veselov::ORDER_6,
@@ -174,8 +177,8 @@ impl Method {
             Self::ConstantSpin => &simple::CONSTANT_SPIN,
             Self::SemiImplicitEuler => &simple::SEMI_IMPLICIT,
             Self::Rescaled => &simple::RESCALED,
-            Self::RescaledStraight => &simple::RESCALED_STRAIGHT,
-            Self::OneNewton => &newton::ONE_NEWTON,
+            Self::RescaledLinearAttitude => &simple::RESCALED_STRAIGHT,
+            Self::ImplicitOneNewton => &newton::ONE_NEWTON,
             Self::LinearisedImplicit => &newton::LINEARISED,
             Self::MeanSpinRungeKutta4 => &runge_kutta::MEAN_SPIN,
             Self::TurnedRungeKutta4 => &runge_kutta::CORRECTED,
@@ -186,12 +189,13 @@ impl Method {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{Method, State, System};
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 4.0, 0.0) };
     /// for &method in Method::ALL {
     ///     // A steady spin of 2 rad/s about the middle axis stays one, right or wrong the method.
-    ///     let end = method.step(&system, &start, &0.01)?;
+    ///     let end = method.step(&system, &start, 0.01)?;
     ///     assert!((end.momentum - start.momentum).norm() < 1e-15, "{method:?}");
     ///     assert!((end.attitude.j - 0.01_f64.sin()).abs() < 1e-6, "{method:?}");
     /// }
@@ -199,13 +203,14 @@ impl Method {
     /// ```
     ///
     /// # Errors
-    /// A step so long that an implicit method does not find its end, or that the motion leaves what the number type
-    /// holds. A step of which the method makes nonsense that is finite is no error: see [`About`].
-    pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
-        lost_squares(&system.omega(&start.momentum), h)?;
+    /// A step so long that an implicit method does not find its end or might find another, or that the motion leaves what the
+    /// number type holds. A step of which the method makes nonsense that is finite is no error: see [`MethodInfo`].
+    pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
+        let h = &h;
+        check_square_underflow(&system.omega(&start.momentum), h)?;
         let end = match self {
             Self::ExplicitEuler => explicit::euler(system, start, h),
-            Self::RungeKutta4 => rk4::rk4(start, h, |motion| system.rate(motion)),
+            Self::RungeKutta4 => rk4::step(system, start, h),
             Self::DormandPrince5 => dormand_prince::step(system, start, h),
             Self::MuntheKaas4 => lie::step(system, start, h),
             Self::Buss => buss::step(system, start, h),
@@ -213,9 +218,9 @@ impl Method {
             Self::ImplicitMidpoint => gauss::midpoint(system, start, h)?,
             Self::Gauss4 => gauss::gauss_4(system, start, h)?,
             Self::Gauss6 => gauss::gauss_6(system, start, h)?,
-            Self::ThreeRotations2 => splitting::order_2(system, start, h),
-            Self::ThreeRotations4 => splitting::order_4(system, start, h),
-            Self::ThreeRotations6 => splitting::order_6(system, start, h),
+            Self::RotationSplitting2 => splitting::order_2(system, start, h),
+            Self::RotationSplitting4 => splitting::order_4(system, start, h),
+            Self::RotationSplitting6 => splitting::order_6(system, start, h),
             Self::SymmetricTop => symmetric_top::step(system, start, h),
             Self::MoserVeselov2 => moser_veselov::step(system, start, h, 2)?,
             Self::MoserVeselov4 => moser_veselov::step(system, start, h, 4)?,
@@ -225,18 +230,25 @@ impl Method {
             Self::ConstantSpin => simple::constant_spin(system, start, h),
             Self::SemiImplicitEuler => simple::semi_implicit(system, start, h),
             Self::Rescaled => simple::rescaled(system, start, h),
-            Self::RescaledStraight => simple::rescaled_straight(system, start, h),
-            Self::OneNewton => newton::one_newton(system, start, h),
+            Self::RescaledLinearAttitude => simple::rescaled_straight(system, start, h),
+            Self::ImplicitOneNewton => newton::one_newton(system, start, h),
             Self::LinearisedImplicit => newton::linearised(system, start, h),
             Self::MeanSpinRungeKutta4 => runge_kutta::mean_spin(system, start, h),
             Self::TurnedRungeKutta4 => runge_kutta::corrected(system, start, h),
         };
-        end.whole()
+        end.checked()
+    }
+}
+
+/// Its [name](MethodInfo::name).
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.info().name)
     }
 }
 
 /// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without them nothing would gyrate.
-pub(crate) fn lost_squares<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
+pub(crate) fn check_square_underflow<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
     let largest = &omega[omega.map(|x| x.size()).imax()];
     let (size, rounding) = (largest.size(), T::rounding());
     if !(size > 0.0 && rounding > 0.0 && size * h.size() > 1e-9) {
@@ -246,5 +258,5 @@ pub(crate) fn lost_squares<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(),
     if back.size() <= 4.0 * rounding * size {
         return Ok(());
     }
-    Err(Error::OutOfRange { what: "the square of the spin", value: size * size })
+    Err(Refusal::OutOfRange { what: "the square of the spin", value: size * size }.into())
 }

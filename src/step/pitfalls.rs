@@ -2,12 +2,10 @@
 //! pitfalls.
 
 use super::methods::rk4::rk4;
-use crate::body::Body;
-use crate::body::State;
-use crate::body::attitude;
-use crate::error::{Error, finite};
+use crate::body::{Body, along, attitude};
+use crate::error::{Error, Refusal, finite};
 use crate::number::Field;
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
 ///
@@ -26,6 +24,26 @@ pub enum Engine {
     MomentumForSpin,
     /// Pitfall 3: carries `w` as if it were conserved: no gyroscopic term, so it never flips.
     NoGyroscopicTerm,
+}
+
+/// What an [`Engine`] carries from step to step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Carried<T: nalgebra::Scalar> {
+    /// Body to world, of any length.
+    pub attitude: Quaternion<T>,
+    /// In world axes: angular momentum (kg m²/s) or spin (rad/s), as the engine has it.
+    pub vector: Vector3<T>,
+}
+
+impl<T: Field> Carried<T> {
+    /// Straight along the rates of attitude and vector for `h` seconds.
+    #[must_use]
+    pub fn plus(&self, (attitude, vector): &(Quaternion<T>, Vector3<T>), h: T) -> Self {
+        Self {
+            attitude: Quaternion::from_vector(along(&self.attitude.coords, &attitude.coords, &h)),
+            vector: along(&self.vector, vector, &h),
+        }
+    }
 }
 
 impl Engine {
@@ -48,6 +66,7 @@ impl Engine {
     /// assert_eq!(spin(Engine::MomentumForSpin), Vector3::new(1.0, 1.0, 0.0));
     /// assert_eq!(spin(Engine::NoGyroscopicTerm), carried);
     /// ```
+    #[must_use]
     pub fn omega_world<T: Field>(
         self,
         rotation: &Matrix3<T>,
@@ -77,6 +96,7 @@ impl Engine {
     /// assert_eq!(rate(Engine::Turned), Vector3::zeros());
     /// assert_eq!(rate(Engine::Frozen), Vector3::new(0.0, 0.0, -0.25));
     /// ```
+    #[must_use]
     pub fn carried_rate<T: Field>(
         self,
         tensor: &Matrix3<T>,
@@ -92,27 +112,32 @@ impl Engine {
         }
     }
 
-    /// The rate of attitude and carried world vector that this engine integrates, while no torque acts: its law, for
-    /// the body's tensor and its inverse. [`run`](Self::run) follows it.
+    /// The rates of attitude and carried vector while no torque acts, for the body's tensor and its inverse: the law that
+    /// [`run`](Self::run) integrates.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Quaternion, Vector3};
-    /// use tumbling::step::{Engine, State};
+    /// use tumbling::step::{Carried, Engine};
     /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
     /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
-    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 0.0) };
-    /// let rate = Engine::Turned.rate(&start, &tensor, &inverse);
-    /// assert_eq!(rate.attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
-    /// assert_eq!(rate.momentum, Vector3::zeros());
+    /// let start = Carried { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 2.0, 0.0) };
+    /// let (attitude, vector) = Engine::Turned.rate(&tensor, &inverse, &start);
+    /// assert_eq!(attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
+    /// assert_eq!(vector, Vector3::zeros());
     /// ```
     #[must_use]
-    pub fn rate<T: Field>(self, motion: &State<T>, tensor: &Matrix3<T>, inverse: &Matrix3<T>) -> State<T> {
-        let rotation = attitude::rotation_matrix(&motion.attitude);
-        let omega = self.omega_world(&rotation, tensor, inverse, &motion.momentum);
-        State {
-            attitude: attitude::rate(&motion.attitude, &(rotation.transpose() * omega)),
-            momentum: self.carried_rate(tensor, inverse, &motion.momentum),
-        }
+    pub fn rate<T: Field>(
+        self,
+        tensor: &Matrix3<T>,
+        inverse: &Matrix3<T>,
+        carried: &Carried<T>,
+    ) -> (Quaternion<T>, Vector3<T>) {
+        let rotation = attitude::rotation_matrix(&carried.attitude);
+        let omega = self.omega_world(&rotation, tensor, inverse, &carried.vector);
+        (
+            attitude::rate(&carried.attitude, &(rotation.transpose() * omega)),
+            self.carried_rate(tensor, inverse, &carried.vector),
+        )
     }
 
     /// The world vector that this engine carries for `body`: its momentum, or its spin.
@@ -153,23 +178,23 @@ impl Engine {
         let carried = self.carried(body);
         let tensor = body.inertia().matrix();
         let inverse = body.inverse().matrix();
-        let law = |m: &State<f64>| self.rate(m, &tensor, &inverse);
-        let mut motion = State { attitude: body.attitude().into_inner(), momentum: carried };
+        let law = |motion: &Carried<f64>| self.rate(&tensor, &inverse, motion);
+        let mut motion = Carried { attitude: body.attitude().into_inner(), vector: carried };
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();
         // Asked for at once, so that a run too long for the memory is refused before it begins.
-        bodies.try_reserve_exact(length).map_err(|_| Error::TooMany { what: "steps", count })?;
+        bodies.try_reserve_exact(length).map_err(|_| Refusal::TooMany { what: "steps", count })?;
         for step in 0..=count {
             if step > 0 {
-                motion = rk4(&motion, &h, law);
+                motion = rk4(&motion, h, law, Carried::plus);
                 let norm = motion.attitude.norm();
                 if !(norm.is_finite() && norm > 0.0) {
-                    return Err(Error::OutOfRange { what: "the attitude after a step", value: norm });
+                    return Err(Refusal::OutOfRange { what: "the attitude after a step", value: norm }.into());
                 }
                 motion.attitude /= norm;
             }
             let rotation = attitude::rotation_matrix(&motion.attitude);
-            let omega = self.omega_world(&rotation, &tensor, &inverse, &motion.momentum);
+            let omega = self.omega_world(&rotation, &tensor, &inverse, &motion.vector);
             let momentum = crate::inertia::turned(&rotation, &tensor) * omega;
             bodies.push(body.with(UnitQuaternion::new_unchecked(motion.attitude), &momentum)?);
         }

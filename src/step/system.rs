@@ -1,10 +1,10 @@
 //! What a stepper steps: a rigid body in its principal axes, and the torques on it.
 
-use crate::body::State;
 use crate::body::attitude;
+use crate::body::{Rate, State};
 use crate::dynamics::euler;
-use crate::error::Error;
-use crate::inertia::possible_moments;
+use crate::error::{Error, Refusal};
+use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::torque::Torque;
 use nalgebra::Vector3;
@@ -18,40 +18,39 @@ pub struct System<T: nalgebra::Scalar> {
     moments: Vector3<T>,
     inverse: Vector3<T>,
     torques: Vec<Torque<T>>,
+    time: T,
 }
 
 impl System<f64> {
-    /// A body with these principal moments (kg m²), free of torque.
+    /// A body with these principal moments, free of torque.
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::step::System;
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// use tumbling::{PrincipalMoments, step::System};
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// assert_eq!(system.omega(&Vector3::new(1.0, 2.0, 5.0)), Vector3::new(1.0, 1.0, 2.0));
-    /// assert!(System::free(&Vector3::new(1.0, 2.0, 3.5)).is_err());
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A moment that is not finite and positive, three that no body has, or an inverse moment beyond `f64`.
-    pub fn free(moments: &Vector3<f64>) -> Result<Self, Error> {
+    /// An inverse moment beyond `f64`.
+    pub fn free(moments: PrincipalMoments) -> Result<Self, Error> {
         Self::with(moments, Vec::new())
     }
 
-    /// A body with these principal moments (kg m²) under all of `torques` together.
+    /// A body with these principal moments under all of `torques` together.
     ///
     /// # Errors
     /// As [`free`](Self::free), or a torque that is not valid.
-    pub fn with(moments: &Vector3<f64>, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
-        possible_moments(moments)?;
-        for &moment in moments {
+    pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
+        for &moment in &moments.vector() {
             let inverse = 1.0 / moment;
             if !inverse.is_normal() {
-                return Err(Error::OutOfRange { what: "an inverse moment", value: inverse });
+                return Err(Refusal::OutOfRange { what: "an inverse moment", value: inverse }.into());
             }
         }
         torques.iter().try_for_each(Torque::validate)?;
-        Ok(Self::of_numbers(moments.clone_owned(), torques))
+        Ok(Self::of_numbers(moments.vector(), torques))
     }
 }
 
@@ -60,7 +59,7 @@ impl<T: Field> System<T> {
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
-        Self { moments, inverse, torques }
+        Self { moments, inverse, torques, time: T::zero() }
     }
 
     /// Principal moments, kg m².
@@ -79,6 +78,17 @@ impl<T: Field> System<T> {
     #[must_use]
     pub fn torques(&self) -> &[Torque<T>] {
         &self.torques
+    }
+
+    /// The time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it is set.
+    #[must_use]
+    pub fn time(&self) -> &T {
+        &self.time
+    }
+
+    /// Sets the time at which the next step begins, s.
+    pub fn set_time(&mut self, time: T) {
+        self.time = time;
     }
 
     /// Whether nothing acts on it.
@@ -101,28 +111,41 @@ impl<T: Field> System<T> {
 }
 
 impl<T: Analytic> System<T> {
-    /// The sum of all torques in body axes, N m.
+    /// The sum of all torques in body axes, N m, at the system's time.
     #[must_use]
     pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
+        self.torque_after(motion, &T::zero())
+    }
+
+    /// The same `time` seconds later.
+    pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
         if self.torques.is_empty() {
             return none;
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let omega = self.omega(&motion.momentum);
-        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&rotation, &motion.momentum, &omega))
+        let then = self.time.clone() + time.clone();
+        self.torques
+            .iter()
+            .fold(none, |sum, torque| sum + torque.at(then.clone(), &rotation, &motion.momentum, &omega))
     }
 
-    /// The law: rates of attitude and of body-frame momentum, `q' = q w / 2` and `L' = L x w + torque`.
+    /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
     ///
     /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of momentum and spin two
     /// nearly cancel.
     #[must_use]
-    pub fn rate(&self, motion: &State<T>) -> State<T> {
-        let omega = self.omega(&motion.momentum);
-        State {
-            attitude: attitude::rate(&motion.attitude, &omega),
-            momentum: euler::coupling(&self.moments, &omega) + self.torque(motion),
+    pub fn rate(&self, state: &State<T>) -> Rate<T> {
+        self.rate_after(state, &T::zero())
+    }
+
+    /// The same `time` seconds later.
+    pub(crate) fn rate_after(&self, state: &State<T>, time: &T) -> Rate<T> {
+        let omega = self.omega(&state.momentum);
+        Rate {
+            attitude: attitude::rate(&state.attitude, &omega),
+            momentum: euler::coupling(&self.moments, &omega) + self.torque_after(state, time),
         }
     }
 
@@ -139,41 +162,44 @@ impl<T: Analytic> System<T> {
     /// kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
     ///
     /// The torques act one after another, in their order; the second kick of a step must be
-    /// [`kicked_back`](Self::kicked_back), or the step is not the same backwards, and of first order only.
+    /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
     #[must_use]
-    pub fn kicked(&self, motion: &State<T>, h: &T) -> State<T> {
-        self.kicked_by(self.torques.iter(), motion, h)
+    pub fn kick(&self, motion: &State<T>, h: T) -> State<T> {
+        self.kick_by(self.torques.iter(), &self.time, motion, h)
     }
 
-    /// The same with the last torque first.
+    /// The second kick of a step of `2 h`: the same at the end of the step, and with the last torque first.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{State, System, Torque};
     /// let torques = vec![Torque::InBody(Vector3::x()), Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
-    /// let system = System::with(&Vector3::new(1.0, 1.0, 1.0), torques)?;
+    /// let system = System::with(PrincipalMoments::new(1.0, 1.0, 1.0)?, torques)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::x() };
-    /// let end = system.kicked_back(&system.kicked(&start, &0.1), &-0.1);
+    /// let end = system.adjoint_kick(&system.kick(&start, 0.1), -0.1);
     /// assert!((end.momentum - start.momentum).norm() < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     #[must_use]
-    pub fn kicked_back(&self, motion: &State<T>, h: &T) -> State<T> {
-        self.kicked_by(self.torques.iter().rev(), motion, h)
+    pub fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
+        let end = self.time.clone() + h.clone() + h.clone();
+        self.kick_by(self.torques.iter().rev(), &end, motion, h)
     }
 
-    fn kicked_by<'a>(
+    fn kick_by<'a>(
         &self,
         torques: impl Iterator<Item = &'a Torque<T>>,
+        time: &T,
         motion: &State<T>,
-        h: &T,
+        h: T,
     ) -> State<T> {
         if self.torques.is_empty() {
             return motion.clone();
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            torque.kick(&rotation, &momentum, &self.inverse, h)
+            torque.kick(&self.inverse, time.clone(), &rotation, &momentum, h.clone())
         });
         State { attitude: motion.attitude.clone(), momentum }
     }

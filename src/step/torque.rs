@@ -1,8 +1,12 @@
 //! Torques on a body: each with its value, and with its own exact flow while the attitude stands still.
 
-use crate::error::{Error, finite_vector, not_negative};
+use crate::body::attitude;
+use crate::error::{Error, Refusal, finite_vector, not_negative};
 use crate::number::{Analytic, Field};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
+use num_traits::ToPrimitive;
+use std::fmt;
+use std::sync::Arc;
 
 /// A torque on a rigid body about its centre of mass, or about the fixed point of a top.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,17 +30,63 @@ pub enum Torque<T: nalgebra::Scalar> {
     /// `k L x (L x w)`, `k` in s/(kg m²): loss inside a body that is not quite rigid. It keeps `|L|` and takes energy,
     /// until the body turns about the axis of its largest moment [BKMR96](crate::references).
     Dissipation(T),
+    /// A function of time, attitude and spin, from [`Torque::function`].
+    Function(TorqueFunction<T>),
+}
+
+type Law<T> = dyn Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync;
+
+/// The function of a [`Torque::Function`]. Clones share it; two are equal if they are clones of one.
+#[derive(Clone)]
+pub struct TorqueFunction<T: nalgebra::Scalar>(Arc<Law<T>>);
+
+impl<T: nalgebra::Scalar> fmt::Debug for TorqueFunction<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("TorqueFunction")
+    }
+}
+
+impl<T: nalgebra::Scalar> PartialEq for TorqueFunction<T> {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl<T: nalgebra::Scalar> Torque<T> {
+    /// A torque by a law of its own: from the time (s), the rotation matrix of the attitude (body to world) and the spin in body axes
+    /// (rad/s) to the torque in body axes (N m). `rotation.tr_mul(&v)` is the world's vector `v` in body axes.
+    ///
+    /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it, or the system's own
+    /// ([`System::set_time`](crate::step::System::set_time)). Methods with kicks hold time and attitude for each half kick and take the
+    /// spin on the way by the explicit midpoint rule: of the second order, and reversible where the law does not depend on the spin.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Method, Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // A motor that swings to and fro about z: 2 N m cos(3 t) on 4 kg m².
+    /// let body = Body::spinning(Inertia::from_moments(2.0, 3.0, 4.0)?, UnitQuaternion::identity(), &Vector3::zeros())?;
+    /// let motor = Torque::function(|time: f64, _, _| Vector3::z() * (2.0 * (3.0 * time).cos()));
+    /// let mut stepper = Stepper::new(&body, Method::RungeKutta4)?.with_torques([motor])?;
+    /// stepper.run(0.01, 100).try_for_each(|state| state.map(drop))?;
+    /// assert!((stepper.omega().z - 2.0 / 4.0 * 3.0_f64.sin() / 3.0).abs() < 1e-9);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    pub fn function(law: impl Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync + 'static) -> Self {
+        Self::Function(TorqueFunction(Arc::new(law)))
+    }
 }
 
 impl<T: Field> Torque<T> {
     /// Gravity on a top whose centre of mass is `arm` (m) from the fixed point, in body axes, and whose weight (N) pulls
     /// along the world's -z.
+    #[must_use]
     pub fn gravity(arm: Vector3<T>, weight: T) -> Self {
         Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
 
-    /// Its value in body axes, N m, at the attitude with this rotation matrix (body to world) and the momentum and spin in
-    /// body axes.
+    /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to world), with the momentum
+    /// and spin in body axes.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
@@ -44,9 +94,16 @@ impl<T: Field> Torque<T> {
     /// // A top lying along the world's x: its weight of 2 N half a metre out turns it about y.
     /// let top = Torque::gravity(Vector3::new(0.5, 0.0, 0.0), 2.0);
     /// let still = Vector3::zeros();
-    /// assert_eq!(top.at(&Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
+    /// assert_eq!(top.at(0.0, &Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
     /// ```
-    pub fn at(&self, rotation: &Matrix3<T>, momentum: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
+    #[must_use]
+    pub fn at(
+        &self,
+        time: T,
+        rotation: &Matrix3<T>,
+        momentum: &Vector3<T>,
+        omega: &Vector3<T>,
+    ) -> Vector3<T> {
         match self {
             Self::InBody(torque) => torque.clone(),
             Self::InWorld(torque) => rotation.tr_mul(torque),
@@ -55,38 +112,49 @@ impl<T: Field> Torque<T> {
             Self::Dissipation(strength) => {
                 momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
             }
+            Self::Function(TorqueFunction(law)) => law(time, rotation, omega),
         }
     }
 }
 
 impl<T: Analytic> Torque<T> {
-    /// The momentum (body axes) after it alone has acted for the time `h` (s) at a standing attitude. Damping decays and
-    /// dissipation turns by their own exact laws, so that neither overshoots however long the step.
+    /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments at a standing
+    /// attitude and time. Damping decays and dissipation turns by their own exact laws, so that neither overshoots however long the
+    /// step; a function acts by the explicit midpoint rule.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
     /// use tumbling::step::Torque;
     /// let drag = Torque::Damping(Vector3::new(4.0, 0.0, 2.0));
     /// let (before, inverse) = (Vector3::new(1.0, 1.0, 1.0), Vector3::new(1.0, 0.5, 0.25));
-    /// let after = drag.kick(&Matrix3::identity(), &before, &inverse, &1e3);
+    /// let after = drag.kick(&inverse, 0.0, &Matrix3::identity(), &before, 1e3);
     /// assert_eq!(after, Vector3::new(0.0, 1.0, (-500.0_f64).exp()));
     /// ```
+    #[must_use]
     pub fn kick(
         &self,
+        inverse: &Vector3<T>,
+        time: T,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
-        inverse: &Vector3<T>,
-        h: &T,
+        h: T,
     ) -> Vector3<T> {
         match self {
             Self::InBody(_) | Self::InWorld(_) | Self::Aligning { .. } => {
                 // None of the three looks at the spin.
-                momentum + self.at(rotation, momentum, momentum).map(|x| x * h.clone())
+                momentum + self.at(time, rotation, momentum, momentum).map(|x| x * h.clone())
+            }
+            Self::Function(TorqueFunction(law)) => {
+                let push = |momentum: &Vector3<T>, h: T| {
+                    law(time.clone(), rotation, &momentum.component_mul(inverse)).map(|x| x * h.clone())
+                };
+                let halfway = momentum + push(momentum, h.clone() / T::integer(2));
+                momentum + push(&halfway, h)
             }
             Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
                 momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
             }),
-            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h.clone())),
+            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h)),
         }
     }
 }
@@ -111,21 +179,53 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
     shrunk.map(|x| x * back.clone() * largest.clone())
 }
 
-impl Torque<f64> {
+impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
     /// That its numbers are finite, and its coefficients of loss not below zero.
     pub(crate) fn validate(&self) -> Result<(), Error> {
+        let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
+        let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
         match self {
-            Self::InBody(torque) | Self::InWorld(torque) => finite_vector("the torque", torque),
+            Self::InBody(torque) | Self::InWorld(torque) => finite_vector("the torque", &vector(torque)),
             Self::Aligning { arm, field } => {
-                finite_vector("the arm", arm)?;
-                finite_vector("the field", field)
+                finite_vector("the arm", &vector(arm))?;
+                finite_vector("the field", &vector(field))
             }
             Self::Damping(coefficients) => {
+                let coefficients = vector(coefficients);
                 coefficients.iter().try_for_each(|&c| not_negative("a damping coefficient", c).map(drop))
             }
             Self::Dissipation(strength) => {
-                not_negative("the strength of the dissipation", *strength).map(drop)
+                not_negative("the strength of the dissipation", number(strength)).map(drop)
             }
+            Self::Function(_) => Ok(()),
         }
+    }
+}
+
+impl<T: Analytic + Send + Sync> Torque<T> {
+    /// The same torque on a body whose axes are others: `frame` takes coordinates along the new axes to those along the old.
+    ///
+    /// # Errors
+    /// Damping that differs from axis to axis: it is given along the principal axes.
+    pub(crate) fn along(&self, frame: &Quaternion<T>) -> Result<Self, Error> {
+        let turned = |v: &Vector3<T>| attitude::rotate_inverse(frame, v);
+        Ok(match self {
+            Self::InBody(torque) => Self::InBody(turned(torque)),
+            Self::Aligning { arm, field } => Self::Aligning { arm: turned(arm), field: field.clone() },
+            Self::Damping(c) if c.x != c.y || c.y != c.z => {
+                return Err(Refusal::Undefined {
+                    what: "damping that differs from axis to axis",
+                    why: "it is given along the principal axes, and those of a body with products of inertia have no order to go \
+                          by: give the body's moments along them, without products",
+                }.into());
+            }
+            Self::Function(TorqueFunction(law)) => {
+                let (law, old) = (Arc::clone(law), attitude::rotation_matrix(frame));
+                Self::function(move |time, rotation, omega| {
+                    old.tr_mul(&law(time, &(rotation * old.transpose()), &(&old * omega)))
+                })
+            }
+            Self::InWorld(_) | Self::Damping(_) | Self::Dissipation(_) => self.clone(),
+        })
     }
 }

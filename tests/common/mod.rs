@@ -1,17 +1,39 @@
 //! Shared by the tests: exact arithmetic, what to draw bodies and motions from, and ([`cloud`]) mass sampled
-//! point by point; what engines did ([`record`]).
+//! point by point.
 #![allow(dead_code)] // each test program uses its own part
 
 pub mod cloud;
-pub mod record;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
+use tumbling::{Error, ErrorKind};
 
 pub type Exact = BigRational;
+
+/// Asserts that a result is a refusal of this kind whose sentence holds `words`; returns the error.
+#[track_caller]
+pub fn refused<T: std::fmt::Debug>(result: Result<T, Error>, kind: ErrorKind, words: &str) -> Error {
+    let error = result.expect_err(words);
+    let sentence = error.to_string();
+    assert!(
+        error.kind() == kind && sentence.contains(words),
+        "{:?}, not {kind:?} with '{words}': {sentence}",
+        error.kind()
+    );
+    error
+}
+
+/// The number that follows `words` in a sentence.
+#[track_caller]
+pub fn number_after(sentence: &impl ToString, words: &str) -> f64 {
+    let sentence = sentence.to_string();
+    let (_, rest) = sentence.split_once(words).expect(words);
+    let end = rest.find(|c: char| !c.is_ascii_digit() && !".e-".contains(c)).unwrap_or(rest.len());
+    rest[..end].parse().expect(&sentence)
+}
 
 /// The exact value of a finite `f64`.
 pub fn exact(x: f64) -> Exact {

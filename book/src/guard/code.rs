@@ -181,7 +181,7 @@ fn unit_of_argument(function: &str, argument: usize) -> Option<&'static str> {
     Some(match (function, argument) {
         ("Ball::new" | "Capsule::new" | "Cuboid::new" | "Cylinder::new" | "ThinPlate::new", _) => "m",
         ("with_mass", 0) => "kg",
-        ("Inertia::from_moments", _) => "kg m²",
+        ("Inertia::from_moments" | "PrincipalMoments::new", _) => "kg m²",
         ("of_spin", 2) => "rad/s",
         ("run", 1) => "s",
         ("run", 2) => "steps",
@@ -242,12 +242,17 @@ impl Reader<'_> {
         }
     }
 
-    /// The numbers of `(1.0, 2.0)`, `[1.0, 2.0]` or `Vector3::new(1.0, 2.0, 3.0)`, if it is all numbers.
+    /// The numbers of `(1.0, 2.0)`, `[1.0, 2.0]`, `Vector3::new(1.0, 2.0, 3.0)` or principal moments, if it is all numbers.
     fn numbers(&self, expr: &Expr) -> Option<Vec<(Decimal, Literal)>> {
         let members = match expr {
             Expr::Tuple(tuple) => &tuple.elems,
             Expr::Array(array) => &array.elems,
-            Expr::Call(call) if path(&call.func)? == "Vector3::new" => &call.args,
+            Expr::Call(call)
+                if ["Vector3::new", "PrincipalMoments::new"].contains(&path(&call.func)?.as_str()) =>
+            {
+                &call.args
+            }
+            Expr::Try(inner) => return self.numbers(&inner.expr),
             Expr::Reference(inner) => return self.numbers(&inner.expr),
             _ => return None,
         };

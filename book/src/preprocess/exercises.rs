@@ -1,5 +1,5 @@
-//! The exercises at the end of a chapter: `{{#exercises}}`, alone in its line, becomes tasks with their commands, and
-//! folds with code, hints and solution. A fold is `<details>`: it opens without a script.
+//! The exercises at the end of a chapter: `{{#exercises}}`, alone in its line, becomes tasks with their
+//! commands, and folds with code, hints and solution. A fold is `<details>`: it opens without a script.
 
 use super::Source;
 use std::fmt::Write as _;

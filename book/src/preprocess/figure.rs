@@ -5,6 +5,7 @@
 use super::edits::Edits;
 use super::svg::{self, Drawing};
 use super::{Folders, Piece, Source};
+use crate::files::write_changed;
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::collections::BTreeMap;
 use std::fs;
@@ -49,20 +50,11 @@ pub(super) fn replace(
 }
 
 /// Lays the drawings beside the chapters, whence mdBook copies them to the pages: the links that open
-/// a drawing by itself lead there. A file is written only when it changes, so that a watching
-/// `mdbook serve` comes to rest.
+/// a drawing by itself lead there.
 pub(super) fn lay_out(shown: &Shown, folder: &Path) -> Result<(), String> {
     let file_name = |name: &str| format!("{name}.svg");
-    if !shown.is_empty() {
-        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    }
     for (name, (drawing, _)) in shown {
-        let file = folder.join(file_name(name));
-        let alone = drawing.alone();
-        if fs::read(&file).is_ok_and(|old| old == alone.as_bytes()) {
-            continue;
-        }
-        fs::write(&file, alone).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        write_changed(&folder.join(file_name(name)), drawing.alone().as_bytes())?;
     }
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let known = |file: &str| shown.keys().any(|name| file_name(name) == file);

@@ -1,5 +1,5 @@
-//! Turns what chapters write into what pages show: exercises into folds, TeX into MathML, figures into inline SVG,
-//! widgets into their places.
+//! Turns what chapters write into what pages show: exercises into folds, TeX into MathML, figures into inline
+//! SVG, widgets into their places.
 //!
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold
 //! maths, a figure or a widget: code, and whatever else looks like them, stays as written.
@@ -11,6 +11,7 @@ mod figure;
 mod maths;
 pub(crate) mod protocol;
 mod svg;
+mod theme;
 mod turning;
 mod widget;
 
@@ -74,6 +75,7 @@ impl Preprocessor for Preprocess {
         if faults.is_empty() {
             figure::lay_out(&seen.figures, &folders.chapters.join("figures")).map_err(Error::msg)?;
             widget::lay_out(&seen.widgets, &folders).map_err(Error::msg)?;
+            theme::lay_out(&context.root.join("theme")).map_err(Error::msg)?;
             Ok(book)
         } else {
             Err(Error::msg(faults.join("\n")))
@@ -142,7 +144,8 @@ fn chapter_as_shown(
     if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
 }
 
-/// What is wrong with this chapter as Markdown and TeX, each with its line; figures and widgets are not looked for.
+/// What is wrong with this chapter as Markdown and TeX, each with its line; figures and widgets are not
+/// looked for.
 pub(crate) fn unreadable(path: &Path, text: &str) -> Vec<String> {
     let source = Source { path, text };
     let pieces = pieces(text);

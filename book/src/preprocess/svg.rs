@@ -1,5 +1,7 @@
 //! A drawing, as its own document and as a part of a page.
 
+use crate::places::escaped;
+
 /// A drawing that may stand in a page: it is one `<svg>` and its ids cannot clash with another's.
 #[derive(Debug)]
 pub(super) struct Drawing {
@@ -90,8 +92,4 @@ fn ids(svg: &str) -> impl Iterator<Item = &str> {
 fn id_of(svg: &str, element: &str) -> Option<String> {
     let start = svg.find(&format!("<{element} "))?;
     ids(svg[start..].split('>').next()?).next().map(str::to_owned)
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;").replace('>', "&gt;")
 }

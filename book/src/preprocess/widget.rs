@@ -1,10 +1,13 @@
 //! Widgets: `{{#widget NAME}}` becomes a place in the page that comes to life where there is JavaScript.
 //!
-//! What stands there without it, and what its controls are, says `widgets/page/NAME.html`; `widgets/README.md` tells
-//! the rest. As a page may be read from a disk, where nothing may be fetched, modules travel as text in scripts.
+//! What stands there without it, and what its controls are, says `widgets/page/NAME.html`;
+//! `widgets/README.md` tells the rest. As a page may be read from a disk, where nothing may be fetched,
+//! modules travel as text in scripts.
 
 use super::edits::Edits;
 use super::{Folders, Piece, Source};
+use crate::files::write_changed;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use pulldown_cmark::{Event, Tag};
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,7 +16,8 @@ use std::path::{Path, PathBuf};
 /// How a directive begins.
 const OPENING: &str = "{{#widget";
 
-/// Files that a widget takes along besides its module: the widget, the file's name for it, and where it stands.
+/// Files that a widget takes along besides its module: the widget, the file's name for it, and where it
+/// stands.
 const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "tests/data/engines/rapier3d-f64-0.36.1--major.csv")];
 
@@ -110,15 +114,8 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
             files.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));
         }
     }
-    if !files.is_empty() {
-        fs::create_dir_all(&to).map_err(|e| format!("cannot make {}: {e}", to.display()))?;
-    }
     for (name, bytes) in &files {
-        let file = to.join(name);
-        // Written only when it changes, so that a watching `mdbook serve` comes to rest.
-        if !fs::read(&file).is_ok_and(|old| old == *bytes) {
-            fs::write(&file, bytes).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
-        }
+        write_changed(&to.join(name), bytes)?;
     }
     for entry in fs::read_dir(&to).into_iter().flatten().flatten() {
         if entry.file_name().to_str().is_none_or(|file| !files.contains_key(file)) {
@@ -144,43 +141,12 @@ fn read(file: &Path) -> Result<Vec<u8>, String> {
 
 /// A script that hands these bytes to the page.
 fn carrier(name: &str, bytes: &[u8]) -> Vec<u8> {
-    format!("tumblingLive.carry(\"{name}\", \"{}\");\n", base64(bytes)).into_bytes()
-}
-
-/// Bytes as text, three in four letters (RFC 4648).
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let at = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
-        let bits = at(0) << 16 | at(1) << 8 | at(2);
-        for place in 0..4 {
-            let letter = LETTERS[(bits >> (18 - 6 * place) & 63) as usize];
-            out.push(if place <= three.len() { char::from(letter) } else { '=' });
-        }
-    }
-    out
+    format!("tumblingLive.carry(\"{name}\", \"{}\");\n", BASE64_STANDARD.encode(bytes)).into_bytes()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn bytes_become_the_letters_of_the_standard() {
-        // The test vectors of RFC 4648, section 10.
-        for (bytes, letters) in [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-            ("fooba", "Zm9vYmE="),
-        ] {
-            assert_eq!(base64(bytes.as_bytes()), letters);
-        }
-        assert_eq!(base64(&[0xfb, 0xff, 0xbf]), "+/+/");
-    }
 
     #[test]
     fn only_a_plain_name_is_a_directive() {

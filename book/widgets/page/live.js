@@ -35,10 +35,6 @@ globalThis.tumblingLive ??= (() => {
                 const count = exports.answer(what);
                 return count === 0 ? null : new Float64Array(exports.memory.buffer, exports.numbers(), count).slice();
             },
-            /** So many numbers as the module left in the row. */
-            left(count) {
-                return new Float64Array(exports.memory.buffer, exports.numbers(), count).slice();
-            },
             words() {
                 const text = new Uint8Array(exports.memory.buffer, exports.text(), exports.text_length());
                 return new TextDecoder().decode(text);

@@ -13,7 +13,7 @@ tumblingLive.widget("steps", async (stage, from) => {
     const say = sayer(stage);
 
     const UNTIL = 10; // s
-    const HEAD = 7; // as in steps/src/lib.rs
+    const HEAD = 6; // as in steps/src/lib.rs
     /** How many steps the time is cut into: what the slider chooses from, and where the curves have their points. */
     const COUNTS = [1600, 1131, 800, 600, 400, 283, 200, 141, 100, 71, 50, 35, 25, 18, 12, 9, 6];
     const CURVE = [3200, 1600, 800, 400, 200, 100, 50, 25, 12, 6];
@@ -39,9 +39,9 @@ tumblingLive.widget("steps", async (stage, from) => {
     /** A run in so many steps. */
     function run(count) {
         const answer = methods.answer(1, Number(body.value), ...SPINS[start.value], UNTIL, count, Number(method.value), ...truth);
-        const [taken, why, rounds, energy, length, attitude, greatest] = answer;
+        const [taken, why, energy, length, attitude, greatest] = answer;
         const [what, step] = [why ? methods.words() : "", UNTIL / count];
-        const reason = ["", `${what} was not found in ${rounds} rounds`, `${what} is beyond what an f64 holds`, `${what} cannot be taken`][why];
+        const reason = ["", `${what} was not found`, `${what} is beyond what an f64 holds`, `${what} cannot be taken`][why];
         return { count, step, taken, reason, energy, length, attitude, greatest, spins: answer.slice(HEAD) };
     }
 

@@ -418,14 +418,9 @@ tumblingLive.widget("tumble", async (stage, from) => {
 
     // ---- What the module says.
     const list = (numbers, size) => Array.from({ length: numbers.length / size }, (_, i) => Array.from(numbers.slice(size * i, size * (i + 1))));
-    /** The library's own words on what is wrong, its numbers filled in. */
+    /** What is wrong, in the module's words if there are no others. */
     function complain(said) {
-        const numbers = exact.left(2);
-        let i = 0;
-        wrong.textContent = said ?? `${exact.words().replace(/#/g, () => {
-            const number = numbers[i++];
-            return Number.isFinite(number) ? short(number) : String(number).replace("-", "−").replace("Infinity", "inf");
-        })}.`;
+        wrong.textContent = said ?? `${exact.words()}.`;
         wrong.hidden = false;
         pause();
         return wrong.textContent;

@@ -8,7 +8,7 @@ pub(super) fn draw() -> Drawing {
     let omega = Vector3::new(1.0, 1.0, 0.0);
     let momentum = inertia.momentum(&omega);
     let [w_angle, l_angle] = [omega, momentum].map(|v| v.y.atan2(v.x));
-    let gap = inertia.gap(&omega)?.to_degrees();
+    let gap = inertia.angle_to_momentum(&omega)?.to_degrees();
 
     let canvas = Canvas::new(480);
     let centre = (196.0, 362.0);

@@ -5,7 +5,8 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{PHYSICS_ENGINES, PhysicsEngine, State, System};
+use tumbling::step::{State, System};
+use tumbling_judge::{PHYSICS_ENGINES, PhysicsEngine};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 const SPIN: [f64; 3] = [0.5, 0.5, 10.0];
@@ -48,7 +49,7 @@ fn seen(system: &System<f64>, step: u32, omega: &Vector3<f64>) -> [f64; 3] {
 }
 
 fn run(engine: &PhysicsEngine) -> Result<Run, Box<dyn std::error::Error>> {
-    let system = System::free(&MOMENTS.into())?;
+    let system = System::free(MOMENTS.try_into()?)?;
     let omega = Vector3::from(SPIN);
     let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut run = Run { seen: vec![seen(&system, 0, &omega)], ends: false };
@@ -64,8 +65,8 @@ fn run(engine: &PhysicsEngine) -> Result<Run, Box<dyn std::error::Error>> {
 }
 
 fn exactly() -> Result<Run, Box<dyn std::error::Error>> {
-    let system = System::free(&MOMENTS.into())?;
-    let motion = FreeMotion::new(&MOMENTS.into(), &SPIN.into())?;
+    let system = System::free(MOMENTS.try_into()?)?;
+    let motion = FreeMotion::new(MOMENTS.try_into()?, &SPIN.into())?;
     let at = |step: u32| Ok(seen(&system, step, &motion.omega(f64::from(step) / f64::from(RATE))?));
     let seen: Result<Vec<_>, tumbling::Error> = (0..=STEPS).map(at).collect();
     Ok(Run { seen: seen?, ends: false })

@@ -94,7 +94,7 @@ fn off(ours: &[f64], table: &[&str]) -> Option<f64> {
 fn case(case: &Value) -> Option<Seen> {
     let vector = |field: &str| numbers(&case[field]).map(Vector3::from_vec);
     let moments = vector("inertia")?;
-    let motion = FreeMotion::new(&moments, &vector("w0")?).ok()?;
+    let motion = FreeMotion::new(moments.try_into().ok()?, &vector("w0")?).ok()?;
     let mut units = [0.0_f64; 2];
     for (k, t) in numbers(&case["t"])?.into_iter().enumerate() {
         let at = motion.at(t).ok()?;

@@ -1,10 +1,11 @@
-use super::{Drawing, Picture, edges_of};
+use super::{Drawing, Picture};
 use crate::draw::{Canvas, Cuboid, Fill, Label, Pen, View};
 use crate::ink::Ink;
 use crate::motion;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 use tumbling::Body;
+use tumbling::body::named;
 use tumbling::dynamics::observe::sign_changes;
 
 /// The push, rad; the spin is a turn a second.
@@ -46,9 +47,8 @@ fn without_tumbling(rotation: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 pub(super) fn draw() -> Drawing {
-    let book = tumbling::body::named::book()?;
-    let inertia = book.inertia();
-    let edges = edges_of(&book);
+    let inertia = named::book()?.inertia();
+    let edges = Vector3::from(named::BOOK.edges);
     // Along x, its middle axis, but for the push.
     let omega = Vector3::new(PUSH.cos(), PUSH.sin(), 0.0) * TAU;
     let momentum = inertia.momentum(&omega);

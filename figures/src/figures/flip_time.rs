@@ -21,7 +21,7 @@ pub(super) fn draw() -> Drawing {
     );
     plot.y_axis((0..=7).map(|n| (2.0 * f64::from(n), (2 * n).to_string())), "time between two flips (s)");
     let time = |push: f64| -> Result<f64, Box<dyn std::error::Error>> {
-        Ok(time_between_flips(&m, &spin(push))?.ok_or("never flips")?)
+        Ok(time_between_flips(m.try_into()?, &spin(push))?.ok_or("never flips")?)
     };
     let curve: Result<Vec<_>, _> = (0..=240)
         .map(|i| 10_f64.powf(-12.0 + 0.05 * f64::from(i)))

@@ -18,7 +18,7 @@ fn spin(push: f64) -> Vector3<f64> {
 }
 
 fn exact(moments: &Vector3<f64>, push: f64) -> Result<f64, Box<dyn Error>> {
-    Ok(0.5 * FreeMotion::new(moments, &spin(push))?.period()?.ok_or("never flips")?)
+    Ok(0.5 * FreeMotion::new((*moments).try_into()?, &spin(push))?.period()?.ok_or("never flips")?)
 }
 
 /// The same as a textbook's formulas give it, typed in as they stand: energy and momentum, then the parameter

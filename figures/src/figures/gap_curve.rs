@@ -21,7 +21,7 @@ impl Curve {
 
     fn gap(&self, degrees: f64) -> Result<f64, Error> {
         let (s, c) = degrees.to_radians().sin_cos();
-        Ok(self.inertia.gap(&(self.plane[0] * c + self.plane[1] * s))?.to_degrees())
+        Ok(self.inertia.angle_to_momentum(&(self.plane[0] * c + self.plane[1] * s))?.to_degrees())
     }
 
     /// The heavier moment in parts of the lighter one.

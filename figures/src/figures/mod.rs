@@ -3,8 +3,7 @@
 use crate::Figure;
 use crate::draw::Canvas;
 use crate::ink::Ink;
-use nalgebra::Vector3;
-use tumbling::solid::{Cuboid, MassProperties, Solid};
+use tumbling::body::named;
 use tumbling::{Axis, Error, Inertia};
 
 mod atlas;
@@ -262,25 +261,18 @@ pub(crate) static ALL: [Figure; 36] = [
     },
 ];
 
-/// The document's box: edges 2, 1 and 3 m, mass 1 kg.
-const BOX_EDGES: [f64; 3] = [2.0, 1.0, 3.0];
+/// Edges of the document's box, m.
+const BOX_EDGES: [f64; 3] = named::THE_BOX.edges;
 
 /// Its tensor.
 fn document_box() -> Result<Inertia, Error> {
-    let [a, b, c] = BOX_EDGES;
-    Ok(Cuboid::new(a, b, c)?.with_mass(1.0)?.inertia())
+    Ok(named::the_box()?.inertia())
 }
 
 /// The same body, its frame turned along its principal axes, smallest moment first.
 fn in_principal_axes(inertia: &Inertia) -> Result<Inertia, Error> {
     let m = inertia.principal().moments();
     Inertia::from_moments(m[0], m[1], m[2])
-}
-
-/// The edges of an even box with this mass and these moments about x, y and z, m.
-fn edges_of(body: &MassProperties) -> Vector3<f64> {
-    let m = body.inertia().matrix().diagonal();
-    m.map(|moment| (6.0 * (m.sum() - 2.0 * moment) / body.mass()).sqrt())
 }
 
 /// The ink of a principal axis.

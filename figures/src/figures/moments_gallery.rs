@@ -1,11 +1,11 @@
 //! The named bodies, each drawn to a scale of its own, with its three moments as bars.
 
-use super::{Drawing, Picture, edges_of, ink_of};
+use super::{Drawing, Picture, ink_of};
 use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
 use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
-use tumbling::body::named::{self, NamedBody};
+use tumbling::body::named::{self, NamedBody, Part, Section};
 use tumbling::{Axis, PrincipalAxes};
 
 /// Where one body is drawn.
@@ -15,85 +15,82 @@ struct Cell<'a> {
 }
 
 impl Cell<'_> {
-    /// A box from one corner to the opposite one, m.
-    fn cuboid(&self, low: [f64; 3], high: [f64; 3]) {
-        let (low, high) = (Vector3::from(low), Vector3::from(high));
-        let solid = Cuboid { rotation: Matrix3::identity(), half: (high - low) * 0.5 };
-        let view = self.view.moved(&((low + high) * 0.5));
-        solid.draw(self.canvas, &view, None, Pen::new(Ink::Text, 1.1));
+    /// What has sides, from far to near, over what is drawn as lines.
+    fn body(&self, mut parts: Vec<Part>) {
+        for name in ["main string", "cross string"] {
+            // Every second one: all of them would be a grey patch.
+            for string in parts.iter().filter(|part| part.name == name).step_by(2) {
+                self.line(string.ends(), 0.5);
+            }
+        }
+        self.line(parts.iter().filter(|part| part.name == "hoop").flat_map(Part::ends), 3.0);
+        for bar in parts.iter().filter(|part| part.name == "throat bar") {
+            self.line(bar.ends(), 3.0);
+        }
+        parts.sort_by(|a, b| a.middle.z.total_cmp(&b.middle.z).then(b.middle.x.total_cmp(&a.middle.x)));
+        for part in &parts {
+            match part.section {
+                Section::Line => {}
+                Section::Rectangle { wide, thick } => {
+                    self.cuboid(&part.middle, 0.5 * Vector3::new(wide, thick, part.length()));
+                }
+                Section::Round { radius } => self.round(part, radius),
+                Section::Ring { inner, outer } => self.tube(part, inner, outer),
+            }
+        }
     }
 
-    /// A round bar from one point to another, as thick as it is.
-    fn bar(&self, from: [f64; 3], to: [f64; 3], radius: f64) {
-        let [a, b] = [from, to].map(|p| self.view.at(&p.into()));
+    /// A box about `middle` with these half edges, m.
+    fn cuboid(&self, middle: &Vector3<f64>, half: Vector3<f64>) {
+        let solid = Cuboid { rotation: Matrix3::identity(), half };
+        solid.draw(self.canvas, &self.view.moved(middle), None, Pen::new(Ink::Text, 1.1));
+    }
+
+    /// A round bar, as thick as it is; its pen rounds the ends.
+    fn round(&self, part: &Part, radius: f64) {
+        let [from, to] = part.ends();
+        let rounded = part.along * (radius / part.length());
+        let [a, b] = [from + rounded, to - rounded].map(|p| self.view.at(&p));
         let wide = 2.0 * radius * self.view.scale();
         self.canvas.line(a, b, Pen::new(Ink::Text, wide + 2.0));
         self.canvas.line(a, b, Pen::new(Ink::Surface, wide));
     }
 
-    fn line(&self, points: impl IntoIterator<Item = [f64; 3]>, width: f64) {
-        let points: Vec<P> = points.into_iter().map(|p| self.view.at(&p.into())).collect();
+    /// A tube along x, seen from its far end.
+    fn tube(&self, part: &Part, inner: f64, outer: f64) {
+        let [from, to] = part.ends();
+        let ring = |radius: f64, x: f64| -> Vec<P> {
+            (0..48)
+                .map(|i| {
+                    let (sin, cos) = (TAU * f64::from(i) / 48.0).sin_cos();
+                    self.view.at(&Vector3::new(x, radius * cos, radius * sin))
+                })
+                .collect()
+        };
+        let edge = Some(Pen::new(Ink::Text, 1.1));
+        for i in 0..=12 {
+            let outline = if i == 0 || i == 12 { edge } else { None };
+            let x = from.x + (to.x - from.x) * f64::from(i) / 12.0;
+            self.canvas.area(&ring(outer, x), Fill::new(Ink::Surface), outline);
+        }
+        self.canvas.area(&ring(inner, to.x), Fill::new(Ink::Text).opacity(0.5), edge);
+    }
+
+    fn line(&self, points: impl IntoIterator<Item = Vector3<f64>>, width: f64) {
+        let points: Vec<P> = points.into_iter().map(|p| self.view.at(&p)).collect();
         self.canvas.path(&points, Pen::new(Ink::Text, width));
     }
 }
 
-/// How a body that is no box is drawn: points to the metre, what of it falls at the middle of its cell, and its
-/// shape, with the sizes that [`bodies`] gives it.
-type Shape = (f64, [f64; 3], fn(&Cell<'_>));
-
-fn shape(name: &str) -> Option<Shape> {
+/// How a body that is no box is placed: points to the metre, and what of it falls at the middle of its cell.
+fn placed(name: &str) -> Option<(f64, [f64; 3])> {
     Some(match name {
-        "the hammer" => (310.0, [0.0, 0.0, 0.16], |c| {
-            c.bar([0.0, 0.0, 0.014], [0.0, 0.0, 0.28], 0.0145);
-            c.cuboid([-0.05, -0.016, 0.29], [0.05, 0.016, 0.322]);
-        }),
-        "the tennis racket" => (150.0, [0.0, 0.0, 0.34], racket),
-        "the wing nut" => (2300.0, [0.008, 0.0, 0.0], wing_nut),
-        "the T-handle" => (880.0, [0.02, 0.0, 0.0], |c| {
-            c.bar([0.05, 0.0, 0.0], [0.006, 0.0, 0.0], 0.006);
-            c.bar([0.0, 0.0, -0.044], [0.0, 0.0, 0.044], 0.006);
-        }),
+        "the hammer" => (310.0, [0.0, 0.0, 0.16]),
+        "the tennis racket" => (150.0, [0.0, 0.0, 0.34]),
+        "the wing nut" => (2300.0, [0.008, 0.0, 0.0]),
+        "the T-handle" => (880.0, [0.02, 0.0, 0.0]),
         _ => return None,
     })
-}
-
-fn racket(c: &Cell<'_>) {
-    let (wide, long, middle) = (0.122, 0.165, 0.520);
-    for i in -4..=4 {
-        let at = 0.2 * f64::from(i);
-        let half = (1.0 - at * at).sqrt();
-        c.line([-half, half].map(|s| [wide * at, 0.0, middle + long * s]), 0.5);
-        c.line([-half, half].map(|s| [wide * s, 0.0, middle + long * at]), 0.5);
-    }
-    let hoop = (0..=72).map(|i| {
-        let (s, c) = (TAU * f64::from(i) / 72.0).sin_cos();
-        [wide * c, 0.0, middle + long * s]
-    });
-    c.line(hoop, 3.0);
-    for side in [-1.0, 1.0] {
-        c.line([[side * 0.012, 0.0, 0.190], [side * 0.080, 0.0, 0.395]], 3.0);
-    }
-    c.cuboid([-0.017, -0.0145, 0.0], [0.017, 0.0145, 0.190]);
-}
-
-fn wing_nut(c: &Cell<'_>) {
-    let (radius, hole, height) = (0.00825, 0.0045, 0.0068);
-    let ring = |r: f64, x: f64| -> Vec<P> {
-        (0..48)
-            .map(|i| {
-                let (s, cos) = (TAU * f64::from(i) / 48.0).sin_cos();
-                c.view.at(&Vector3::new(x, r * cos, r * s))
-            })
-            .collect()
-    };
-    let edge = Some(Pen::new(Ink::Text, 1.1));
-    c.cuboid([0.0059, -0.00165, -0.0181], [0.0177, 0.00165, -radius]);
-    for i in 0..=12 {
-        let outline = if i == 0 || i == 12 { edge } else { None };
-        c.canvas.area(&ring(radius, height * f64::from(i) / 12.0), Fill::new(Ink::Surface), outline);
-    }
-    c.canvas.area(&ring(hole, height), Fill::new(Ink::Text).opacity(0.5), edge);
-    c.cuboid([0.0059, -0.00165, radius], [0.0177, 0.00165, 0.0181]);
 }
 
 fn bars(canvas: &Canvas, left: f64, top: f64, principal: &PrincipalAxes) {
@@ -158,12 +155,10 @@ fn one(canvas: &Canvas, corner: P, body: &NamedBody) -> Result<String, Box<dyn s
     let principal = properties.inertia().principal();
     let centre = (corner.0 + 52.0, corner.1 + 62.0);
     let view = |scale| View::new(centre, scale, -58.0, 20.0);
-    if let Some((scale, middle, shape)) = shape(body.name()) {
-        shape(&Cell { canvas, view: view(scale).moved_back(&middle.into()) });
-    } else {
-        let half = edges_of(&properties) * 0.5;
-        Cell { canvas, view: view(48.0 / half.z) }.cuboid((-half).into(), half.into());
-    }
+    let parts = body.parts();
+    let longest = parts.iter().map(Part::length).fold(0.0, f64::max);
+    let (scale, middle) = placed(body.name()).unwrap_or((96.0 / longest, [0.0; 3]));
+    Cell { canvas, view: view(scale).moved_back(&middle.into()) }.body(parts);
     let name = body.name().trim_start_matches("the ");
     canvas.label((corner.0 + 128.0, corner.1 + 22.0), &Label::new(name));
     bars(canvas, corner.0 + 128.0, corner.1 + 34.0, &principal);

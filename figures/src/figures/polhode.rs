@@ -56,7 +56,7 @@ impl Ellipsoid {
         let mut start = Vector3::zeros();
         start[axis] = sign * angle.cos() * self.reach[axis];
         start[other] = sign * angle.sin() * self.reach[other];
-        let half = time_between_flips(&self.moments, &start)?.ok_or("no period")?;
+        let half = time_between_flips(self.moments.try_into()?, &start)?.ok_or("no period")?;
         let steps = 360;
         let body = motion::spun(self.inertia, start)?;
         let path = motion::free(&body, 2.0 * half / f64::from(steps), usize::try_from(steps)?)?;

@@ -25,7 +25,7 @@ impl Map {
         let [low, high] = [Axis::Largest, Axis::Smallest].map(|axis| self.corner(axis));
         let share = (level - low) / (high - low);
         let momentum = Vector3::new(share.sqrt(), 0.0, (1.0 - share).sqrt());
-        Ok(FreeMotion::new(&self.moments, &momentum.component_div(&self.moments))?)
+        Ok(FreeMotion::new(self.moments.try_into()?, &momentum.component_div(&self.moments))?)
     }
 
     /// Which axis the motion at this level circles, and the time between its flips in turns: in the times that

@@ -32,7 +32,7 @@ fn arrows(plate: &Inertia, degrees: f64) -> Result<Arrows, tumbling::Error> {
         omega: w.y.atan2(w.x),
         momentum: l.y.atan2(l.x),
         relative: l.norm() / most,
-        gap: plate.gap(&w)?,
+        gap: plate.angle_to_momentum(&w)?,
     })
 }
 

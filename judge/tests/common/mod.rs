@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod record;
+
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;
@@ -15,7 +17,7 @@ pub type Row = (f64, Quaternion<f64>, Vector3<f64>);
 
 /// The exact motion, from an attitude that is not the identity.
 pub fn exact(omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
-    let motion = FreeMotion::new(&MOMENTS, &omega).unwrap();
+    let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &omega).unwrap();
     let start = nalgebra::UnitQuaternion::from_euler_angles(0.4, -0.3, 1.1);
     (0..=count)
         .map(|i| {
@@ -28,8 +30,8 @@ pub fn exact(omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
 
 /// A run of a method.
 pub fn stepped(method: Method, omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
-    let system = System::free(&MOMENTS).unwrap();
-    stepped_by(omega, h, count, |motion| method.step(&system, motion, &h).unwrap())
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
+    stepped_by(omega, h, count, |motion| method.step(&system, motion, h).unwrap())
 }
 
 /// A run of any rule for attitude and momentum in body axes.
@@ -39,7 +41,7 @@ pub fn stepped_by(
     count: u32,
     step: impl Fn(&State<f64>) -> State<f64>,
 ) -> Vec<Row> {
-    let system = System::free(&MOMENTS).unwrap();
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let mut rows = Vec::new();
     for i in 0..=count {

@@ -1,6 +1,6 @@
 //! DOP853 of the crate `differential-equations`.
 
-use crate::law::{Law, State};
+use crate::law::{Law, Packed};
 use differential_equations::prelude::*;
 use differential_equations::solout::Solout;
 use std::cell::Cell;
@@ -10,8 +10,8 @@ use tumbling_measure::story::Story;
 
 pub struct Dop853;
 
-impl ODE<f64, State> for Law {
-    fn diff(&self, _t: f64, y: &State, dydt: &mut State) {
+impl ODE<f64, Packed> for Law {
+    fn diff(&self, _t: f64, y: &Packed, dydt: &mut Packed) {
         *dydt = self.rate(y);
     }
 }
@@ -20,21 +20,21 @@ impl ODE<f64, State> for Law {
 struct Seen<'a, 'b, 'c> {
     law: &'a Law,
     watch: Option<&'b mut Watch<'c>>,
-    last: &'a Cell<State>,
+    last: &'a Cell<Packed>,
 }
 
-impl Solout<f64, State> for Seen<'_, '_, '_> {
+impl Solout<f64, Packed> for Seen<'_, '_, '_> {
     fn solout<I>(
         &mut self,
         t: f64,
         t_before: f64,
-        y: &State,
-        _before: &State,
+        y: &Packed,
+        _before: &Packed,
         _between: &mut I,
-        _solution: &mut Solution<f64, State>,
-    ) -> ControlFlag<f64, State>
+        _solution: &mut Solution<f64, Packed>,
+    ) -> ControlFlag<f64, Packed>
     where
-        I: Interpolation<f64, State> + ?Sized,
+        I: Interpolation<f64, Packed> + ?Sized,
     {
         self.last.set(*y);
         if let Some(watch) = self.watch.as_deref_mut().filter(|_| t > t_before) {

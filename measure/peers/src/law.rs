@@ -5,7 +5,7 @@ use tumbling::step::{State, System};
 use tumbling_measure::story::Story;
 
 /// Attitude (scalar first) and momentum in body axes over its size at the start, so that one tolerance fits all.
-pub type State = [f64; 7];
+pub type Packed = [f64; 7];
 
 /// A story as a solver of differential equations sees it.
 #[derive(Debug, Clone)]
@@ -18,7 +18,7 @@ pub struct Law {
 
 impl Law {
     /// The law of a story, and the state at its start.
-    pub fn of(story: &Story) -> (Self, State) {
+    pub fn of(story: &Story) -> (Self, Packed) {
         let size = story.start.momentum.norm();
         let inverse = story.system.inverse().map(|x| x * size).into();
         let law = Self { system: story.system.clone(), inverse, size };
@@ -26,7 +26,7 @@ impl Law {
         (law, start)
     }
 
-    fn state(&self, motion: &State<f64>) -> State {
+    fn state(&self, motion: &State<f64>) -> Packed {
         let (q, l) = (&motion.attitude, &motion.momentum / self.size);
         [q.w, q.i, q.j, q.k, l.x, l.y, l.z]
     }
@@ -42,7 +42,7 @@ impl Law {
 
     /// The rates of a state.
     #[inline]
-    pub fn rate(&self, y: &State) -> State {
+    pub fn rate(&self, y: &Packed) -> Packed {
         let [a, b, c, d, l, m, n] = *y;
         let (x, v, z) = (self.inverse[0] * l, self.inverse[1] * m, self.inverse[2] * n);
         let mut rate = [

@@ -59,7 +59,7 @@ fn flipping(
     step: f64,
     flips: usize,
 ) -> Result<Case, Error> {
-    let motion = FreeMotion::new(&moments.into(), &omega.into())?;
+    let motion = FreeMotion::new(moments.try_into()?, &omega.into())?;
     let first = motion.next_flip(0.0)?.unwrap_or(10.0);
     let second = motion.next_flip(first * (1.0 + 1e-9))?.unwrap_or(2.0 * first);
     let between = second - first;

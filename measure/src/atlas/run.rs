@@ -33,9 +33,9 @@ impl Case {
     fn system(&self) -> Result<System<f64>, Error> {
         let moments = Vector3::from(self.moments);
         if self.damping == 0.0 {
-            return System::free(&moments);
+            return System::free(moments.try_into()?);
         }
-        System::with(&moments, vec![Torque::Damping(moments * self.damping)])
+        System::with(moments.try_into()?, vec![Torque::Damping(moments * self.damping)])
     }
 
     fn duration(&self) -> f64 {
@@ -71,14 +71,14 @@ impl Case {
         let result = self.system().and_then(|system| {
             let start =
                 State { attitude: Quaternion::identity(), momentum: system.momentum(&self.omega.into()) };
-            let motion = FreeMotion::new(&self.moments.into(), &self.omega.into())?;
-            let mut kicked = start.clone();
+            let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
+            let mut kicked = start;
             self.watch(&system, &start, |k| {
                 #[allow(clippy::cast_precision_loss)] // at most 2e5
                 let t = self.step * k as f64;
                 if self.damping > 0.0 {
                     kicked = flow::step(&system, &kicked, self.step)?;
-                    return Ok(kicked.clone());
+                    return Ok(kicked);
                 }
                 let at = motion.at(t)?;
                 Ok(State { attitude: at.attitude.into_inner(), momentum: system.momentum(&at.omega) })
@@ -107,7 +107,7 @@ impl Case {
         let start = outside(&motion);
         let h = number(self.step);
         self.watch(&checked, &start, |_| {
-            motion = method.step(&system, &motion, &h)?;
+            motion = method.step(&system, &motion, h.clone())?;
             Ok(outside(&motion))
         })
         .unwrap_or(End::Refused)
@@ -139,7 +139,7 @@ impl Case {
             left: start.momentum,
             reversed: false,
         };
-        let mut before = start.clone();
+        let mut before = *start;
         for k in 1..=self.count {
             let motion = next(k)?;
             if !motion.momentum.iter().chain(&motion.attitude.coords).all(|x| x.is_finite()) {
@@ -172,7 +172,7 @@ impl Case {
     }
 
     fn fate(&self, seen: &Seen) -> Result<Fate, Error> {
-        let motion = FreeMotion::new(&self.moments.into(), &self.omega.into())?;
+        let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
         let end = self.duration();
         let (omega, attitude) = self.truth(&motion, end)?;
         let distance = |q: &Quaternion<f64>| {

@@ -8,7 +8,7 @@ use num_traits::{One, Zero};
 use tumbling::body::attitude::rotation_matrix;
 use tumbling::dynamics::euler::tensor_times_acceleration;
 use tumbling::inertia::turned;
-use tumbling::step::{Engine, State};
+use tumbling::step::{Carried, Engine};
 
 /// A law that the motion of a free body obeys, and that an engine may break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,10 +116,9 @@ impl Run {
         let (tensor, inverse) = (diagonal(moments), diagonal(&moments.map(|x| Fraction::one() / x)));
         let carried = vector("v");
         let omega = reduced(engine.omega_world(&rotation, &tensor, &inverse, &carried));
-        let motion = State { attitude: q, momentum: carried.clone() };
-        let rate = engine.rate(&motion, &tensor, &inverse);
-        let q_rate = rate.attitude.coords.map(|x| unit.reduce_fraction(&x));
-        let v_rate = rate.momentum;
+        let motion = Carried { attitude: q, vector: carried.clone() };
+        let (q_rate, v_rate) = engine.rate(&tensor, &inverse, &motion);
+        let q_rate = q_rate.coords.map(|x| unit.reduce_fraction(&x));
         let time = Derivation::new([
             ("w", q_rate.w.clone()),
             ("x", q_rate.x.clone()),

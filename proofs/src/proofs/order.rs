@@ -6,7 +6,7 @@ use crate::symbols::{Matrix, diagonal, vector};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
 use tumbling::number::Field;
-use tumbling::step::{Engine, State, rk4};
+use tumbling::step::{Carried, Engine, Rate, State, rk4};
 use tumbling::{body::attitude, dynamics::euler};
 
 pub(super) const PROOFS: &[Proof] = &[
@@ -15,15 +15,15 @@ pub(super) const PROOFS: &[Proof] = &[
         part: "step",
         statement: "One step of the Runge-Kutta method agrees with the exact motion of every free body through h⁴, in every component \
                     of attitude and momentum, and not through h⁵: its order is 4 and no more.",
-        check: || order_is(4, rk4),
+        check: || order_is(4, runge_kutta),
         mutants: &[
-            Mutant { change: "said to be 5", check: || order_is(5, rk4) },
-            Mutant { change: "said to be 3", check: || order_is(3, rk4) },
+            Mutant { change: "said to be 5", check: || order_is(5, runge_kutta) },
+            Mutant { change: "said to be 3", check: || order_is(3, runge_kutta) },
             Mutant {
                 change: "the step a hundredth longer",
                 check: || {
                     order_is(4, |start, h, law| {
-                        rk4(start, &(h.clone() * Series::constant(Fraction::ratio(101, 100))), law)
+                        runge_kutta(start, &(h.clone() * Series::constant(Fraction::ratio(101, 100))), law)
                     })
                 },
             },
@@ -33,7 +33,7 @@ pub(super) const PROOFS: &[Proof] = &[
                     order_is(4, |start, h, law| {
                         // With the slope frozen, all four stages are the first.
                         let slope = law(start);
-                        rk4(start, h, |_| slope.clone())
+                        rk4(start, h.clone(), |_| slope.clone(), State::plus)
                     })
                 },
             },
@@ -50,7 +50,11 @@ pub(super) const PROOFS: &[Proof] = &[
 ];
 
 type Number = Series<Fraction>;
-type Law = fn(&State<Number>) -> State<Number>;
+type Law = fn(&State<Number>) -> Rate<Number>;
+
+fn runge_kutta(start: &State<Number>, h: &Number, law: Law) -> State<Number> {
+    rk4(start, h.clone(), law, State::plus)
+}
 
 fn constant(x: &Fraction) -> Number {
     Series::constant(x.clone())
@@ -69,35 +73,42 @@ fn inverse() -> Matrix3<Number> {
 }
 
 /// The free body, its momentum in its own axes.
-fn law(m: &State<Number>) -> State<Number> {
+fn law(m: &State<Number>) -> Rate<Number> {
     let omega = inverse() * &m.momentum;
-    State {
+    Rate {
         attitude: attitude::rate(&m.attitude, &omega),
         momentum: euler::momentum_rate(&inverse(), &m.momentum, &Vector3::zeros()),
     }
 }
 
-/// The exact motion under a law, to the power `order`: each round of `y = y0 + ∫ law(y)` settles one more.
+type Pair<T> = (Quaternion<Series<T>>, Vector3<Series<T>>);
+
+/// An attitude and a vector as they move under a law, to the power `order`: each round of `y = y0 + ∫ law(y)` settles one more.
+fn solved<T: Field>(start: &Pair<T>, order: usize, law: impl Fn(Pair<T>) -> Pair<T>) -> Pair<T> {
+    let (attitude, vector) = (&start.0.coords, &start.1);
+    let mut motion = (Quaternion::from_vector(attitude.map(|x| x.cut(0))), vector.map(|x| x.cut(0)));
+    for _ in 0..order {
+        let (turn, change) = law(motion);
+        motion = (
+            Quaternion::from_vector(attitude.zip_map(&turn.coords, |y, f| y + f.integral())),
+            vector.zip_map(&change, |y, f| y + f.integral()),
+        );
+    }
+    motion
+}
+
+/// The exact motion of a state under a law, to the power `order`.
 pub(super) fn exact<T: Field>(
     start: &State<Series<T>>,
     order: usize,
-    law: impl Fn(&State<Series<T>>) -> State<Series<T>>,
+    law: impl Fn(&State<Series<T>>) -> Rate<Series<T>>,
 ) -> State<Series<T>> {
-    let cut = |m: &State<Series<T>>, order: usize| State {
-        attitude: Quaternion::from_vector(m.attitude.coords.map(|x| x.cut(order))),
-        momentum: m.momentum.map(|x| x.cut(order)),
-    };
-    let mut motion = cut(start, 0);
-    for _ in 0..order {
-        let rate = law(&motion);
-        motion = State {
-            attitude: Quaternion::from_vector(
-                start.attitude.coords.zip_map(&rate.attitude.coords, |y, f| y + f.integral()),
-            ),
-            momentum: start.momentum.zip_map(&rate.momentum, |y, f| y + f.integral()),
-        };
-    }
-    motion
+    let start = (start.attitude.clone(), start.momentum.clone());
+    let (attitude, momentum) = solved(&start, order, |(attitude, momentum)| {
+        let rate = law(&State { attitude, momentum });
+        (rate.attitude, rate.momentum)
+    });
+    State { attitude, momentum }
 }
 
 /// That two motions agree in every component at the given power of the step.
@@ -128,18 +139,19 @@ fn order_is(order: usize, step: impl Fn(&State<Number>, &Number, Law) -> State<N
 fn same_motion(engine: Engine) -> Outcome {
     const ORDER: usize = 4;
     let tensor = Matrix3::from_diagonal(&vector("J").map(|x| constant(&(Fraction::one() / x))));
-    let in_world = |m: &State<Number>| engine.rate(m, &tensor, &inverse());
-    let mut start = start();
+    let in_world = |(attitude, vector)| engine.rate(&tensor, &inverse(), &Carried { attitude, vector });
+    let start = start();
     let body = exact(&start, ORDER, law);
-    if engine.carried_rate(&tensor, &inverse(), &start.momentum) != Vector3::zeros() {
+    let mut carried = start.momentum;
+    if engine.carried_rate(&tensor, &inverse(), &carried) != Vector3::zeros() {
         // What changes with time is the spin.
-        start.momentum = inverse() * start.momentum;
+        carried = inverse() * carried;
     }
-    let mut world = exact(&start, ORDER, in_world);
+    let (attitude, carried) = solved(&(start.attitude, carried), ORDER, in_world);
     // The momentum that the body has, in its own axes.
-    let rotation = attitude::rotation_matrix(&world.attitude);
-    let omega = engine.omega_world(&rotation, &tensor, &inverse(), &world.momentum);
-    world.momentum = &tensor * (rotation.transpose() * omega);
+    let rotation = attitude::rotation_matrix(&attitude);
+    let omega = engine.omega_world(&rotation, &tensor, &inverse(), &carried);
+    let world = State { attitude, momentum: &tensor * (rotation.transpose() * omega) };
     (0..=ORDER).try_for_each(|power| agree(&world, &body, power))
 }
 
@@ -155,7 +167,7 @@ mod tests {
             attitude: Quaternion::new(one, zero.clone(), zero.clone(), zero.clone()),
             momentum: Vector3::new(zero.clone(), zero, Series::constant(Rational::from(2))),
         };
-        let law = |m: &State<Series<Rational>>| State {
+        let law = |m: &State<Series<Rational>>| Rate {
             attitude: attitude::rate(&m.attitude, &m.momentum),
             momentum: Vector3::zeros(),
         };

@@ -15,7 +15,7 @@ use wide::f64x4;
 /// ```
 /// use tumbling::number::Lane;
 /// use tumbling_scenes::many::Four;
-/// let roots = Four::of_lanes(|k| k as f64).root();
+/// let roots = Four::from_lanes(|k| k as f64).sqrt();
 /// assert_eq!([0, 1, 2, 3].map(|k| roots.lane(k)), [0.0, 1.0, 2_f64.sqrt(), 3_f64.sqrt()]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +85,7 @@ impl Lane for Four {
     const WIDTH: usize = 4;
 
     #[inline(always)]
-    fn of_lanes(of: impl FnMut(usize) -> f64) -> Self {
+    fn from_lanes(of: impl FnMut(usize) -> f64) -> Self {
         Self(f64x4::new(from_fn(of)))
     }
 
@@ -96,7 +96,7 @@ impl Lane for Four {
     }
 
     #[inline(always)]
-    fn below(self, other: Self) -> f64x4 {
+    fn lt(self, other: Self) -> f64x4 {
         self.0.simd_lt(other.0)
     }
 
@@ -106,12 +106,12 @@ impl Lane for Four {
     }
 
     #[inline(always)]
-    fn choose(mask: f64x4, yes: Self, no: Self) -> Self {
+    fn select(mask: f64x4, yes: Self, no: Self) -> Self {
         Self(mask.select(yes.0, no.0))
     }
 
     #[inline(always)]
-    fn size(self) -> Self {
+    fn abs(self) -> Self {
         Self(self.0.abs())
     }
 
@@ -121,12 +121,12 @@ impl Lane for Four {
     }
 
     #[inline(always)]
-    fn root(self) -> Self {
+    fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
 
     #[inline(always)]
-    fn whole(self) -> Self {
+    fn round_ties_even(self) -> Self {
         // Where there is an instruction for it the compiler takes that, four at once.
         let instruction = cfg!(any(target_feature = "avx", target_arch = "aarch64"));
         if !instruction && self.0.abs().simd_lt(f64x4::splat(HALVES)).all() {
@@ -138,7 +138,7 @@ impl Lane for Four {
     }
 
     #[inline(always)]
-    fn left_off(self, other: Self, product: Self) -> Self {
+    fn two_product_error(self, other: Self, product: Self) -> Self {
         if cfg!(all(target_feature = "avx", target_feature = "fma")) {
             return Self(self.0.mul_sub(other.0, product.0));
         }
@@ -177,7 +177,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn four(x: [f64; 4]) -> Four {
-        Four::of_lanes(|k| x[k])
+        Four::from_lanes(|k| x[k])
     }
 
     fn bits(x: Four) -> [u64; 4] {
@@ -211,20 +211,20 @@ mod tests {
             prop_assert!(same(x * y, alone(|a, b| a * b)));
             prop_assert!(same(x / y, alone(|a, b| a / b)));
             prop_assert!(same(-x, alone(|a, _| -a)));
-            prop_assert!(same(x.size().root(), alone(|a, _| a.abs().sqrt())));
-            prop_assert!(same(x.whole(), alone(|a, _| a.round_ties_even())));
+            prop_assert!(same(x.abs().sqrt(), alone(|a, _| a.abs().sqrt())));
+            prop_assert!(same(x.round_ties_even(), alone(|a, _| a.round_ties_even())));
             prop_assert!(same(x.sign(), alone(|a, _| 1_f64.copysign(a))));
             let lesser = alone(|a, b| if a < b { a } else { b });
-            prop_assert!(same(Four::choose(x.below(y), x, y), lesser));
+            prop_assert!(same(Four::select(x.lt(y), x, y), lesser));
             let (left, product) = (alone(|a, b| a.mul_add(b, -(a * b))), x * y);
-            prop_assert!(same(x.left_off(y, product), left) || left.iter().any(|x| f64::from_bits(*x).is_nan()));
+            prop_assert!(same(x.two_product_error(y, product), left) || left.iter().any(|x| f64::from_bits(*x).is_nan()));
         }
 
         #[test]
         fn a_product_and_what_its_rounding_left_off_are_exact_together(
             a in proptest::array::uniform4(-1e9_f64..1e9), b in proptest::array::uniform4(-1e9_f64..1e9),
         ) {
-            let left = four(a).left_off(four(b), four(a) * four(b));
+            let left = four(a).two_product_error(four(b), four(a) * four(b));
             prop_assert_eq!(bits(left), [0, 1, 2, 3].map(|k| a[k].mul_add(b[k], -(a[k] * b[k])).to_bits()));
         }
     }
@@ -232,7 +232,7 @@ mod tests {
     #[test]
     fn powers_of_two_are_exact_over_the_whole_range() {
         for n in [-1022, -1, 0, 1, 1023] {
-            let power = Four::of(f64::from(n)).power_of_two();
+            let power = Four::splat(f64::from(n)).power_of_two();
             assert_eq!(power.lane(3), 2_f64.powi(n));
         }
     }

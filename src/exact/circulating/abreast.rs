@@ -4,7 +4,7 @@ use super::way::Way;
 use super::{Elliptic, Form, advanced, drifted};
 use crate::exact::elliptic::{Hyperbolic, Trigonometric};
 use crate::exact::klein::{self, HyperbolicPair, Pair, TrigonometricPair, phase};
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::{Lane, gathered};
 
 /// Which way round the axes go, which differs from body to body.
@@ -26,8 +26,8 @@ impl<T: Lane> Axes<T> {
     /// In the order of the body, from that which begins with the axis circled.
     #[inline(always)]
     fn arranged(&self, [first, second, third]: [T; 3]) -> [T; 3] {
-        let (is_first, is_third) = (self.around.below(T::of(0.5)), T::of(1.5).below(self.around));
-        let one_of = |first, second, third| T::choose(is_first, first, T::choose(is_third, third, second));
+        let (is_first, is_third) = (self.around.lt(T::splat(0.5)), T::splat(1.5).lt(self.around));
+        let one_of = |first, second, third| T::select(is_first, first, T::select(is_third, third, second));
         [one_of(first, third, second), one_of(second, first, third), one_of(third, second, first)]
     }
 
@@ -35,8 +35,8 @@ impl<T: Lane> Axes<T> {
     #[inline(always)]
     fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> [T; 3] {
         let (across, middle) = (amplitudes[0] * cn, amplitudes[1] * sn);
-        let cyclic = T::of(0.0).below(self.sense);
-        let (next, last) = (T::choose(cyclic, across, middle), T::choose(cyclic, middle, across));
+        let cyclic = T::splat(0.0).lt(self.sense);
+        let (next, last) = (T::select(cyclic, across, middle), T::select(cyclic, middle, across));
         self.arranged([amplitudes[2] * dn, next, last])
     }
 
@@ -53,7 +53,7 @@ impl<T: Lane> Axes<T> {
 pub(crate) struct Waving<T> {
     spin: Trigonometric<T>,
     start: [T; 2],
-    turns: Double<T>,
+    turns: DoubleDouble<T>,
     amplitudes: [T; 3],
     axes: Axes<T>,
 }
@@ -63,7 +63,7 @@ pub(crate) struct Waving<T> {
 pub(crate) struct WavingTurn<T> {
     pair: TrigonometricPair<T>,
     start: Pair<T>,
-    drift: Double<T>,
+    drift: DoubleDouble<T>,
 }
 
 /// The spins of bodies near the separatrix.
@@ -80,7 +80,7 @@ pub(crate) struct Lingering<T> {
 pub(crate) struct LingeringTurn<T> {
     pair: HyperbolicPair<T>,
     start: Pair<T>,
-    drift: Double<T>,
+    drift: DoubleDouble<T>,
     step: T,
 }
 
@@ -102,7 +102,7 @@ impl Elliptic {
         }
     }
 
-    fn trigonometric(&self) -> Option<(&Trigonometric, &TrigonometricPair, &[f64; 2], Double)> {
+    fn trigonometric(&self) -> Option<(&Trigonometric, &TrigonometricPair, &[f64; 2], DoubleDouble)> {
         match &self.form {
             Form::Trigonometric { spin, pair, start, turns, .. } => Some((spin, pair, start, *turns)),
             Form::Hyperbolic { .. } => None,
@@ -117,8 +117,8 @@ impl Elliptic {
     }
 }
 
-fn doubles<T: Lane, S>(from: &[S], of: impl Fn(&S) -> Double) -> Double<T> {
-    Double::parts(gathered(from, |s| of(s).value()), gathered(from, |s| of(s).rest()))
+fn doubles<T: Lane, S>(from: &[S], of: impl Fn(&S) -> DoubleDouble) -> DoubleDouble<T> {
+    DoubleDouble::parts(gathered(from, |s| of(s).hi()), gathered(from, |s| of(s).lo()))
 }
 
 fn amplitudes<T: Lane>(from: &[&Elliptic]) -> [T; 3] {
@@ -153,8 +153,8 @@ impl<T: Lane> Waving<T> {
     #[inline(always)]
     pub(crate) fn at(&self, turn: &WavingTurn<T>, time: T) -> ([T; 3], [T; 4]) {
         let (sin, cos) = advanced(&self.start, self.turns * time);
-        let nothing = T::of(0.0);
-        let phase = phase(drifted(turn.drift, time, Double::parts(nothing, nothing)));
+        let nothing = T::splat(0.0);
+        let phase = phase(drifted(turn.drift, time, DoubleDouble::parts(nothing, nothing)));
         let turned = turn.pair.raw(sin, cos).turned(phase);
         let spin = self.axes.spin(&self.amplitudes, self.spin.values(sin, cos));
         (spin, self.axes.turn(turned.since(&turn.start)))
@@ -188,7 +188,7 @@ impl<T: Lane> Lingering<T> {
     #[inline(always)]
     pub(crate) fn at(&self, turn: &LingeringTurn<T>, time: T) -> ([T; 3], [T; 4]) {
         let place = self.way.between_saddles(time);
-        let extra = Double::product(place.halves, turn.step);
+        let extra = DoubleDouble::product(place.halves, turn.step);
         let turned = place.pair(&turn.pair).turned(phase(drifted(turn.drift, time, extra)));
         let spin = self.axes.spin(&self.amplitudes, place.values(&self.spin));
         (spin, self.axes.turn(turned.since(&turn.start)))

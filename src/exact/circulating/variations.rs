@@ -1,17 +1,18 @@
 //! Solutions of the variational equations: the closed form of the spin differentiated.
 //!
-//! With the spin `A_X cn u`, `A_M sn u`, `A_C dn u`, a change of the inputs changes the amplitudes, the modulus and the
-//! argument. The last two make one number, a shift of the phase at a fixed angle: of `u = F(phi, m)` it is
-//! `du - (dF/dm) dm`, and `dF/dm` is an integral of one sign, Carlson's `R_D` ([DLMF](crate::references) 19.25). At the
-//! start the shift is known from the spin; from there it grows with the change of the rate, and with that of the modulus
-//! by the difference of the integral. All that is small, near the separatrix or in a small libration, is carried times
-//! powers of two, as in the motion itself; on the separatrix `m' = 0` the same formulas hold.
+//! With the spin `A_X cn u`, `A_M sn u`, `A_C dn u`, a change of the inputs changes the amplitudes, the
+//! modulus and the argument. The last two make one number, a shift of the phase at a fixed angle: of `u =
+//! F(phi, m)` it is `du - (dF/dm) dm`, and `dF/dm` is an integral of one sign, Carlson's `R_D`
+//! ([DLMF](crate::references) 19.25). At the start the shift is known from the spin; from there it grows with
+//! the change of the rate, and with that of the modulus by the difference of the integral. All that is small,
+//! near the separatrix or in a small libration, is carried times powers of two, as in the motion itself; on
+//! the separatrix `m' = 0` the same formulas hold.
 
 use super::{Elliptic, Form};
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::exact::elliptic::{Values, rd};
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Matrix3;
 use std::f64::consts::TAU;
@@ -19,8 +20,8 @@ use std::f64::consts::TAU;
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
 const REST: f64 = 700.0;
 
-/// One end of the span: the number of half periods there, `dn dF/dm` without them, and the integral of `cn²` as a
-/// number of quarter periods and a rest, counted from the flip or the saddle, whichever is nearer.
+/// One end of the span: the number of half periods there, `dn dF/dm` without them, and the integral of `cn²`
+/// as a number of quarter periods and a rest, counted from the flip or the saddle, whichever is nearer.
 struct End {
     values: Values,
     halves: f64,
@@ -29,8 +30,8 @@ struct End {
     share: f64,
 }
 
-/// Derivatives of the motion's constants by the spin across, along the middle and circled (each times its power of two)
-/// and by the three moments in the same order.
+/// Derivatives of the motion's constants by the spin across, along the middle and circled (each times its
+/// power of two) and by the three moments in the same order.
 struct Inputs {
     /// Of the three amplitudes, of the logarithm of the rate, and of `m'` times the square of the shift.
     across: [f64; 6],
@@ -61,21 +62,21 @@ impl Elliptic {
     pub(crate) fn half_periods(&self, time: f64) -> HalfPeriods {
         let run = self.constants.rate * time;
         let half = self.constants.quarter * 2.0;
-        let (count, left) = if half.value().is_finite() { (run / half).split() } else { (0.0, 0.0) };
+        let (count, left) = if half.hi().is_finite() { (run / half).split() } else { (0.0, 0.0) };
         if count == 0.0 {
-            return HalfPeriods { count, time, argument: run.value() };
+            return HalfPeriods { count, time, argument: run.hi() };
         }
         let argument = half * left;
-        HalfPeriods { count, time: (argument / self.constants.rate).value(), argument: argument.value() }
+        HalfPeriods { count, time: (argument / self.constants.rate).hi(), argument: argument.hi() }
     }
 
-    /// Over `count` half periods: the derivatives of the time by which they end earlier, by the spin at the start and by
-    /// the tensor, and the integrals of the squares of the spin less those at the start.
+    /// Over `count` half periods: the derivatives of the time by which they end earlier, by the spin at the
+    /// start and by the tensor, and the integrals of the squares of the spin less those at the start.
     pub(crate) fn over_half_periods(&self, moments: &[f64; 3], count: f64) -> ([f64; 9], [f64; 3]) {
         let start = self.end(0.0);
         let inputs = self.inputs(moments, &start);
-        let (half, complete) = (2.0 * self.constants.quarter.value(), self.complete());
-        let per_argument = count / self.constants.rate.value();
+        let (half, complete) = (2.0 * self.constants.quarter.hi(), self.complete());
+        let per_argument = count / self.constants.rate.hi();
         let mut earlier = [0.0; 9];
         for k in 0..6 {
             let shift = half * inputs.log_rate[k] + 2.0 * inputs.to_separatrix[k] * complete;
@@ -89,18 +90,19 @@ impl Elliptic {
         (earlier, self.squares(&inputs, &start, count * half, 2.0 * count * self.quarter_share()))
     }
 
-    /// The derivatives of the half period, in Jacobi's argument, by the products of inertia of the axes other than the
-    /// across, the middle and the circled one, with the opposite sign.
+    /// The derivatives of the half period, in Jacobi's argument, by the products of inertia of the axes other
+    /// than the across, the middle and the circled one, with the opposite sign.
     ///
-    /// A product turns the principal axes, which the half period knows of by energy and momentum alone: its derivative by
-    /// a component `w_a` of the spin is `I_a (e + l I_a) w_a`, and that by a product `(e + l (I_a + I_b)) w_a w_b`.
+    /// A product turns the principal axes, which the half period knows of by energy and momentum alone: its
+    /// derivative by a component `w_a` of the spin is `I_a (e + l I_a) w_a`, and that by a product `(e + l
+    /// (I_a + I_b)) w_a w_b`.
     fn half_period_by_products(&self, moments: &[f64; 3], start: &End, complete: f64) -> [f64; 3] {
         let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
         let [d_cx, d_cm] = [i_c - i_x, i_c - i_m];
         let [a_x, a_m, a_c] = self.amplitudes;
         let Values { sn, cn, dn } = start.values;
         let down2 = self.down() * self.down();
-        let half = 2.0 * self.constants.quarter.value() * down2;
+        let half = 2.0 * self.constants.quarter.hi() * down2;
         let parameter = self.constants.modulus * self.constants.modulus;
         let complement2 = self.constants.scaled_complement * self.constants.scaled_complement;
         let slower = half + 4.0 * parameter * complete;
@@ -119,9 +121,9 @@ impl Elliptic {
         ]
     }
 
-    /// The derivatives of the spin at scaled `time` by the spin at the start and, if requested, by the three moments, with
-    /// the integrals of the squares of the spin less those at the start. Not for the neighbourhood of whole half periods:
-    /// there it cancels.
+    /// The derivatives of the spin at scaled `time` by the spin at the start and, if requested, by the three
+    /// moments, with the integrals of the squares of the spin less those at the start. Not for the
+    /// neighbourhood of whole half periods: there it cancels.
     ///
     /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
     pub(crate) fn derivatives(
@@ -131,12 +133,12 @@ impl Elliptic {
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
         let run = self.constants.rate * time;
-        let resting = self.constants.quarter.value().is_infinite();
-        if resting && (self.constants.argument + run).value().abs() > REST {
+        let resting = self.constants.quarter.hi().is_infinite();
+        if resting && (self.constants.argument + run).hi().abs() > REST {
             let what = "the separatrix's argument, with its spin at rest,";
-            return Err(Error::OutOfRange { what, value: run.value() });
+            return Err(Refusal::OutOfRange { what, value: run.hi() }.into());
         }
-        let run = run.value();
+        let run = run.hi();
         let (start, end) = (self.end(0.0), self.end(time));
         let inputs = self.inputs(moments, &start);
         let down = self.down();
@@ -205,7 +207,7 @@ impl Elliptic {
             Form::Trigonometric { spin, start, turns, .. } => {
                 let (sin, cos) = super::advanced(start, *turns * time);
                 let values = spin.at(sin, cos);
-                let at_start = Double::from(start[0].atan2(start[1]) / TAU);
+                let at_start = DoubleDouble::from(start[0].atan2(start[1]) / TAU);
                 let (whole, left) = ((*turns * time + at_start) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
@@ -240,12 +242,12 @@ impl Elliptic {
         End { values, halves, growth, quarters: 2.0 * halves + quarters, share }
     }
 
-    /// The integrals over time of the squares of the spin less those at the start, from Jacobi's argument `run` and
-    /// the integral of `cn²` over it; of the three the energy and the momentum leave one.
+    /// The integrals over time of the squares of the spin less those at the start, from Jacobi's argument
+    /// `run` and the integral of `cn²` over it; of the three the energy and the momentum leave one.
     fn squares(&self, inputs: &Inputs, start: &End, run: f64, share: f64) -> [f64; 3] {
         let amplitude = times_power_of_two(self.amplitudes[1], -self.constants.lifts[1]);
         let cn = start.values.cn * self.down();
-        let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.value();
+        let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.hi();
         let [x, m, c] = self.axes;
         let mut squares = [0.0; 3];
         squares[x] = -inputs.ratio * excess;
@@ -310,8 +312,9 @@ impl Elliptic {
     }
 }
 
-/// `dn dF/dm` at fixed angle, up to a quarter turn, over `2^shift`: from its sine, and cosine and rate times `2^shift`.
-/// The derivative is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with the scaled numbers.
+/// `dn dF/dm` at fixed angle, up to a quarter turn, over `2^shift`: from its sine, and cosine and rate times
+/// `2^shift`. The derivative is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with
+/// the scaled numbers.
 fn growth(sn: f64, cn: f64, dn: f64, down: f64) -> f64 {
     let (true_cn, true_dn) = (cn * down, dn * down);
     let shared = true_cn + true_dn + true_cn * true_dn;

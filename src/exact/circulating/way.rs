@@ -2,18 +2,18 @@
 
 use crate::exact::elliptic::{self, Decay, Hyperbolic};
 use crate::exact::klein::{HyperbolicPair, Pair};
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use crate::number::{Lane, gathered};
 
 /// Where Jacobi's argument stands, folded between the two saddles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Way<T = f64> {
-    pub(super) start: Double<T>,
+    pub(super) start: DoubleDouble<T>,
     /// Half turns per unit of time, or on the separatrix, where there are none, the argument itself.
-    pub(super) rate: Double<T>,
+    pub(super) rate: DoubleDouble<T>,
     /// From flip to saddle, and from flip to flip: infinite on the separatrix.
-    pub(super) quarter: Double<T>,
-    pub(super) half: Double<T>,
+    pub(super) quarter: DoubleDouble<T>,
+    pub(super) half: DoubleDouble<T>,
     /// `pi/(2K')`.
     pub(super) stretch: T,
     /// The root of the complementary nome: `exp(-x)` at the saddle.
@@ -40,21 +40,21 @@ impl Way {
         }
         // Past the end of the range the spin has long come to rest on the middle axis: any place far out will do.
         let run = self.rate * time;
-        let end = Double::from(1e300_f64.copysign(self.rate.value()) * 1_f64.copysign(time));
-        self.place(0.0, if run.value().abs() < 1e300 { run.plus(self.start) } else { end })
+        let end = DoubleDouble::from(1e300_f64.copysign(self.rate.hi()) * 1_f64.copysign(time));
+        self.place(0.0, if run.hi().abs() < 1e300 { run.plus(self.start) } else { end })
     }
 
     /// Whether it is the separatrix.
     pub(crate) fn endless(&self) -> bool {
-        self.quarter.value().is_infinite()
+        self.quarter.hi().is_infinite()
     }
 }
 
 impl<T: Lane> Way<T> {
     /// Those of many, side by side.
     pub(crate) fn gathered<S>(from: &[S], of: impl Fn(&S) -> &Way) -> Self {
-        let double = |of: &dyn Fn(&S) -> Double| -> Double<T> {
-            Double::parts(gathered(from, |s| of(s).value()), gathered(from, |s| of(s).rest()))
+        let double = |of: &dyn Fn(&S) -> DoubleDouble| -> DoubleDouble<T> {
+            DoubleDouble::parts(gathered(from, |s| of(s).hi()), gathered(from, |s| of(s).lo()))
         };
         Self {
             start: double(&|s| of(s).start),
@@ -75,27 +75,27 @@ impl<T: Lane> Way<T> {
     }
 
     #[inline(always)]
-    fn place(&self, mut halves: T, mut u: Double<T>) -> Place<T> {
-        let beyond = self.quarter.value().below(u.value().size());
+    fn place(&self, mut halves: T, mut u: DoubleDouble<T>) -> Place<T> {
+        let beyond = self.quarter.hi().lt(u.hi().abs());
         if T::any(beyond) {
-            let side = u.value().sign();
-            u = Double::choose(beyond, u.plus(self.half.signed(-side)), u);
-            halves = T::choose(beyond, halves + side, halves);
+            let side = u.hi().sign();
+            u = DoubleDouble::select(beyond, u.plus(self.half.signed(-side)), u);
+            halves = T::select(beyond, halves + side, halves);
         }
-        let side = u.value().sign();
+        let side = u.hi().sign();
         let size = u.signed(side);
-        let far = (self.quarter.value() * 0.5).below(size.value());
-        let from_end = Double::choose(far, self.quarter.plus(size.signed(T::of(-1.0))), size);
-        let nothing = T::of(0.0);
-        let odd = nothing.below((halves - (halves * 0.5).whole() * 2.0).size());
+        let far = (self.quarter.hi() * 0.5).lt(size.hi());
+        let from_end = DoubleDouble::select(far, self.quarter.plus(size.signed(T::splat(-1.0))), size);
+        let nothing = T::splat(0.0);
+        let odd = nothing.lt((halves - (halves * 0.5).round_ties_even() * 2.0).abs());
         // Rounding may leave it a hair beyond the saddle.
-        let left = from_end.value();
-        let x = T::choose(nothing.below(left), left, nothing) * self.stretch;
+        let left = from_end.hi();
+        let x = T::select(nothing.lt(left), left, nothing) * self.stretch;
         Place {
-            decay: Decay::new(x, from_end.rest() * self.stretch, self.nome_root),
+            decay: Decay::new(x, from_end.lo() * self.stretch, self.nome_root),
             far,
             side,
-            turn: T::choose(odd, -self.turn, self.turn),
+            turn: T::select(odd, -self.turn, self.turn),
             halves,
         }
     }
@@ -113,7 +113,7 @@ impl<T: Lane> Place<T> {
     #[inline(always)]
     pub(crate) fn pair(&self, pair: &HyperbolicPair<T>) -> Pair<T> {
         let [root, rising] = [self.decay.root, self.decay.rising];
-        pair.raw(T::choose(self.far, rising, root), T::choose(self.far, root, rising), self.side, self.turn)
+        pair.raw(T::select(self.far, rising, root), T::select(self.far, root, rising), self.side, self.turn)
     }
 
     /// `sn`, `cn`, `dn` here.

@@ -1,26 +1,26 @@
 //! The complete integral by the arithmetic-geometric mean [Gau99](crate::references).
 
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use std::f64::consts::FRAC_PI_2;
 
 /// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.
 ///
 /// The root is asked for by itself since it has all its digits where the complement is subnormal.
-pub(crate) fn quarter_period_from_root(complement: Double, root: Double) -> Double {
-    let (mut a, mut g) = ((Double::ONE + complement) * 0.5, root);
+pub(crate) fn quarter_period_from_root(complement: DoubleDouble, root: DoubleDouble) -> DoubleDouble {
+    let (mut a, mut g) = ((DoubleDouble::ONE + complement) * 0.5, root);
     // Each step doubles the digits, once the first ten at most have brought 1e-162 up to where that sets in.
     for _ in 0..24 {
-        let difference = (a - g).value();
+        let difference = (a - g).hi();
         let mean = (a + g) * 0.5;
-        if difference.abs() <= 1e-8 * a.value() {
+        if difference.abs() <= 1e-8 * a.hi() {
             // What the next step would take off, but for its square.
-            a = mean - Double::from(difference * difference / (16.0 * mean.value()));
+            a = mean - DoubleDouble::from(difference * difference / (16.0 * mean.hi()));
             break;
         }
         g = (a * g).sqrt();
         a = mean;
     }
-    Double::PI * 0.5 / a
+    DoubleDouble::PI * 0.5 / a
 }
 
 /// The same in `f64`: `pi / (2 agm(1, complement))`; infinite for 0.
@@ -54,9 +54,9 @@ mod tests {
             (0.001, 8.294_051_463_615_44, -8.023_311_253_989_47e-16),
             (0.5, 2.156_515_647_499_643_4, -1.822_784_772_617_928_3e-16),
         ] {
-            let root = Double::from(complement).sqrt();
-            let ours = quarter_period_from_root(Double::from(complement), root);
-            let off = ((ours - Double::from(high)) - Double::from(low)).value();
+            let root = DoubleDouble::from(complement).sqrt();
+            let ours = quarter_period_from_root(DoubleDouble::from(complement), root);
+            let off = ((ours - DoubleDouble::from(high)) - DoubleDouble::from(low)).hi();
             assert!(off.abs() < 1e-29 * high, "{complement:e}: {off:e}");
         }
     }

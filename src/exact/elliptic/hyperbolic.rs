@@ -22,8 +22,8 @@ impl<T: Lane> Decay<T> {
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         // Beyond 700 the exponential is nothing beside any f64; so far out the rest can be large, and says nothing.
-        let within = main.below(T::of(700.0));
-        let (main, rest) = (T::choose(within, main, T::of(700.0)), T::choose(within, rest, T::of(0.0)));
+        let within = main.lt(T::splat(700.0));
+        let (main, rest) = (T::select(within, main, T::splat(700.0)), T::select(within, rest, T::splat(0.0)));
         let (power, change) = exp_parts(-main, -rest);
         let root = power + power * change;
         // exp(-x) - 1, exact in its small digits where the power of two is 1.
@@ -38,7 +38,7 @@ fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
     // The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.
     const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
     const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-    let twos = (x * std::f64::consts::LOG2_E).whole();
+    let twos = (x * std::f64::consts::LOG2_E).round_ties_even();
     let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW);
     // The series of exp(r) - 1 - r, over r²: what is left out is below 1e-17 of it for |r| <= 0.35.
     let a = const {
@@ -126,11 +126,12 @@ impl<T: Lane> Hyperbolic<T> {
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, far: T::Mask) -> [T; 3] {
         let [sine, cosine, alternating, plain] = self.sums(x);
-        let [s, c, d] = [0, 1, 2].map(|n| T::choose(far, self.far[n], self.near[n]));
-        let (rise, fall) = (T::choose(far, x.root, T::of(1.0)), T::choose(far, T::of(0.5), x.root * 2.0));
-        let (first, second) = (T::choose(far, alternating, sine), T::choose(far, sine, alternating));
-        let (third, under) = (T::choose(far, cosine, plain), T::choose(far, plain * x.root, cosine));
-        let over = T::of(1.0) / under;
+        let [s, c, d] = [0, 1, 2].map(|n| T::select(far, self.far[n], self.near[n]));
+        let (rise, fall) =
+            (T::select(far, x.root, T::splat(1.0)), T::select(far, T::splat(0.5), x.root * 2.0));
+        let (first, second) = (T::select(far, alternating, sine), T::select(far, sine, alternating));
+        let (third, under) = (T::select(far, cosine, plain), T::select(far, plain * x.root, cosine));
+        let over = T::splat(1.0) / under;
         let fall = fall * over;
         [s * first * (rise * over), c * second * fall, d * third * fall]
     }

@@ -4,8 +4,8 @@ use super::hyperbolic::{Decay, Hyperbolic};
 use super::trig::sin_cos_of_turns;
 use super::trigonometric::Trigonometric;
 use super::{Values, complete};
-use crate::error::{Error, finite};
-use crate::number::double_double::Double;
+use crate::error::{Error, Refusal, finite};
+use crate::number::double_double::DoubleDouble;
 use std::f64::consts::PI;
 
 /// Below this ratio of the quarter periods `K'/K` the imaginary transformation converges faster.
@@ -28,7 +28,7 @@ pub(crate) const TURNING_RATIO: f64 = 0.775;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jacobi {
-    quarter: Double,
+    quarter: DoubleDouble,
     form: Form,
 }
 
@@ -48,25 +48,26 @@ impl Jacobi {
     pub fn of_complement(complement: f64) -> Result<Self, Error> {
         crate::error::not_negative("the complementary modulus", complement)?;
         if complement > 1.0 {
-            return Err(Error::Order {
+            return Err(Refusal::Order {
                 smaller: "the complementary modulus",
                 small: complement,
                 larger: "1",
                 large: 1.0,
-            });
+            }
+            .into());
         }
         let modulus = ((1.0 - complement) * (1.0 + complement)).sqrt();
-        let root = Double::from(complement).sqrt();
+        let root = DoubleDouble::from(complement).sqrt();
         let quarter = if complement == 0.0 {
-            Double::from(f64::INFINITY)
+            DoubleDouble::from(f64::INFINITY)
         } else {
-            complete::quarter_period_from_root(Double::from(complement), root)
+            complete::quarter_period_from_root(DoubleDouble::from(complement), root)
         };
         let other = complete::quarter_period(modulus);
-        let form = if other / quarter.value() >= TURNING_RATIO {
-            Form::Trigonometric(Trigonometric::new((-PI * (other / quarter.value())).exp()))
+        let form = if other / quarter.hi() >= TURNING_RATIO {
+            Form::Trigonometric(Trigonometric::new((-PI * (other / quarter.hi())).exp()))
         } else {
-            let p = (-0.5 * PI * (quarter.value() / other)).exp();
+            let p = (-0.5 * PI * (quarter.hi() / other)).exp();
             Form::Hyperbolic(Hyperbolic::new(p * p, complement, 0), PI / (2.0 * other), p)
         };
         Ok(Self { quarter, form })
@@ -75,7 +76,7 @@ impl Jacobi {
     /// `K`, a quarter of the period of `sn` and `cn` and half that of `dn`. Infinite on the separatrix.
     #[must_use]
     pub fn quarter_period(&self) -> f64 {
-        self.quarter.value()
+        self.quarter.hi()
     }
 
     /// The three functions at `u`.
@@ -86,20 +87,20 @@ impl Jacobi {
         finite("the argument of Jacobi's functions", u)?;
         match &self.form {
             Form::Trigonometric(sums) => {
-                let (sin, cos) = sin_cos_of_turns(Double::from(u) / (self.quarter * 4.0));
+                let (sin, cos) = sin_cos_of_turns(DoubleDouble::from(u) / (self.quarter * 4.0));
                 Ok(sums.at(sin, cos))
             }
             Form::Hyperbolic(sums, stretch, nome_root) => {
-                let (halves, left) = (Double::from(u) / (self.quarter * 2.0)).split();
-                let infinite = self.quarter.value().is_infinite();
-                let v = if infinite { Double::from(u) } else { self.quarter * 2.0 * left };
+                let (halves, left) = (DoubleDouble::from(u) / (self.quarter * 2.0)).split();
+                let infinite = self.quarter.hi().is_infinite();
+                let v = if infinite { DoubleDouble::from(u) } else { self.quarter * 2.0 * left };
                 let size = v.abs();
-                let far = size.value() > 0.5 * self.quarter.value();
+                let far = size.hi() > 0.5 * self.quarter.hi();
                 let size = if far { self.quarter - size } else { size };
-                let x = Decay::new(size.value().max(0.0) * stretch, size.rest() * stretch, *nome_root);
+                let x = Decay::new(size.hi().max(0.0) * stretch, size.lo() * stretch, *nome_root);
                 let values = sums.at(&x, far);
                 let turn = if halves % 2.0 == 0.0 { 1.0 } else { -1.0 };
-                let side = if v.value() < 0.0 { -turn } else { turn };
+                let side = if v.hi() < 0.0 { -turn } else { turn };
                 Ok(Values { sn: side * values.sn, cn: turn * values.cn, dn: values.dn })
             }
         }

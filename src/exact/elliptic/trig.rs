@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle given in turns: no division by the circle's constant to lose digits in.
 
 use crate::number::Lane;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use std::f64::consts::TAU;
 
 /// Sine and cosine of `turns` whole turns.
@@ -9,20 +9,20 @@ use std::f64::consts::TAU;
 /// Whole and quarter turns are taken off first, exactly, so that a phase of 1e9 turns costs what a small one
 /// does, and what is left keeps all its digits.
 #[inline(always)]
-pub(crate) fn sin_cos_of_turns<T: Lane>(turns: Double<T>) -> (T, T) {
+pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let (_, part) = turns.split();
-    let quarters = (part * 4.0).whole();
+    let quarters = (part * 4.0).round_ties_even();
     let angle = (part - quarters * 0.25) * TAU;
     let (sin, cos) = near_zero(angle);
     // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below zero.
-    let size = quarters.size();
-    let odd = (size - 1.0).size().below(T::of(0.5));
-    let (s, c) = (T::choose(odd, cos, sin), T::choose(odd, sin, cos));
-    let opposite = T::of(1.5).below(size);
-    let sin_sign = T::choose(quarters.below(T::of(-0.5)), T::of(-1.0), T::of(1.0));
-    let cos_sign = T::choose(T::of(0.5).below(quarters), T::of(-1.0), T::of(1.0));
-    let half = T::of(-1.0);
-    (T::choose(opposite, half, sin_sign) * s, T::choose(opposite, half, cos_sign) * c)
+    let size = quarters.abs();
+    let odd = (size - 1.0).abs().lt(T::splat(0.5));
+    let (s, c) = (T::select(odd, cos, sin), T::select(odd, sin, cos));
+    let opposite = T::splat(1.5).lt(size);
+    let sin_sign = T::select(quarters.lt(T::splat(-0.5)), T::splat(-1.0), T::splat(1.0));
+    let cos_sign = T::select(T::splat(0.5).lt(quarters), T::splat(-1.0), T::splat(1.0));
+    let half = T::splat(-1.0);
+    (T::select(opposite, half, sin_sign) * s, T::select(opposite, half, cos_sign) * c)
 }
 
 /// Both by their own series, for angles up to an eighth of a turn: the first term left out is below 1e-17
@@ -82,25 +82,25 @@ mod tests {
         // Independent: the platform's own sine and cosine.
         #[test]
         fn sine_and_cosine_of_turns_are_those_of_the_angle(turns in -0.6_f64..0.6) {
-            let (sin, cos) = sin_cos_of_turns(Double::from(turns));
+            let (sin, cos) = sin_cos_of_turns(DoubleDouble::from(turns));
             let (s, c) = (turns * TAU).sin_cos();
             prop_assert!((sin - s).abs() < 1e-15 && (cos - c).abs() < 1e-15, "{sin} {s} {cos} {c}");
         }
 
         #[test]
         fn whole_turns_change_nothing(turns in -0.5_f64..0.5, whole in -(1_i64 << 40)..(1 << 40)) {
-            let many = Double::sum(whole as f64, turns);
-            prop_assert_eq!(sin_cos_of_turns(many), sin_cos_of_turns(Double::from(turns)));
+            let many = DoubleDouble::sum(whole as f64, turns);
+            prop_assert_eq!(sin_cos_of_turns(many), sin_cos_of_turns(DoubleDouble::from(turns)));
         }
     }
 
     #[test]
     fn quarter_turns_are_exact_and_their_neighbours_keep_all_digits() {
-        assert_eq!(sin_cos_of_turns(Double::from(0.25)), (1.0, 0.0));
-        assert_eq!(sin_cos_of_turns(Double::from(-0.25)), (-1.0, 0.0));
-        assert_eq!(sin_cos_of_turns(Double::from(7.5)).1, -1.0);
+        assert_eq!(sin_cos_of_turns(DoubleDouble::from(0.25)), (1.0, 0.0));
+        assert_eq!(sin_cos_of_turns(DoubleDouble::from(-0.25)), (-1.0, 0.0));
+        assert_eq!(sin_cos_of_turns(DoubleDouble::from(7.5)).1, -1.0);
         let beyond = 2_f64.powi(-50);
-        let (_, cos) = sin_cos_of_turns(Double::sum(1e6 + 0.25, beyond));
+        let (_, cos) = sin_cos_of_turns(DoubleDouble::sum(1e6 + 0.25, beyond));
         assert!((cos / (-TAU * beyond) - 1.0).abs() < 1e-15, "{cos}");
     }
 }

@@ -59,7 +59,7 @@ impl<T: Lane> Trigonometric<T> {
     pub(crate) fn values(&self, sin: T, cos: T) -> [T; 3] {
         let [third, fourth, second, first] = self.thetas((cos - sin) * (cos + sin));
         let [s, c, d] = self.factors;
-        let over = T::of(1.0) / fourth;
+        let over = T::splat(1.0) / fourth;
         [s * (sin * first) * over, c * (cos * second) * over, d * third * over]
     }
 }

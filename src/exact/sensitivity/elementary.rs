@@ -1,38 +1,39 @@
-//! Solutions of the variational equations of a steady spin and of a body with two equal moments: sines, exponentials, powers
-//! of time.
+//! Solutions of the variational equations of a steady spin and of a body with two equal moments: sines,
+//! exponentials, powers of time.
 
 use super::series::{Forcing, factors};
 use super::{ByTensor, SpinDerivatives};
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::number::double_double::Double;
+use crate::number::double_double::DoubleDouble;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-/// About the principal axis number `axis`: that component's error stays, the other two grow or turn together. The moments
-/// have no effect; a product of inertia acts on them as a constant torque.
+/// About the principal axis number `axis`: that component's error stays, the other two grow or turn together.
+/// The moments have no effect; a product of inertia acts on them as a constant torque.
 pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -> SpinDerivatives {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let factors = factors(moments);
-    let gap = |a: usize, b: usize| Double::sum(moments[a], -moments[b]);
+    let gap = |a: usize, b: usize| DoubleDouble::sum(moments[a], -moments[b]);
     // The square of the rate, with its sign: positive about the middle axis.
-    let squared = gap(j, axis) / Double::from(moments[i]) * (gap(axis, i) / Double::from(moments[j]));
+    let squared =
+        gap(j, axis) / DoubleDouble::from(moments[i]) * (gap(axis, i) / DoubleDouble::from(moments[j]));
     let rate = squared.abs().sqrt() * spin.abs();
     let phase = rate * time;
     // Even and odd solution, and the integral of the odd one.
-    let half = 0.5 * phase.value();
-    let (even, odd, sum) = if phase.value() == 0.0 {
+    let half = 0.5 * phase.hi();
+    let (even, odd, sum) = if phase.hi() == 0.0 {
         (1.0, time, 0.5 * time * time)
-    } else if squared.value() < 0.0 {
-        let (sin, cos) = sin_cos_of_turns(phase / (Double::PI * 2.0));
-        let (sin_of_half, _) = sin_cos_of_turns(phase / (Double::PI * 4.0));
-        let quotient = sin_of_half / rate.value();
-        (cos, sin / rate.value(), 2.0 * quotient * quotient)
+    } else if squared.hi() < 0.0 {
+        let (sin, cos) = sin_cos_of_turns(phase / (DoubleDouble::PI * 2.0));
+        let (sin_of_half, _) = sin_cos_of_turns(phase / (DoubleDouble::PI * 4.0));
+        let quotient = sin_of_half / rate.hi();
+        (cos, sin / rate.hi(), 2.0 * quotient * quotient)
     } else {
-        let (main, rest) = (phase.value(), phase.rest());
-        let quotient = half.sinh() / rate.value();
+        let (main, rest) = (phase.hi(), phase.lo());
+        let quotient = half.sinh() / rate.hi();
         (
             main.cosh() + main.sinh() * rest,
-            (main.sinh() + main.cosh() * rest) / rate.value(),
+            (main.sinh() + main.cosh() * rest) / rate.hi(),
             2.0 * quotient * quotient,
         )
     };
@@ -59,14 +60,15 @@ fn times(x: Complex, y: Complex) -> Complex {
     [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
 }
 
-/// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `wobble` turns per unit of
-/// time. The two across are one complex number `W = W_0 exp(i r t)`, and so are their changes `exp(i r t) z`, where
-/// `z' = i s W_0 c + exp(-i r t) f` with the change `c` of the spin along the axis and the forcing `f`, both trigonometric.
+/// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `wobble` turns
+/// per unit of time. The two across are one complex number `W = W_0 exp(i r t)`, and so are their changes
+/// `exp(i r t) z`, where `z' = i s W_0 c + exp(-i r t) f` with the change `c` of the spin along the axis and
+/// the forcing `f`, both trigonometric.
 pub(super) fn top(
     moments: &[f64; 3],
     axis: usize,
     omega: &[f64; 3],
-    wobble: Double,
+    wobble: DoubleDouble,
     time: f64,
 ) -> SpinDerivatives {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -74,7 +76,7 @@ pub(super) fn top(
     let (s, by_moments) = (factors(moments)[b], Forcing::new(moments).by_moments);
     let (sin, cos) = sin_cos_of_turns(wobble * time);
     let turned = [cos, sin];
-    let rate = TAU * wobble.value();
+    let rate = TAU * wobble.hi();
     // The integrals of exp(i r t) and exp(2 i r t), and the integrals of these.
     let [first, first_sum] = integrals(rate, turned, time);
     let [second, second_sum] = integrals(2.0 * rate, times(turned, turned), time);

@@ -1,15 +1,16 @@
 //! Thin needles that spin fast about themselves while they hardly turn over.
 //!
-//! Their momentum is small relative to what a change of the spin adds to it, so that what the momentum's constancy says about
-//! the turn is a small difference of large terms. Here the turn is added up from steps instead, and over whole
-//! periods by doubling.
+//! Their momentum is small relative to what a change of the spin adds to it, so that what the momentum's
+//! constancy says about the turn is a small difference of large terms. Here the turn is added up from steps
+//! instead, and over whole periods by doubling.
 
 use super::series::{Request, span};
 use super::{Derivatives, FreeMotion, Law};
 use crate::error::Error;
 use nalgebra::Vector3;
 
-/// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better way.
+/// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better
+/// way.
 const SLOW: f64 = 1.0;
 /// Above this a number of periods is not exact.
 const COUNTABLE: f64 = 9_007_199_254_740_992.0;

@@ -1,9 +1,10 @@
 //! Derivatives of the closed form by the products of inertia.
 //!
-//! The product `I_ij` turns the principal axes `i` and `j` about the third, `k`, by `1/d` with `d = I_i - I_j`, and with `u`
-//! along `k` the derivative of the spin is `(u x w - F (u x w_0))/d`, where `F` is that by the spin at the start. Where `d`
-//! is small and `k` is the axis circled, `u x w` is along `w'`, which `F` takes to itself, but for a multiple of `d`: with
-//! `s = (I_k - I_i)/I_j` it is `w'/(s w_k) + d g`, and `w_k` is constant but for a multiple of `d`, since `2E I_i - L²` is.
+//! The product `I_ij` turns the principal axes `i` and `j` about the third, `k`, by `1/d` with `d = I_i -
+//! I_j`, and with `u` along `k` the derivative of the spin is `(u x w - F (u x w_0))/d`, where `F` is that by
+//! the spin at the start. Where `d` is small and `k` is the axis circled, `u x w` is along `w'`, which `F`
+//! takes to itself, but for a multiple of `d`: with `s = (I_k - I_i)/I_j` it is `w'/(s w_k) + d g`, and `w_k`
+//! is constant but for a multiple of `d`, since `2E I_i - L²` is.
 
 use super::super::circulating::Elliptic;
 use super::SpinDerivatives;
@@ -62,8 +63,8 @@ fn nearly_equal(
     (column, moments[k] * slower)
 }
 
-/// Completes the derivatives by the products after half periods that took `time`: where an odd number of them has changed
-/// `signs`, the axes in which it did are turned too. `end` is the spin.
+/// Completes the derivatives by the products after half periods that took `time`: where an odd number of them
+/// has changed `signs`, the axes in which it did are turned too. `end` is the spin.
 pub(super) fn after_half_periods(
     moments: &[f64; 3],
     start: &[f64; 3],

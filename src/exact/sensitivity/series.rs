@@ -1,13 +1,14 @@
 //! Short spans: the variational equations by power series in time and Gauss quadrature.
 //!
-//! The closed form's derivatives are small differences where little of the motion has passed. Here nothing cancels: the
-//! series of the spin `w`, of its derivative `F` by the spin at the start and of the attitude `R` begin with given values.
-//! The rest are integrals of products of these: of the turn, in the world, `T = int R F`; of the spin by the tensor
-//! `D = F y` with `y = int F^-1 f`, where `f` is the derivative of the angular acceleration by the tensor at a fixed
-//! spin; and of the turn by the tensor, at the end `t`, `int R D = int (T(t) - T) F^-1 f`. The flow keeps volumes, so that `F^-1` is the
-//! adjugate of `F`.
+//! The closed form's derivatives are small differences where little of the motion has passed. Here nothing
+//! cancels: the series of the spin `w`, of its derivative `F` by the spin at the start and of the attitude
+//! `R` begin with given values. The rest are integrals of products of these: of the turn, in the world, `T =
+//! int R F`; of the spin by the tensor `D = F y` with `y = int F^-1 f`, where `f` is the derivative of the
+//! angular acceleration by the tensor at a fixed spin; and of the turn by the tensor, at the end `t`, `int R
+//! D = int (T(t) - T) F^-1 f`. The flow keeps volumes, so that `F^-1` is the adjugate of `F`.
 
 use super::ByTensor;
+use super::quadrature::{NODE_COUNT, NODES, REMAINING, WEIGHTS};
 use nalgebra::{Matrix3, Vector3};
 
 /// Terms of the longest series.
@@ -24,7 +25,8 @@ pub(super) fn factors(moments: &[f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|a| (moments[(a + 1) % 3] - moments[(a + 2) % 3]) / moments[a])
 }
 
-/// By how much the other two moments exceed that about axis `c`: of a needle, the difference of the large ones comes first.
+/// By how much the other two moments exceed that about axis `c`: of a needle, the difference of the large
+/// ones comes first.
 pub(super) fn triangle_excess(moments: &[f64; 3], c: usize) -> f64 {
     let (a, b) = (moments[(c + 1) % 3], moments[(c + 2) % 3]);
     (a.max(b) - moments[c]) + a.min(b)
@@ -94,7 +96,8 @@ pub(super) struct Span {
     pub(super) rotation: Matrix3<f64>,
     pub(super) turn: Matrix3<f64>,
     pub(super) turn_by_tensor: ByTensor,
-    /// The integrals of the products `w_i w_j` that the tensor's entries have in twice the energy, less those of the start.
+    /// The integrals of the products `w_i w_j` that the tensor's entries have in twice the energy, less those
+    /// of the start.
     pub(super) energy: [f64; 6],
 }
 
@@ -110,7 +113,8 @@ struct Series {
     attitude: [Row; TERMS + 1],
 }
 
-/// Over `time`, in which the motion runs through `argument` radians of Jacobi's argument and through `angle` radians.
+/// Over `time`, in which the motion runs through `argument` radians of Jacobi's argument and through `angle`
+/// radians.
 pub(super) fn span(
     moments: &[f64; 3],
     omega: &[f64; 3],
@@ -325,84 +329,4 @@ fn weighted(terms: &[Matrix3<f64>; NODE_COUNT], weights: &[f64; NODE_COUNT]) -> 
 fn adjugate(rows: &[Row; 3]) -> Matrix3<f64> {
     let [x, y, z] = rows.map(|[x, y, z, _]| Vector3::new(x, y, z));
     Matrix3::from_columns(&[y.cross(&z), z.cross(&x), x.cross(&y)])
-}
-
-const NODE_COUNT: usize = 8;
-
-/// The nodes of Gauss's rule on (-1, 1) ([DLMF](crate::references) 3.5(v)), and its weights on an interval of length 1.
-const NODES: [f64; NODE_COUNT] = mirrored(
-    -1.0,
-    [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_2],
-);
-const WEIGHTS: [f64; NODE_COUNT] = mirrored(
-    1.0,
-    [0.181_341_891_689_180_98, 0.156_853_322_938_943_64, 0.111_190_517_226_687_23, 0.050_614_268_145_188_13],
-);
-/// The weights of the integrals from each node to the interval's end.
-const REMAINING: [[f64; NODE_COUNT]; NODE_COUNT] = remaining_weights();
-
-const fn mirrored(sign: f64, upper: [f64; NODE_COUNT / 2]) -> [f64; NODE_COUNT] {
-    let mut all = [0.0; NODE_COUNT];
-    let mut n = 0;
-    while n < NODE_COUNT / 2 {
-        (all[NODE_COUNT / 2 + n], all[NODE_COUNT / 2 - 1 - n]) = (upper[n], sign * upper[n]);
-        n += 1;
-    }
-    all
-}
-
-/// Legendre's polynomials up to the degree of the number of nodes.
-const fn legendre(x: f64) -> [f64; NODE_COUNT + 1] {
-    let mut p = [1.0; NODE_COUNT + 1];
-    p[1] = x;
-    let mut n = 1;
-    while n < NODE_COUNT {
-        p[n + 1] = ((2 * n + 1) as f64 * x * p[n] - n as f64 * p[n - 1]) / (n + 1) as f64;
-        n += 1;
-    }
-    p
-}
-
-/// Of the polynomial that is 1 at one node and 0 at the others, expanded in Legendre's, whose integrals are differences of
-/// their neighbours.
-const fn remaining_weights() -> [[f64; NODE_COUNT]; NODE_COUNT] {
-    let mut all = [[0.0; NODE_COUNT]; NODE_COUNT];
-    let mut j = 0;
-    while j < NODE_COUNT {
-        let end = legendre(NODES[j]);
-        let mut k = 0;
-        while k < NODE_COUNT {
-            let at = legendre(NODES[k]);
-            let mut sum = NODES[j] + 1.0;
-            let mut m = 1;
-            while m < NODE_COUNT {
-                sum += at[m] * (end[m + 1] - end[m - 1]);
-                m += 1;
-            }
-            // From the start to the node, and mirrored.
-            all[NODE_COUNT - 1 - j][NODE_COUNT - 1 - k] = 0.5 * WEIGHTS[k] * sum;
-            k += 1;
-        }
-        j += 1;
-    }
-    all
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{NODE_COUNT, NODES, REMAINING, WEIGHTS};
-
-    #[test]
-    fn the_quadrature_integrates_the_powers_that_it_should() {
-        for power in 0..16 {
-            let at = |k: usize| (0.5 + 0.5 * NODES[k]).powi(power);
-            let whole: f64 = (0..NODE_COUNT).map(|k| WEIGHTS[k] * at(k)).sum();
-            assert!((whole * f64::from(power + 1) - 1.0).abs() < 1e-14, "{power}");
-            for j in 0..NODE_COUNT {
-                let rest: f64 = (0..NODE_COUNT).map(|k| REMAINING[j][k] * at(k)).sum();
-                let exact = (1.0 - (0.5 + 0.5 * NODES[j]).powi(power + 1)) / f64::from(power + 1);
-                assert!(power >= 8 || (rest - exact).abs() < 1e-15, "{power} {j}");
-            }
-        }
-    }
 }

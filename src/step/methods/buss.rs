@@ -3,23 +3,23 @@
 
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{body::attitude, dynamics::euler};
 use nalgebra::Vector3;
 
-pub(crate) const ABOUT: About = About {
+pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "Buss's augmented",
     order: 2,
     implicit: false,
-    keeps: Keeps { momentum: true, direction: true, unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { momentum: true, direction: true, unit: true, ..Conserved::NONE },
     source: "Bus00",
 };
 
 /// With a torque, between two half kicks of it.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
+    let start = system.kick(start, half.clone());
     let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
     let change = euler::angular_acceleration(system.moments(), &omega, &none);
@@ -27,6 +27,6 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let twelfth = h.clone() * h.clone() / T::integer(12);
     let mean = &omega + change.map(|x| x * half.clone()) + change.cross(&omega).map(|x| x * twelfth.clone());
     let turned = attitude::turn(&mean.map(|x| x * h.clone()));
-    let momentum = attitude::seen_from(&turned, &start.momentum);
-    system.kicked_back(&State { attitude: attitude::product(&start.attitude, &turned), momentum }, &half)
+    let momentum = attitude::rotate_inverse(&turned, &start.momentum);
+    system.adjoint_kick(&State { attitude: attitude::product(&start.attitude, &turned), momentum }, half)
 }

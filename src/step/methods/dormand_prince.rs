@@ -1,13 +1,18 @@
-//! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references), at a fixed step or with its error controlled.
+//! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references).
 
-use crate::body::State;
-use crate::error::{Error, finite, positive};
+use crate::body::{Rate, State};
 use crate::number::{Analytic, Field};
-use crate::step::method::{About, Keeps, lost_squares};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
+use nalgebra::{Quaternion, Vector3};
 
-pub(crate) const ABOUT: About =
-    About { name: "Dormand-Prince 5", order: 5, implicit: false, keeps: Keeps::NOTHING, source: "DP80" };
+pub(crate) const INFO: MethodInfo = MethodInfo {
+    name: "Dormand-Prince 5",
+    order: 5,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "DP80",
+};
 
 /// A whole number over another.
 type Ratio = (i32, u32);
@@ -31,159 +36,66 @@ fn number<T: Field>((n, d): Ratio) -> T {
     if n < 0 { -size } else { size }
 }
 
-fn combined<T: Analytic>(start: &State<T>, slopes: &[State<T>], weights: &[Ratio], h: &T) -> State<T> {
+fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
     slopes
         .iter()
         .zip(weights)
         .filter(|(_, weight)| weight.0 != 0)
-        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, &(h.clone() * number::<T>(weight))))
+        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, h.clone() * number::<T>(weight)))
 }
 
-/// The end of a step and the six slopes that it took, given the first.
-fn stages<T: Analytic>(
-    system: &System<T>,
-    start: &State<T>,
-    first: State<T>,
-    h: &T,
-) -> (State<T>, Vec<State<T>>) {
-    let mut slopes = Vec::with_capacity(7);
-    slopes.push(first);
-    let [inner @ .., last] = &STAGES;
-    for weights in inner {
-        let here = combined(start, &slopes, weights, h);
-        slopes.push(system.rate(&here));
+/// The times of the stages after the first, in parts of the step: the sums of their weights.
+const NODES: [Ratio; 6] = [(1, 5), (3, 10), (4, 5), (8, 9), (1, 1), (1, 1)];
+
+/// A step with its first six slopes.
+pub(crate) struct Stages<T: nalgebra::Scalar> {
+    pub(crate) end: State<T>,
+    /// The state of which the last slope was taken: the end too, by weights of a lower order.
+    pub(crate) near: State<T>,
+    pub(crate) slopes: [Rate<T>; 6],
+}
+
+impl<T: Analytic> Stages<T> {
+    /// The step from `start` to `h` seconds later, given the slope at `start`; `time` seconds have gone by since the system's time.
+    pub(crate) fn new(system: &System<T>, start: &State<T>, first: Rate<T>, time: &T, h: &T) -> Self {
+        let mut slopes: [Rate<T>; 6] = std::array::from_fn(|_| first.clone());
+        let mut near = start.clone();
+        let [inner @ .., last] = &STAGES;
+        for (k, weights) in inner.iter().enumerate() {
+            near = combined(start, &slopes, weights, h);
+            let then = time.clone() + number::<T>(NODES[k]) * h.clone();
+            slopes[k + 1] = system.rate_after(&near, &then);
+        }
+        Self { end: combined(start, &slopes, last, h), near, slopes }
     }
-    (combined(start, &slopes, last, h), slopes)
+
+    /// The estimated errors of attitude and momentum, given the slope at the end.
+    pub(crate) fn error(&self, end_slope: &Rate<T>, h: &T) -> State<T> {
+        let zero = T::zero;
+        let nothing = State {
+            attitude: Quaternion::new(zero(), zero(), zero(), zero()),
+            momentum: Vector3::from_fn(|_, _| zero()),
+        };
+        let [inner @ .., last] = &ERROR;
+        combined(&nothing, &self.slopes, inner, h).plus(end_slope, h.clone() * number::<T>(*last))
+    }
 }
 
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    stages(system, start, system.rate(start), h).0
+    Stages::new(system, start, system.rate(start), &T::zero(), h).end
 }
 
-/// What a run with controlled error came to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Controlled {
-    /// The motion at the end.
-    pub end: State<f64>,
-    /// Steps that were taken.
-    pub steps: usize,
-    /// Steps that were tried and found too coarse.
-    pub rejected: usize,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// Below this a step's error is rounding, and no step meets the tolerance.
-pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
-
-/// The most steps, taken or not, of one [`controlled`] run.
-pub const MOST_STEPS: usize = 100_000_000;
-
-/// The motion `duration` seconds after `start` (before, if negative), by steps that keep the estimated error of each, beside
-/// the attitude's length and the momentum's size, below `tolerance`.
-///
-/// The first step is a guess, by how far the body turns; the others follow from the error of the one before. The tolerance is of a step, not
-/// of the run: errors add up, and each run must be judged by what it reaches.
-///
-/// ```
-/// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::exact::FreeMotion;
-/// use tumbling::step::{State, System, controlled};
-/// let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.3, 2.0, 0.1));
-/// let system = System::free(&moments)?;
-/// let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-/// let run = controlled(&system, &start, 10.0, 1e-10)?;
-/// let truth = FreeMotion::new(&moments, &omega)?.at(10.0)?;
-/// assert!((run.end.attitude.coords - truth.attitude.coords).norm() < 1e-8);
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-///
-/// # Errors
-/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error that stays too large
-/// however short the step, or more than [`MOST_STEPS`].
-pub fn controlled(
-    system: &System<f64>,
-    start: &State<f64>,
-    duration: f64,
-    tolerance: f64,
-) -> Result<Controlled, Error> {
-    controlled_within(system, start, duration, tolerance, &mut { MOST_STEPS })
-}
-
-/// The same in no more steps, taken or not, than are left, off which they are taken.
-pub(crate) fn controlled_within(
-    system: &System<f64>,
-    start: &State<f64>,
-    duration: f64,
-    tolerance: f64,
-    left: &mut usize,
-) -> Result<Controlled, Error> {
-    finite("the duration", duration)?;
-    positive("the tolerance", tolerance)?;
-    if tolerance < LEAST_TOLERANCE {
-        return Err(Error::Order {
-            smaller: "rounding in a step",
-            small: LEAST_TOLERANCE,
-            larger: "the tolerance",
-            large: tolerance,
-        });
+    #[test]
+    fn each_stage_stands_at_the_sum_of_its_weights_and_the_errors_weights_cancel() {
+        let value = |&(n, d): &Ratio| f64::from(n) / f64::from(d);
+        for (weights, node) in STAGES.iter().zip(&NODES) {
+            let sum: f64 = weights.iter().map(value).sum();
+            assert!((sum - value(node)).abs() < 1e-14, "{weights:?}");
+        }
+        assert!(ERROR.iter().map(value).sum::<f64>().abs() < 1e-15);
     }
-    let mut run = Controlled { end: start.clone(), steps: 0, rejected: 0 };
-    if duration == 0.0 {
-        return Ok(run);
-    }
-    lost_squares(&system.omega(&start.momentum), &duration)?;
-    let mut slope = system.rate(start);
-    // Lengths without a square, which would leave the range before they do.
-    let length = |parts: &[f64]| parts.iter().fold(0.0, |sum: f64, x| sum.max(x.abs()));
-    let lengths =
-        |motion: &State<f64>| [length(motion.attitude.coords.as_slice()), length(motion.momentum.as_slice())];
-    let over = |x: f64, y: f64| if x == 0.0 { 0.0 } else { x / y };
-    // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will do.
-    let relative = |part: &State<f64>, whole: [f64; 2], gained: f64| {
-        let [turn, momentum] = lengths(part);
-        over(turn, whole[0]).max(over(momentum, whole[1] + gained))
-    };
-    // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
-    let [turning, _] = lengths(&slope);
-    let [unit, _] = lengths(start);
-    let torque = length(system.torque(start).as_slice());
-    let pace = (2.0 * over(turning, unit)).max((torque * system.inverse().max()).sqrt());
-    let guess = tolerance.powf(0.2) / pace;
-    let mut h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
-    let mut time = 0.0;
-    while time != duration {
-        if *left == 0 {
-            return Err(Error::TooMany { what: "steps", count: run.steps + run.rejected });
-        }
-        *left -= 1;
-        let last = (duration - time).abs() <= h.abs();
-        let h_now = if last { duration - time } else { h };
-        if !last && time + h_now == time {
-            return Err(Error::NotConverged {
-                what: "the step whose error meets the tolerance",
-                iterations: run.steps + run.rejected,
-                residual: h_now,
-            });
-        }
-        let (end, mut slopes) = stages(system, &run.end, slope.clone(), &h_now);
-        let end_slope = system.rate(&end);
-        slopes.push(end_slope.clone());
-        let nothing = State { attitude: run.end.attitude * 0.0, momentum: run.end.momentum * 0.0 };
-        let gained = length(slope.momentum.as_slice()) * h_now.abs();
-        let off = combined(&nothing, &slopes, &ERROR, &h_now);
-        let error = relative(&off, lengths(&run.end), gained) / tolerance;
-        if !error.is_finite() {
-            return Err(Error::OutOfRange { what: "the error of a step", value: error });
-        }
-        // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
-        let factor = (0.9 * error.powf(-0.2)).clamp(0.1, 10.0);
-        if error <= 1.0 {
-            (run.end, slope) = (end, end_slope);
-            run.steps += 1;
-            time = if last { duration } else { time + h_now };
-        } else {
-            run.rejected += 1;
-        }
-        h = h_now * factor;
-    }
-    Ok(run)
 }

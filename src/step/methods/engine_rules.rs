@@ -2,8 +2,7 @@
 //!
 //! They differ in what they do with the gyroscopic term `L x w` and in how they turn the attitude by the new spin. All of
 //! them bring the attitude back to length 1 after each step, as the engines do. Torques act as they stand at the start
-//! of the step, except in the Runge-Kutta ones. [`PHYSICS_ENGINES`](crate::step::PHYSICS_ENGINES) says which engine goes by
-//! which rule, and what else it does.
+//! of the step, except in the Runge-Kutta ones.
 
 pub(crate) mod explicit;
 pub(crate) mod newton;

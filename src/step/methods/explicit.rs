@@ -2,12 +2,17 @@
 
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 
-pub(crate) const EULER: About =
-    About { name: "explicit Euler", order: 1, implicit: false, keeps: Keeps::NOTHING, source: "Eul68" };
+pub(crate) const EULER: MethodInfo = MethodInfo {
+    name: "explicit Euler",
+    order: 1,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "Eul68",
+};
 
 pub(crate) fn euler<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    start.plus(&system.rate(start), h)
+    start.plus(&system.rate(start), h.clone())
 }

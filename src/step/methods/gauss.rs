@@ -2,37 +2,38 @@
 //! ([But64](crate::references), [HLW06](crate::references)), solved by iteration to rounding.
 
 use super::decimal::{ROOT_OF_3, ROOT_OF_15};
-use crate::body::State;
-use crate::error::Error;
+use crate::body::{Rate, State};
+use crate::error::{Error, Refusal};
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{body::attitude, dynamics::euler};
 use nalgebra::{Quaternion, Vector3};
 
-pub(crate) const MIDPOINT: About = About {
+pub(crate) const MIDPOINT: MethodInfo = MethodInfo {
     name: "implicit midpoint",
     order: 2,
     implicit: true,
-    keeps: Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true },
+    conserved: Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true },
     source: "HLW06",
 };
 
 /// All that is square in attitude and momentum is kept; the momentum in the world is a product of three.
-const SQUARES: Keeps = Keeps { energy: true, momentum: true, direction: false, unit: true, reversible: true };
+const SQUARES: Conserved =
+    Conserved { energy: true, momentum: true, direction: false, unit: true, reversible: true };
 
-pub(crate) const GAUSS_4: About =
-    About { name: "Gauss 4", order: 4, implicit: true, keeps: SQUARES, source: "But64" };
+pub(crate) const GAUSS_4: MethodInfo =
+    MethodInfo { name: "Gauss 4", order: 4, implicit: true, conserved: SQUARES, source: "But64" };
 
-pub(crate) const GAUSS_6: About =
-    About { name: "Gauss 6", order: 6, implicit: true, keeps: SQUARES, source: "But64" };
+pub(crate) const GAUSS_6: MethodInfo =
+    MethodInfo { name: "Gauss 6", order: 6, implicit: true, conserved: SQUARES, source: "But64" };
 
 /// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
 const ROUNDS: usize = 200;
 
-/// Rounds `next` until what it gives moves no more than by rounding. On power series each round settles one power, until nothing
+/// The fixed point of `next`, iterated until it moves by no more than rounding. On power series each round settles one power, until nothing
 /// moves at all.
-fn settled<S>(
+fn fixed_point<S>(
     what: &'static str,
     mut guess: S,
     scale: f64,
@@ -51,7 +52,7 @@ fn settled<S>(
             break;
         }
     }
-    Err(Error::NotConverged { what, iterations: ROUNDS, residual: moved })
+    Err(Refusal::NotConverged { what, iterations: ROUNDS, residual: moved }.into())
 }
 
 fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
@@ -78,7 +79,7 @@ pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T)
         let length = sum.dot(&sum).sqrt();
         let middle = Quaternion::from_vector(sum.map(|x| x / length.clone()));
         let here = State { attitude: attitude::product(&start.attitude, &middle), momentum: mean.clone() };
-        system.torque(&here).map(|x| x * half.clone())
+        system.torque_after(&here, &half).map(|x| x * half.clone())
     };
     let next = |mean: &Vector3<T>| {
         // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two nearly cancel.
@@ -88,10 +89,10 @@ pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T)
         (better, moved)
     };
     let scale = size(&start.momentum);
-    let mean = settled("the midpoint of a step", start.momentum.clone(), scale, next, T::rounding())?;
+    let mean = fixed_point("the midpoint of a step", start.momentum.clone(), scale, next, T::rounding())?;
     let turned = turn(&mean);
     let momentum = if system.is_free() {
-        attitude::seen_from(&turned, &start.momentum)
+        attitude::rotate_inverse(&turned, &start.momentum)
     } else {
         &mean + &mean - &start.momentum
     };
@@ -138,27 +139,29 @@ fn collocated<T: Analytic, const N: usize>(
     weights: &[T; N],
 ) -> Result<State<T>, Error> {
     let first = system.rate(start);
-    let along = |slopes: &[State<T>; N], weights: &[T; N]| {
+    let along = |slopes: &[Rate<T>; N], weights: &[T; N]| {
         slopes
             .iter()
             .zip(weights)
-            .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, &(h.clone() * weight.clone())))
+            .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, h.clone() * weight.clone()))
     };
-    let turns = |m: &State<T>| m.attitude.coords.iter().map(Analytic::size).sum::<f64>();
+    // A stage stands at the sum of its weights.
+    let times = stages.each_ref().map(|row| row.iter().fold(T::zero(), |sum, x| sum + x.clone()) * h.clone());
     // Both in units of their own: the attitude's length, the momentum's.
     let momentum = match size(&start.momentum) + h.size() * size(&first.momentum) {
         0.0 => 1.0,
         size => size,
     };
-    let next = |slopes: &[State<T>; N]| {
-        let better = std::array::from_fn(|i| system.rate(&along(slopes, &stages[i])));
+    let next = |slopes: &[Rate<T>; N]| {
+        let better = std::array::from_fn(|i| system.rate_after(&along(slopes, &stages[i]), &times[i]));
         let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
-            let change = after.plus(before, &-T::one());
-            sum + h.size() * (turns(&change) + size(&change.momentum) / momentum)
+            let turn = after.attitude.coords.clone() - &before.attitude.coords;
+            let turn = turn.iter().map(Analytic::size).sum::<f64>();
+            sum + h.size() * (turn + size(&(&after.momentum - &before.momentum)) / momentum)
         });
         (better, moved)
     };
-    let guess: [State<T>; N] = std::array::from_fn(|_| first.clone());
-    let slopes = settled("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
+    let guess: [Rate<T>; N] = std::array::from_fn(|_| first.clone());
+    let slopes = fixed_point("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
     Ok(along(&slopes, weights))
 }

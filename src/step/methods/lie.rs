@@ -4,15 +4,15 @@
 use crate::body::State;
 use crate::body::attitude;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 
-pub(crate) const ABOUT: About = About {
+pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "Munthe-Kaas 4",
     order: 4,
     implicit: false,
-    keeps: Keeps { momentum: true, direction: true, unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { momentum: true, direction: true, unit: true, ..Conserved::NONE },
     source: "MK98",
 };
 
@@ -26,12 +26,12 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let none = Vector3::from_fn(|_, _| T::zero());
     let at = |turn: &Vector3<T>, momentum: &Vector3<T>| {
         let turned = attitude::turn(turn);
-        let momentum = attitude::seen_from(&turned, momentum);
+        let momentum = attitude::rotate_inverse(&turned, momentum);
         State { attitude: attitude::product(&start.attitude, &turned), momentum }
     };
     // The rate of a rotation momentum v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12 and terms that the fourth
     // order does not see.
-    let rate = |turn: &Vector3<T>, momentum: &Vector3<T>| {
+    let rate = |turn: &Vector3<T>, momentum: &Vector3<T>, time: &T| {
         let here = at(turn, momentum);
         let omega = system.omega(&here.momentum);
         let across = turn.cross(&omega);
@@ -43,7 +43,7 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
             none.clone()
         } else {
             let back = attitude::turn(&-turn.clone_owned());
-            attitude::seen_from(&back, &system.torque(&here))
+            attitude::rotate_inverse(&back, &system.torque_after(&here, time))
         };
         Part { turn: slope, momentum: push }
     };
@@ -52,13 +52,13 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
         (turn, &start.momentum + k.momentum.map(|x| x * time.clone()))
     };
     let half = h.clone() / T::integer(2);
-    let k1 = rate(&none, &start.momentum);
+    let k1 = rate(&none, &start.momentum, &T::zero());
     let (turn, momentum) = along(&k1, &half);
-    let k2 = rate(&turn, &momentum);
+    let k2 = rate(&turn, &momentum, &half);
     let (turn, momentum) = along(&k2, &half);
-    let k3 = rate(&turn, &momentum);
+    let k3 = rate(&turn, &momentum, &half);
     let (turn, momentum) = along(&k3, h);
-    let k4 = rate(&turn, &momentum);
+    let k4 = rate(&turn, &momentum, h);
     let mean = |a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>, d: &Vector3<T>| {
         let middle = b + c;
         (a + d + &middle + &middle).map(|x| x * h.clone() / T::integer(6))

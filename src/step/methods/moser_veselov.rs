@@ -7,8 +7,8 @@
 //! K c + c x K c = (1 + |c|^2) h L / 2
 //! ```
 //!
-//! with `K` the moments. Energy, momentum in the world and the length of the attitude are kept for any `h`, and so by any `K` with
-//! `1/K_j = a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. All that such a step can be wrong by is
+//! with `K` the moments. Energy, momentum in the world and the length of the attitude are kept by every step that turns the body by less
+//! than a quarter turn (longer ones are refused), and so by any `K` with `1/K_j = a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. All that such a step can be wrong by is
 //! the rates of its two angles, and the two numbers `a` and `b` put those right.
 //!
 //! Their powers in `h` come from the exact motion: seen from it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)` the turn of one step.
@@ -17,25 +17,26 @@
 
 use crate::body::State;
 use crate::body::attitude;
-use crate::error::Error;
+use crate::error::{Error, Refusal};
 use crate::number::{Analytic, Ring};
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 
-const ALL: Keeps = Keeps { energy: true, momentum: true, direction: true, unit: true, reversible: true };
+const ALL: Conserved =
+    Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true };
 
-pub(crate) const ORDER_2: About =
-    About { name: "Moser-Veselov", order: 2, implicit: true, keeps: ALL, source: "MV91" };
+pub(crate) const ORDER_2: MethodInfo =
+    MethodInfo { name: "Moser-Veselov", order: 2, implicit: true, conserved: ALL, source: "MV91" };
 
-const fn preprocessed(name: &'static str, order: u32) -> About {
-    About { name, order, implicit: true, keeps: ALL, source: "HV06" }
+const fn preprocessed(name: &'static str, order: u32) -> MethodInfo {
+    MethodInfo { name, order, implicit: true, conserved: ALL, source: "HV06" }
 }
 
-pub(crate) const ORDER_4: About = preprocessed("Moser-Veselov 4", 4);
-pub(crate) const ORDER_6: About = preprocessed("Moser-Veselov 6", 6);
-pub(crate) const ORDER_8: About = preprocessed("Moser-Veselov 8", 8);
-pub(crate) const ORDER_10: About = preprocessed("Moser-Veselov 10", 10);
+pub(crate) const ORDER_4: MethodInfo = preprocessed("Moser-Veselov 4", 4);
+pub(crate) const ORDER_6: MethodInfo = preprocessed("Moser-Veselov 6", 6);
+pub(crate) const ORDER_8: MethodInfo = preprocessed("Moser-Veselov 8", 8);
+pub(crate) const ORDER_10: MethodInfo = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
 pub(crate) fn step<T: Analytic>(
@@ -45,10 +46,24 @@ pub(crate) fn step<T: Analytic>(
     order: u32,
 ) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
-    let end = Prepared::new(system.inverse(), &start.momentum, h, order).step(&start)?;
-    Ok(system.kicked_back(&end, &half))
+    let start = system.kick(start, half.clone());
+    let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(&start)?;
+    Ok(system.adjoint_kick(&end, half))
 }
+
+/// The longest turn of a step, rad: there `|c| = 1`.
+///
+/// The equation has several solutions. With `D = tr(K)/2 - K`, the turn `R` and `W = R D` it is `W - W^T = M` with `W^T W = D^2`; two solutions
+/// `V` and `W` then obey `V^T (V - W) + (V - W) W = 0`, which leaves no difference where the eigenvalues of both have positive real parts.
+/// Below a quarter turn they do, since then `R + R^T` is positive definite. So no other solution is taken for this one, forth or back.
+const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
+
+/// The greatest relative change of an inverse moment by preprocessing: beyond it the powers of the step no longer converge, and the altered
+/// moments may be those of no body.
+const MOST_ALTERED: f64 = 0.5;
+
+const ALTERED: &str =
+    "the relative change of an inverse moment that preprocessing makes for a turn this long";
 
 /// What a step needs of the body and of what the motion conserves.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,31 +78,56 @@ pub(crate) struct Prepared<T: nalgebra::Scalar> {
 
 impl<T: Analytic> Prepared<T> {
     /// For a body with these inverse moments and all motions with the energy and `|L|` of this momentum.
-    pub(crate) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Self {
+    ///
+    /// # Errors
+    /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
+    pub(crate) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
         // In units of the first moment and of the step everything is a pure number, and small where the step is.
         let unit = &inverse.x;
         let [one, j, k] = [T::one(), inverse.y.clone() / unit.clone(), inverse.z.clone() / unit.clone()];
         let inverse = Vector3::new(one, j, k);
         let whole = unit.clone() * h.clone();
-        let (a, b) = if order > 2 {
+        let inverse = if order > 2 {
             let turned = momentum.map(|x| x * whole.clone());
-            corrections(&inverse, &turned, order)
+            let (a, b) = corrections(&inverse, &turned, order);
+            let altered = inverse.map(|x| a.clone() * x + b.clone());
+            for (before, after) in inverse.iter().zip(&altered) {
+                let change = (after.clone() - before.clone()).size();
+                if change >= MOST_ALTERED * before.size() {
+                    let value = change / before.size();
+                    return Err(Refusal::NotBelow { what: ALTERED, value, limit: MOST_ALTERED }.into());
+                }
+            }
+            altered
         } else {
-            (T::one(), T::zero())
+            inverse
         };
-        let inverse = inverse.map(|x| a.clone() * x + b.clone());
         let moments = inverse.map(|x| T::one() / x);
-        Self { moments, inverse, scale: whole / T::integer(2) }
+        Ok(Self { moments, inverse, scale: whole / T::integer(2) })
     }
 
+    /// One step of the free motion.
+    ///
+    /// # Errors
+    /// A turn of [`LONGEST`] or more, or one that Newton's iteration does not find.
     #[inline]
     pub(crate) fn step(&self, start: &State<T>) -> Result<State<T>, Error> {
         let half = start.momentum.map(|x| x * self.scale.clone());
         let c = tangents(&self.moments, &self.inverse, &half)?;
-        let over = T::one() / (T::one() + c.dot(&c)).sqrt();
+        let square = c.dot(&c);
+        if square.size() >= 1.0 {
+            let turn = 2.0 * square.size().sqrt().atan();
+            return Err(Refusal::NotBelow {
+                what: "the turn of a Moser-Veselov step, rad",
+                value: turn,
+                limit: LONGEST,
+            }
+            .into());
+        }
+        let over = T::one() / (T::one() + square).sqrt();
         let part = |x: &T| x.clone() * over.clone();
         let turned = Quaternion::new(over.clone(), part(&c.x), part(&c.y), part(&c.z));
-        let momentum = attitude::seen_from(&turned, &start.momentum);
+        let momentum = attitude::rotate_inverse(&turned, &start.momentum);
         Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
     }
 }
@@ -137,7 +177,12 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
             break;
         }
     }
-    Err(Error::NotConverged { what: "the turn of a Moser-Veselov step", iterations: ROUNDS, residual: moved })
+    Err(Refusal::NotConverged {
+        what: "the turn of a Moser-Veselov step",
+        iterations: ROUNDS,
+        residual: moved,
+    }
+    .into())
 }
 
 /// A whole number.

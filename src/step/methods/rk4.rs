@@ -1,35 +1,49 @@
 //! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
 
-use crate::body::State;
-use crate::number::Field;
-use crate::step::method::{About, Keeps};
+use crate::body::{Rate, State};
+use crate::number::{Analytic, Field};
+use crate::step::method::{Conserved, MethodInfo};
+use crate::step::system::System;
 
-pub(crate) const ABOUT: About =
-    About { name: "Runge-Kutta 4", order: 4, implicit: false, keeps: Keeps::NOTHING, source: "Kut01" };
+pub(crate) const INFO: MethodInfo = MethodInfo {
+    name: "Runge-Kutta 4",
+    order: 4,
+    implicit: false,
+    conserved: Conserved::NONE,
+    source: "Kut01",
+};
 
-/// One step of length `h` (s) from `start` under the law `rate`. Errors fall as `h^4`.
+/// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors fall as `h^4`.
 ///
-/// The attitude's length is not restored here: it drifts at the rate of the error, and shows it.
+/// The attitude's length is not restored: it drifts at the rate of the error, and shows it.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::step::{State, rk4};
-/// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 2.0) };
+/// use tumbling::{PrincipalMoments, step::{State, System, rk4}};
+/// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
 /// // A steady spin of 2 rad/s about z, for 0.1 s: a turn by 0.2 rad.
-/// let law = |m: &State<f64>| State {
-///     attitude: tumbling::body::attitude::rate(&m.attitude, &m.momentum),
-///     momentum: Vector3::zeros(),
-/// };
-/// let end = rk4(&start, &0.1, law);
+/// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 5.0) };
+/// let end = rk4(&start, 0.1, |state| system.rate(state), State::plus);
 /// assert!((end.attitude.k - 0.1_f64.sin()).abs() < 1e-7);
+/// # Ok::<(), tumbling::Error>(())
 /// ```
-pub fn rk4<T: Field>(start: &State<T>, h: &T, rate: impl Fn(&State<T>) -> State<T>) -> State<T> {
+#[must_use]
+pub fn rk4<S, R, T: Field>(start: &S, h: T, rate: impl Fn(&S) -> R, plus: impl Fn(&S, &R, T) -> S) -> S {
     let half = h.clone() / T::integer(2);
     let k1 = rate(start);
-    let k2 = rate(&start.plus(&k1, &half));
-    let k3 = rate(&start.plus(&k2, &half));
-    let k4 = rate(&start.plus(&k3, h));
+    let k2 = rate(&plus(start, &k1, half.clone()));
+    let k3 = rate(&plus(start, &k2, half));
+    let k4 = rate(&plus(start, &k3, h.clone()));
     let sixth = h.clone() / T::integer(6);
-    let third = h.clone() / T::integer(3);
-    start.plus(&k1, &sixth).plus(&k2, &third).plus(&k3, &third).plus(&k4, &sixth)
+    let third = h / T::integer(3);
+    let first = plus(start, &k1, sixth.clone());
+    plus(&plus(&plus(&first, &k2, third.clone()), &k3, third), &k4, sixth)
+}
+
+/// One step of a body; the time goes along with the state.
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    let rate = |(state, time): &(State<T>, T)| system.rate_after(state, time);
+    let plus =
+        |(state, time): &(State<T>, T), rate: &Rate<T>, h: T| (state.plus(rate, h.clone()), time.clone() + h);
+    rk4(&(start.clone(), T::zero()), h.clone(), rate, plus).0
 }

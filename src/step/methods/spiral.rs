@@ -3,25 +3,25 @@
 
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{body::attitude, dynamics::euler};
 use nalgebra::Vector3;
 
 /// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of the step, as the proofs
 /// show. The order of a method is that of the worst.
-pub(crate) const ABOUT: About = About {
+pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "SPIRAL",
     order: 2,
     implicit: false,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { unit: true, ..Conserved::NONE },
     source: "Val24",
 };
 
 /// With a torque, between two half kicks of it: a torque held for the whole step would cost an order.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let start = system.kicked(start, &half);
+    let start = system.kick(start, half.clone());
     let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
     let slope = |omega: &Vector3<T>| {
@@ -37,5 +37,5 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let turned = attitude::product(&first, &second);
     let end =
         State { attitude: attitude::product(&start.attitude, &turned), momentum: system.momentum(&end) };
-    system.kicked_back(&end, &half)
+    system.adjoint_kick(&end, half)
 }

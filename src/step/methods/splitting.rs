@@ -4,20 +4,20 @@
 use super::decimal::Decimal;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Quaternion;
 
-const KEEPS: Keeps =
-    Keeps { momentum: true, direction: true, unit: true, reversible: true, ..Keeps::NOTHING };
+const KEEPS: Conserved =
+    Conserved { momentum: true, direction: true, unit: true, reversible: true, ..Conserved::NONE };
 
-const fn about(name: &'static str, order: u32, source: &'static str) -> About {
-    About { name, order, implicit: false, keeps: KEEPS, source }
+const fn info(name: &'static str, order: u32, source: &'static str) -> MethodInfo {
+    MethodInfo { name, order, implicit: false, conserved: KEEPS, source }
 }
 
-pub(crate) const ORDER_2: About = about("three rotations", 2, "McL93");
-pub(crate) const ORDER_4: About = about("three rotations, 7 in 1", 4, "our own weights");
-pub(crate) const ORDER_6: About = about("three rotations, 9 in 1", 6, "KL97");
+pub(crate) const ORDER_2: MethodInfo = info("three rotations", 2, "McL93");
+pub(crate) const ORDER_4: MethodInfo = info("three rotations, 7 in 1", 4, "our own weights");
+pub(crate) const ORDER_6: MethodInfo = info("three rotations, 9 in 1", 6, "KL97");
 
 /// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition of a symmetric method of
 /// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, since 2 has no
@@ -59,7 +59,7 @@ pub(crate) fn order_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 /// With a torque, all of it between two half kicks: then of order 2.
 fn composed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, shares: &[T]) -> State<T> {
     let half = h.clone() / T::integer(2);
-    let mut motion = system.kicked(start, &half);
+    let mut motion = system.kick(start, half.clone());
     let mut before = T::zero();
     for share in shares {
         let half_share = share.clone() * half.clone();
@@ -71,7 +71,7 @@ fn composed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, shares: &[
         before = half_share;
     }
     turned(system, &mut motion, 0, &before);
-    system.kicked_back(&motion, &half)
+    system.adjoint_kick(&motion, half)
 }
 
 /// The turn that the energy of the spin about one axis alone makes in a time.

@@ -5,14 +5,14 @@ use super::splitting::spun;
 use crate::body::State;
 use crate::body::attitude;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 
-pub(crate) const ABOUT: About = About {
+pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "symmetric top",
     order: 2,
     implicit: false,
-    keeps: Keeps { momentum: true, direction: true, unit: true, reversible: true, ..Keeps::NOTHING },
+    conserved: Conserved { momentum: true, direction: true, unit: true, reversible: true, ..Conserved::NONE },
     source: "DLM97",
 };
 
@@ -23,7 +23,7 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let quarter = half.clone() / T::integer(2);
     let inverse = system.inverse();
     let beside = |axis: usize| inverse[axis].clone() - inverse.x.clone();
-    let mut motion = system.kicked(start, &half);
+    let mut motion = system.kick(start, half.clone());
     let rest = |motion: &mut State<T>| {
         let angle = beside(1) * motion.momentum.y.clone() * quarter.clone();
         spun(motion, 1, &angle);
@@ -35,5 +35,5 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let angle = beside(2) * motion.momentum.z.clone() * half.clone();
     spun(&mut motion, 2, &angle);
     rest(&mut motion);
-    system.kicked_back(&motion, &half)
+    system.adjoint_kick(&motion, half)
 }

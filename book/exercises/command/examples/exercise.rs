@@ -1,10 +1,7 @@
 //! Runs exercises of the book from the files that the reader edits: `cargo exercise NAME`.
 //!
-//! A program and not `cargo test` alone, for that calls a name that does not exist a success, and a file that was
-//! emptied; and it tells one good sentence among ten lines of its own.
-
-#[path = "../../../src/nearest.rs"]
-mod nearest;
+//! A program and not `cargo test` alone, for that calls a name that does not exist a success, and a file that
+//! was emptied; and it tells one good sentence among ten lines of its own.
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;
@@ -29,7 +26,7 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
     }
     for name in names {
         if all.iter().all(|exercise| exercise.name != *name) {
-            let near = nearest::perhaps(name, all.iter().map(|exercise| exercise.name.as_str()));
+            let near = nearest(name, &all).map_or(String::new(), |near| format!(" Did you mean `{near}`?"));
             return Err(format!(
                 "There is no exercise `{name}`.{near} `cargo run --release -- exercises` lists them all."
             ));
@@ -66,4 +63,12 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
             Ok(ExitCode::SUCCESS)
         }
     }
+}
+
+/// The exercise whose name comes nearest to one that does not exist, if any is like it.
+fn nearest<'a>(wrong: &str, all: &'a [exercises::Exercise]) -> Option<&'a str> {
+    let like =
+        |exercise: &'a exercises::Exercise| (strsim::jaro(wrong, &exercise.name), exercise.name.as_str());
+    let near = all.iter().map(like).max_by(|a, b| a.0.total_cmp(&b.0));
+    near.filter(|(likeness, _)| *likeness > 0.7).map(|(_, name)| name)
 }

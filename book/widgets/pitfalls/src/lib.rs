@@ -6,9 +6,10 @@
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::body::attitude::rotation_matrix;
+use tumbling::body::named;
 use tumbling::dynamics::observe::energy;
-use tumbling::solid::{ball_moment, cuboid_moments};
-use tumbling::step::{Engine, State, rk4};
+use tumbling::solid::ball_moment;
+use tumbling::step::{Carried, Engine, rk4};
 
 /// The most steps in one answer.
 const MOST: usize = 1000;
@@ -19,9 +20,9 @@ const HEAD: usize = 18;
 /// The moments of a body, kg m². The bodies are those of the book; of each but the ball the middle axis is x.
 fn body(which: f64) -> Vector3<f64> {
     match which as u32 {
-        0 => cuboid_moments(&1.0, &2.0, &1.0, &3.0),
-        1 => cuboid_moments(&0.340, &0.129, &0.020, &0.198),
-        2 => cuboid_moments(&0.171, &0.0716, &0.0078, &0.1476),
+        0 => named::THE_BOX.moments(),
+        1 => named::BOOK.moments(),
+        2 => named::PHONE.moments(),
         _ => Vector3::repeat(ball_moment(&1.0, &0.5)),
     }
 }
@@ -92,9 +93,9 @@ impl Run {
     }
 
     /// What the page brings back: eight numbers into the row the attitude, real part first, and the carried vector.
-    fn motion(&self, row: &Numbers) -> State<f64> {
+    fn motion(&self, row: &Numbers) -> Carried<f64> {
         let [w, i, j, k, x, y, z] = row.take(8);
-        State { attitude: nalgebra::Quaternion::new(w, i, j, k), momentum: Vector3::new(x, y, z) }
+        Carried { attitude: nalgebra::Quaternion::new(w, i, j, k), vector: Vector3::new(x, y, z) }
     }
 
     fn go_on(&self, row: &Numbers) -> usize {
@@ -105,7 +106,7 @@ impl Run {
         let mut found = self.measured(&motion);
         let [mut low, mut high] = [found.energy; 2];
         while taken < (count as usize).min(MOST) {
-            let mut next = rk4(&motion, &step, |m| self.engine.rate(m, &self.tensor, &self.inverse));
+            let mut next = rk4(&motion, step, |m| self.engine.rate(&self.tensor, &self.inverse, m), Carried::plus);
             let length = next.attitude.norm();
             next.attitude /= length;
             let now = self.measured(&next);
@@ -128,7 +129,7 @@ impl Run {
             low = low.min(found.energy);
             high = high.max(found.energy);
         }
-        let (q, v) = (&motion.attitude, &motion.momentum);
+        let (q, v) = (&motion.attitude, &motion.vector);
         row.fill(&[
             taken as f64,
             q.w,
@@ -153,9 +154,9 @@ impl Run {
     }
 
     /// What a measurement on the body would find, whatever the engine believes.
-    fn measured(&self, motion: &State<f64>) -> Measured {
+    fn measured(&self, motion: &Carried<f64>) -> Measured {
         let rotation = rotation_matrix(&motion.attitude);
-        let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, &motion.momentum);
+        let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, &motion.vector);
         let momentum = tumbling::inertia::turned(&rotation, &self.tensor) * omega;
         Measured {
             spin: (rotation.transpose() * omega).x,

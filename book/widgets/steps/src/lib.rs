@@ -4,8 +4,8 @@
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::sync::{Mutex, PoisonError};
-use tumbling::Error;
-use tumbling::solid::cuboid_moments;
+use tumbling::{Error, ErrorKind};
+use tumbling::body::named;
 use tumbling::step::{Method, State, System};
 
 /// What a method is called, or of what the library says that it cannot be had.
@@ -36,14 +36,14 @@ impl Words {
 const MOST: usize = 4000;
 
 /// What comes before the samples in an answer on a run.
-const HEAD: usize = 7;
+const HEAD: usize = 6;
 
 /// The moments of a body, kg m². The bodies are those of the book; of each the middle axis is x.
 fn body(which: f64) -> Vector3<f64> {
     match which as u32 {
-        0 => cuboid_moments(&1.0, &2.0, &1.0, &3.0),
-        1 => cuboid_moments(&0.340, &0.129, &0.020, &0.198),
-        _ => cuboid_moments(&0.171, &0.0716, &0.0078, &0.1476),
+        0 => named::THE_BOX.moments(),
+        1 => named::BOOK.moments(),
+        _ => named::PHONE.moments(),
     }
 }
 
@@ -54,20 +54,20 @@ fn body(which: f64) -> Vector3<f64> {
 /// 1, a run: which body (the box, the book, the phone), the spin along its axes, rad/s, until when, s, in how many steps, which method,
 /// and the attitude that it should end with, real part first. The answer: how many steps were taken; why no more: 0 for no
 /// reason, 1 if something was not found, 2 if something left what an `f64` holds, 3 for other reasons, and the text says what;
-/// in how many rounds it was not found; the greatest errors of the energy and of the length of the momentum, in parts of them; the
+/// the greatest errors of the energy and of the length of the momentum, in parts of them; the
 /// attitude's at the end, degrees; the greatest spin about x; and the spin about x at the start and after each step.
 ///
 /// 2, a body's moments, kg m².
 pub fn answer(what: u32, row: &Numbers) -> usize {
     if what == 0 {
         let Some(method) = Method::ALL.get(row.get(0) as usize) else { return 0 };
-        let about = method.about();
-        WORDS.say(about.name);
-        let keeps = about.keeps;
+        let info = method.info();
+        WORDS.say(info.name);
+        let keeps = info.conserved;
         let yes = |it: bool| f64::from(u8::from(it));
         return row.fill(&[
-            f64::from(about.order),
-            yes(about.implicit),
+            f64::from(info.order),
+            yes(info.implicit),
             yes(keeps.energy),
             yes(keeps.momentum),
             yes(keeps.direction),
@@ -80,7 +80,7 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
         return row.fill(&[moments.x, moments.y, moments.z]);
     }
     let Some(&method) = Method::ALL.get(row.get(6) as usize) else { return 0 };
-    System::free(&moments).map_or(0, |system| run(method, &system, row))
+    moments.try_into().and_then(System::free).map_or(0, |system| run(method, &system, row))
 }
 
 fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
@@ -95,10 +95,10 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
     let count = (count as usize).clamp(1, MOST);
     let step = until / count as f64;
     let mut taken = 0;
-    let mut why = [0.0; 2];
+    let mut why = 0.0;
     row.set(HEAD, omega.x);
     while taken < count {
-        match method.step(system, &motion, &step) {
+        match method.step(system, &motion, step) {
             Ok(next) => motion = next,
             Err(error) => {
                 why = refused(&error);
@@ -113,20 +113,19 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
         row.set(HEAD + taken, spin);
     }
     let off = UnitQuaternion::new_normalize(motion.attitude).angle_to(&truth).to_degrees();
-    row.fill(&[taken as f64, why[0], why[1], energy_off, length_off, off, greatest]);
+    row.fill(&[taken as f64, why, energy_off, length_off, off, greatest]);
     HEAD + 1 + taken
 }
 
-/// Why a step was refused, as numbers; of what, as the text. The page prints the numbers: Rust's own printing of them weighs
-/// more than all the methods.
-fn refused(error: &Error) -> [f64; 2] {
-    let (kind, what, rounds) = match error {
-        Error::NotConverged { what, iterations, .. } => (1.0, *what, *iterations),
-        Error::OutOfRange { what, .. } => (2.0, *what, 0),
-        _ => (3.0, "a step", 0),
-    };
-    WORDS.say(what);
-    [kind, rounds as f64]
+/// Why a step was refused, as a number; of what, as the text. The library's own sentence prints numbers, which weighs more than
+/// all the methods.
+fn refused(error: &Error) -> f64 {
+    WORDS.say(error.subject());
+    match error.kind() {
+        ErrorKind::NotConverged => 1.0,
+        ErrorKind::Unrepresentable => 2.0,
+        _ => 3.0,
+    }
 }
 
 exchange::page!(answer, WORDS);
@@ -134,14 +133,13 @@ exchange::page!(answer, WORDS);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tumbling::body::named;
     use tumbling::exact::FreeMotion;
 
     /// A run of ten seconds of the box, gently spun about all axes.
     fn ran(method: Method, count: f64) -> (usize, Numbers) {
         let place = Method::ALL.iter().position(|&m| m == method).unwrap();
         let truth =
-            FreeMotion::new(&body(0.0), &Vector3::new(1.0, 1.0, 1.0)).unwrap().attitude(10.0).unwrap();
+            FreeMotion::new(body(0.0).try_into().unwrap(), &Vector3::new(1.0, 1.0, 1.0)).unwrap().attitude(10.0).unwrap();
         let row = Numbers::new();
         row.fill(&[0.0, 1.0, 1.0, 1.0, 10.0, count, place as f64, truth.w, truth.i, truth.j, truth.k]);
         let places = answer(1, &row);
@@ -151,8 +149,8 @@ mod tests {
     #[test]
     fn errors_fall_by_the_order_that_the_library_gives() {
         for &method in Method::ALL {
-            let order = method.about().order;
-            let off = |count: f64| ran(method, count).1.get(5);
+            let order = method.info().order;
+            let off = |count: f64| ran(method, count).1.get(4);
             // The shortest steps whose errors are still above rounding.
             let Some(count) =
                 [1600.0, 800.0, 400.0, 200.0, 100.0].into_iter().find(|&n| off(2.0 * n) > 1e-10)
@@ -171,9 +169,9 @@ mod tests {
         for &method in Method::ALL {
             let (places, row) = ran(method, 100.0);
             assert_eq!(places, HEAD + 101, "{method:?}");
-            let keeps = method.about().keeps;
-            assert_eq!(keeps.energy, row.get(3) < 1e-13, "{method:?}: {}", row.get(3));
-            assert_eq!(keeps.momentum, row.get(4) < 1e-13, "{method:?}: {}", row.get(4));
+            let keeps = method.info().conserved;
+            assert_eq!(keeps.energy, row.get(2) < 1e-13, "{method:?}: {}", row.get(2));
+            assert_eq!(keeps.momentum, row.get(3) < 1e-13, "{method:?}: {}", row.get(3));
         }
     }
 

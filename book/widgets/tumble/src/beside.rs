@@ -23,7 +23,7 @@ pub(crate) fn answer(what: u32, row: &Numbers) -> usize {
 fn found(what: u32, row: &Numbers) -> Option<usize> {
     let (moments, omega) = (Vector3::from(row.take::<3>(0)), Vector3::from(row.take::<3>(3)));
     let [time, parts] = row.take(6);
-    let motion = FreeMotion::new(&moments, &omega).ok()?;
+    let motion = FreeMotion::new(moments.try_into().ok()?, &omega).ok()?;
     if what == 0 {
         let ([x, y, z], q) = (motion.omega(time).ok()?.into(), motion.attitude(time).ok()?);
         return Some(row.fill(&[x, y, z, q.w, q.i, q.j, q.k]));
@@ -52,7 +52,7 @@ mod tests {
         let (moments, omega) = (Vector3::new(10.0, 13.0, 5.0) / 12.0, Vector3::new(10.0, 0.1, 0.1));
         let asked =
             |last: [f64; 2]| [moments.x, moments.y, moments.z, omega.x, omega.y, omega.z, last[0], last[1]];
-        let motion = FreeMotion::new(&moments, &omega).unwrap();
+        let motion = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap();
         row.fill(&asked([20.0, 100.0]));
         let count = answer(1, &row);
         let times: Vec<f64> = motion.flips(0.0, 20.0).unwrap().collect();

@@ -2,16 +2,17 @@
 
 use exchange::Numbers;
 use nalgebra::Vector3;
-use tumbling::solid::{ball_moment, cuboid_moments, cylinder_moments, plate_moments};
+use tumbling::body::named::{self, EvenBox};
+use tumbling::solid::{ball_moment, cylinder_moments, plate_moments};
 
 /// The moments of a body, kg m², and its size along its axes, m. The bodies are those of the book.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
-    let cuboid = |size: [f64; 3], mass: f64| (cuboid_moments(&mass, &size[0], &size[1], &size[2]), size);
+    let cuboid = |body: EvenBox| (body.moments(), body.edges);
     match which as u32 {
         0 => (plate_moments(&1.0, &2.0, &1.0), [2.0, 1.0, 0.0]),
-        1 => cuboid([2.0, 1.0, 3.0], 1.0),
-        2 => cuboid([0.129, 0.020, 0.198], 0.340),
-        3 => cuboid([0.0716, 0.0078, 0.1476], 0.171),
+        1 => cuboid(named::THE_BOX),
+        2 => cuboid(named::BOOK),
+        3 => cuboid(named::PHONE),
         4 => (cylinder_moments(&0.005, &0.0035, &0.18), [0.007, 0.007, 0.18]),
         _ => (Vector3::repeat(ball_moment(&1.0, &0.5)), [1.0; 3]),
     }
@@ -91,7 +92,7 @@ mod tests {
                         [momentum[found[9] as usize], momentum[found[10] as usize]],
                         [found[3], found[4]]
                     );
-                    let gap = inertia.gap(&omega).unwrap().to_degrees();
+                    let gap = inertia.angle_to_momentum(&omega).unwrap().to_degrees();
                     assert!(
                         (gap - found[2]).abs() < 1e-12,
                         "body {which}, {between}, {degrees}: {gap} {}",

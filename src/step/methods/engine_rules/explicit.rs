@@ -3,38 +3,37 @@
 use super::turn::{turned, turned_straight};
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 
-const UNIT: Keeps = Keeps { unit: true, ..Keeps::NOTHING };
+const UNIT: Conserved = Conserved { unit: true, ..Conserved::NONE };
 
-pub(crate) const CONSTANT_SPIN: About = About {
+pub(crate) const CONSTANT_SPIN: MethodInfo = MethodInfo {
     name: "no gyroscopic term",
     order: 0,
     implicit: false,
-    keeps: Keeps { energy: true, momentum: true, direction: false, unit: true, reversible: true },
-    source: "PhysX, Unity, Godot Physics, Brax; Jolt with its flag off",
+    conserved: Conserved { energy: true, momentum: true, direction: false, unit: true, reversible: true },
+    source: "a rule of physics engines",
 };
 
-pub(crate) const SEMI_IMPLICIT: About = About {
+pub(crate) const SEMI_IMPLICIT: MethodInfo = MethodInfo {
     name: "explicit gyroscopic step",
     order: 1,
     implicit: false,
-    keeps: UNIT,
-    source: "MuJoCo's Euler, Bullet's multibody",
+    conserved: UNIT,
+    source: "a rule of physics engines",
 };
 
-pub(crate) const RESCALED: About = About {
+pub(crate) const RESCALED: MethodInfo = MethodInfo {
     name: "explicit, rescaled",
     order: 1,
     implicit: false,
-    keeps: Keeps { momentum: true, ..UNIT },
-    source: "Jolt with its flag on, Avian",
+    conserved: Conserved { momentum: true, ..UNIT },
+    source: "a rule of physics engines",
 };
 
-pub(crate) const RESCALED_STRAIGHT: About =
-    About { name: "rescaled, turned straight", source: "Rapier", ..RESCALED };
+pub(crate) const RESCALED_STRAIGHT: MethodInfo = MethodInfo { name: "rescaled, turned straight", ..RESCALED };
 
 /// The momentum after the torques alone, at their value at the start.
 fn pushed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {
@@ -48,7 +47,7 @@ pub(crate) fn constant_spin<T: Analytic>(system: &System<T>, start: &State<T>, h
 }
 
 pub(crate) fn semi_implicit<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    let momentum = start.plus(&system.rate(start), h).momentum;
+    let momentum = start.plus(&system.rate(start), h.clone()).momentum;
     State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 

@@ -3,24 +3,24 @@
 use super::turn::turned;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 
-pub(crate) const ONE_NEWTON: About = About {
+pub(crate) const ONE_NEWTON: MethodInfo = MethodInfo {
     name: "one Newton step",
     order: 1,
     implicit: true,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
+    conserved: Conserved { unit: true, ..Conserved::NONE },
     source: "Cat15",
 };
 
-pub(crate) const LINEARISED: About = About {
+pub(crate) const LINEARISED: MethodInfo = MethodInfo {
     name: "linearised implicit",
     order: 1,
     implicit: true,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
-    source: "MuJoCo's implicit and implicitfast",
+    conserved: Conserved { unit: true, ..Conserved::NONE },
+    source: "a rule of physics engines",
 };
 
 /// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative of `w x I w` and `C` the

@@ -1,28 +1,28 @@
-//! The classical Runge-Kutta method for the spin, with the attitude turned and not added to: MuJoCo's, with the rates of
-//! the turn corrected since its version 4, and not before.
+//! The classical Runge-Kutta method for the spin, with the attitude turned and not added to; with the rates of the turn
+//! corrected, or not.
 
 use super::turn::turned;
 use crate::body::State;
 use crate::body::attitude;
 use crate::number::Analytic;
-use crate::step::method::{About, Keeps};
+use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 
-pub(crate) const MEAN_SPIN: About = About {
+pub(crate) const MEAN_SPIN: MethodInfo = MethodInfo {
     name: "Runge-Kutta 4, mean spin",
     order: 2,
     implicit: false,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
-    source: "MuJoCo's RK4 before version 4",
+    conserved: Conserved { unit: true, ..Conserved::NONE },
+    source: "a rule of physics engines",
 };
 
-pub(crate) const CORRECTED: About = About {
+pub(crate) const CORRECTED: MethodInfo = MethodInfo {
     name: "Runge-Kutta 4, turned",
     order: 4,
     implicit: false,
-    keeps: Keeps { unit: true, ..Keeps::NOTHING },
-    source: "MuJoCo's RK4, after MK98",
+    conserved: Conserved { unit: true, ..Conserved::NONE },
+    source: "MK98",
 };
 
 pub(crate) fn mean_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
@@ -54,10 +54,10 @@ fn stepped<T: Analytic>(
         } else {
             attitude::product(&start.attitude, &attitude::turn(&turn))
         };
-        (slope(&turn, &omega), system.rate(&State { attitude, momentum }).momentum)
+        (slope(&turn, &omega), system.rate_after(&State { attitude, momentum }, time).momentum)
     };
     let half = h.clone() / T::integer(2);
-    let k1 = rates(None, h);
+    let k1 = rates(None, &T::zero());
     let k2 = rates(Some(&k1), &half);
     let k3 = rates(Some(&k2), &half);
     let k4 = rates(Some(&k3), h);

@@ -26,19 +26,3 @@ pub(crate) fn turned_straight<T: Analytic>(
     let [x, y, z] = [0, 1, 2].map(|i| omega[i].clone() * half.clone());
     unit(&attitude::product(start, &Quaternion::new(T::one(), x, y, z)))
 }
-
-/// `start` turned as Bullet does it: right up to the angle `most`; beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is
-/// too little, and never more than half a turn.
-pub(crate) fn turned_beyond(
-    start: &Quaternion<f64>,
-    omega: &Vector3<f64>,
-    h: f64,
-    most: f64,
-) -> Quaternion<f64> {
-    if omega.norm() * h.abs() <= most {
-        return turned(start, omega, &h);
-    }
-    let (sine, cosine) = (most / 2.0).sin_cos();
-    let part = omega * (h * sine / most);
-    unit(&attitude::product(start, &Quaternion::new(cosine, part.x, part.y, part.z)))
-}

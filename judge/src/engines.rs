@@ -1,12 +1,10 @@
 //! Physics engines in use: which rule each goes by, and what it adds to the rule.
 
-use super::methods::engine_rules::turn::{turned_beyond, turned_straight};
-use crate::body::State;
-use crate::body::attitude;
-use crate::error::{Error, finite};
-use crate::step::method::Method;
-use crate::step::system::System;
+use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::FRAC_PI_4;
+use tumbling::Error;
+use tumbling::body::attitude;
+use tumbling::step::{Method, State, System};
 
 /// A physics engine, in one setting: what it does to a body that touches nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +21,7 @@ pub struct PhysicsEngine {
     pub parts: u32,
     /// What it adds to the rule.
     pub limits: Limits,
-    /// What its recorded motions in `tests/data/engines` are called.
+    /// The name of its recorded motions in `tests/data/engines`.
     pub record: Option<&'static str>,
 }
 
@@ -64,9 +62,10 @@ const UNRECORDED: PhysicsEngine =
 /// others the rule is known, and neither the last digits nor their limits.
 ///
 /// ```
-/// use tumbling::step::{Method, PHYSICS_ENGINES};
+/// use tumbling::step::Method;
+/// use tumbling_judge::PHYSICS_ENGINES;
 /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
-/// assert_eq!((rapier.method, rapier.parts), (Method::RescaledStraight, 4));
+/// assert_eq!((rapier.method, rapier.parts), (Method::RescaledLinearAttitude, 4));
 /// let never_flips = PHYSICS_ENGINES.iter().filter(|engine| engine.method == Method::ConstantSpin);
 /// assert_eq!(never_flips.count(), 4);
 /// ```
@@ -103,7 +102,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
         name: "Bullet",
         version: Some("3.2.7 (pybullet)"),
         setting: "rigid body (maximal coordinates)",
-        method: Method::OneNewton,
+        method: Method::ImplicitOneNewton,
         limits: Limits { turn: Some(FRAC_PI_4), ..Limits::NONE },
         record: Some("bullet-3.2.7-rigid"),
         ..MUJOCO
@@ -112,7 +111,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
         name: "Rapier",
         version: Some("0.36.1"),
         setting: "gyroscopic forces on (default)",
-        method: Method::RescaledStraight,
+        method: Method::RescaledLinearAttitude,
         parts: 4,
         limits: Limits { spin: Some(FRAC_PI_4), ..Limits::NONE },
         record: Some("rapier3d-f64-0.36.1"),
@@ -129,7 +128,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
     PhysicsEngine {
         name: "Box3D",
         setting: "four substeps",
-        method: Method::OneNewton,
+        method: Method::ImplicitOneNewton,
         parts: 4,
         ..UNRECORDED
     },
@@ -143,8 +142,10 @@ impl PhysicsEngine {
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
-    /// use tumbling::step::{State, PHYSICS_ENGINES, System};
-    /// let system = System::free(&Vector3::new(1.0, 2.0, 2.5))?;
+    /// use tumbling::PrincipalMoments;
+    /// use tumbling::step::{State, System};
+    /// use tumbling_judge::PHYSICS_ENGINES;
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 250.0) };
     /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
     /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.
@@ -163,26 +164,26 @@ impl PhysicsEngine {
             let rate = system.omega(&system.rate(start).momentum);
             let beyond = |x: &f64| x.is_nan() || x.abs() > most;
             if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
-                return Err(Error::OutOfRange {
-                    what: "a spin or its rate, where the engine starts anew",
+                return Err(Error::unrepresentable(
+                    "a spin or its rate, where the engine starts anew",
                     value,
-                });
+                ));
             }
         }
         if self.parts <= 1 {
-            let end = self.method.step(system, start, &h)?;
+            let end = self.method.step(system, start, h)?;
             return self.limited(system, start, end, h, h);
         }
         // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
         let part = h / f64::from(self.parts);
         let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
         let free = System::of_numbers(*system.moments(), Vec::new());
-        (0..self.parts).try_fold(start.clone(), |mut motion, _| {
+        (0..self.parts).try_fold(*start, |mut motion, _| {
             if !system.is_free() {
                 let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
                 motion.momentum += system.momentum(&inside);
             }
-            let end = self.method.step(&free, &motion, &part)?;
+            let end = self.method.step(&free, &motion, part)?;
             self.limited(system, &motion, end, part, h)
         })
     }
@@ -216,15 +217,41 @@ impl PhysicsEngine {
         if !cut && omega.norm() * part.abs() <= most {
             return Ok(end);
         }
-        let attitude = if self.method == Method::RescaledStraight {
-            turned_straight(&start.attitude, &omega, &part)
+        let attitude = if self.method == Method::RescaledLinearAttitude {
+            turned_straight(&start.attitude, &omega, part)
         } else {
             turned_beyond(&start.attitude, &omega, part, most)
         };
         let momentum = if cut { system.momentum(&omega) } else { end.momentum };
-        for &value in attitude.coords.iter().chain(&momentum) {
-            finite("the motion after a step", value)?;
-        }
+        attitude.coords.iter().chain(&momentum).try_for_each(|&x| finite("the motion after a step", x))?;
         Ok(State { attitude, momentum })
     }
+}
+
+/// `value`, which `what` names, must be finite.
+fn finite(what: &'static str, value: f64) -> Result<(), Error> {
+    if value.is_finite() { Ok(()) } else { Err(Error::not_finite(what, value)) }
+}
+
+/// `start` times `turn`, at length 1.
+fn turned(start: &Quaternion<f64>, turn: &Quaternion<f64>) -> Quaternion<f64> {
+    let q = attitude::product(start, turn);
+    let norm = q.coords.dot(&q.coords).sqrt();
+    Quaternion::from_vector(q.coords.map(|x| x / norm))
+}
+
+/// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn by
+/// `2 atan(|w| h / 2)` instead of `|w| h`.
+fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+    turned(start, &Quaternion::from_parts(1.0, omega * (h / 2.0)))
+}
+
+/// `start` turned by the spin `omega` (body axes, rad/s) for `h` seconds as Bullet does it: by `|w| h` up to the angle
+/// `most`, beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is too little and never more than half a turn.
+fn turned_beyond(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64, most: f64) -> Quaternion<f64> {
+    if omega.norm() * h.abs() <= most {
+        return turned(start, &attitude::turn(&(omega * h)));
+    }
+    let (sine, cosine) = (most / 2.0).sin_cos();
+    turned(start, &Quaternion::from_parts(cosine, omega * (h * sine / most)))
 }

@@ -24,7 +24,7 @@ pub struct Record {
 impl Record {
     pub fn read(engine: &str, story: &str) -> Self {
         let name = format!("{engine}--{story}.csv");
-        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/engines").join(&name);
+        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines").join(&name);
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let after = |word: &str| -> Vector3<f64> {
             let rest = text.lines().next().unwrap().split(word).nth(1).unwrap();
@@ -45,7 +45,7 @@ impl Record {
             }
         };
         let rows: Vec<Row> = text.lines().skip(2).map(row).collect();
-        Self { system: System::with(&after("moments"), torques).unwrap(), rows }
+        Self { system: System::with(after("moments").try_into().unwrap(), torques).unwrap(), rows }
     }
 
     pub fn motion(&self, row: &Row) -> State<f64> {

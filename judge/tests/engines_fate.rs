@@ -1,22 +1,21 @@
-//! What the engines' rules do to bodies: the recorded fates, and the laws each rule keeps and breaks.
+//! What became of the recorded bodies, and what becomes of them by the engines' rules.
 
 mod common;
 
 use common::record::{H, Record};
-use common::{attitude, generic_spin};
-use nalgebra::{Quaternion, Vector3};
-use proptest::prelude::*;
+use nalgebra::Vector3;
 use tumbling::body::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, PHYSICS_ENGINES, State, System};
+use tumbling::step::{Method, State, System};
+use tumbling_judge::PHYSICS_ENGINES;
 
 /// The rules of physics engines.
 const RULES: [Method; 8] = [
     Method::ConstantSpin,
     Method::SemiImplicitEuler,
     Method::Rescaled,
-    Method::RescaledStraight,
-    Method::OneNewton,
+    Method::RescaledLinearAttitude,
+    Method::ImplicitOneNewton,
     Method::LinearisedImplicit,
     Method::MeanSpinRungeKutta4,
     Method::TurnedRungeKutta4,
@@ -90,7 +89,7 @@ fn the_fates_of_the_recorded_bodies_are_the_fates_by_the_rules() {
         let main = first.omega.iamax();
         assert_eq!(sign_changes(record.rows.iter().map(|row| row.omega[main])), changes, "{name} {story}");
 
-        let (mut motion, mut signs, mut most) = (start.clone(), vec![first.omega[main]], 0.0_f64);
+        let (mut motion, mut signs, mut most) = (start, vec![first.omega[main]], 0.0_f64);
         for _ in 0..1200 {
             motion = engine.step(&record.system, &motion, H).unwrap();
             signs.push(motion.momentum[main]);
@@ -110,7 +109,7 @@ fn the_exact_motion_flips_eight_seven_and_no_times_in_the_recorded_stories() {
     for (story, flips) in [("box-middle", 8), ("middle", 7), ("major", 0), ("minor", 0)] {
         let record = Record::read("mujoco-4.0.0-rk4", story);
         let first = &record.rows[0];
-        let exact = FreeMotion::new(record.system.moments(), &first.omega).unwrap();
+        let exact = FreeMotion::new((*record.system.moments()).try_into().unwrap(), &first.omega).unwrap();
         let main = first.omega.iamax();
         let signs = (0..=1200).map(|n| exact.omega(f64::from(n) * H).unwrap()[main]);
         assert_eq!(sign_changes(signs), flips, "{story}");
@@ -124,10 +123,10 @@ fn the_explicit_rule_loses_a_stable_spin_within_twenty_seconds_and_the_others_do
         let record = Record::read("mujoco-4.0.0-rk4", story);
         let start = record.motion(&record.rows[0]);
         let grown = |method: Method| {
-            let mut motion = start.clone();
+            let mut motion = start;
             let mut most = 1.0_f64;
             for _ in 0..1200 {
-                let Ok(next) = method.step(&record.system, &motion, &H) else { return f64::INFINITY };
+                let Ok(next) = method.step(&record.system, &motion, H) else { return f64::INFINITY };
                 motion = next;
                 most = most.max(energy(&record.system, &motion) / energy(&record.system, &start));
             }
@@ -158,98 +157,7 @@ fn one_newton_step_of_implicit_euler_can_multiply_the_energy_of_a_fast_body_and_
         assert!((record.rows[0].omega.norm() * H - 1.675).abs() < 0.001);
         assert!((energies[1] / energies[0] - 3.5848).abs() < 1e-4, "{name} {}", energies[1] / energies[0]);
         let start = record.motion(&record.rows[0]);
-        let end = Method::OneNewton.step(&record.system, &start, &H).unwrap();
+        let end = Method::ImplicitOneNewton.step(&record.system, &start, H).unwrap();
         assert!((energy(&record.system, &end) / energies[1] - 1.0).abs() < 1e-12, "{name}");
-    }
-}
-
-#[test]
-fn one_newton_step_of_implicit_euler_can_add_energy_to_a_rod_that_turns_by_an_eighth_of_a_radian() {
-    let system = System::free(&Vector3::new(0.61281739, 0.00620431, 0.61012591)).unwrap();
-    let omega = Vector3::new(0.79206796, 0.00766532, -0.61038478);
-    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-    let end = Method::OneNewton.step(&system, &start, &0.1316947).unwrap();
-    // By MuJoCo 4.0.0 itself, implicitfast: 4.17863e-6.
-    let gain = energy(&system, &end) / energy(&system, &start) - 1.0;
-    assert!((gain / 4.17863e-6 - 1.0).abs() < 1e-4, "{gain:e}");
-}
-
-/// Bodies with three well different moments, turned and spun every way.
-fn body() -> impl Strategy<Value = (System<f64>, State<f64>)> {
-    ((0.1..0.3, 0.4..0.6, 0.7..1.0), attitude(), generic_spin()).prop_map(|(half, q, omega)| {
-        let (x, y, z): (f64, f64, f64) = half;
-        let moments = Vector3::new(y + z, z + x, x + y);
-        let vector = moments.component_mul(&omega);
-        (System::free(&moments).unwrap(), State { attitude: q.into_inner(), momentum: vector })
-    })
-}
-
-/// By how much a run of 50 steps of 0.3 s breaks energy, `|L|`, `L` in the world, the attitude's length; and a step there and back,
-/// the state.
-fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] {
-    let h = 0.3;
-    let mut most = [0.0_f64; 5];
-    let mut motion = start.clone();
-    for _ in 0..50 {
-        let next = method.step(system, &motion, &h).unwrap();
-        let back = method.step(system, &next, &-h).unwrap();
-        let found = [
-            energy(system, &next) / energy(system, start) - 1.0,
-            next.momentum.norm() / start.momentum.norm() - 1.0,
-            (world(&next) - world(start)).norm() / start.momentum.norm(),
-            next.attitude.norm() - 1.0,
-            (back.momentum - motion.momentum).norm() / start.momentum.norm()
-                + (back.attitude - motion.attitude).norm(),
-        ];
-        most = std::array::from_fn(|k| most[k].max(found[k].abs()));
-        motion = next;
-    }
-    most
-}
-
-proptest! {
-    #[test]
-    fn each_rule_keeps_the_laws_it_says_and_breaks_the_others_on_any_body((system, start) in body()) {
-        for method in RULES {
-            let keeps = method.about().keeps;
-            let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
-            let found = broken(method, &system, &start);
-            // Of the second order or better a rule breaks them by less, but by far more than rounding.
-            let least = if method.about().order > 1 { 1e-11 } else { 1e-6 };
-            for (said, found) in said.into_iter().zip(found) {
-                prop_assert!(if said { found < 1e-13 } else { found > least }, "{method:?} {found:e}");
-            }
-        }
-    }
-
-    // L x w is at right angles to both, so that an explicit step along it lengthens both measures.
-    #[test]
-    fn every_explicit_gyroscopic_step_adds_energy_and_momentum((system, start) in body(), h in 0.01..3.0_f64) {
-        let end = Method::SemiImplicitEuler.step(&system, &start, &h).unwrap();
-        let rate = system.rate(&start).momentum;
-        let gain = h * h * rate.dot(&system.omega(&rate)) / 2.0;
-        prop_assert!((energy(&system, &end) - energy(&system, &start) - gain).abs() < 1e-13 * energy(&system, &end));
-        let longer = end.momentum.norm_squared() - start.momentum.norm_squared() - (h * rate).norm_squared();
-        prop_assert!(longer.abs() < 1e-13 * end.momentum.norm_squared());
-    }
-
-    #[test]
-    fn one_newton_step_of_implicit_euler_takes_energy_while_moments_differ_well_and_steps_turn_little((system, start) in body()) {
-        let end = Method::OneNewton.step(&system, &start, &0.1).unwrap();
-        prop_assert!(energy(&system, &end) < energy(&system, &start));
-    }
-
-    #[test]
-    fn a_body_without_gyroscopic_term_never_flips(q in attitude(), push in 1e-3..0.1_f64) {
-        let system = System::free(&Vector3::new(1.0, 2.0, 3.0)).unwrap();
-        let start = State { attitude: q.into_inner(), momentum: system.momentum(&Vector3::new(push, 10.0, push)) };
-        let mut motion = start.clone();
-        for _ in 0..600 {
-            motion = Method::ConstantSpin.step(&system, &motion, &H).unwrap();
-        }
-        prop_assert!((system.omega(&motion.momentum) - system.omega(&start.momentum)).norm() < 1e-13);
-        // The exact one flips within these 10 s.
-        let exact = FreeMotion::new(system.moments(), &system.omega(&start.momentum)).unwrap();
-        prop_assert!(exact.flips(0.0, 10.0).unwrap().count() > 0);
     }
 }

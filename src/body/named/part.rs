@@ -1,0 +1,118 @@
+//! A part of a named body: a straight bar.
+
+use crate::error::Error;
+use crate::solid::{Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
+
+/// A straight bar in the xz plane of a body, with one cross-section all along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Part {
+    /// What it is, as in "handle".
+    pub name: &'static str,
+    /// What it is made of, as in "steel".
+    pub material: &'static str,
+    /// Its cross-section.
+    pub section: Section,
+    /// Where its middle lies, m.
+    pub middle: Vector3<f64>,
+    /// From one end to the other, m; without a component along y.
+    pub along: Vector3<f64>,
+    /// How it is filled.
+    pub fill: Fill,
+}
+
+/// The cross-section of a [`Part`], m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Section {
+    /// None: an ideal thin rod.
+    Line,
+    /// A rectangle.
+    Rectangle {
+        /// Its edge in the xz plane; along x where the part lies along z.
+        wide: f64,
+        /// Its edge along y.
+        thick: f64,
+    },
+    /// A full circle.
+    Round {
+        /// Its radius.
+        radius: f64,
+    },
+    /// A circle with a hole.
+    Ring {
+        /// Radius of the hole.
+        inner: f64,
+        /// Radius of the whole.
+        outer: f64,
+    },
+}
+
+/// What the mass of a [`Part`] is given by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fill {
+    /// Its mass, kg.
+    Mass(f64),
+    /// Its density, kg/m³.
+    Density(f64),
+}
+
+impl Part {
+    /// Its length, m.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.along.x.hypot(self.along.z)
+    }
+
+    /// Its two ends, m.
+    #[must_use]
+    pub fn ends(&self) -> [Vector3<f64>; 2] {
+        [self.middle - 0.5 * self.along, self.middle + 0.5 * self.along]
+    }
+
+    /// Its mass to a few units in the last place, kg.
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        let area = match self.section {
+            Section::Line => 0.0,
+            Section::Rectangle { wide, thick } => wide * thick,
+            Section::Round { radius } => PI * radius * radius,
+            Section::Ring { inner, outer } => PI * (outer - inner) * (outer + inner),
+        };
+        match self.fill {
+            Fill::Mass(mass) => mass,
+            Fill::Density(density) => density * area * self.length(),
+        }
+    }
+
+    /// The turn, part to body, that lays its own z axis along it.
+    #[must_use]
+    pub fn attitude(&self) -> UnitQuaternion<f64> {
+        if self.along.z == 0.0 && self.along.x > 0.0 {
+            // A quarter turn with no rounding between its components.
+            return UnitQuaternion::new_unchecked(Quaternion::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2, 0.0));
+        }
+        UnitQuaternion::from_axis_angle(&Vector3::y_axis(), self.along.x.atan2(self.along.z))
+    }
+
+    /// Its mass, centre and inertia in its own axes: the origin in its middle, z along it.
+    ///
+    /// # Errors
+    /// Sizes or a mass that are none of a body.
+    pub fn properties(&self) -> Result<MassProperties, Error> {
+        let length = self.length();
+        match self.section {
+            Section::Line => self.filled(&ThinRod::new(length)?),
+            Section::Rectangle { wide, thick } => self.filled(&Cuboid::new(wide, thick, length)?),
+            Section::Round { radius } => self.filled(&Cylinder::new(radius, length)?),
+            Section::Ring { inner, outer } => self.filled(&Tube::new(inner, outer, length)?),
+        }
+    }
+
+    fn filled(&self, solid: &impl Solid) -> Result<MassProperties, Error> {
+        match self.fill {
+            Fill::Mass(mass) => solid.with_mass(mass),
+            Fill::Density(density) => solid.with_density(density),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The inverse tensor, which takes momentum to spin.
+
+use super::{Inertia, in_range, is_diagonal, symmetrized, turned};
+use crate::error::{Error, Refusal};
+use crate::number::double_double::{DoubleDouble, difference_of_products};
+use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+/// The inverse of an inertia tensor, `w = J L`, in 1/(kg m²), from [`Inertia::inverse`].
+///
+/// ```
+/// use nalgebra::Vector3;
+/// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
+/// assert_eq!(inverse.omega(&Vector3::new(2.0, 2.0, 0.0)), Vector3::new(1.0, 0.5, 0.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InverseInertia {
+    matrix: Matrix3<f64>,
+}
+
+impl InverseInertia {
+    /// The matrix, 1/(kg m²).
+    #[must_use]
+    pub fn matrix(&self) -> Matrix3<f64> {
+        self.matrix
+    }
+
+    /// Angular velocity in rad/s from angular momentum in kg m²/s, both in this tensor's axes.
+    #[must_use]
+    pub fn omega(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
+        self.matrix * momentum
+    }
+
+    /// The inverse in axes turned by `attitude`: `R J R^T`.
+    ///
+    /// # Errors
+    /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
+    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+        let rotation = crate::body::attitude::matrix(attitude)?;
+        let matrix = symmetrized(&turned(&rotation, &self.matrix));
+        in_range("an inverse moment", &matrix)?;
+        Ok(Self { matrix })
+    }
+}
+
+impl Inertia {
+    /// The inverse, computed once, to be kept and turned instead of inverting at each step.
+    ///
+    /// # Errors
+    /// A smallest moment that is zero to rounding (an ideal rod), or an inverse beyond `f64`.
+    pub fn inverse(&self) -> Result<InverseInertia, Error> {
+        let m = &self.tensor;
+        let diagonal = is_diagonal(m);
+        let moments = self.principal().moments();
+        // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
+        let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
+        if moments[0] <= rounding {
+            return Err(Refusal::Singular { smallest: moments[0], largest: moments[2] }.into());
+        }
+        let inverse = if diagonal {
+            Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
+        } else {
+            adjugate_inverse(m)
+        };
+        in_range("an inverse moment", &inverse)?;
+        Ok(InverseInertia { matrix: inverse })
+    }
+}
+
+/// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
+/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows. Zeros come out without a sign.
+fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
+    let scale = exponent(m.amax());
+    let a = m.map(|x| times_power_of_two(x, -scale));
+    let cofactor = |i: usize, j: usize| {
+        let (r, s) = ((i + 1) % 3, (i + 2) % 3);
+        let (p, q) = ((j + 1) % 3, (j + 2) % 3);
+        difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
+    };
+    let determinant = (DoubleDouble::from(a[(0, 0)]) * cofactor(0, 0)
+        + DoubleDouble::from(a[(0, 1)]) * cofactor(0, 1)
+        + DoubleDouble::from(a[(0, 2)]) * cofactor(0, 2))
+    .hi();
+    Matrix3::from_fn(|i, j| {
+        let (i, j) = (i.min(j), i.max(j));
+        times_power_of_two(cofactor(i, j).hi() / determinant, -scale) + 0.0
+    })
+}

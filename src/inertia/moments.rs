@@ -1,0 +1,168 @@
+//! Three principal moments that belong to one body, checked once.
+
+use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
+use super::{Adjusted, Axis, Inertia};
+use crate::error::{Error, positive};
+use crate::number::power_of_two::ulp;
+use nalgebra::{Matrix3, Vector3};
+use std::fmt;
+use std::ops::Index;
+
+/// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two by more than
+/// rounding (4 units in the last place of the largest).
+///
+/// Vectors that go with them, such as a spin, are along the same three axes in the same order.
+///
+/// ```
+/// use tumbling::{Axis, PrincipalMoments};
+/// let book = PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
+/// assert_eq!(book.axis(Axis::Middle), 0);
+/// assert_eq!(book.largest(), 13.0 / 12.0);
+/// let error = PrincipalMoments::new(1.0, 2.0, 3.5).unwrap_err();
+/// assert!(error.to_string().contains("by 0.5"));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "[f64; 3]", into = "[f64; 3]"))]
+pub struct PrincipalMoments {
+    moments: Vector3<f64>,
+    /// Indices of the moments, smallest first.
+    order: [u8; 3],
+}
+
+impl PrincipalMoments {
+    /// The moments about the first, second and third principal axis.
+    ///
+    /// # Errors
+    /// A moment that is not finite and positive, or a largest above the sum of the others by more than rounding.
+    pub fn new(first: f64, second: f64, third: f64) -> Result<Self, Error> {
+        let moments = Self::of_tensor(Vector3::new(first, second, third))?;
+        let sorted = moments.sorted();
+        physically_possible(&sorted, DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))?;
+        Ok(moments)
+    }
+
+    /// The nearest moments to those whose digits were rounded, as [`Inertia::within`] finds them for a tensor.
+    ///
+    /// ```
+    /// use tumbling::PrincipalMoments;
+    /// let panel = PrincipalMoments::within([0.003333, 0.01333, 0.01667], 1e-3)?;
+    /// assert_eq!(format!("{:.6}", panel.value), "(0.003335, 0.013332, 0.016668) kg m²");
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Inertia::within`]; also a nearest moment of zero, which has no inverse.
+    pub fn within(moments: [f64; 3], relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
+        let nearest = Inertia::within(&Matrix3::from_diagonal(&moments.into()), relative_tolerance)?;
+        Ok(Adjusted { value: nearest.value.matrix().diagonal().try_into()?, moved: nearest.moved })
+    }
+
+    /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.
+    pub(crate) fn of_tensor(moments: Vector3<f64>) -> Result<Self, Error> {
+        moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
+        Ok(Self { moments, order: ascending(&moments).map(|i| i as u8) })
+    }
+
+    /// In the order given, kg m².
+    #[must_use]
+    pub fn vector(&self) -> Vector3<f64> {
+        self.moments
+    }
+
+    /// The smallest, kg m².
+    #[must_use]
+    pub fn smallest(&self) -> f64 {
+        self[self.axis(Axis::Smallest)]
+    }
+
+    /// The largest, kg m².
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        self[self.axis(Axis::Largest)]
+    }
+
+    /// Index (0, 1 or 2) of the axis with the smallest, middle or largest moment; of equal moments, the one given first is
+    /// the smaller.
+    #[must_use]
+    pub fn axis(&self, axis: Axis) -> usize {
+        usize::from(self.order[axis.index()])
+    }
+
+    /// Indices of the axes, smallest moment first.
+    pub(crate) fn order(&self) -> [usize; 3] {
+        self.order.map(usize::from)
+    }
+
+    /// The moments, smallest first.
+    pub(crate) fn sorted(&self) -> Vector3<f64> {
+        self.order().map(|i| self.moments[i]).into()
+    }
+
+    /// Index of an axis whose other two moments are equal; of a sphere, 0.
+    pub(crate) fn axis_of_symmetry(&self) -> Option<usize> {
+        (0..3).find(|&axis| self.moments[(axis + 1) % 3] == self.moments[(axis + 2) % 3])
+    }
+}
+
+/// Indices of the components, smallest first; of equal ones, the earlier first.
+pub(crate) fn ascending(v: &Vector3<f64>) -> [usize; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| v[i].total_cmp(&v[j]));
+    order
+}
+
+impl Index<usize> for PrincipalMoments {
+    type Output = f64;
+
+    fn index(&self, index: usize) -> &f64 {
+        &self.moments[index]
+    }
+}
+
+impl TryFrom<[f64; 3]> for PrincipalMoments {
+    type Error = Error;
+
+    fn try_from([first, second, third]: [f64; 3]) -> Result<Self, Error> {
+        Self::new(first, second, third)
+    }
+}
+
+impl TryFrom<Vector3<f64>> for PrincipalMoments {
+    type Error = Error;
+
+    fn try_from(moments: Vector3<f64>) -> Result<Self, Error> {
+        Self::new(moments.x, moments.y, moments.z)
+    }
+}
+
+impl From<PrincipalMoments> for Vector3<f64> {
+    fn from(moments: PrincipalMoments) -> Self {
+        moments.moments
+    }
+}
+
+impl From<PrincipalMoments> for [f64; 3] {
+    fn from(moments: PrincipalMoments) -> Self {
+        moments.moments.into()
+    }
+}
+
+/// The diagonal tensor along the principal axes.
+impl From<PrincipalMoments> for Inertia {
+    fn from(moments: PrincipalMoments) -> Self {
+        Self { tensor: nalgebra::Matrix3::from_diagonal(&moments.moments) }
+    }
+}
+
+/// As `(0.8, 1.1, 0.4) kg m²`; a precision goes to each.
+impl fmt::Display for PrincipalMoments {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [a, b, c]: [f64; 3] = (*self).into();
+        match f.precision() {
+            Some(digits) => write!(f, "({a:.digits$}, {b:.digits$}, {c:.digits$}) kg m²"),
+            None => write!(f, "({a}, {b}, {c}) kg m²"),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Which tensors a body can have, to rounding, and the nearest of them.
+
+use super::{Adjusted, Inertia, PrincipalAxes, in_range, is_diagonal, nearest, symmetrized, turned};
+use crate::error::{Error, ErrorKind, Refusal, finite, not_negative, positive};
+use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use nalgebra::{Matrix3, Vector3};
+
+/// How many units in the last place of the largest moment count as rounding: twice what was seen when
+/// flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
+const ROUNDING_ULPS: f64 = 32.0;
+
+/// The same for a diagonal tensor, whose moments come from a sum or two.
+pub(super) const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
+
+/// How far relative to the largest entry a tensor may be from a possible one for the message to point at
+/// [`Inertia::within`]: what two printed digits leave open.
+const PRINTED: f64 = 1e-2;
+
+/// What the entries of the matrix are called, by columns.
+const ENTRIES: [&str; 9] = [
+    "the moment Ixx",
+    "the product Ixy",
+    "the product Ixz",
+    "the product Ixy",
+    "the moment Iyy",
+    "the product Iyz",
+    "the product Ixz",
+    "the product Iyz",
+    "the moment Izz",
+];
+
+impl Inertia {
+    /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
+    /// its sums have, so only its range is checked.
+    pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
+        in_range("a moment of inertia", &tensor)?;
+        moments_in_range(&PrincipalAxes::of(&tensor).moments())?;
+        Ok(Self { tensor: symmetrized(&tensor) })
+    }
+
+    /// From the whole matrix. Mirrored entries may differ by rounding, as they do after `R I R^T`; then
+    /// their mean is kept.
+    ///
+    /// # Errors
+    /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below
+    /// zero, or a tensor that no distribution of mass has.
+    pub fn from_matrix(tensor: &Matrix3<f64>) -> Result<Self, Error> {
+        Self::rounded(tensor, 0.0)
+    }
+
+    /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`, whose
+    /// rounding it carries.
+    pub(super) fn rounded(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
+        tensor.iter().zip(ENTRIES).try_for_each(|(&entry, what)| finite(what, entry).map(drop))?;
+        let tolerance = ROUNDING_ULPS * ulp(tensor.amax().max(origin));
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let (value, mirrored) = (tensor[(row, column)], tensor[(column, row)]);
+            let difference = (value - mirrored).abs();
+            if difference > tolerance {
+                let printed = difference <= PRINTED * tensor.amax();
+                return Err(Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into());
+            }
+        }
+        let tensor = symmetrized(tensor);
+        // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of a turn.
+        let exact = is_diagonal(&tensor) && origin == 0.0;
+        for axis in 0..3 {
+            not_below_zero(
+                ENTRIES[4 * axis],
+                tensor[(axis, axis)],
+                tensor.amax(),
+                if exact { 0.0 } else { tolerance },
+            )?;
+        }
+        positive("the largest moment of inertia", tensor.diagonal().max())?;
+        let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
+        let moments = PrincipalAxes::of(&tensor).moments();
+        moments_in_range(&moments)?;
+        physically_possible(&moments, (ulps * ulp(moments[2])).max(ROUNDING_ULPS * ulp(origin)))?;
+        Ok(Self { tensor })
+    }
+
+    /// The tensor nearest to one whose digits were rounded, as printed tables, files in single precision and other
+    /// programs give it: symmetric, without a negative moment, and within the triangle inequality.
+    ///
+    /// What [`from_matrix`](Self::from_matrix) takes is taken as there. Otherwise it is the tensor with the least
+    /// distance in the Frobenius norm: mirrored entries get their mean, the principal axes stay, and the principal
+    /// moments go to the nearest that a body can have. A flat body or a rod comes out where the given one was impossible.
+    ///
+    /// `relative_tolerance` is the greatest distance allowed, relative to the largest principal moment; four digits
+    /// want about 1e-3.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use tumbling::Inertia;
+    /// // A flat panel with four digits: the largest moment exceeds the sum of the others by 7e-6.
+    /// let printed = Matrix3::from_diagonal(&Vector3::new(0.003333, 0.01333, 0.01667));
+    /// assert!(Inertia::from_matrix(&printed).is_err());
+    /// let panel = Inertia::within(&printed, 1e-3)?;
+    /// assert_eq!(format!("{:.1e}", panel.moved), "2.4e-4");
+    /// assert_eq!(format!("{:.6}", panel.value.matrix().m33), "0.016668");
+    /// assert!(Inertia::within(&printed, 1e-4).is_err());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is farther away
+    /// than the tolerance or zero, or moments beyond `f64`.
+    pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
+        not_negative("the relative tolerance", relative_tolerance)?;
+        let strict = Self::from_matrix(tensor);
+        if strict.as_ref().is_err_and(|error| error.kind() == ErrorKind::NotFinite) || tensor.amax() == 0.0 {
+            return strict.map(|value| Adjusted { value, moved: 0.0 });
+        }
+        let scale = exponent(tensor.amax());
+        let given = tensor.map(|x| times_power_of_two(x, -scale));
+        let symmetric = symmetrized(&given);
+        let principal = PrincipalAxes::of(&symmetric);
+        let moments = principal.moments();
+        if moments[2] <= 0.0 {
+            return strict.map(|value| Adjusted { value, moved: 0.0 });
+        }
+        let far = |nearest: &Matrix3<f64>| (nearest - given).norm() / moments[2];
+        if let Ok(value) = strict {
+            return Ok(Adjusted { value, moved: far(&symmetric) });
+        }
+        let adjusted = if is_diagonal(&symmetric) {
+            Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
+        } else {
+            let change = nearest::possible(&moments) - moments;
+            symmetrized(&(symmetric + turned(&principal.frame(), &Matrix3::from_diagonal(&change))))
+        };
+        let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
+        let value = Self::from_matrix(&adjusted.map(|x| times_power_of_two(x, scale)))?;
+        Ok(Adjusted { value, moved })
+    }
+}
+
+/// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
+/// the other two, to rounding.
+pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
+    not_below_zero("the smallest principal moment", moments[0], moments[2], tolerance)?;
+    let excess = (moments[2] - moments[1]) - moments[0];
+    if excess > tolerance {
+        let printed = excess <= PRINTED * moments[2];
+        return Err(
+            Refusal::TriangleInequality { moments: (*moments).into(), excess, tolerance, printed }.into()
+        );
+    }
+    Ok(())
+}
+
+fn not_below_zero(what: &'static str, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {
+    if value >= -tolerance {
+        return Ok(());
+    }
+    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
+}
+
+/// That the largest principal moment is a finite number: it can exceed every entry of the tensor.
+fn moments_in_range(moments: &Vector3<f64>) -> Result<(), Error> {
+    match moments.iter().find(|x| !x.is_finite()) {
+        Some(&value) => Err(Refusal::OutOfRange { what: "a principal moment", value }.into()),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,140 @@
+//! The forms in which checked types are written and read with serde, feature `serde`. What is read goes through the same
+//! constructors as everything else.
+
+use crate::body::attitude;
+use crate::error::{Error, finite_vector};
+use crate::{Body, Inertia, MassProperties, State};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// Moments `[ixx, iyy, izz]` and products `[ixy, ixz, iyz]`, kg m², with the sign that makes `L = I w` hold.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Tensor {
+    moments: [f64; 3],
+    products: [f64; 3],
+}
+
+impl From<Inertia> for Tensor {
+    fn from(inertia: Inertia) -> Self {
+        let m = inertia.matrix();
+        Self { moments: m.diagonal().into(), products: [m.m12, m.m13, m.m23] }
+    }
+}
+
+impl TryFrom<Tensor> for Inertia {
+    type Error = Error;
+
+    fn try_from(tensor: Tensor) -> Result<Self, Error> {
+        Self::new(tensor.moments, tensor.products)
+    }
+}
+
+/// Mass in kg, centre in m, inertia about the centre.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Properties {
+    mass: f64,
+    centre: [f64; 3],
+    inertia: Inertia,
+}
+
+impl From<MassProperties> for Properties {
+    fn from(p: MassProperties) -> Self {
+        Self { mass: p.mass(), centre: p.centre().into(), inertia: p.inertia() }
+    }
+}
+
+impl TryFrom<Properties> for MassProperties {
+    type Error = Error;
+
+    fn try_from(p: Properties) -> Result<Self, Error> {
+        Self::new(p.mass, p.centre.into(), p.inertia)
+    }
+}
+
+/// A quaternion, by the names of its components so that no order can be mistaken.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Turn {
+    w: f64,
+    x: f64,
+    y: f64,
+    z: f64,
+}
+
+impl From<&Quaternion<f64>> for Turn {
+    fn from(q: &Quaternion<f64>) -> Self {
+        Self { w: q.w, x: q.i, y: q.j, z: q.k }
+    }
+}
+
+impl Turn {
+    fn attitude(&self) -> UnitQuaternion<f64> {
+        UnitQuaternion::new_unchecked(Quaternion::new(self.w, self.x, self.y, self.z))
+    }
+}
+
+/// Tensor in body axes, attitude body to world, momentum in world axes in kg m²/s.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Flight {
+    inertia: Inertia,
+    attitude: Turn,
+    momentum_world: [f64; 3],
+}
+
+impl From<Body> for Flight {
+    fn from(body: Body) -> Self {
+        Self {
+            inertia: body.inertia(),
+            attitude: body.attitude().quaternion().into(),
+            momentum_world: body.momentum_world().into(),
+        }
+    }
+}
+
+impl TryFrom<Flight> for Body {
+    type Error = Error;
+
+    fn try_from(flight: Flight) -> Result<Self, Error> {
+        Self::new(flight.inertia, flight.attitude.attitude(), &flight.momentum_world.into())
+    }
+}
+
+/// Attitude body to world, of length 1; momentum in body axes in kg m²/s.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Instant {
+    attitude: Turn,
+    momentum: [f64; 3],
+}
+
+impl From<State<f64>> for Instant {
+    fn from(state: State<f64>) -> Self {
+        Self { attitude: (&state.attitude).into(), momentum: state.momentum.into() }
+    }
+}
+
+impl TryFrom<Instant> for State<f64> {
+    type Error = Error;
+
+    fn try_from(instant: Instant) -> Result<Self, Error> {
+        let momentum = Vector3::from(instant.momentum);
+        finite_vector("the momentum", &momentum)?;
+        Ok(Self { attitude: attitude::checked(&instant.attitude.attitude())?.into_inner(), momentum })
+    }
+}
+
+/// As [`Instant`]: a state is generic over its number, of which `f64` alone is written and read.
+impl Serialize for State<f64> {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        Instant::from(self.clone()).serialize(to)
+    }
+}
+
+impl<'de> Deserialize<'de> for State<f64> {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        Self::try_from(Instant::deserialize(from)?).map_err(serde::de::Error::custom)
+    }
+}

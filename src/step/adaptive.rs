@@ -1,0 +1,233 @@
+//! A run whose steps are chosen by their error: the pair of Dormand and Prince, orders 5 and 4.
+
+use super::methods::dormand_prince::Stages;
+use crate::body::{Rate, State};
+use crate::error::{Error, Refusal, finite, positive};
+use crate::step::method::check_square_underflow;
+use crate::step::system::System;
+use nalgebra::Vector3;
+
+/// The result of an adaptive run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AdaptiveRun {
+    /// The state at the end.
+    pub end: State<f64>,
+    /// The number of steps taken.
+    pub steps: usize,
+    /// The number of steps tried and found too long.
+    pub rejected: usize,
+}
+
+/// Below this tolerance a step's error is rounding, and no step meets it.
+pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+
+/// The most steps, taken or rejected, of one run of [`adaptive`]: about a second.
+pub const MOST_STEPS: usize = 1_000_000;
+
+/// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error of each, relative to
+/// the attitude's length and the momentum's size, below `tolerance`.
+///
+/// The first step follows from how fast the body turns; each of the others from the error of the one before. The tolerance is of a
+/// step, not of the run: errors add up.
+///
+/// ```
+/// use nalgebra::{Quaternion, Vector3};
+/// use tumbling::PrincipalMoments;
+/// use tumbling::exact::FreeMotion;
+/// use tumbling::step::{State, System, adaptive};
+/// let (moments, omega) = (PrincipalMoments::new(1.0, 2.0, 2.5)?, Vector3::new(0.3, 2.0, 0.1));
+/// let system = System::free(moments)?;
+/// let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+/// let run = adaptive(&system, &start, 10.0, 1e-10)?;
+/// let truth = FreeMotion::new(moments, &omega)?.at(10.0)?;
+/// assert!((run.end.attitude.coords - truth.attitude.coords).norm() < 1e-8);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+///
+/// # Errors
+/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error that stays too large
+/// however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after [`MOST_STEPS`], or as soon as stiff losses would need more.
+pub fn adaptive(
+    system: &System<f64>,
+    start: &State<f64>,
+    duration: f64,
+    tolerance: f64,
+) -> Result<AdaptiveRun, Error> {
+    adaptive_within(system, start, duration, tolerance, &mut { MOST_STEPS })
+}
+
+/// The same run in at most `budget` steps, taken or rejected; they are subtracted from it, also where the run fails.
+///
+/// # Errors
+/// As [`adaptive`], with this budget for [`MOST_STEPS`].
+pub fn adaptive_within(
+    system: &System<f64>,
+    start: &State<f64>,
+    duration: f64,
+    tolerance: f64,
+    budget: &mut usize,
+) -> Result<AdaptiveRun, Error> {
+    finite("the duration", duration)?;
+    positive("the tolerance", tolerance)?;
+    if tolerance < LEAST_TOLERANCE {
+        return Err(Refusal::Order {
+            smaller: "rounding in a step",
+            small: LEAST_TOLERANCE,
+            larger: "the tolerance",
+            large: tolerance,
+        }
+        .into());
+    }
+    start.clone().checked()?;
+    let mut run = Run::new(system, start, duration, tolerance)?;
+    while run.time != duration {
+        if *budget == 0 {
+            return Err(run.unfinished("all its steps are taken"));
+        }
+        *budget -= 1;
+        run.advance()?;
+        if run.stiff == STIFF_STEPS && (duration - run.time).abs() / run.h.abs() > *budget as f64 {
+            return Err(run.unfinished("losses far faster than the motion keep its steps short"));
+        }
+    }
+    Ok(AdaptiveRun { end: run.state.checked()?, steps: run.steps, rejected: run.rejected })
+}
+
+/// A step of more than this many decay times is held back by stability, not by its error: the bound of [HW96](crate::references), IV.2, for
+/// this pair.
+const STIFF: f64 = 3.25;
+
+/// After so many such steps in a row the law is taken to be stiff.
+const STIFF_STEPS: u32 = 15;
+
+/// A run on its way.
+struct Run<'a> {
+    system: &'a System<f64>,
+    duration: f64,
+    tolerance: f64,
+    /// Seconds since the start.
+    time: f64,
+    state: State<f64>,
+    /// The rates at `state`.
+    slope: Rate<f64>,
+    /// The next step, s.
+    h: f64,
+    steps: usize,
+    rejected: usize,
+    /// The number of stiff steps without six others between them.
+    stiff: u32,
+    /// The number of steps since that were not.
+    mild: u32,
+}
+
+impl<'a> Run<'a> {
+    fn new(
+        system: &'a System<f64>,
+        start: &State<f64>,
+        duration: f64,
+        tolerance: f64,
+    ) -> Result<Self, Error> {
+        check_square_underflow(&system.omega(&start.momentum), &duration)?;
+        let slope = system.rate(start);
+        let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
+        if !size.is_finite() {
+            return Err(Refusal::OutOfRange { what: "the rate at the start", value: size }.into());
+        }
+        // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
+        let torque = largest(system.torque(start).as_slice());
+        let turning =
+            over(largest(slope.attitude.coords.as_slice()), largest(start.attitude.coords.as_slice()));
+        let pace = (2.0 * turning).max((torque * system.inverse().max()).sqrt());
+        let guess = tolerance.powf(0.2) / pace;
+        let h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
+        let state = start.clone();
+        let (steps, rejected, stiff, mild) = (0, 0, 0, 0);
+        Ok(Self { system, duration, tolerance, time: 0.0, state, slope, h, steps, rejected, stiff, mild })
+    }
+
+    /// One step tried, and taken if its error is below the tolerance.
+    fn advance(&mut self) -> Result<(), Error> {
+        let last = (self.duration - self.time).abs() <= self.h.abs();
+        let h = if last { self.duration - self.time } else { self.h };
+        if !last && self.time + h == self.time {
+            return Err(Refusal::NotConverged {
+                what: "the step whose error meets the tolerance",
+                iterations: self.steps + self.rejected,
+                residual: h,
+            }
+            .into());
+        }
+        let stages = Stages::new(self.system, &self.state, self.slope.clone(), &self.time, &h);
+        let end_slope = self.system.rate_after(&stages.end, &(self.time + h));
+        let error = self.error(&stages.error(&end_slope, &h), &h) / self.tolerance;
+        // A stage that left the range: the step was far too long.
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
+        let factor = (0.9 * error.powf(-0.2)).clamp(0.1, 10.0);
+        if error <= 1.0 {
+            self.watch(&stages, &end_slope, h);
+            (self.state, self.slope) = (stages.end, end_slope);
+            self.steps += 1;
+            self.time = if last { self.duration } else { self.time + h };
+        } else {
+            self.rejected += 1;
+        }
+        self.h = h * factor;
+        Ok(())
+    }
+
+    /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
+    fn error(&self, off: &State<f64>, h: &f64) -> f64 {
+        // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will do.
+        let gained = largest(self.slope.momentum.as_slice()) * h.abs();
+        // Nor does one that drag brought to rest: below this its momentum has no digits to the tolerance.
+        let least = f64::MIN_POSITIVE / self.tolerance;
+        let whole = (largest(self.state.momentum.as_slice()) + gained).max(least);
+        let attitude =
+            over(largest(off.attitude.coords.as_slice()), largest(self.state.attitude.coords.as_slice()));
+        let momentum = over(largest(off.momentum.as_slice()), whole);
+        largest(&[attitude, momentum])
+    }
+
+    /// Counts steps that are long relative to the fastest decay: of two states near the end of the step, how much faster the rates differ
+    /// than the states.
+    fn watch(&mut self, stages: &Stages<f64>, end_slope: &Rate<f64>, h: f64) {
+        let apart = |a: &Vector3<f64>, b: &Vector3<f64>| largest((a - b).as_slice());
+        let [.., near_slope] = &stages.slopes;
+        let decay = h.abs()
+            * over(
+                apart(&end_slope.momentum, &near_slope.momentum),
+                apart(&stages.end.momentum, &stages.near.momentum),
+            );
+        if decay > STIFF {
+            (self.stiff, self.mild) = ((self.stiff + 1).min(STIFF_STEPS), 0);
+        } else {
+            self.mild += 1;
+            if self.mild == 6 {
+                self.stiff = 0;
+            }
+        }
+    }
+
+    fn unfinished(&self, why: &'static str) -> Error {
+        let steps = self.steps + self.rejected;
+        Refusal::Unfinished {
+            what: "an adaptive run",
+            steps,
+            reached: self.time,
+            duration: self.duration,
+            why,
+        }
+        .into()
+    }
+}
+
+/// The size of the largest number, without a square, which would leave the range before the number does; NaN if one is.
+fn largest(parts: &[f64]) -> f64 {
+    parts.iter().fold(0.0, |most: f64, x| if x.abs() > most || x.is_nan() { x.abs() } else { most })
+}
+
+/// A share, of which zero is zero of anything.
+fn over(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}

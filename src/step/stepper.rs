@@ -1,0 +1,275 @@
+//! A body of any tensor, stepped in its own axes.
+
+use super::fixed_rate::fixed_rate;
+use crate::body::{Body, State, attitude};
+use crate::error::{Error, Refusal, finite};
+use crate::number::{Analytic, Ring};
+use crate::step::method::Method;
+use crate::step::system::System;
+use crate::step::torque::Torque;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use num_traits::{FromPrimitive, ToPrimitive};
+
+/// A body on its way through time by a method, under torques.
+///
+/// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's own axes and the
+/// world's. The principal axes are found once; what is stepped is never turned back and forth, so that a reversible method stays
+/// reversible. In `f32` the body is converted once and all steps are taken in `f32`.
+///
+/// ```
+/// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+/// use tumbling::step::{Method, Stepper};
+/// use tumbling::{Body, Inertia};
+/// // A T-handle whose stem leans in its axes, spun about the axis that flips.
+/// let inertia = Inertia::from_matrix(&Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
+/// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
+/// let mut stepper = Stepper::<f32>::new(&handle, Method::RotationSplitting4)?;
+/// for state in stepper.run(1.0 / 60.0, 600) {
+///     let attitude = state?.attitude; // draw it
+///     assert!((attitude.norm() - 1.0).abs() < 1e-4);
+/// }
+/// assert!((stepper.body()?.energy() / handle.energy() - 1.0).abs() < 1e-3);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stepper<T: nalgebra::Scalar = f64> {
+    /// The body at the start.
+    body: Body,
+    rule: Rule,
+    /// Along the principal axes.
+    system: System<T>,
+    /// Along the principal axes.
+    state: State<T>,
+    /// Takes coordinates along the principal axes to those along the body's; none where they are the same.
+    frame: Option<Quaternion<T>>,
+    /// Seconds since the start.
+    time: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    Method(Method),
+    FixedRate,
+}
+
+impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
+    /// A free body, to be stepped by `method`.
+    ///
+    /// # Errors
+    /// A moment of zero, or a number that `T` does not hold to its own rounding.
+    pub fn new(body: &Body, method: Method) -> Result<Self, Error> {
+        Self::by(body, Rule::Method(method))
+    }
+
+    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`fixed_rate`].
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn fixed_rate(body: &Body) -> Result<Self, Error> {
+        Self::by(body, Rule::FixedRate)
+    }
+
+    fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
+        let tensor = body.inertia().matrix();
+        let (moments, frame) = if tensor == nalgebra::Matrix3::from_diagonal(&tensor.diagonal()) {
+            (tensor.diagonal(), None)
+        } else {
+            let principal = body.inertia().principal();
+            (principal.moments(), Some(principal.rotation()))
+        };
+        // Checks the moments; those of a tensor are possible to its own rounding, which is more than that of three numbers.
+        for &moment in &moments {
+            crate::error::positive("a principal moment", moment)?;
+        }
+        let start = body.state();
+        let turned = |frame: UnitQuaternion<f64>| State {
+            attitude: start.attitude * frame.into_inner(),
+            momentum: frame.inverse() * start.momentum,
+        };
+        let start = frame.map_or(start.clone(), turned);
+        let moments = cast_exactly("a principal moment", &moments)?;
+        let inverse = moments.map(|moment| (T::one() / moment).size());
+        if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
+            return Err(Refusal::OutOfRange { what: "an inverse moment", value }.into());
+        }
+        let state =
+            State { attitude: quaternion(&start.attitude), momentum: cast("the momentum", &start.momentum)? };
+        let frame = frame.map(|frame| quaternion(&frame));
+        Ok(Self {
+            body: *body,
+            rule,
+            system: System::of_numbers(moments, Vec::new()),
+            state,
+            frame,
+            time: 0.0,
+        })
+    }
+
+    /// The same under these torques as well, given in the body's and the world's axes. Damping is along principal axes: it must be the
+    /// same about all three where the tensor has products of inertia.
+    ///
+    /// # Errors
+    /// A torque whose numbers are not finite, a coefficient of loss below zero, or damping that differs from axis to axis of a body with
+    /// products of inertia.
+    pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
+        let mut all = self.system.torques().to_vec();
+        for torque in torques {
+            torque.validate()?;
+            all.push(match &self.frame {
+                Some(frame) => torque.along(frame)?,
+                None => torque,
+            });
+        }
+        self.system = System::of_numbers(*self.system.moments(), all);
+        Ok(self)
+    }
+
+    /// One step of `h` seconds, back in time if negative, and the [`state`](Self::state) after it. A step that fails leaves the body where
+    /// it was.
+    ///
+    /// # Errors
+    /// As [`Method::step`] or [`fixed_rate`].
+    pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
+        let after = self.time + finite("the step", number(h))?;
+        self.state = match self.rule {
+            Rule::Method(method) => method.step(&self.system, &self.state, h)?,
+            Rule::FixedRate => fixed_rate(&self.system, &self.state, h)?,
+        };
+        self.set_time(after);
+        Ok(self.state())
+    }
+
+    fn set_time(&mut self, time: f64) {
+        self.time = time;
+        self.system.set_time(T::from_f64(time).unwrap_or_else(T::zero));
+    }
+
+    /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends after the first error.
+    ///
+    /// # Errors
+    /// Of each as [`step`](Self::step).
+    pub fn run(&mut self, h: T, count: usize) -> impl Iterator<Item = Result<State<T>, Error>> + use<'_, T> {
+        let mut failed = false;
+        (0..count).map_while(move |_| {
+            let state = (!failed).then(|| self.step(h))?;
+            failed = state.is_err();
+            Some(state)
+        })
+    }
+
+    /// Steps of `h` seconds to the time `end` (s), forth or back, the last shortened to meet it (or longer by a billionth): the state
+    /// after each. Nothing moves before the iterator is used; it ends after the first error.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Method, Stepper};
+    /// use tumbling::{Body, Inertia};
+    /// let body = Body::spinning(Inertia::from_moments(1.0, 2.0, 2.5)?, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let mut stepper = Stepper::<f64>::new(&body, Method::Gauss6)?;
+    /// assert_eq!(stepper.run_until(0.1, 1.05).count(), 11);
+    /// assert_eq!(stepper.time(), 1.05);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A step that is not above zero or does not move the time; of each as [`step`](Self::step).
+    pub fn run_until(
+        &mut self,
+        h: T,
+        end: f64,
+    ) -> impl Iterator<Item = Result<State<T>, Error>> + use<'_, T> {
+        let mut failed = false;
+        std::iter::from_fn(move || {
+            // Also where the end is NaN.
+            let state = (!failed && self.time != end).then(|| self.step_toward(h, end))?;
+            failed = state.is_err();
+            Some(state)
+        })
+    }
+
+    fn step_toward(&mut self, h: T, end: f64) -> Result<State<T>, Error> {
+        let length = crate::error::positive("the step", number(h))?;
+        let left = finite("the time to run to", end)? - self.time;
+        if left.abs() <= length * (1.0 + 1e-9) {
+            let state = self.step(T::from_f64(left).unwrap_or(h))?;
+            self.set_time(end);
+            return Ok(state);
+        }
+        if self.time + length.copysign(left) == self.time {
+            return Err(Refusal::OutOfRange { what: "the change of time in a step", value: 0.0 }.into());
+        }
+        self.step(if left > 0.0 { h } else { -h })
+    }
+
+    /// Seconds since the start.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Attitude (body to world) and angular momentum along the body's axes. A method that does not keep the attitude's length
+    /// shows it here.
+    #[must_use]
+    pub fn state(&self) -> State<T> {
+        let State { attitude, momentum } = &self.state;
+        let Some(frame) = &self.frame else { return self.state.clone() };
+        let back = conjugate(frame);
+        State {
+            attitude: attitude::product(attitude, &back),
+            momentum: attitude::rotate_inverse(&back, momentum),
+        }
+    }
+
+    /// The spin along the body's axes, rad/s.
+    #[must_use]
+    pub fn omega(&self) -> Vector3<T> {
+        let omega = self.system.omega(&self.state.momentum);
+        self.frame.as_ref().map_or(omega, |frame| attitude::rotate_inverse(&conjugate(frame), &omega))
+    }
+
+    /// The body as it is now, its attitude brought to length 1.
+    ///
+    /// # Errors
+    /// A spin beyond `f64`, or an attitude of no length.
+    pub fn body(&self) -> Result<Body, Error> {
+        let state = self.state();
+        let attitude = Quaternion::from_vector(state.attitude.coords.map(number));
+        let norm = attitude.norm();
+        let attitude =
+            crate::error::positive("the length of the attitude quaternion", norm).map(|_| attitude / norm)?;
+        self.body.with_state(&State { attitude, momentum: state.momentum.map(number) })
+    }
+}
+
+fn number<T: ToPrimitive>(x: T) -> f64 {
+    x.to_f64().unwrap_or(f64::NAN)
+}
+
+fn conjugate<T: Ring>(q: &Quaternion<T>) -> Quaternion<T> {
+    Quaternion::new(q.coords.w.clone(), -q.coords.x.clone(), -q.coords.y.clone(), -q.coords.z.clone())
+}
+
+/// In another number type, in which the smallest components may become zero.
+fn quaternion<T: Analytic + FromPrimitive>(q: &Quaternion<f64>) -> Quaternion<T> {
+    Quaternion::from_vector(q.coords.map(|x| T::from_f64(x).unwrap_or_else(T::zero)))
+}
+
+/// The vector in another number type, its largest component to that type's rounding.
+fn cast<T: Analytic + FromPrimitive>(what: &'static str, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
+    let turned = v.map(|x| T::from_f64(x).unwrap_or_else(T::zero));
+    let (before, after) = (v.amax(), turned.iter().map(Analytic::size).fold(0.0, f64::max));
+    if (after - before).abs() <= T::rounding() * before {
+        Ok(turned)
+    } else {
+        Err(Refusal::OutOfRange { what, value: after }.into())
+    }
+}
+
+/// The same, of each component.
+fn cast_exactly<T: Analytic + FromPrimitive>(
+    what: &'static str,
+    v: &Vector3<f64>,
+) -> Result<Vector3<T>, Error> {
+    v.iter().try_for_each(|&x| cast::<T>(what, &Vector3::repeat(x)).map(drop))?;
+    cast(what, v)
+}

@@ -1,0 +1,412 @@
+//! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin; and adaptive runs.
+
+mod common;
+
+use common::{any_vector, anything, attitude, generic_spin, moments};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, State, Stepper, System, Torque, adaptive, adaptive_within};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+
+fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
+    let turn = axes.to_rotation_matrix();
+    let tensor = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
+    Inertia::from_matrix(&((tensor + tensor.transpose()) * 0.5)).unwrap()
+}
+
+fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
+    let turn =
+        (a.attitude.coords - b.attitude.coords).norm().min((a.attitude.coords + b.attitude.coords).norm());
+    turn + (a.momentum - b.momentum).norm() / b.momentum.norm()
+}
+
+/// The same state along axes that `turn` takes to the old ones.
+fn seen_along(state: &State<f64>, turn: &UnitQuaternion<f64>) -> State<f64> {
+    State { attitude: state.attitude * turn.into_inner(), momentum: turn.inverse() * state.momentum }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn a_stepper_answers_in_the_axes_of_the_tensor_whatever_they_are(
+        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(),
+    ) {
+        let body = Body::spinning(in_axes(moments, &axes), q, &omega).unwrap();
+        let mut stepper = Stepper::new(&body, Method::Gauss6).unwrap();
+        prop_assert!(apart(&stepper.state(), &body.state()) < 1e-13);
+        prop_assert!((stepper.omega() - body.omega_body()).norm() < 1e-12);
+        let end = stepper.run(0.05, 40).last().unwrap().unwrap();
+        let truth = FreeMotion::of(&body).unwrap().at(2.0).unwrap();
+        // Attitude, spin and momentum of the closed form, in the same axes.
+        let moment = body.inertia().momentum(&truth.omega);
+        let truth = State { attitude: truth.attitude.into_inner(), momentum: moment };
+        prop_assert!(apart(&end, &truth) < 1e-7);
+        let now = stepper.body().unwrap();
+        prop_assert!((now.momentum_world() - body.momentum_world()).norm() < 1e-12 * body.momentum_world().norm());
+        // Back: what is stepped is the same as if it had never been asked.
+        for state in stepper.run(-0.05, 40) {
+            state.unwrap();
+        }
+        prop_assert!(apart(&stepper.state(), &body.state()) < 1e-12);
+        prop_assert!(stepper.time().abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_turn_of_the_bodys_axes_turns_the_answer_and_nothing_else(
+        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(), force in common::vector(1.0),
+    ) {
+        // Every kind of torque, in the axes of the body.
+        let torques = |turn: UnitQuaternion<f64>| {
+            let here = move |v: Vector3<f64>| turn.inverse() * v;
+            [
+                Torque::InBody(here(force)),
+                Torque::InWorld(force.yzx()),
+                Torque::Aligning { arm: here(force.zxy()), field: Vector3::new(0.3, -0.2, 0.5) },
+                Torque::Damping(Vector3::repeat(0.2)),
+                Torque::Dissipation(0.1),
+                Torque::function(move |time: f64, rotation, omega| {
+                    let (rotation, omega) = (rotation * turn.inverse().to_rotation_matrix(), turn * omega);
+                    let wind = Vector3::new((3.0 * time).sin(), 0.4, -0.3);
+                    here(rotation.tr_mul(&wind) - omega.component_mul(&Vector3::new(0.1, 0.3, 0.2)))
+                }),
+            ]
+        };
+        let principal = Inertia::from_moments(moments.x, moments.y, moments.z).unwrap();
+        let plain = Body::spinning(principal, q, &omega).unwrap();
+        let turned = Body::spinning(in_axes(moments, &axes.inverse()), q * axes, &(axes.inverse() * omega)).unwrap();
+        for method in [Method::RungeKutta4, Method::RotationSplitting2, Method::Gauss4] {
+            let mut a = Stepper::new(&plain, method).unwrap().with_torques(torques(UnitQuaternion::identity())).unwrap();
+            let mut b = Stepper::new(&turned, method).unwrap().with_torques(torques(axes)).unwrap();
+            for (a, b) in a.run(0.02, 50).zip(b.run(0.02, 50)) {
+                let (a, b) = (seen_along(&a.unwrap(), &axes), b.unwrap());
+                // Two splittings of the same body differ where its axes come in another order.
+                let bound = if method == Method::RotationSplitting2 { 2e-2 } else { 1e-4 };
+                prop_assert!(apart(&a, &b) < bound, "{method:?} {}", apart(&a, &b));
+            }
+        }
+    }
+}
+
+#[test]
+fn of_a_diagonal_tensor_a_stepper_is_the_method_itself_to_the_bit() {
+    let moments = Vector3::new(2.5, 1.0, 2.0);
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let q = UnitQuaternion::from_euler_angles(0.2, -0.5, 1.0);
+    let body = Body::spinning(Inertia::from_moments(2.5, 1.0, 2.0).unwrap(), q, &Vector3::new(0.2, 1.0, 0.4))
+        .unwrap();
+    for &method in Method::ALL {
+        let mut stepper = Stepper::new(&body, method).unwrap();
+        let mut state = body.state();
+        for stepped in stepper.run(0.03, 20) {
+            state = method.step(&system, &state, 0.03).unwrap();
+            assert_eq!(stepped.unwrap(), state, "{method:?}");
+        }
+    }
+    let mut stepper = Stepper::<f64>::fixed_rate(&body).unwrap();
+    let once = tumbling::step::fixed_rate(&system, &body.state(), 0.1).unwrap();
+    assert_eq!(stepper.step(0.1).unwrap(), once);
+}
+
+#[test]
+fn a_run_to_a_time_ends_there_forth_and_back_and_never_goes_round_for_ever() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(0.1, 2.0, 0.3),
+    )
+    .unwrap();
+    let mut stepper = Stepper::<f64>::new(&body, Method::Gauss6).unwrap();
+    // A minute at 60 Hz: no sliver of a step at the end.
+    assert_eq!(stepper.run_until(1.0 / 60.0, 60.0).count(), 3600);
+    assert_eq!(stepper.run_until(1.0 / 60.0, 60.01).count(), 1);
+    assert_eq!(stepper.run_until(1.0 / 60.0, 60.01).count(), 0);
+    assert_eq!(stepper.run_until(1.0, 0.0).count(), 61);
+    assert_eq!(stepper.time(), 0.0);
+    for (h, end) in
+        [(0.0, 1.0), (-1.0, 1.0), (f64::NAN, 1.0), (1.0, f64::NAN), (1.0, f64::INFINITY), (1e-300, 1.0)]
+    {
+        let mut stepper = stepper.clone();
+        let first: Vec<_> = stepper.run_until(h, end).take(3).collect();
+        if h == 1e-300 {
+            // From time 0 it moves, but never arrives.
+            continue;
+        }
+        assert!(first.len() == 1 && first[0].is_err(), "{h} {end}: {first:?}");
+    }
+    // A refused step leaves the body where it was.
+    let before = stepper.state();
+    assert!(stepper.step(1e6).is_err());
+    assert_eq!((stepper.state(), stepper.time()), (before, 0.0));
+    assert_eq!(stepper.run(1e6, 10).count(), 1);
+}
+
+#[test]
+fn single_precision_follows_double_for_every_method_and_refuses_what_it_cannot_hold() {
+    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+    let omega = Vector3::new(0.5, 1.0, -0.25);
+    let body = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &omega).unwrap();
+    for &method in Method::ALL {
+        let mut single = Stepper::<f32>::new(&body, method)
+            .unwrap()
+            .with_torques([Torque::gravity(Vector3::x(), 0.1)])
+            .unwrap();
+        let mut double = Stepper::<f64>::new(&body, method)
+            .unwrap()
+            .with_torques([Torque::gravity(Vector3::x(), 0.1)])
+            .unwrap();
+        for (a, b) in single.run(0.0625, 100).zip(double.run(0.0625, 100)) {
+            let (a, b) = (a.unwrap(), b.unwrap());
+            let a = State { attitude: a.attitude.cast(), momentum: a.momentum.cast() };
+            assert!(apart(&a, &b) < 1e-4, "{method:?} {}", apart(&a, &b));
+        }
+        let off = single.body().unwrap().attitude().angle_to(&double.body().unwrap().attitude());
+        assert!(off < 1e-3, "{method:?} {off}");
+    }
+    let mut single = Stepper::<f32>::fixed_rate(&body).unwrap();
+    let mut double = Stepper::<f64>::fixed_rate(&body).unwrap();
+    for _ in 0..600 {
+        single.step(1.0 / 64.0).unwrap();
+        double.step(1.0 / 64.0).unwrap();
+    }
+    assert!((single.omega().cast() - double.omega()).norm() < 1e-4);
+    let small = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5) * 1e-42, &axes), axes, &omega).unwrap();
+    assert_eq!(Stepper::<f32>::new(&small, Method::Buss).unwrap_err().kind(), ErrorKind::Unrepresentable);
+    assert!(Stepper::<f64>::new(&small, Method::Buss).is_ok());
+}
+
+/// Errors at `t` in `count` steps and in twice as many, as a power of two.
+fn order(
+    method: Option<Method>,
+    body: &Body,
+    torque: &Torque<f64>,
+    truth: &State<f64>,
+    t: f64,
+    count: u32,
+) -> (f64, f64) {
+    let error = |count: u32| {
+        let stepper = match method {
+            Some(method) => Stepper::new(body, method),
+            None => Stepper::fixed_rate(body),
+        };
+        let mut stepper = stepper.unwrap().with_torques([torque.clone()]).unwrap();
+        let end = stepper.run(t / f64::from(count), count as usize).last().unwrap().unwrap();
+        apart(&end, truth)
+    };
+    let errors = [error(count), error(2 * count)];
+    ((errors[0] / errors[1]).log2(), errors[1])
+}
+
+/// What a method's order is under a torque.
+fn claimed(method: Option<Method>) -> f64 {
+    match method {
+        Some(
+            Method::RungeKutta4
+            | Method::DormandPrince5
+            | Method::MuntheKaas4
+            | Method::Gauss4
+            | Method::Gauss6
+            | Method::TurnedRungeKutta4,
+        ) => f64::from(method.unwrap().info().order),
+        Some(method) => f64::from(method.info().order.min(2)),
+        None => 2.0,
+    }
+}
+
+fn all() -> impl Iterator<Item = Option<Method>> {
+    let to_the_truth = Method::ALL.iter().filter(|method| method.info().order > 0);
+    to_the_truth.copied().map(Some).chain([None])
+}
+
+#[test]
+fn under_a_cosine_torque_about_a_principal_axis_every_method_has_its_order() {
+    // I w' = a cos(b t): w = w0 + a sin(b t) / (b I), angle = w0 t + a (1 - cos(b t)) / (b^2 I).
+    let (moment, spin, a, b, t) = (2.5, 0.7, 1.5, 3.0_f64, 2.0);
+    let inertia = Inertia::from_moments(1.0, 2.0, moment).unwrap();
+    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, spin)).unwrap();
+    let torque = Torque::function(move |time: f64, _, _| Vector3::z() * (a * (b * time).cos()));
+    let angle = spin * t + a * (1.0 - (b * t).cos()) / (b * b * moment);
+    let truth = State {
+        attitude: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner(),
+        momentum: Vector3::z() * (moment * spin + a * (b * t).sin() / b),
+    };
+    for method in all() {
+        let said = claimed(method);
+        let count = if said > 3.0 { 16 } else { 256 };
+        let (seen, error) = order(method, &body, &torque, &truth, t, count);
+        // About one axis some errors cancel, and the order is higher.
+        assert!(seen > said - 0.2 || error < 1e-12, "{method:?}: {seen}, {error:e}");
+        assert!(error < if said > 1.0 { 1e-4 } else { 2e-2 }, "{method:?}: {error:e}");
+    }
+}
+
+#[test]
+fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
+    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+    let body =
+        Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::new(0.9, 1.1, -0.7))
+            .unwrap();
+    let law = |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
+        rotation.tr_mul(&Vector3::new((2.0 * time).sin(), 0.3, 0.5 * time.cos()))
+            - omega.component_mul(&Vector3::new(0.2, 0.1, 0.3)) * omega.norm()
+    };
+    // The truth by a fine adaptive run along the principal axes, with the law written for them.
+    let t = 1.0;
+    let principal = body.inertia().principal();
+    let (frame, turn) = (principal.frame(), principal.rotation());
+    let turned = Torque::function(move |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
+        frame.tr_mul(&law(time, &(rotation * frame.transpose()), &(frame * omega)))
+    });
+    let system = System::with(principal.moments().try_into().unwrap(), vec![turned]).unwrap();
+    let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14).unwrap().end;
+    let truth = seen_along(&end, &turn.inverse());
+    for method in all() {
+        let said = claimed(method);
+        let count = if said > 5.5 {
+            6
+        } else if said > 3.0 {
+            24
+        } else {
+            200
+        };
+        let (seen, error) = order(method, &body, &Torque::function(law), &truth, t, count);
+        assert!((seen - said).abs() < 0.3, "{method:?}: {seen} for {said}, {error:e}");
+    }
+}
+
+#[test]
+fn a_kick_by_a_law_without_the_spin_leaves_a_reversible_method_reversible() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(0.9, 1.1, -0.7),
+    )
+    .unwrap();
+    let wind = Torque::function(|time: f64, rotation, _| {
+        rotation.tr_mul(&Vector3::new(time.sin(), 0.3, time * 0.1))
+    });
+    for method in
+        [Method::RotationSplitting4, Method::MoserVeselov10, Method::SymmetricTop, Method::ImplicitMidpoint]
+    {
+        let mut stepper = Stepper::new(&body, method).unwrap().with_torques([wind.clone()]).unwrap();
+        assert_eq!(stepper.run(0.1, 50).chain([]).filter(Result::is_ok).count(), 50);
+        assert!(apart(&stepper.state(), &body.state()) > 0.1);
+        assert_eq!(stepper.run(-0.1, 50).filter(Result::is_ok).count(), 50);
+        assert!(apart(&stepper.state(), &body.state()) < 1e-12, "{method:?}");
+    }
+}
+
+#[test]
+fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused_and_bad_torques_by_name() {
+    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+    let body = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::x()).unwrap();
+    let stepper = Stepper::<f64>::new(&body, Method::Buss).unwrap();
+    let refused = stepper.clone().with_torques([Torque::Damping(Vector3::new(0.1, 0.2, 0.3))]);
+    assert!(refused.unwrap_err().to_string().contains("damping"));
+    assert!(stepper.clone().with_torques([Torque::Damping(Vector3::repeat(0.1))]).is_ok());
+    assert!(
+        stepper
+            .clone()
+            .with_torques([Torque::Dissipation(-1.0)])
+            .unwrap_err()
+            .to_string()
+            .contains("dissipation")
+    );
+    assert!(stepper.with_torques([Torque::InBody(Vector3::x() * f64::NAN)]).is_err());
+}
+
+fn finite(state: &State<f64>) -> bool {
+    state.attitude.coords.iter().chain(&state.momentum).all(|x| x.is_finite())
+}
+
+#[test]
+fn an_adaptive_run_is_finite_or_refused_and_soon() {
+    let moments = Vector3::new(1.0, 2.0, 2.5);
+    let start = |l: Vector3<f64>| State { attitude: Quaternion::identity(), momentum: l };
+    let lossy = |torque| System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
+    // Came out as NaN: an error that was NaN counted as none.
+    let fast = start(Vector3::new(1.0, 1e6, 1.0));
+    let refused = adaptive(&lossy(Torque::Dissipation(1.0)), &fast, 6e-3, 1e-4).unwrap_err();
+    assert_eq!(refused.kind(), ErrorKind::TooMany, "{refused}");
+    assert!(refused.to_string().contains("losses"), "{refused}");
+    let free = System::free(moments.try_into().unwrap()).unwrap();
+    assert!(adaptive(&free, &start(Vector3::new(1.0, 2.0, 3.0) * 1e203), 1e-200, 1e-4).is_err());
+    // Stiff, and back in time: each took half a minute.
+    let slow = start(Vector3::new(1.0, 2.0, 3.0));
+    for (torque, duration) in [
+        (Torque::Damping(moments * 1e9), 1.0),
+        (Torque::Dissipation(1e9), 1.0),
+        (Torque::Dissipation(1e9), -1.0),
+    ] {
+        let mut budget = 1_000_000;
+        let run = adaptive_within(&lossy(torque.clone()), &slow, duration, 1e-6, &mut budget);
+        assert_eq!(run.unwrap_err().kind(), ErrorKind::TooMany, "{torque:?} {duration}");
+        // Seen long before the budget is spent.
+        assert!(budget > 990_000, "{torque:?} {duration}: {budget} left");
+    }
+    // Damping winds the body up without bound: the law is not stiff, the spin is fast, and the budget ends it.
+    let wound = adaptive_within(&lossy(Torque::Damping(moments * 1e9)), &slow, -1.0, 1e-6, &mut 20_000);
+    assert_eq!(wound.unwrap_err().kind(), ErrorKind::TooMany);
+    // A stiff run that the budget allows is finished all the same.
+    let run = adaptive(&lossy(Torque::Damping(moments * 1e3)), &slow, 1.0, 1e-6).unwrap();
+    assert!(run.end.momentum.norm() < 1e-5 && run.steps > 200, "{run:?}");
+    // And a budget is kept.
+    let mut budget = 100;
+    let refused = adaptive_within(&free, &slow, 1e4, 1e-9, &mut budget).unwrap_err();
+    assert!(refused.to_string().contains("100 steps"), "{refused}");
+    assert_eq!(budget, 0);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    /// Extreme moments, spins, steps, times and torques, by all methods.
+    #[test]
+    fn no_numbers_make_a_stepper_panic_or_answer_with_what_is_no_number(
+        moments in any_vector(),
+        [momentum, torque, field] in [any_vector(), any_vector(), any_vector()],
+        axes in attitude(),
+        h in anything(),
+        tolerance in anything(),
+        leaning in any::<bool>(),
+    ) {
+        let inertia = if leaning {
+            let turn = axes.to_rotation_matrix();
+            Inertia::from_matrix(&(turn * Matrix3::from_diagonal(&moments) * turn.transpose()))
+        } else {
+            Inertia::from_moments(moments.x, moments.y, moments.z)
+        };
+        let inertia = inertia.unwrap_or(Inertia::from_moments(1.0, 2.0, 2.5).unwrap());
+        let Ok(body) = Body::new(inertia, axes, &momentum) else { return Ok(()) };
+        let kinds = [
+            Torque::InBody(torque),
+            Torque::InWorld(torque),
+            Torque::Aligning { arm: torque, field },
+            Torque::Damping(Vector3::repeat(torque.x.abs())),
+            Torque::Dissipation(torque.y.abs()),
+            Torque::function(move |time: f64, rotation, omega| rotation.tr_mul(&field) * time - omega.component_mul(&torque)),
+        ];
+        for torque in kinds {
+            for method in all() {
+                let stepper = method.map_or_else(|| Stepper::fixed_rate(&body), |method| Stepper::new(&body, method));
+                let Ok(mut stepper) = stepper.and_then(|stepper| stepper.with_torques([torque.clone()])) else { continue };
+                for state in stepper.run(h, 2) {
+                    prop_assert!(state.as_ref().map_or(true, finite), "{method:?} {torque:?}: {state:?}");
+                }
+                let _ = stepper.body();
+                let single = method.map_or_else(|| Stepper::<f32>::fixed_rate(&body), |method| Stepper::new(&body, method));
+                if let Ok(mut single) = single {
+                    for state in single.run(h as f32, 2).flatten() {
+                        prop_assert!(state.momentum.iter().all(|x| x.is_finite()), "{method:?}");
+                    }
+                }
+            }
+            if let Ok(system) = PrincipalMoments::try_from(moments).and_then(|moments| System::with(moments, vec![torque.clone()])) {
+                let start = State { attitude: axes.into_inner(), momentum };
+                let run = adaptive_within(&system, &start, h, tolerance.abs(), &mut 300);
+                prop_assert!(run.as_ref().map_or(true, |run| finite(&run.end)), "{torque:?}: {run:?}");
+            }
+        }
+    }
+}
