@@ -3,5 +3,6 @@
 
 pub mod euler;
 pub mod observe;
+pub mod polhode;
 pub(crate) mod regime;
 pub mod stability;

@@ -2,8 +2,7 @@
 
 mod refusal;
 
-#[doc(hidden)]
-pub use refusal::Refusal;
+pub(crate) use refusal::Refusal;
 
 use std::fmt;
 
@@ -35,8 +34,8 @@ pub enum ErrorKind {
     NotInvertible,
     /// The result is beyond what a finite, nonzero `f64` holds with all its digits.
     Unrepresentable,
-    /// A vector without length where a direction is needed.
-    NoDirection,
+    /// The input leaves open what is requested: the direction of a vector of length zero, say.
+    Undefined,
     /// An iteration did not converge.
     NotConverged,
     /// More was requested than there is memory to hold, or than the steps allowed reach.
@@ -75,13 +74,6 @@ impl Error {
     pub(crate) fn of_part(self, index: usize) -> Self {
         Refusal::Part { index, source: Box::new(self) }.into()
     }
-
-    /// What scenes match on.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn refusal(&self) -> &Refusal {
-        &self.refusal
-    }
 }
 
 impl From<Refusal> for Error {
@@ -99,10 +91,7 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.refusal {
-            Refusal::Part { source, .. }
-            | Refusal::OffCentre { source, .. }
-            | Refusal::OfBody { source, .. }
-            | Refusal::OfTorque { source, .. } => Some(source.as_ref()),
+            Refusal::Part { source, .. } | Refusal::OffCentre { source, .. } => Some(source.as_ref()),
             _ => None,
         }
     }

@@ -43,7 +43,7 @@ use crate::error::{Error, Refusal, finite, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use circulating::Elliptic;
-pub(crate) use elementary::{Precession, Turn, scaled};
+use elementary::{Precession, Turn, scaled};
 use flips::Clock;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 

@@ -30,9 +30,7 @@
 //! - [`inertia`]: the tensor: apply, invert once, shift, turn to the world. [`PrincipalAxes`] follow from it.
 //! - [`body`]: inertia, attitude and angular momentum; the spin is derived. [`body::named`] has ready ones.
 //! - [`dynamics`]: Euler's equations, stability, what to read off a motion.
-//! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong. [`flow`]: exact flow between
-//!   kicks of torque.
-//! - [`scene`]: what is asked of which bodies, answered in the cheapest way that is accurate enough.
+//! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong.
 //!
 //! # Conventions
 //!
@@ -58,11 +56,9 @@
 pub mod body;
 pub mod dynamics;
 pub mod exact;
-pub mod flow;
 pub mod inertia;
 pub mod number;
 pub mod references;
-pub mod scene;
 pub mod solid;
 pub mod step;
 
@@ -71,8 +67,6 @@ mod error;
 mod serial;
 
 pub use body::{Body, Rate, State};
-#[doc(hidden)]
-pub use error::Refusal;
 pub use error::{Error, ErrorKind};
 pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

@@ -1,7 +1,7 @@
 //! Solids: from a shape to its mass, its centre, and how hard it is to turn.
 //!
 //! Each shape is checked when it is made; then [`Solid::with_mass`] or [`Solid::with_density`] gives its
-//! [`MassProperties`]. Beside each shape stands its formula, generic over the number type (such as
+//! [`MassProperties`]. Next to each shape stands its formula, generic over the number type (such as
 //! [`cuboid_moments`]): the shape itself calls that very function. [`Compound`] puts parts together.
 //!
 //! ```

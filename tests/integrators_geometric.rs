@@ -246,8 +246,7 @@ fn with_a_torque_gauss_keeps_its_order_and_the_others_have_two() {
         assert!((order - said).abs() < 0.1, "{method:?}: {order}");
     }
     type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> Result<State<f64>, Error>;
-    let others: [&Step; 3] =
-        [&fixed_rate, &tumbling::flow::step, &|system, motion, h| Method::Buss.step(system, motion, h)];
+    let others: [&Step; 2] = [&fixed_rate, &|system, motion, h| Method::Buss.step(system, motion, h)];
     for (k, step) in others.into_iter().enumerate() {
         let played = |n: usize| (0..n).try_fold(start, |m, _| step(&system, &m, 1.0 / n as f64)).unwrap();
         let errors = [100, 200].map(|n| apart(&played(n), &truth));

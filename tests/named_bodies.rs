@@ -1,7 +1,8 @@
 //! The book's named bodies: what they weigh, how they lie, and how near they are to measured ones.
 
 use nalgebra::Vector3;
-use tumbling::{Axis, body::named};
+use tumbling::Axis;
+use tumbling::body::named::{self, Part};
 
 #[test]
 fn every_named_body_flips_about_x_and_lies_along_z() {
@@ -171,4 +172,37 @@ fn the_tennis_racket_is_its_hoop_strings_throat_and_handle() {
     let expected = Vector3::new(long + thick, wide + long, wide + thick);
     let tensor = racket.inertia().matrix();
     assert!((tensor - nalgebra::Matrix3::from_diagonal(&expected)).amax() < 1e-15, "{tensor} {expected}");
+}
+
+#[test]
+fn the_parts_of_a_body_weigh_what_it_weighs_and_their_middles_share_its_centre() {
+    for body in named::all() {
+        let (whole, parts) = (body.properties().unwrap(), body.parts());
+        let mass: f64 = parts.iter().map(Part::mass).sum();
+        assert!((mass / whole.mass() - 1.0).abs() < 1e-13, "{}: {mass} {}", body.name(), whole.mass());
+        let moment: Vector3<f64> = parts.iter().map(|part| part.middle * part.mass()).sum();
+        assert!((moment / mass - whole.centre()).amax() < 1e-14, "{}", body.name());
+        for part in &parts {
+            let [from, to] = part.ends();
+            assert!(((to - from).norm() - part.length()).abs() < 1e-15, "{} {}", body.name(), part.name);
+            // Its own z axis lies along it, its own y along the body's.
+            let (z, y) = (part.attitude() * Vector3::z(), part.attitude() * Vector3::y());
+            assert!((z * part.length() - part.along).amax() < 1e-15, "{} {}", body.name(), part.name);
+            assert!((y - Vector3::y()).amax() < 1e-15, "{} {}", body.name(), part.name);
+            assert!((part.properties().unwrap().mass() / part.mass() - 1.0).abs() < 1e-14, "{}", part.name);
+        }
+    }
+}
+
+#[test]
+fn an_even_box_has_the_moments_of_the_body_that_is_made_of_it() {
+    for (even, body) in [
+        (named::THE_BOX, named::the_box()),
+        (named::BOOK, named::book()),
+        (named::PHONE, named::phone()),
+        (named::REMOTE_CONTROL, named::remote_control()),
+    ] {
+        let expected = body.unwrap().inertia().matrix().diagonal();
+        assert!((even.moments() - expected).amax() <= 2e-16 * expected.amax(), "{even:?}");
+    }
 }

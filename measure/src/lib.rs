@@ -9,7 +9,7 @@
 //! heads say what, when, on which machine. The figures and the chapter of the book are made from those files.
 //!
 //! How many bodies a second, and what is left of that when there are millions, [`scale`] measures.
-//! [`savings`] counts what a [scene](tumbling::scene) costs by what is asked of it.
+//! [`savings`] counts what a [scene](tumbling_scenes::Scene) costs by its outputs.
 //!
 //! The [`atlas`] asks another question, without a clock: what becomes of each method on each hard case.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]

@@ -1,4 +1,4 @@
-//! What a scene costs by what is asked of it, in processor instructions; and what each part of the workspace adds to a build.
+//! What a scene costs by its outputs, in processor instructions; and what each part of the workspace adds to a build.
 //!
 //! Two tables in one record: `executed` (counted by valgrind, the same to a few in every run) and `compiled` (crates, and seconds of a build).
 //! Each run renews its own tables and leaves the others as they are.
@@ -10,9 +10,8 @@ use std::hint::black_box;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
-use tumbling::Error;
-use tumbling::scene::{Scene, Times, Toss, Wants};
 use tumbling::step::Torque;
+use tumbling_scenes::{Error, InitialState, Outputs, Scene, Times};
 
 /// One number of one table.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,9 +74,9 @@ pub fn scenes() -> Result<Vec<Counted>, Error> {
     let (ball, coin) = (Vector3::new(0.4, 0.4, 0.4), Vector3::new(0.5, 0.5, 1.0));
     let (tumbling, along, oblique) =
         (Vector3::new(1.0, 0.01, 0.01), Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.3, 0.2, 1.0));
-    let spin = Wants { spin: true, ..Wants::NOTHING };
-    let both = Wants { attitude: true, ..spin };
-    let kept = Wants { energy: true, flips: true, ..Wants::NOTHING };
+    let spin = Outputs { spin: true, ..Outputs::NOTHING };
+    let both = Outputs { attitude: true, ..spin };
+    let kept = Outputs { energy: true, flips: true, ..Outputs::NOTHING };
     let free = [
         ("energy and flips alone", uneven, tumbling, kept),
         ("ball; spin alone", ball, oblique, spin),
@@ -93,14 +92,16 @@ pub fn scenes() -> Result<Vec<Counted>, Error> {
     let times = || Times::every(APART, end);
     let mut scenes = Vec::new();
     for (name, moments, omega, wants) in free {
-        let scene = Scene::new(vec![Toss::spinning(moments, omega)], Vec::new(), times(), wants, 1e-9)?;
+        let scene =
+            Scene::new(vec![InitialState::spinning(moments, omega)], Vec::new(), times(), wants, 1e-9)?;
         scenes.push(Counted { name, scene });
     }
     let weight = || vec![Torque::gravity(Vector3::new(0.05, 0.0, 0.1), 0.5)];
     for (name, accuracy) in
         [("three moments and a weight; to 1e-2", 1e-2), ("three moments and a weight; to 1e-8", 1e-8)]
     {
-        let scene = Scene::new(vec![Toss::spinning(uneven, tumbling)], weight(), times(), both, accuracy)?;
+        let scene =
+            Scene::new(vec![InitialState::spinning(uneven, tumbling)], weight(), times(), both, accuracy)?;
         scenes.push(Counted { name, scene });
     }
     Ok(scenes)

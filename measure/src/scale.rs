@@ -12,9 +12,9 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use tumbling::exact::{Batch, Spins};
-use tumbling::scene::{Scene, Times, Toss, Wants};
-use tumbling_scenes::crowd::{self, Block};
-use tumbling_scenes::many::{Chunk, Four, Given, INSTANTS, Many, Want};
+use tumbling_scenes::batch::{self, Block};
+use tumbling_scenes::ensemble::{Chunk, Ensemble, FourLanes, INSTANTS, Solver};
+use tumbling_scenes::{InitialState, Outputs, Scene, Times};
 
 /// One crowd of one size.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,14 +111,15 @@ pub fn committed() -> Result<Record<Scale>, Wrong> {
 /// come mixed.
 #[must_use]
 #[allow(clippy::cast_precision_loss)]
-pub fn body(k: usize) -> Given {
+pub fn body(k: usize) -> InitialState {
     // Multiples of irrational numbers, less their whole parts, fill the unit cube evenly.
     let part = |n: i32| (k as f64 * 0.851_799_642_079_243_f64.powi(n)).fract();
     let sides = [part(1), part(2), part(3)].map(|x| (1.0 + 2.0 * x).powi(2));
     let moments = Vector3::new(sides[1] + sides[2], sides[2] + sides[0], sides[0] + sides[1]) / 12.0;
     let omega = Vector3::new(part(4) - 0.5, part(5) - 0.5, part(6) - 0.5) * 10.0;
     let angles = [part(7), part(8), part(9)].map(|x| 6.0 * x);
-    Given { moments, omega, attitude: UnitQuaternion::from_euler_angles(angles[0], angles[1], angles[2]) }
+    let attitude = UnitQuaternion::from_euler_angles(angles[0], angles[1], angles[2]);
+    InitialState { attitude, ..InitialState::spinning(moments, omega) }
 }
 
 /// Who is measured: a name, lanes, threads, instants in a pass, and how to prepare a pass over so many bodies.
@@ -178,12 +179,12 @@ impl Digest for Vector3<f64> {
 }
 
 /// The exact motion, prepared as `W` and asked at `instants` times in a pass, with `run` to see it through.
-fn ready<'a, W: Want + 'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a>
+fn ready<'a, W: Solver + 'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a>
 where
     W::Answer: Digest,
 {
-    let many = Many::<W>::prepare(bodies, body, |_| {});
-    let bytes = many.bytes();
+    let ensemble = Ensemble::<W>::prepare(bodies, body, |_| {});
+    let bytes = ensemble.bytes();
     let pass = move |k: u32| {
         #[allow(clippy::cast_precision_loss)]
         let times: Vec<f64> = (0..instants).map(|n| 1.0 + 0.37 * n as f64 + f64::from(k)).collect();
@@ -193,7 +194,7 @@ where
             digest.fetch_xor(black_box(last).to_bits(), Ordering::Relaxed);
         };
         let times = black_box(times);
-        run(&mut || drop(many.each(&times, |_| {}, put)));
+        run(&mut || drop(ensemble.each(&times, |_| {}, put)));
         black_box(digest.into_inner());
     };
     Ready { pass: Box::new(pass), bytes: Some(bytes) }
@@ -201,22 +202,18 @@ where
 
 /// A scene of as many bodies, planned and answered anew in each pass.
 fn scene<'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a> {
-    let toss = |k| {
-        let Given { moments, omega, attitude } = body(k);
-        Toss { attitude, ..Toss::spinning(moments, omega) }
-    };
-    let tosses: Vec<Toss> = (0..bodies).map(toss).collect();
-    let wants = Wants { spin: true, attitude: true, ..Wants::NOTHING };
+    let states: Vec<InitialState> = (0..bodies).map(body).collect();
+    let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
     let pass = move |k: u32| {
         #[allow(clippy::cast_precision_loss)]
         let times = (0..instants).map(|n| 1.0 + 0.37 * n as f64 + f64::from(k)).collect();
-        let scene = Scene::new(tosses.clone(), Vec::new(), Times::Given(times), wants, 1e-9);
+        let scene = Scene::new(states.iter().copied(), Vec::new(), Times::Given(times), outputs, 1e-9);
         let digest = |block: &Block<'_>| {
             black_box(block.answers.last().copied().flatten());
         };
         run(&mut || {
             if let Ok(scene) = &scene {
-                crowd::run(scene, digest, |()| ControlFlow::Continue(()));
+                batch::run(scene, digest, |()| ControlFlow::Continue(()));
             }
         });
     };
@@ -230,7 +227,7 @@ pub type Run<'r> = dyn Fn(&mut (dyn FnMut() + Send)) + Sync + 'r;
 #[must_use]
 pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
     const MOST: usize = 10_000_000;
-    type Instants = Batch<Four>;
+    type Instants = Batch<FourLanes>;
     let mut all = vec![
         Crowd {
             name: "spin and attitude",
@@ -254,7 +251,7 @@ pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
             threads: 1,
             instants: INSTANTS,
             most: MOST,
-            prepare: Box::new(move |n| ready::<Spins<Four>>(n, INSTANTS, one)),
+            prepare: Box::new(move |n| ready::<Spins<FourLanes>>(n, INSTANTS, one)),
         },
         Crowd {
             name: "spin",
@@ -511,8 +508,7 @@ mod tests {
     fn bodies_of_the_crowd_are_possible_and_of_both_kinds_of_circulation() {
         let mut kinds = [0, 0];
         for k in 1..2000 {
-            let Given { moments, omega, .. } = body(k);
-            let motion = tumbling::exact::FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap();
+            let motion = body(k).motion().unwrap();
             if let tumbling::exact::Regime::Circulating { about, .. } = motion.regime() {
                 kinds[usize::from(about == tumbling::Axis::Largest)] += 1;
             }

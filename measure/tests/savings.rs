@@ -1,9 +1,9 @@
 //! What each thing left out saves: the record of counted instructions, held to what the library does today. That the counts themselves are
 //! those of today is checked by `measure scenes --check`, which needs valgrind and fails without it.
 
-use tumbling::scene::Way;
 use tumbling_measure::record;
 use tumbling_measure::savings::{CRATES, GENERAL, MORE, PLAN, STATE, differences, renewed, scenes, value};
+use tumbling_scenes::Strategy;
 
 fn count(row: &str, what: &str) -> f64 {
     value(&record::scenes().unwrap().rows, "executed", row, what)
@@ -35,25 +35,27 @@ fn whatever_is_left_out_makes_a_state_cheaper() {
     }
 }
 
-/// The record's rows are the scenes of today, and each is answered in the way that its name says.
+/// The record's rows are the scenes of today, and each is answered by the strategy that its name says.
 #[test]
-fn the_record_is_of_the_ways_that_are_taken_today() {
-    let expected = |name: &str, way: &Way| match name {
-        "energy and flips alone" => matches!(way, Way::Nothing),
-        "ball; spin alone" | "principal spin; spin alone" => matches!(way, Way::Constant { .. }),
-        "ball" | "principal spin" => matches!(way, Way::Rotation(_)),
-        "two equal moments" | "two equal moments; spin alone" => matches!(way, Way::SymmetricTop(_)),
-        "three moments; spin alone" => matches!(way, Way::EllipticSpin(_)),
-        "three moments" => matches!(way, Way::Elliptic(_)),
-        "three moments and a weight; to 1e-2" => matches!(way, Way::Stepper(_)),
-        "three moments and a weight; to 1e-8" => matches!(way, Way::Controlled(_)),
+fn the_record_is_of_the_strategies_that_are_chosen_today() {
+    let expected = |name: &str, strategy: &Strategy| match name {
+        "energy and flips alone" => matches!(strategy, Strategy::Nothing),
+        "ball; spin alone" | "principal spin; spin alone" => matches!(strategy, Strategy::Constant { .. }),
+        "ball" | "principal spin" => matches!(strategy, Strategy::Rotation(_)),
+        "two equal moments" | "two equal moments; spin alone" => {
+            matches!(strategy, Strategy::SymmetricTop(_))
+        }
+        "three moments; spin alone" => matches!(strategy, Strategy::EllipticSpin(_)),
+        "three moments" => matches!(strategy, Strategy::Elliptic(_)),
+        "three moments and a weight; to 1e-2" => matches!(strategy, Strategy::FixedStep(_)),
+        "three moments and a weight; to 1e-8" => matches!(strategy, Strategy::Adaptive(_)),
         other => panic!("{other}"),
     };
     let scenes = scenes().unwrap();
     assert_eq!(scenes.len(), 11);
     for one in &scenes {
         let plan = one.scene.plan(0).unwrap();
-        assert!(expected(one.name, plan.way()), "{}: {}", one.name, plan.explain());
+        assert!(expected(one.name, plan.strategy()), "{}: {}", one.name, plan.explain());
     }
 }
 

@@ -8,10 +8,10 @@
 //!
 //! With `--features tumbling-scenes/threads` a scene of many bodies is shared out over the processor's cores.
 //!
-//! The columns are those asked for: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
+//! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
 //! the angle between spin and momentum, rad. Lines are in order of time, all bodies at each; of more than 256 bodies, block by
 //! block. Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in the summary; where only they are
-//! asked for it is printed anyway.
+//! requested it is printed anyway.
 //!
 //! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering the others; a file that
 //! cannot be read, with 2.
@@ -22,17 +22,16 @@ use std::fmt::Write as _;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal as _, Write};
 use std::ops::ControlFlow;
 use std::process::ExitCode;
-use tumbling::Error;
-use tumbling::scene::{Answer, Plan, Wants};
-use tumbling_scenes::crowd::{self, Block};
+use tumbling_scenes::batch::{self, Block};
 use tumbling_scenes::file::{self, File};
+use tumbling_scenes::{Answer, Error, Outputs, Plan};
 
 const USAGE: &str = "usage: scene [--summary | --explain] FILE.toml";
 
 const HELP: &str = "
-FILE.toml says what there is and what is asked:
+FILE.toml has the bodies, the torques and what is requested:
 
-    accuracy = 1e-9              # of angles (rad), and of spin and energy beside their largest
+    accuracy = 1e-9              # of angles (rad), and of spin and energy relative to their largest
     span = 10.0                  # s
     every = 0.1                  # s; or instead of the two: times = [0.0, 0.5, 2.0]
     wants = [\"spin\", \"flips\"]  # of spin, attitude, energy, gap, flips, polhode
@@ -63,8 +62,8 @@ fn complain(line: &str) {
 }
 
 fn main() -> ExitCode {
-    let (show, path) = match asked() {
-        Ok(Some(asked)) => asked,
+    let (show, path) = match arguments() {
+        Ok(Some(arguments)) => arguments,
         Ok(None) => {
             let _ = writeln!(io::stdout(), "{USAGE}\n{HELP}");
             return ExitCode::SUCCESS;
@@ -76,7 +75,7 @@ fn main() -> ExitCode {
     };
     let name = path.to_string_lossy().into_owned();
     let text = std::fs::read_to_string(&path).map_err(|error| error.to_string());
-    let file = match text.and_then(|text| file::read(&text).map_err(|wrong| wrong.to_string())) {
+    let file = match text.and_then(|text| file::read(&text).map_err(|error| error.to_string())) {
         Ok(file) => file,
         Err(why) => {
             complain(&format!("{name}: {why}"));
@@ -97,8 +96,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// What to show of which file; none where help is asked for.
-fn asked() -> Result<Option<(Show, OsString)>, String> {
+/// What to show of which file; none where help is requested.
+fn arguments() -> Result<Option<(Show, OsString)>, String> {
     use lexopt::prelude::*;
     let mut parser = lexopt::Parser::from_env();
     let (mut show, mut path) = (Show::States, None);
@@ -114,37 +113,36 @@ fn asked() -> Result<Option<(Show, OsString)>, String> {
     path.map(|path| Some((show, path))).ok_or_else(|| "a file is missing".to_owned())
 }
 
-/// Writes the answers; how many bodies have none.
+/// Writes the answers; returns the number of bodies that have none.
 fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Result<usize> {
     let scene = &file.scene;
-    let wants = scene.wants();
-    let moves = wants.spin || wants.attitude || wants.energy || wants.gap;
-    let show = if show == Show::States && !moves { Show::Summary } else { show };
+    let outputs = scene.outputs();
+    let show = if show == Show::States && !outputs.states() { Show::Summary } else { show };
     if show == Show::States {
-        writeln!(out, "{}", columns(wants).join(","))?;
+        writeln!(out, "{}", columns(outputs).join(","))?;
     }
     if show == Show::States {
-        if wants.flips || wants.polhode {
+        if outputs.flips || outputs.polhode {
             complain(&format!("{name}: flips and polhode belong to no one time: see --summary"));
         }
         return states(file, name, out);
     }
     let mut failed = 0;
     let mut alike: Vec<(String, Vec<usize>)> = Vec::new();
-    for (index, (place, toss)) in file.bodies.iter().zip(scene.bodies()).enumerate() {
-        let mut told = |error: Error| {
+    for (index, place) in file.bodies.iter().enumerate() {
+        let mut report = |error: Error| {
             failed += 1;
-            complain(&format!("{name}: {}", place.wrong(toss, &error)));
+            complain(&format!("{name}: {}", place.error(&error)));
         };
         let plan = match scene.plan(index) {
             Ok(plan) => plan,
             Err(error) => {
-                told(error);
+                report(error);
                 continue;
             }
         };
         let done = match show {
-            Show::Summary => summary(&plan, index, wants, out)?,
+            Show::Summary => summary(&plan, index, outputs, out)?,
             _ => {
                 let text = plan.explain();
                 match alike.iter_mut().find(|(other, _)| *other == text) {
@@ -155,7 +153,7 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
             }
         };
         if let Err(error) = done {
-            told(tumbling::Refusal::OfBody { index, source: Box::new(error) }.into());
+            report(Error::Body { index, source: Box::new(error) });
         }
     }
     for (text, bodies) in alike {
@@ -179,12 +177,12 @@ fn names(bodies: &[usize]) -> String {
 fn states(file: &File, name: &str, out: &mut impl Write) -> io::Result<usize> {
     let bar = bar(file.scene.times().count().saturating_mul(file.scene.bodies().len() as u64));
     let (mut failed, mut written) = (0, Ok(()));
-    crowd::run(&file.scene, lines, |block| {
+    batch::run(&file.scene, lines, |block| {
         let (lines, states, wrong) = block;
         for (index, error) in wrong {
             failed += 1;
-            if let (Some(place), Some(toss)) = (file.bodies.get(index), file.scene.bodies().get(index)) {
-                bar.suspend(|| complain(&format!("{name}: {}", place.wrong(toss, &error))));
+            if let Some(place) = file.bodies.get(index) {
+                bar.suspend(|| complain(&format!("{name}: {}", place.error(&error))));
             }
         }
         written = out.write_all(lines.as_bytes());
@@ -195,7 +193,7 @@ fn states(file: &File, name: &str, out: &mut impl Write) -> io::Result<usize> {
     written.map(|()| failed)
 }
 
-/// A block as it is printed, how many states that is, and the bodies that went wrong.
+/// A block as it is printed, its number of states, and the bodies that have none.
 fn lines(block: &Block<'_>) -> (String, u64, Vec<(usize, Error)>) {
     let (mut text, mut count) = (String::new(), 0);
     for (body, state) in block.states() {
@@ -222,18 +220,18 @@ fn bar(length: u64) -> ProgressBar {
     ProgressBar::new(length).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-fn columns(wants: Wants) -> Vec<&'static str> {
+fn columns(outputs: Outputs) -> Vec<&'static str> {
     let mut names = vec!["body", "t [s]"];
-    if wants.spin {
+    if outputs.spin {
         names.extend(["wx [rad/s]", "wy [rad/s]", "wz [rad/s]"]);
     }
-    if wants.attitude {
+    if outputs.attitude {
         names.extend(["qw", "qx", "qy", "qz"]);
     }
-    if wants.energy {
+    if outputs.energy {
         names.push("kinetic energy [J]");
     }
-    if wants.gap {
+    if outputs.gap {
         names.push("gap [rad]");
     }
     names
@@ -242,7 +240,7 @@ fn columns(wants: Wants) -> Vec<&'static str> {
 fn summary(
     plan: &Plan<'_>,
     index: usize,
-    wants: Wants,
+    outputs: Outputs,
     out: &mut impl Write,
 ) -> io::Result<Result<(), Error>> {
     writeln!(out, "body {index}")?;
@@ -264,7 +262,7 @@ fn summary(
     if let Some(gap) = last.gap {
         writeln!(out, "  gap       {gap:.16e} rad")?;
     }
-    if wants.flips {
+    if outputs.flips {
         let flips = match plan.flips() {
             Ok(flips) => flips,
             Err(error) => return Ok(Err(error)),
@@ -274,7 +272,7 @@ fn summary(
             writeln!(out, "            at {flip:.16e} s")?;
         }
     }
-    if wants.polhode {
+    if outputs.polhode {
         let polhode = match plan.polhode() {
             Ok(polhode) => polhode,
             Err(error) => return Ok(Err(error)),

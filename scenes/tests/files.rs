@@ -3,9 +3,9 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::scene::{LetGo, Scene, Times, Toss, Wants};
 use tumbling::step::Torque;
 use tumbling_scenes::file::{read, write};
+use tumbling_scenes::{Error, InitialState, Outputs, Scene, Start, Times};
 
 /// Any finite number, the smallest and the largest too.
 fn number() -> impl Strategy<Value = f64> {
@@ -22,13 +22,13 @@ fn vector() -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(number()).prop_map(Vector3::from)
 }
 
-fn toss() -> impl Strategy<Value = Toss> {
+fn initial_state() -> impl Strategy<Value = InitialState> {
     (vector(), vector(), prop::array::uniform4(number()), vector(), any::<bool>()).prop_map(
-        |(moments, products, [w, x, y, z], start, spin)| Toss {
+        |(moments, products, [w, x, y, z], start, spin)| InitialState {
             moments,
             products,
             attitude: UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)),
-            with: if spin { LetGo::Spin(start) } else { LetGo::Momentum(start) },
+            start: if spin { Start::Spin(start) } else { Start::Momentum(start) },
         },
     )
 }
@@ -52,8 +52,8 @@ fn times() -> impl Strategy<Value = Times> {
     prop_oneof![given, (1e-3..10.0_f64, 0.0..1e3_f64).prop_map(|(step, span)| Times::Every { step, span })]
 }
 
-fn wants() -> impl Strategy<Value = Wants> {
-    prop::array::uniform6(any::<bool>()).prop_map(|[spin, attitude, energy, gap, flips, polhode]| Wants {
+fn outputs() -> impl Strategy<Value = Outputs> {
+    prop::array::uniform6(any::<bool>()).prop_map(|[spin, attitude, energy, gap, flips, polhode]| Outputs {
         spin,
         attitude,
         energy,
@@ -66,10 +66,10 @@ fn wants() -> impl Strategy<Value = Wants> {
 proptest! {
     #[test]
     fn what_is_written_reads_back_to_the_bit(
-        bodies in prop::collection::vec(toss(), 1..4), torques in prop::collection::vec(torque(), 0..4),
-        times in times(), wants in wants(), accuracy in 1e-15..0.9_f64,
+        bodies in prop::collection::vec(initial_state(), 1..4), torques in prop::collection::vec(torque(), 0..4),
+        times in times(), outputs in outputs(), accuracy in 1e-15..0.9_f64,
     ) {
-        let scene = Scene::new(bodies, torques, times, wants, accuracy).unwrap();
+        let scene = Scene::new(bodies, torques, times, outputs, accuracy).unwrap();
         let text = write(&scene);
         let back = read(&text).unwrap_or_else(|wrong| panic!("{wrong}\n{text}"));
         prop_assert_eq!(&back.scene, &scene, "{}", text);
@@ -108,34 +108,35 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
             "line 1, `accuracy`: a number is expected here, not a value of type string",
         ),
         (refusal("1e-9", "2.0"), "line 1, `accuracy`: the accuracy is 2.0"),
-        (refusal("1e-9", "1e-17"), "line 1, `accuracy`: an accuracy of 1e-17 is asked for"),
+        (refusal("1e-9", "1e-17"), "line 1, `accuracy`: an accuracy of 1e-17 is requested"),
         (refusal("span = 1.0", "span = -1.0"), "line 2, `span`: the span is -1.0: it must not be below zero"),
-        (refusal("every = 0.5\n", ""), "line 2, `span`: beside it `every` is missing"),
+        (refusal("every = 0.5\n", ""), "line 2, `span`: `every` is missing, which goes with it"),
         (refusal("every = 0.5", "every = 0"), "line 3, `every`: the time between states is 0.0"),
         (
             refusal("span = 1.0\nevery = 0.5", "times = [2.0, 1.0]"),
-            "line 2, `times`: a time is 2.0, larger than the one after it",
+            "line 2, `times`: a time is 2.0: it must not be larger than the one after it, 1.0",
         ),
         (refusal("span = 1.0", "times = [1.0]"), "line 2, `times`: either `times` or `every` and `span`"),
         (
             refusal("\"spin\"", "\"spni\""),
-            "line 4, `wants`: `spni` cannot be asked for. Did you mean `spin`?",
+            "line 4, `wants`: `spni` cannot be requested. Did you mean `spin`?",
         ),
         (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: 3 numbers are expected here, not 2"),
         (refusal("2.5]", "inf]"), "line 7, `moments`: inf is no finite number"),
         (refusal("2.5]", "1e999]"), "line 7"),
         (refusal("0.1, 1.0", "1e-400, 1.0"), "line 8, `spin`: 1e-400 is closer to zero"),
-        (refusal("spin = [0.1, 1.0, 0.2]\n", ""), "line 6: of this body `spin` or `momentum` is missing"),
+        (refusal("spin = [0.1, 1.0, 0.2]\n", ""), "line 6: `spin` or `momentum` of this body is missing"),
         (refusal("moments = [1", "moments = [1,, 1"), "line 7"),
         (torque("pull = [1, 0, 0]"), "line 7, `pull`: no such field."),
-        (torque("arm = [1, 0, 0]"), "line 7, `arm`: beside it `field` (N) is missing"),
+        (torque("arm = [1, 0, 0]"), "line 7, `arm`: `field` (N) is missing, which goes with it"),
         (torque("damping = [1, 0, -1]"), "line 7, `damping`: a damping coefficient is -1.0"),
-        (torque(""), "line 6: what this torque is"),
+        (torque(""), "line 6: the kind of this torque"),
         (torque("dissipation = 1\nin-body = [1, 0, 0]"), "line 6, `torque`: one kind of torque is expected"),
     ] {
         assert!(told.starts_with(expected), "{told}\nwhere expected: {expected}");
     }
-    assert_eq!(read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err().line, None);
+    let error = read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err();
+    assert!(matches!(error, Error::File { line: None, .. }), "{error}");
 }
 
 /// One of three torques, one field of a body: neither the first nor the list.
@@ -153,7 +154,7 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
     let body = |from: &str, to: &str| {
         let file = read(&GOOD.replacen(from, to, 1)).unwrap();
         let error = file.scene.plan(0).unwrap_err();
-        file.bodies[0].wrong(&file.scene.bodies()[0], &error).to_string()
+        file.bodies[0].error(&error).to_string()
     };
     for (told, expected) in [
         (body("2.5]", "9.5]"), "line 7, `moments`: body 0: no body has principal moments"),
@@ -174,7 +175,7 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
 }
 
 #[test]
-fn a_crowd_of_bodies_is_read_each_with_its_own_line() {
+fn many_bodies_are_read_each_with_its_own_line() {
     let head = "accuracy = 1e-9\ntimes = [1]\nwants = []\n";
     let body = "[[body]]\nmoments = [1, 2, 2.5]\nspin = [0, 1, 0]\n";
     let file = read(&(head.to_owned() + &body.repeat(100_000))).unwrap();

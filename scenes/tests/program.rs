@@ -112,7 +112,7 @@ fn a_file_that_cannot_be_read_ends_with_two() {
 
 /// Bodies that are answered alike are explained once.
 #[test]
-fn a_crowd_is_explained_kind_by_kind() {
+fn many_bodies_are_explained_kind_by_kind() {
     let ball = "[[body]]\nmoments = [1.0, 1.0, 1.0]\nspin = [0.0, 0.0, 1.0]\n";
     let odd = "[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [1.0, 2.0, 1.0]\n";
     let head = "accuracy = 1e-9\ntimes = [1.0]\nwants = [\"spin\"]\n";

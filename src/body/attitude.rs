@@ -118,7 +118,10 @@ pub(crate) fn matrix(attitude: &UnitQuaternion<f64>) -> Result<Matrix3<f64>, Err
 
 /// An attitude of length 1 to rounding: a quaternion stands for a turn by its direction alone, so a length that has
 /// drifted a little is divided out; one that is far off is refused.
-pub(crate) fn checked(attitude: &UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
+///
+/// # Errors
+/// A length that is not finite, or not 1 to a billionth.
+pub fn checked(attitude: &UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
     let q = attitude.quaternion();
     let norm = finite("the length of the attitude quaternion", q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {

@@ -5,8 +5,7 @@ use std::fmt;
 
 /// What was wrong, one variant for each sentence. Behind [`Error`], so that a sentence can gain a number without breaking anyone.
 #[derive(Debug, Clone, PartialEq)]
-#[doc(hidden)]
-pub enum Refusal {
+pub(crate) enum Refusal {
     NotFinite {
         what: &'static str,
         value: f64,
@@ -136,22 +135,6 @@ pub enum Refusal {
         index: usize,
         source: Box<Error>,
     },
-    OfBody {
-        index: usize,
-        source: Box<Error>,
-    },
-    OfTorque {
-        index: usize,
-        source: Box<Error>,
-    },
-    Unattainable {
-        asked: f64,
-        attainable: f64,
-    },
-    Disagreement {
-        asked: f64,
-        steps: usize,
-    },
     Undefined {
         what: &'static str,
         why: &'static str,
@@ -176,20 +159,16 @@ impl Refusal {
             | Self::OffCentre { .. } => ErrorKind::Impossible,
             Self::Singular { .. } => ErrorKind::NotInvertible,
             Self::OutOfRange { .. } => ErrorKind::Unrepresentable,
-            Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::NoDirection,
+            Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::Undefined,
             Self::TooMany { .. } | Self::Unfinished { .. } => ErrorKind::TooMany,
-            Self::NotConverged { .. } | Self::Unattainable { .. } | Self::Disagreement { .. } => {
-                ErrorKind::NotConverged
-            }
+            Self::NotConverged { .. } => ErrorKind::NotConverged,
             Self::BadFace { .. }
             | Self::OpenMesh { .. }
             | Self::FlippedFace { .. }
             | Self::RepeatedFace { .. }
             | Self::NoVolume { .. }
             | Self::MisplacedShell { .. } => ErrorKind::BadMesh,
-            Self::Part { source, .. } | Self::OfBody { source, .. } | Self::OfTorque { source, .. } => {
-                source.kind()
-            }
+            Self::Part { source, .. } => source.kind(),
         }
     }
 
@@ -217,10 +196,7 @@ impl Refusal {
             Self::OpenMesh { .. } => "an edge",
             Self::NoVolume { .. } => "the volume",
             Self::MisplacedShell { .. } => "a shell",
-            Self::Unattainable { .. } | Self::Disagreement { .. } => "the accuracy",
-            Self::Part { source, .. } | Self::OfBody { source, .. } | Self::OfTorque { source, .. } => {
-                source.subject()
-            }
+            Self::Part { source, .. } => source.subject(),
         }
     }
 }
@@ -327,18 +303,7 @@ impl fmt::Display for Refusal {
                  is flat, or its faces do not run counter-clockwise seen from outside"
             ),
             Self::Part { index, source } => write!(f, "part {index}: {source}"),
-            Self::OfBody { index, source } => write!(f, "body {index}: {source}"),
-            Self::OfTorque { index, source } => write!(f, "torque {index}: {source}"),
-            Self::Unattainable { asked, attainable } => write!(
-                f,
-                "an accuracy of {asked:e} is asked for, {:.1e} times finer than what can be had: {attainable:.1e}",
-                attainable / asked
-            ),
-            Self::Disagreement { asked, steps } => write!(
-                f,
-                "an accuracy of {asked:e} is asked for, but in {steps} steps on trial no two runs agreed to any digit"
-            ),
-            Self::Undefined { what, why } => write!(f, "{what} is asked for, but {why}"),
+            Self::Undefined { what, why } => write!(f, "{what} is undefined here: {why}"),
             Self::RepeatedFace { face, before, vertices: [a, b, c] } => {
                 write!(f, "face {face}, ({a}, {b}, {c}), is face {before} again: each must be listed once")
             }

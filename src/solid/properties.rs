@@ -1,4 +1,4 @@
-//! What a solid tells the rest of the library: mass, centre, inertia about the centre.
+//! What the rest of the library needs of a solid: mass, centre, inertia about the centre.
 
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
@@ -81,7 +81,7 @@ impl MassMoments<Extended> {
             tensor[(i, i)] = self.inertia[(i, i)].in_full("a moment of inertia")?;
         }
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-            // A product of inertia may be as small as it likes beside the moments.
+            // A product of inertia may be of any size below the moments.
             let product = self.inertia[(i, j)].finite("a product of inertia")?;
             (tensor[(i, j)], tensor[(j, i)]) = (product, product);
         }

@@ -12,8 +12,8 @@ use nalgebra::Vector3;
 use num_traits::Zero;
 use std::f64::consts::TAU;
 
-/// How far beside a face to look, in its heights: far enough that a slim face's own solid angle is clear of
-/// rounding, near enough to stay beside it. In a solid a point anywhere has winding number 0 or 1, so none
+/// How far from a face to look, in its heights: far enough that a slim face's own solid angle is clear of
+/// rounding, near enough to stay next to it. In a solid a point anywhere has winding number 0 or 1, so none
 /// is refused for this choice.
 const BESIDE: f64 = 1.0 / 1024.0;
 
@@ -62,7 +62,7 @@ struct Shell {
     /// The number of its first face in the whole mesh.
     first: usize,
     faces: Vec<[usize; 3]>,
-    /// The face beside which to look: the highest, since the slimmer the less clear.
+    /// The face next to which to look: the highest, since the slimmer the less clear.
     best: [usize; 3],
     low: Vector3<Extended>,
     high: Vector3<Extended>,

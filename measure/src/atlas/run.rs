@@ -4,10 +4,11 @@ use super::cases::Case;
 use super::{Fate, Precision, Runner};
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
+use tumbling::dynamics::observe;
 use tumbling::exact::FreeMotion;
 use tumbling::number::Analytic;
 use tumbling::step::{Method, State, System, Torque};
-use tumbling::{Error, dynamics::observe, flow};
+use tumbling_scenes::{Error, exact_drift};
 
 /// All that a judge needs of a run.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +31,7 @@ enum End {
 }
 
 impl Case {
-    fn system(&self) -> Result<System<f64>, Error> {
+    fn system(&self) -> Result<System<f64>, tumbling::Error> {
         let moments = Vector3::from(self.moments);
         if self.damping == 0.0 {
             return System::free(moments.try_into()?);
@@ -68,7 +69,7 @@ impl Case {
     }
 
     fn exactly(&self) -> End {
-        let result = self.system().and_then(|system| {
+        let result = self.system().map_err(Error::from).and_then(|system| {
             let start =
                 State { attitude: Quaternion::identity(), momentum: system.momentum(&self.omega.into()) };
             let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
@@ -77,7 +78,7 @@ impl Case {
                 #[allow(clippy::cast_precision_loss)] // at most 2e5
                 let t = self.step * k as f64;
                 if self.damping > 0.0 {
-                    kicked = flow::step(&system, &kicked, self.step)?;
+                    kicked = exact_drift::step(&system, &kicked, self.step)?;
                     return Ok(kicked);
                 }
                 let at = motion.at(t)?;

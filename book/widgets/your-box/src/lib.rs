@@ -39,7 +39,7 @@ fn words(why: &Error) -> [&'static str; 2] {
         ErrorKind::NotFinite => ": it must be a finite number",
         ErrorKind::OutOfBounds => ": it must be above zero",
         ErrorKind::Unrepresentable => BEYOND,
-        ErrorKind::NoDirection => " is the zero vector: it has no direction",
+        ErrorKind::Undefined => " is the zero vector: it has no direction",
         _ => ": there is no such body",
     };
     [why.subject(), rule]

@@ -1,4 +1,4 @@
-//! What can be wanted of many bodies.
+//! What answers many bodies at once.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::fmt::Debug;
@@ -6,13 +6,13 @@ use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Instant, Spins};
 use tumbling::number::Lane;
 
-/// What is wanted of every body, with what it takes prepared: [`Spins`] or a [`Batch`] of spins with attitudes, in as many lanes
-/// as a number type has.
-pub trait Want: Debug + Clone + Send + Sync {
-    /// What comes out for one body at one instant.
+/// Motions prepared to be answered side by side: their [`Spins`], or a [`Batch`] of spins with attitudes, in the lanes of a number
+/// type.
+pub trait Solver: Debug + Clone + Send + Sync {
+    /// The answer for one body at one instant.
     type Answer: Debug + Copy + PartialEq + Send + Sync;
 
-    /// What stands in the place of an answer where a body was refused: NaN throughout.
+    /// The answer for a body that was refused: NaN throughout.
     const REFUSED: Self::Answer;
 
     /// For these motions.
@@ -23,7 +23,7 @@ pub trait Want: Debug + Clone + Send + Sync {
     #[must_use]
     fn bytes(&self) -> usize;
 
-    /// `put` gets the number of the time, that of the body, and what came out.
+    /// `put` gets the number of the time, that of the body, and the answer.
     ///
     /// # Errors
     /// A time that is not finite.
@@ -32,7 +32,7 @@ pub trait Want: Debug + Clone + Send + Sync {
 
 const NAN: Vector3<f64> = Vector3::new(f64::NAN, f64::NAN, f64::NAN);
 
-impl<T: Lane + Send + Sync> Want for Batch<T> {
+impl<T: Lane + Send + Sync> Solver for Batch<T> {
     type Answer = Instant;
     const REFUSED: Instant = Instant {
         omega: NAN,
@@ -51,7 +51,7 @@ impl<T: Lane + Send + Sync> Want for Batch<T> {
     }
 }
 
-impl<T: Lane + Send + Sync> Want for Spins<T> {
+impl<T: Lane + Send + Sync> Solver for Spins<T> {
     type Answer = Vector3<f64>;
     const REFUSED: Vector3<f64> = NAN;
 

@@ -2,16 +2,15 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use std::ops::ControlFlow;
-use tumbling::Error;
-use tumbling::scene::{Answer, LetGo, Scene, Times, Toss, Wants, Way};
+
 use tumbling::step::Torque;
-use tumbling_scenes::crowd;
+use tumbling_scenes::{Answer, Error, InitialState, Outputs, Scene, Start, Strategy, Times, batch};
 
 type Answers = (Vec<(usize, Answer)>, Vec<(usize, Error)>);
 
 fn in_blocks(scene: &Scene) -> Answers {
     let (mut states, mut wrong): Answers = Default::default();
-    crowd::run(
+    batch::run(
         scene,
         |block| {
             (block.states().map(|(body, state)| (body, *state)).collect::<Vec<_>>(), block.wrong.to_vec())
@@ -45,7 +44,7 @@ fn bits(state: &Answer) -> Vec<Option<u64>> {
 }
 
 /// Balls, coins, spins about an axis, both kinds of circulation, a flipping body, one at rest; turned, tilted in its box, slow and fast.
-fn mixed(bodies: usize) -> Vec<Toss> {
+fn mixed(bodies: usize) -> Vec<InitialState> {
     let kinds: [([f64; 3], [f64; 3]); 8] = [
         ([2.0, 2.0, 2.0], [0.3, -1.0, 0.7]),
         ([1.0, 2.0, 2.5], [0.0, 0.0, 0.0]),
@@ -64,12 +63,12 @@ fn mixed(bodies: usize) -> Vec<Toss> {
         let attitude = UnitQuaternion::from_euler_angles(0.3 * turn, -0.1 * turn, turn);
         let moments = Vector3::from(moments);
         match k % 3 {
-            0 => Toss::spinning(moments, with),
-            1 => Toss { attitude, ..Toss::spinning(moments, with) },
+            0 => InitialState::spinning(moments, with),
+            1 => InitialState { attitude, ..InitialState::spinning(moments, with) },
             // Not along its principal axes, and let go with a momentum.
             _ => {
                 let products = Vector3::new(0.0625, -0.03125, 0.0625);
-                Toss { products, attitude, with: LetGo::Momentum(2.0 * with), moments }
+                InitialState { products, attitude, start: Start::Momentum(2.0 * with), moments }
             }
         }
     };
@@ -77,19 +76,19 @@ fn mixed(bodies: usize) -> Vec<Toss> {
 }
 
 #[test]
-fn a_crowd_answers_as_each_body_alone_whatever_is_asked() {
+fn a_batch_answers_as_each_body_alone_whatever_is_requested() {
     let mut tried = 0;
     for asked in 1_u8..16 {
         let on = |bit: u8| asked & bit != 0;
-        let wants = Wants { spin: on(1), attitude: on(2), energy: on(4), gap: on(8), ..Wants::NOTHING };
+        let outputs = Outputs { spin: on(1), attitude: on(2), energy: on(4), gap: on(8), ..Outputs::NOTHING };
         // A body at rest has no gap: it goes wrong, and alone.
-        let scene = Scene::new(mixed(300), vec![], Times::every(0.3, 10.0), wants, 1e-9).unwrap();
-        let (crowd, alone) = (in_blocks(&scene), one_by_one(&scene));
-        assert_eq!(crowd.1, alone.1, "{wants:?}");
-        assert_eq!(crowd.1.is_empty(), !wants.gap);
-        assert_eq!(crowd.0.len(), alone.0.len(), "{wants:?}");
-        for ((body, one), (other, two)) in crowd.0.iter().zip(&alone.0) {
-            assert_eq!((body, bits(one)), (other, bits(two)), "{wants:?}, body {body} at {} s", two.time);
+        let scene = Scene::new(mixed(300), vec![], Times::every(0.3, 10.0), outputs, 1e-9).unwrap();
+        let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
+        assert_eq!(batched.1, alone.1, "{outputs:?}");
+        assert_eq!(batched.1.is_empty(), !outputs.gap);
+        assert_eq!(batched.0.len(), alone.0.len(), "{outputs:?}");
+        for ((body, one), (other, two)) in batched.0.iter().zip(&alone.0) {
+            assert_eq!((body, bits(one)), (other, bits(two)), "{outputs:?}, body {body} at {} s", two.time);
             tried += 1;
         }
     }
@@ -98,28 +97,30 @@ fn a_crowd_answers_as_each_body_alone_whatever_is_asked() {
 
 #[test]
 fn of_a_few_bodies_and_of_none_that_moves_the_same_is_true() {
-    let wants = Wants { spin: true, attitude: true, ..Wants::NOTHING };
+    let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
     for bodies in [1, 2, 3, 4, 5, 256, 257] {
         let times = Times::Given(vec![0.0, 0.0, 1e-9, 7.0]);
-        let scene = Scene::new(mixed(bodies), vec![], times, wants, 1e-9).unwrap();
-        let (crowd, alone) = (in_blocks(&scene), one_by_one(&scene));
-        assert_eq!(crowd, alone);
-        assert_eq!(crowd.0.len(), 4 * bodies);
+        let scene = Scene::new(mixed(bodies), vec![], times, outputs, 1e-9).unwrap();
+        let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
+        assert_eq!(batched, alone);
+        assert_eq!(batched.0.len(), 4 * bodies);
     }
 }
 
 #[test]
 fn driven_bodies_are_stepped_on_from_block_to_block() {
-    let bodies: Vec<Toss> = (0..3)
-        .map(|k| Toss::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 6.0 + f64::from(k))))
+    let bodies: Vec<InitialState> = (0..3)
+        .map(|k| {
+            InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 6.0 + f64::from(k)))
+        })
         .collect();
     let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), 4.0);
-    let wants = Wants { spin: true, attitude: true, energy: true, ..Wants::NOTHING };
-    let scene = Scene::new(bodies, vec![torque], Times::every(0.01, 1.0), wants, 1e-3).unwrap();
-    assert!(matches!(scene.plan(0).unwrap().way(), Way::Stepper(_) | Way::Controlled(_)));
-    let (crowd, alone) = (in_blocks(&scene), one_by_one(&scene));
-    assert_eq!(crowd, alone);
-    assert_eq!(crowd.0.len(), 303);
+    let outputs = Outputs { spin: true, attitude: true, energy: true, ..Outputs::NOTHING };
+    let scene = Scene::new(bodies, vec![torque], Times::every(0.01, 1.0), outputs, 1e-3).unwrap();
+    assert!(matches!(scene.plan(0).unwrap().strategy(), Strategy::FixedStep(_) | Strategy::Adaptive(_)));
+    let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
+    assert_eq!(batched, alone);
+    assert_eq!(batched.0.len(), 303);
 }
 
 #[test]
@@ -127,8 +128,8 @@ fn one_bad_body_among_many_is_named_and_the_others_are_answered() {
     let mut bodies = mixed(5000);
     bodies[4321].moments = Vector3::new(1.0, 1.0, 3.0);
     bodies[17].attitude = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(f64::NAN, 0.0, 0.0, 0.0));
-    let wants = Wants { spin: true, ..Wants::NOTHING };
-    let scene = Scene::new(bodies, vec![], Times::every(1.0, 20.0), wants, 1e-9).unwrap();
+    let outputs = Outputs { spin: true, ..Outputs::NOTHING };
+    let scene = Scene::new(bodies, vec![], Times::every(1.0, 20.0), outputs, 1e-9).unwrap();
     let (states, wrong) = in_blocks(&scene);
     assert_eq!(wrong.iter().map(|(body, _)| *body).collect::<Vec<_>>(), [17, 4321]);
     assert!(wrong[1].1.to_string().starts_with("body 4321: "), "{}", wrong[1].1);
@@ -137,10 +138,10 @@ fn one_bad_body_among_many_is_named_and_the_others_are_answered() {
 
 #[test]
 fn who_breaks_off_is_given_no_more() {
-    let wants = Wants { spin: true, ..Wants::NOTHING };
-    let scene = Scene::new(mixed(10), vec![], Times::every(1.0, 1e9), wants, 1e-3).unwrap();
+    let outputs = Outputs { spin: true, ..Outputs::NOTHING };
+    let scene = Scene::new(mixed(10), vec![], Times::every(1.0, 1e9), outputs, 1e-3).unwrap();
     let mut blocks = 0;
-    crowd::run(
+    batch::run(
         &scene,
         |_| (),
         |()| {

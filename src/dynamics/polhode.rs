@@ -1,28 +1,43 @@
 //! The path of the spin in the body, from what is conserved alone.
 
-use super::Principal;
 use crate::dynamics::regime::{Kind, classify};
 use crate::dynamics::stability::time_between_flips;
-use crate::error::Error;
+use crate::error::{Error, finite_vector};
+use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
-/// The closed curve that the spin of a free body runs along, seen from the body: how far it goes along each principal axis.
+/// The extent of the closed curve that the spin of a free body runs along, seen from the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Polhode {
-    /// The least size of the spin's component along each principal axis, rad/s.
+    /// The smallest magnitude of the spin's component along each principal axis, rad/s.
     pub least: Vector3<f64>,
-    /// The greatest, rad/s.
+    /// The largest, rad/s.
     pub greatest: Vector3<f64>,
-    /// How long once around takes, s. None where the spin stands still, or never comes round.
+    /// The period, s. None where the spin is constant, or on the separatrix, where it never returns.
     pub period: Option<f64>,
 }
 
 impl Polhode {
-    pub(super) fn of(body: &Principal) -> Result<Self, Error> {
-        let (moments, omega) = (body.moments, body.omega);
+    /// For principal moments (kg m²) and a spin (rad/s) along the same axes at any instant of the motion.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::{PrincipalMoments, dynamics::polhode::Polhode};
+    /// // A spin about the middle axis, with a push along the third: on the way it nears both others.
+    /// let polhode = Polhode::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(0.0, 5.0, 0.1))?;
+    /// assert!((polhode.least - Vector3::new(0.0, 0.0, 0.1)).norm() < 1e-15);
+    /// // C (C - A) w3² there is what C (C - A) w3² + B (B - A) w2² is at the start.
+    /// assert!((polhode.greatest.z - (0.01 + 50.0 / 3.75_f64).sqrt()).abs() < 1e-15);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A spin that is not finite, or a period beyond `f64`.
+    pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
+        finite_vector("the spin", omega)?;
         let still = omega.map(f64::abs);
-        match classify(moments, &omega) {
+        match classify(moments, omega) {
             Kind::Steady => Ok(Self { least: still, greatest: still, period: None }),
             Kind::Symmetric(axis) => {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -44,7 +59,7 @@ impl Polhode {
                 greatest[motion.around] = around;
                 // Zero on the separatrix.
                 least[motion.around] = around * motion.complement(0).hi();
-                let period = time_between_flips(moments, &omega)?.map(|half| 2.0 * half);
+                let period = time_between_flips(moments, omega)?.map(|half| 2.0 * half);
                 Ok(Self { least, greatest, period })
             }
         }

@@ -14,30 +14,30 @@ use wide::f64x4;
 ///
 /// ```
 /// use tumbling::number::Lane;
-/// use tumbling_scenes::many::Four;
-/// let roots = Four::from_lanes(|k| k as f64).sqrt();
+/// use tumbling_scenes::ensemble::FourLanes;
+/// let roots = FourLanes::from_lanes(|k| k as f64).sqrt();
 /// assert_eq!([0, 1, 2, 3].map(|k| roots.lane(k)), [0.0, 1.0, 2_f64.sqrt(), 3_f64.sqrt()]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Four(f64x4);
+pub struct FourLanes(f64x4);
 
 macro_rules! arithmetic {
     ($Op:ident, $op:ident, $Assign:ident, $assign:ident) => {
-        impl $Op for Four {
+        impl $Op for FourLanes {
             type Output = Self;
             #[inline(always)]
             fn $op(self, other: Self) -> Self {
                 Self(self.0.$op(other.0))
             }
         }
-        impl $Op<f64> for Four {
+        impl $Op<f64> for FourLanes {
             type Output = Self;
             #[inline(always)]
             fn $op(self, other: f64) -> Self {
                 Self(self.0.$op(f64x4::splat(other)))
             }
         }
-        impl $Assign for Four {
+        impl $Assign for FourLanes {
             #[inline(always)]
             fn $assign(&mut self, other: Self) {
                 *self = self.$op(other);
@@ -49,7 +49,7 @@ arithmetic!(Add, add, AddAssign, add_assign);
 arithmetic!(Sub, sub, SubAssign, sub_assign);
 arithmetic!(Mul, mul, MulAssign, mul_assign);
 arithmetic!(Div, div, DivAssign, div_assign);
-impl Neg for Four {
+impl Neg for FourLanes {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -57,7 +57,7 @@ impl Neg for Four {
     }
 }
 
-impl Zero for Four {
+impl Zero for FourLanes {
     fn zero() -> Self {
         Self(f64x4::splat(0.0))
     }
@@ -66,7 +66,7 @@ impl Zero for Four {
     }
 }
 
-impl One for Four {
+impl One for FourLanes {
     fn one() -> Self {
         Self(f64x4::splat(1.0))
     }
@@ -80,7 +80,7 @@ const UNIT: f64 = 6_755_399_441_055_744.0;
 const SMALL: f64 = 1e-120;
 const LARGE: f64 = 1e120;
 
-impl Lane for Four {
+impl Lane for FourLanes {
     type Mask = f64x4;
     const WIDTH: usize = 4;
 
@@ -176,11 +176,11 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn four(x: [f64; 4]) -> Four {
-        Four::from_lanes(|k| x[k])
+    fn four(x: [f64; 4]) -> FourLanes {
+        FourLanes::from_lanes(|k| x[k])
     }
 
-    fn bits(x: Four) -> [u64; 4] {
+    fn bits(x: FourLanes) -> [u64; 4] {
         [0, 1, 2, 3].map(|k| x.lane(k).to_bits())
     }
 
@@ -202,7 +202,7 @@ mod tests {
         ) {
             let (x, y) = (four(a), four(b));
             let alone = |f: fn(f64, f64) -> f64| [0, 1, 2, 3].map(|k| f(a[k], b[k]).to_bits());
-            let same = |found: Four, expected: [u64; 4]| {
+            let same = |found: FourLanes, expected: [u64; 4]| {
                 let nan = |bits: u64| f64::from_bits(bits).is_nan();
                 bits(found).iter().zip(&expected).all(|(f, e)| f == e || (nan(*f) && nan(*e)))
             };
@@ -215,7 +215,7 @@ mod tests {
             prop_assert!(same(x.round_ties_even(), alone(|a, _| a.round_ties_even())));
             prop_assert!(same(x.sign(), alone(|a, _| 1_f64.copysign(a))));
             let lesser = alone(|a, b| if a < b { a } else { b });
-            prop_assert!(same(Four::select(x.lt(y), x, y), lesser));
+            prop_assert!(same(FourLanes::select(x.lt(y), x, y), lesser));
             let (left, product) = (alone(|a, b| a.mul_add(b, -(a * b))), x * y);
             prop_assert!(same(x.two_product_error(y, product), left) || left.iter().any(|x| f64::from_bits(*x).is_nan()));
         }
@@ -232,7 +232,7 @@ mod tests {
     #[test]
     fn powers_of_two_are_exact_over_the_whole_range() {
         for n in [-1022, -1, 0, 1, 1023] {
-            let power = Four::splat(f64::from(n)).power_of_two();
+            let power = FourLanes::splat(f64::from(n)).power_of_two();
             assert_eq!(power.lane(3), 2_f64.powi(n));
         }
     }

@@ -1,31 +1,29 @@
-//! Many bodies in free motion: prepared once, then asked for any instants, as many at once as the processor has lanes and
+//! Many bodies in free motion: prepared once, then answered at any instants, as many at once as the processor has lanes and
 //! threads.
 //!
-//! Bodies are kept in [tiles](TILE), and a tile's bodies sorted by their kind of motion, so that those next to each
-//! other run through the same functions side by side. Answers come in [chunks](Chunk) of one tile at some
-//! instants, in the order in which bodies and times were given: the memory needed grows with the bodies, not with the times.
+//! Bodies are kept in [tiles](TILE), and a tile's bodies sorted by their kind of motion, so that those next to each other run through
+//! the same functions side by side. Answers come in [chunks](Chunk) of one tile at some instants, in the order in which bodies and
+//! times were given: the memory needed grows with the bodies, not with the times.
 //!
-//! An answer is to the bit that of [`FreeMotion::at`], whatever else is asked: neighbours, their number, lanes and threads change
-//! nothing.
+//! An answer has the bits of [`InitialState::motion`]: neighbours, their number, lanes and threads change nothing.
 //!
-//! With the feature `threads` the tiles are shared out over the threads of [rayon](https://docs.rs/rayon)'s pool. It
-//! is off unless asked for: a scene of few bodies has no use for it.
+//! With the feature `threads`, off by default, the tiles are shared out over the threads of [rayon](https://docs.rs/rayon)'s pool.
 //!
 //! ```
-//! use nalgebra::{UnitQuaternion, Vector3};
-//! use tumbling_scenes::many::{Given, Many};
+//! use nalgebra::Vector3;
+//! use tumbling_scenes::InitialState;
+//! use tumbling_scenes::ensemble::Ensemble;
 //!
-//! // A thousand boxes, and one that no body is.
-//! let given = |k: usize| Given {
-//!     moments: if k == 500 { Vector3::new(1.0, 1.0, 3.0) } else { Vector3::new(1.0, 1.5, 2.0) },
-//!     omega: Vector3::new(0.1, 1.0 + 0.001 * k as f64, 0.2),
-//!     attitude: UnitQuaternion::identity(),
+//! // A thousand boxes, one of them with moments that no body has.
+//! let body = |k: usize| {
+//!     let moments = if k == 500 { Vector3::new(1.0, 1.0, 3.0) } else { Vector3::new(1.0, 1.5, 2.0) };
+//!     InitialState::spinning(moments, Vector3::new(0.1, 1.0 + 0.001 * k as f64, 0.2))
 //! };
-//! let many = Many::instants(1000, given, |_| {});
-//! assert_eq!(many.refused()[0].body, 500);
-//! assert!(many.refused()[0].error.to_string().contains("1 + 1 >= 3"));
+//! let ensemble = Ensemble::instants(1000, body, |_| {});
+//! assert_eq!(ensemble.refused()[0].body, 500);
+//! assert!(ensemble.refused()[0].error.to_string().contains("1 + 1 >= 3"));
 //! let mut sum = 0.0;
-//! many.in_order(&[0.5, 1.0], |_| {}, |chunk| {
+//! ensemble.in_order(&[0.5, 1.0], |_| {}, |chunk| {
 //!     for (time, body, instant) in chunk.states() {
 //!         if body == 999 {
 //!             sum += instant.omega.norm() * (1.0 + time as f64);
@@ -33,71 +31,54 @@
 //!     }
 //! })?;
 //! assert!(sum > 3.0);
-//! # Ok::<(), tumbling::Error>(())
+//! # Ok::<(), tumbling_scenes::Error>(())
 //! ```
 
-mod four;
-mod want;
+mod four_lanes;
+mod solver;
 
-pub use four::Four;
-pub use want::Want;
+pub use four_lanes::FourLanes;
+pub use solver::Solver;
 
-use nalgebra::{UnitQuaternion, Vector3};
+use crate::error::{Error, finite};
+use crate::initial_state::InitialState;
+
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tumbling::Error;
-use tumbling::exact::{Batch, FreeMotion, Spins};
+use tumbling::exact::{Batch, Spins};
 
-/// How many bodies are sorted, worked on and put out together.
+/// The number of bodies that are sorted, worked on and put out together.
 pub const TILE: usize = 256;
 
-/// At how many instants a tile is asked before its answers are put out: they fit the processor's second cache with it.
+/// The number of instants that a tile is answered at before its answers are put out: they fit the processor's second cache with it.
 pub const INSTANTS: usize = 16;
 
-/// One body as it is given: principal moments (kg m²), spin along the same axes (rad/s) and attitude (body to
-/// world) at time 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Given {
-    /// Principal moments, kg m², in any order.
-    pub moments: Vector3<f64>,
-    /// Angular velocity in body axes, rad/s.
-    pub omega: Vector3<f64>,
-    /// Attitude, body to world.
-    pub attitude: UnitQuaternion<f64>,
-}
-
-impl Given {
-    fn motion(&self) -> Result<FreeMotion, Error> {
-        FreeMotion::new(self.moments.try_into()?, &self.omega)?.with_attitude(&self.attitude)
-    }
-}
-
-/// A body that was not taken.
+/// A body that was refused.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refused {
-    /// Which of the bodies given, from 0.
+    /// Its number, from 0.
     pub body: usize,
     /// What is wrong with it.
     pub error: Error,
 }
 
-/// How far it is.
+/// How far the work is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Bodies prepared, or states answered.
+    /// The number of bodies prepared, or of states answered.
     pub done: usize,
-    /// Of how many.
+    /// The number of all of them.
     pub of: usize,
 }
 
 /// Answers of one tile at some of the times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chunk<'a, S> {
-    /// Which bodies.
+    /// The numbers of the bodies.
     pub bodies: Range<usize>,
-    /// Which of the times.
+    /// The numbers of the times.
     pub times: Range<usize>,
     /// All bodies at the first of the times, then all at the next. A body that was refused has NaN throughout.
     pub answers: &'a [S],
@@ -114,9 +95,9 @@ impl<S: Copy> Chunk<'_, S> {
     }
 }
 
-/// Bodies prepared for what is [wanted](Want) of them.
+/// Bodies prepared for a [`Solver`].
 #[derive(Debug, Clone)]
-pub struct Many<W> {
+pub struct Ensemble<W> {
     tiles: Vec<Tile<W>>,
     bodies: usize,
     refused: Vec<Refused>,
@@ -126,43 +107,43 @@ pub struct Many<W> {
 struct Tile<W> {
     first: usize,
     bodies: usize,
-    /// Where the bodies of `those` are in the tile, empty if none was refused.
+    /// Where the bodies of the solver are in the tile, empty if none was refused.
     places: Vec<usize>,
-    those: W,
+    solver: W,
 }
 
-impl Many<Batch<Four>> {
-    /// Prepares bodies for spin and attitude: `given` says the body of each index below `bodies`.
+impl Ensemble<Batch<FourLanes>> {
+    /// Prepares bodies for spin and attitude: `body` gives the one of each number below `bodies`.
     pub fn instants(
         bodies: usize,
-        given: impl Fn(usize) -> Given + Sync,
+        body: impl Fn(usize) -> InitialState + Sync,
         tell: impl Fn(Progress) + Sync,
     ) -> Self {
-        Self::prepare(bodies, given, tell)
+        Self::prepare(bodies, body, tell)
     }
 }
 
-impl Many<Spins<Four>> {
+impl Ensemble<Spins<FourLanes>> {
     /// Prepares bodies for their spin alone, which takes about half the memory and the time.
     pub fn spins(
         bodies: usize,
-        given: impl Fn(usize) -> Given + Sync,
+        body: impl Fn(usize) -> InitialState + Sync,
         tell: impl Fn(Progress) + Sync,
     ) -> Self {
-        Self::prepare(bodies, given, tell)
+        Self::prepare(bodies, body, tell)
     }
 }
 
-impl<W: Want> Many<W> {
-    /// Prepares bodies for whatever is wanted, in whatever lanes.
+impl<W: Solver> Ensemble<W> {
+    /// Prepares bodies for any solver, in any lanes.
     pub fn prepare(
         bodies: usize,
-        given: impl Fn(usize) -> Given + Sync,
+        body: impl Fn(usize) -> InitialState + Sync,
         tell: impl Fn(Progress) + Sync,
     ) -> Self {
         let done = AtomicUsize::new(0);
         let tile = |n: usize| {
-            let (tile, refused) = Tile::new(n * TILE..bodies.min((n + 1) * TILE), &given);
+            let (tile, refused) = Tile::new(n * TILE..bodies.min((n + 1) * TILE), &body);
             tell(Progress { done: done.fetch_add(tile.bodies, Ordering::Relaxed) + tile.bodies, of: bodies });
             (tile, refused)
         };
@@ -175,7 +156,7 @@ impl<W: Want> Many<W> {
         Self { tiles, bodies, refused: refused.into_iter().flatten().collect() }
     }
 
-    /// How many bodies were given, refused ones among them.
+    /// The number of bodies given, refused ones included.
     #[must_use]
     pub fn len(&self) -> usize {
         self.bodies
@@ -187,7 +168,7 @@ impl<W: Want> Many<W> {
         self.bodies == 0
     }
 
-    /// The bodies that were not taken, in order.
+    /// The bodies that were refused, in order.
     #[must_use]
     pub fn refused(&self) -> &[Refused] {
         &self.refused
@@ -196,11 +177,11 @@ impl<W: Want> Many<W> {
     /// The memory that the prepared bodies hold, bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.tiles.iter().map(|tile| tile.those.bytes() + size_of::<Tile<W>>() + tile.places.len() * 8).sum()
+        self.tiles.iter().map(|tile| tile.solver.bytes() + size_of::<Tile<W>>() + tile.places.len() * 8).sum()
     }
 
-    /// Asks every body at each of `times` (s, in any order) and puts the answers out as they come: with the feature
-    /// `threads` from several threads at once, tiles in no particular order.
+    /// Answers every body at each of `times` (s, in any order) and puts the answers out as they come: with the feature `threads` from
+    /// several threads at once, tiles in no particular order.
     ///
     /// # Errors
     /// A time that is not finite, before any answer is put out.
@@ -215,7 +196,7 @@ impl<W: Want> Many<W> {
         let done = AtomicUsize::new(0);
         let work = |room: &mut Vec<W::Answer>, tile: &Tile<W>| {
             for (n, span) in times.chunks(INSTANTS).enumerate() {
-                put(tile.ask(span, n * INSTANTS, room)?);
+                put(tile.answer(span, n * INSTANTS, room)?);
             }
             let more = tile.bodies * times.len();
             tell(Progress { done: done.fetch_add(more, Ordering::Relaxed) + more, of });
@@ -245,7 +226,7 @@ impl<W: Want> Many<W> {
         let mut room = Vec::new();
         for (n, span) in times.chunks(INSTANTS).enumerate() {
             for tile in &self.tiles {
-                put(tile.ask(span, n * INSTANTS, &mut room)?);
+                put(tile.answer(span, n * INSTANTS, &mut room)?);
                 progress.done += tile.bodies * span.len();
                 tell(progress);
             }
@@ -255,32 +236,29 @@ impl<W: Want> Many<W> {
 }
 
 fn check(times: &[f64]) -> Result<(), Error> {
-    match times.iter().find(|t| !t.is_finite()) {
-        Some(&value) => Err(Error::not_finite("the time", value)),
-        None => Ok(()),
-    }
+    times.iter().try_for_each(|&time| finite("the time", time).map(drop))
 }
 
-impl<W: Want> Tile<W> {
-    fn new(range: Range<usize>, given: &impl Fn(usize) -> Given) -> (Self, Vec<Refused>) {
+impl<W: Solver> Tile<W> {
+    fn new(range: Range<usize>, body: &impl Fn(usize) -> InitialState) -> (Self, Vec<Refused>) {
         let (mut motions, mut places, mut refused) = (Vec::new(), Vec::new(), Vec::new());
-        for body in range.clone() {
-            match given(body).motion() {
+        for number in range.clone() {
+            match body(number).motion() {
                 Ok(motion) => {
                     motions.push(motion);
-                    places.push(body - range.start);
+                    places.push(number - range.start);
                 }
-                Err(error) => refused.push(Refused { body, error }),
+                Err(error) => refused.push(Refused { body: number, error }),
             }
         }
         if refused.is_empty() {
             places = Vec::new();
         }
-        (Self { first: range.start, bodies: range.len(), places, those: W::of(&motions) }, refused)
+        (Self { first: range.start, bodies: range.len(), places, solver: W::of(&motions) }, refused)
     }
 
-    /// Some of the times, the first of which has the number `number`.
-    fn ask<'a>(
+    /// Some of the times, the first of which has this number.
+    fn answer<'a>(
         &self,
         times: &[f64],
         number: usize,
@@ -292,7 +270,7 @@ impl<W: Want> Tile<W> {
             room.clear();
             room.resize(bodies * times.len(), W::REFUSED);
         }
-        self.those.each(times, |time, body, state| {
+        self.solver.each(times, |time, body, state| {
             let place = if whole { Some(body) } else { self.places.get(body).copied() };
             if let Some(slot) = place.and_then(|place| room.get_mut(time * bodies + place)) {
                 *slot = state;

@@ -1,29 +1,27 @@
 //! The bodies of a scene, however many: planned one by one, answered side by side.
 //!
-//! Bodies whose motion is known in closed form are asked in lanes, as [`many`](crate::many) does; those that stand still or are driven
-//! by a torque one after the other. Blocks of [`TILE`] bodies at some [`INSTANTS`] times come out in order: the room needed grows
-//! with neither the times nor, beyond some blocks, with the bodies. With the feature `threads` several blocks are worked on
-//! at once.
+//! Bodies whose motion is known in closed form are answered in lanes, as an [`ensemble`](crate::ensemble) is; those that stand still or
+//! are driven by a torque one after the other. Blocks of [`TILE`] bodies at [`INSTANTS`] times come out in order: the memory needed grows
+//! with neither the times nor, beyond some blocks, the bodies. With the feature `threads` several blocks are worked on at once.
 //!
-//! An answer is to the bit that of [`Scene::run`].
+//! An answer has the bits of [`Scene::run`].
 //!
 //! ```
 //! use nalgebra::Vector3;
 //! use std::ops::ControlFlow;
-//! use tumbling::scene::{Scene, Times, Toss, Wants};
-//! use tumbling_scenes::crowd;
+//! use tumbling_scenes::{InitialState, Outputs, Scene, Times, batch};
 //!
-//! // A thousand boxes, and one that no body is.
+//! // A thousand boxes, one of them with moments that no body has.
 //! let box_of = |k: usize| {
 //!     let moments = if k == 500 { Vector3::new(1.0, 1.0, 3.0) } else { Vector3::new(1.0, 1.5, 2.0) };
-//!     Toss::spinning(moments, Vector3::new(0.1, 1.0 + 0.001 * k as f64, 0.2))
+//!     InitialState::spinning(moments, Vector3::new(0.1, 1.0 + 0.001 * k as f64, 0.2))
 //! };
-//! let wants = Wants { spin: true, attitude: true, ..Wants::NOTHING };
-//! let scene = Scene::new((0..1000).map(box_of).collect(), vec![], Times::every(0.5, 60.0), wants, 1e-9)?;
+//! let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
+//! let scene = Scene::new((0..1000).map(box_of), vec![], Times::every(0.5, 60.0), outputs, 1e-9)?;
 //!
-//! // The work on a block is done on some thread, what it comes to is taken in on this one.
+//! // The work on a block is done on any thread, its result is taken on this one.
 //! let (mut states, mut wrong) = (0, Vec::new());
-//! crowd::run(
+//! batch::run(
 //!     &scene,
 //!     |block| (block.states().count(), block.wrong.to_vec()),
 //!     |(some, others)| {
@@ -35,33 +33,35 @@
 //! assert_eq!(states, 999 * 121);
 //! assert_eq!(wrong.len(), 1);
 //! assert!(wrong[0].1.to_string().starts_with("body 500: "));
-//! # Ok::<(), tumbling::Error>(())
+//! # Ok::<(), tumbling_scenes::Error>(())
 //! ```
 
-use crate::many::{Four, INSTANTS, TILE};
+use crate::ensemble::{FourLanes, INSTANTS, TILE};
+use crate::error::Error;
+use crate::plan::Plan;
+use crate::scene::Scene;
+use crate::states::{Answer, States};
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
-use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Spins};
-use tumbling::scene::{Answer, Plan, Scene, States};
 
-/// So many tiles are in hand at once, on whatever threads, so that the order is always the same.
+/// The number of tiles in work at once, on any number of threads, so that the order is always the same.
 const AT_ONCE: usize = 32;
 
-/// Fewer bodies than this are not worth the lanes.
+/// Fewer bodies than this do not repay the lanes.
 const WORTH: usize = 3;
 
 /// Some bodies of a scene at some of its times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block<'a> {
-    /// Which bodies.
+    /// The numbers of the bodies.
     pub bodies: Range<usize>,
-    /// Which of the times.
+    /// The numbers of the times.
     pub times: Range<u64>,
     /// All bodies at the first of these times, then all at the next; none of a body that has no answer (any more).
     pub answers: &'a [Option<Answer>],
-    /// Bodies that have no answer from here on, by their number in the scene, and why.
+    /// Bodies that have no answer from here on, by their number in the scene, with what is wrong.
     pub wrong: &'a [(usize, Error)],
 }
 
@@ -74,8 +74,8 @@ impl Block<'_> {
     }
 }
 
-/// Answers all of a scene. `work` is given block after block, with the feature `threads` several at once on as many threads; `take` is given
-/// what each came to, in order, on this thread: all times of the first bodies, then of those after them. It may break off.
+/// Answers all of a scene. `work` gets block after block, with the feature `threads` several at once on as many threads; `take` gets
+/// the result of each, in order, on this thread: all times of the first bodies, then of those after them. It may break off.
 pub fn run<R: Send>(
     scene: &Scene,
     work: impl Fn(&Block<'_>) -> R + Sync,
@@ -87,22 +87,23 @@ pub fn run<R: Send>(
     for first in (0..bodies).step_by(some) {
         let tiles: Vec<usize> = (first..bodies.min(first + some)).step_by(TILE).collect();
         let planned = together(tiles, |tile| (tile, plans(scene, tile..bodies.min(tile + TILE))));
-        let mut desks = together(planned.iter().collect(), |(tile, plans)| Desk::new(scene, *tile, plans));
+        let mut active =
+            together(planned.iter().collect(), |(tile, plans)| ActiveTile::new(scene, *tile, plans));
         let mut from = 0;
         while from < times {
             let to = times.min(from + INSTANTS as u64);
-            for done in together(desks.iter_mut().collect(), |desk| work(&desk.block(from..to))) {
+            for done in together(active.iter_mut().collect(), |tile| work(&tile.block(from..to))) {
                 if take(done).is_break() {
                     return;
                 }
             }
-            desks.retain(|desk| desk.failed.iter().any(|failed| !failed));
+            active.retain(|tile| tile.failed.iter().any(|failed| !failed));
             from = to;
         }
     }
 }
 
-/// Each of them done, in order: on all threads where there are some.
+/// Each of them done, in order: on all threads with the feature `threads`.
 fn together<A: Send, B: Send>(all: Vec<A>, each: impl Fn(A) -> B + Sync + Send) -> Vec<B> {
     #[cfg(feature = "threads")]
     return all.into_par_iter().map(each).collect();
@@ -116,16 +117,16 @@ fn plans(scene: &Scene, bodies: Range<usize>) -> Planned<'_> {
     bodies.map(|body| scene.plan(body)).collect()
 }
 
-/// A tile's bodies, being answered.
-struct Desk<'p> {
+/// The bodies of a tile, while they are answered.
+struct ActiveTile<'p> {
     scene: &'p Scene,
     first: usize,
     plans: &'p [Result<Plan<'p>, Error>],
     lanes: Lanes,
-    /// Which of the tile's bodies are in the lanes, in their order there.
+    /// The places in the tile of the bodies in the lanes, in their order there.
     places: Vec<usize>,
     /// The others that have a plan.
-    walkers: Vec<(usize, States<'p>)>,
+    alone: Vec<(usize, States<'p>)>,
     room: Vec<Option<Answer>>,
     wrong: Vec<(usize, Error)>,
     /// Those that have no answer any more.
@@ -133,11 +134,11 @@ struct Desk<'p> {
 }
 
 enum Lanes {
-    Spins(Spins<Four>),
-    Instants(Batch<Four>),
+    Spins(Spins<FourLanes>),
+    Instants(Batch<FourLanes>),
 }
 
-impl<'p> Desk<'p> {
+impl<'p> ActiveTile<'p> {
     fn new(scene: &'p Scene, first: usize, plans: &'p [Result<Plan<'p>, Error>]) -> Self {
         let of =
             |(place, plan): (usize, &Result<Plan<'_>, Error>)| Some((place, plan.as_ref().ok()?.motion()?));
@@ -146,14 +147,14 @@ impl<'p> Desk<'p> {
             moving.clear();
         }
         let (places, motions): (Vec<_>, Vec<_>) = moving.into_iter().unzip();
-        let lanes = if scene.wants().attitude {
+        let lanes = if scene.outputs().attitude {
             Lanes::Instants(Batch::new(&motions))
         } else {
             Lanes::Spins(Spins::new(&motions))
         };
-        let alone = |place: &usize| places.binary_search(place).is_err();
-        let walkers = (0..plans.len())
-            .filter(alone)
+        let others = |place: &usize| places.binary_search(place).is_err();
+        let alone = (0..plans.len())
+            .filter(others)
             .filter_map(|place| Some((place, plans.get(place)?.as_ref().ok()?.states())))
             .collect();
         let wrong = |(place, plan): (usize, &Result<Plan<'_>, Error>)| {
@@ -161,13 +162,13 @@ impl<'p> Desk<'p> {
         };
         let wrong: Vec<_> = plans.iter().enumerate().filter_map(wrong).collect();
         let failed = plans.iter().map(Result::is_err).collect();
-        Self { scene, first, plans, lanes, places, walkers, room: Vec::new(), wrong, failed }
+        Self { scene, first, plans, lanes, places, alone, room: Vec::new(), wrong, failed }
     }
 
     fn block(&mut self, times: Range<u64>) -> Block<'_> {
-        let Self { scene, first, plans, lanes, places, walkers, room, wrong, failed } = self;
+        let Self { scene, first, plans, lanes, places, alone, room, wrong, failed } = self;
         let (first, bodies) = (*first, plans.len());
-        // What is wrong is told once.
+        // Errors are reported once.
         if times.start > 0 {
             wrong.clear();
         }
@@ -178,10 +179,7 @@ impl<'p> Desk<'p> {
             Ok(state) if !failed[place] => room[time * bodies + place] = Some(state),
             Err(source) if !failed[place] => {
                 failed[place] = true;
-                wrong.push((
-                    first + place,
-                    tumbling::Refusal::OfBody { index: first + place, source: Box::new(source) }.into(),
-                ));
+                wrong.push((first + place, Error::Body { index: first + place, source: Box::new(source) }));
             }
             _ => {}
         };
@@ -201,10 +199,10 @@ impl<'p> Desk<'p> {
         // The times of a scene are finite; if one were not, no body in lanes would have an answer.
         if let Err(error) = answered {
             for &place in places.iter() {
-                put(0, place, Err(error.clone()));
+                put(0, place, Err(error.clone().into()));
             }
         }
-        for (place, states) in walkers {
+        for (place, states) in alone {
             for (time, state) in states.by_ref().take(at.len()).enumerate() {
                 put(time, *place, state);
             }

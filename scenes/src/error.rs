@@ -1,0 +1,208 @@
+//! Why a scene, one of its bodies or a file cannot be answered.
+
+use nalgebra::Vector3;
+use std::fmt;
+
+/// What is wrong with a scene, a body, a torque or a file.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling_scenes::{Error, Field, InitialState, Outputs, Scene, Times};
+/// let thin = InitialState::spinning(Vector3::new(1.0, 2.0, 3.5), Vector3::x());
+/// let scene = Scene::new([thin], vec![], Times::every(1.0, 2.0), Outputs::NOTHING, 1e-9)?;
+/// let error = scene.plan(0).unwrap_err();
+/// assert_eq!(error.field(), Some(Field::Moments));
+/// assert!(error.to_string().starts_with("body 0: no body has principal moments"));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number breaks a rule.
+    Value {
+        /// What the number stands for.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// The rule: "it must ...".
+        rule: String,
+    },
+    /// A finite input gives a result that a finite `f64` cannot hold.
+    OutOfRange {
+        /// What the result stands for.
+        what: &'static str,
+        /// What came out instead: an infinity or NaN.
+        value: f64,
+    },
+    /// Fewer items than needed.
+    TooFew {
+        /// What the items are.
+        what: &'static str,
+        /// The number given.
+        count: usize,
+        /// The number needed.
+        needed: usize,
+    },
+    /// Something is wrong with one body.
+    Body {
+        /// Its number, from 0.
+        index: usize,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
+    /// Something is wrong with one field of an initial state.
+    Field {
+        /// Which field.
+        field: Field,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
+    /// Something is wrong with one torque.
+    Torque {
+        /// Its number, from 0.
+        index: usize,
+        /// What is wrong with it.
+        source: tumbling::Error,
+    },
+    /// The accuracy requested is finer than can be had.
+    Unattainable {
+        /// The accuracy requested.
+        requested: f64,
+        /// The finest that can be had, or that was observed where a torque acts.
+        attainable: f64,
+    },
+    /// No two trial runs agreed within the steps allowed to them.
+    Disagreement {
+        /// The accuracy requested.
+        requested: f64,
+        /// The number of steps taken in all trial runs.
+        steps: usize,
+    },
+    /// An output that this motion does not have.
+    Undefined {
+        /// The output.
+        what: &'static str,
+        /// Why there is none.
+        why: &'static str,
+    },
+    /// The library refuses a number or a motion.
+    Library(tumbling::Error),
+    /// A file that is not a scene.
+    File {
+        /// The line, from 1; none where the whole file is meant.
+        line: Option<usize>,
+        /// The field, where it is one.
+        field: Option<String>,
+        /// What is wrong, and what was expected.
+        why: String,
+    },
+}
+
+/// A field of an [`InitialState`](crate::InitialState), by its name in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Field {
+    /// The diagonal of the tensor.
+    Moments,
+    /// The off-diagonal entries of the tensor.
+    Products,
+    /// The attitude.
+    Attitude,
+    /// The angular velocity.
+    Spin,
+    /// The angular momentum.
+    Momentum,
+}
+
+impl Error {
+    /// The field of the initial state that is wrong, where it is one.
+    #[must_use]
+    pub fn field(&self) -> Option<Field> {
+        match self {
+            Self::Field { field, .. } => Some(*field),
+            Self::Body { source, .. } => source.field(),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn of_field(field: Field) -> impl Fn(Self) -> Self {
+        move |source| Self::Field { field, source: Box::new(source) }
+    }
+}
+
+impl From<tumbling::Error> for Error {
+    fn from(error: tumbling::Error) -> Self {
+        Self::Library(error)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Value { what, value, rule } => write!(f, "{what} is {value:?}: {rule}"),
+            Self::OutOfRange { what, value } => {
+                write!(f, "{what} comes out as {value:?}: its true value is beyond what a finite f64 holds")
+            }
+            Self::TooFew { what, count, needed } => {
+                write!(f, "{count} {what} given: at least {needed} needed")
+            }
+            Self::Body { index, source } => write!(f, "body {index}: {source}"),
+            Self::Field { source, .. } => source.fmt(f),
+            Self::Torque { index, source } => write!(f, "torque {index}: {source}"),
+            Self::Unattainable { requested, attainable } => write!(
+                f,
+                "an accuracy of {requested:e} is requested, {:.1e} times finer than what can be had: {attainable:.1e}",
+                attainable / requested
+            ),
+            Self::Disagreement { requested, steps } => write!(
+                f,
+                "an accuracy of {requested:e} is requested, but no two trial runs, of {steps} steps in all, agreed to any digit"
+            ),
+            Self::Undefined { what, why } => write!(f, "{what} is requested, but {why}"),
+            Self::Library(error) => error.fmt(f),
+            Self::File { line, field, why } => match (line, field) {
+                (Some(line), Some(field)) => write!(f, "line {line}, `{field}`: {why}"),
+                (Some(line), None) => write!(f, "line {line}: {why}"),
+                (None, Some(field)) => write!(f, "`{field}`: {why}"),
+                (None, None) => f.write_str(why),
+            },
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Body { source, .. } | Self::Field { source, .. } => Some(source.as_ref()),
+            Self::Torque { source, .. } | Self::Library(source) => Some(source),
+            _ => None,
+        }
+    }
+}
+
+fn broken(what: &'static str, value: f64, rule: &str) -> Error {
+    Error::Value { what, value, rule: rule.to_owned() }
+}
+
+/// `value` if it is finite.
+pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() { Ok(value) } else { Err(broken(what, value, "it must be a finite number")) }
+}
+
+/// `value` if it is finite and above zero.
+pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
+    if finite(what, value)? > 0.0 { Ok(value) } else { Err(broken(what, value, "it must be above zero")) }
+}
+
+/// `value` if it is finite and not below zero.
+pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, Error> {
+    if finite(what, value)? >= 0.0 {
+        Ok(value)
+    } else {
+        Err(broken(what, value, "it must not be below zero"))
+    }
+}
+
+/// `vector` if its three components are finite.
+pub(crate) fn finite_vector(what: &'static str, vector: &Vector3<f64>) -> Result<(), Error> {
+    vector.iter().try_for_each(|&x| finite(what, x).map(drop))
+}

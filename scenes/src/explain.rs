@@ -1,0 +1,149 @@
+//! What a plan does, in words.
+
+use crate::cost::Cost;
+use crate::plan::Plan;
+use crate::strategy::Strategy;
+use std::fmt::Write as _;
+use tumbling::step::{Method, Torque};
+
+/// A count of instructions in two digits.
+fn about(x: f64) -> String {
+    if x < 1.0 {
+        return "none".to_owned();
+    }
+    let power = x.log10().floor().min(300.0);
+    let unit = 10_f64.powf(power - 1.0).max(1.0);
+    let rounded = (x / unit).round() * unit;
+    if rounded < 1e6 { format!("{rounded:.0}") } else { format!("{rounded:.1e}") }
+}
+
+impl Plan<'_> {
+    /// What was chosen, what was left out and why, how accurate it is, and what it costs: four lines.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling_scenes::{InitialState, Outputs, Scene, Times};
+    /// let ball = InitialState::spinning(Vector3::new(0.4, 0.4, 0.4), Vector3::new(1.0, 2.0, 3.0));
+    /// let outputs = Outputs { spin: true, ..Outputs::NOTHING };
+    /// let scene = Scene::new([ball], vec![], Times::every(0.1, 1.0), outputs, 1e-9)?;
+    /// let text = scene.plan(0)?.explain();
+    /// assert!(text.starts_with("chosen: the spin as it is at the start, for all time\n"), "{text}");
+    /// assert!(text.contains("\nleft out: the gyroscopic term"), "{text}");
+    /// # Ok::<(), tumbling_scenes::Error>(())
+    /// ```
+    #[must_use]
+    pub fn explain(&self) -> String {
+        let Cost { once, state } = self.cost();
+        let mut text = format!("chosen: {}\nleft out: {}\n", self.chosen(), self.left_out().join("; "));
+        let _ = writeln!(text, "accuracy: {}", self.accuracy_line());
+        let _ =
+            write!(text, "cost: about {} instructions for each state, {} once", about(state), about(once));
+        text
+    }
+
+    fn equal(&self) -> usize {
+        let [a, b, c] = self.body.moments.into();
+        usize::from(a == b) + usize::from(b == c) + usize::from(c == a)
+    }
+
+    fn chosen(&self) -> String {
+        let outputs = self.scene.outputs();
+        let step = |step: Option<f64>| step.map_or_else(String::new, |step| format!("{step:.3e} s"));
+        match &self.strategy {
+            Strategy::Nothing if outputs.flips => {
+                "the instants of the flips, from the period and the phase".into()
+            }
+            Strategy::Nothing if !self.scene.torques().is_empty() => "nothing".into(),
+            Strategy::Nothing => "what follows from energy and momentum".into(),
+            Strategy::Constant { attitude: None, .. } => {
+                "the spin as it is at the start, for all time".into()
+            }
+            Strategy::Constant { .. } => "the body as it lies, for all time".into(),
+            Strategy::Rotation(_) => "one even turn about one axis: a sine and a cosine".into(),
+            Strategy::SymmetricTop(_) if outputs.attitude => {
+                "two even turns, one after the other: two sines and cosines".into()
+            }
+            Strategy::SymmetricTop(_) => "the spin circles the axis evenly: one sine and cosine".into(),
+            Strategy::EllipticSpin(_) => "the spin by Jacobi's functions".into(),
+            Strategy::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
+            Strategy::FixedStep(driven) | Strategy::Stiff(driven) => {
+                let name = driven.method().map_or("", |method| method.info().name);
+                let torque = match driven.method() {
+                    Some(Method::LinearisedImplicit) => "with the torque inside",
+                    _ => "between kicks of the torque",
+                };
+                format!("{name} {torque}, in steps of up to {}", step(driven.step()))
+            }
+            Strategy::ExactDrift(driven) => {
+                format!("the exact free motion between kicks, in steps of up to {}", step(driven.step()))
+            }
+            Strategy::Adaptive(driven) => {
+                format!(
+                    "Dormand and Prince's pair, {:.1e} allowed to each step",
+                    driven.tolerance().unwrap_or_default()
+                )
+            }
+        }
+    }
+
+    fn left_out(&self) -> Vec<String> {
+        let outputs = self.scene.outputs();
+        let mut out: Vec<&str> = Vec::new();
+        match &self.strategy {
+            Strategy::Nothing => out.push("all motion, since nothing that moves is requested"),
+            Strategy::Constant { .. } | Strategy::Rotation(_) => out.push(match self.equal() {
+                3 => "the gyroscopic term, since all three moments are equal",
+                _ if self.body.omega == nalgebra::Vector3::zeros() => "all motion, since the body is at rest",
+                _ => "the gyroscopic term, since the spin is along a principal axis or within the plane of two equal moments",
+            }),
+            Strategy::SymmetricTop(_) => out.push("elliptic functions, since two moments are equal"),
+            Strategy::EllipticSpin(_) | Strategy::Elliptic(_) => {}
+            Strategy::ExactDrift(_) => out.push("small steps, since the torque is weak"),
+            Strategy::FixedStep(_) => out.push("control of the error, since a fixed step is enough"),
+            Strategy::Adaptive(driven) if driven.stiff => {
+                out.push("steps that fast damping does not shorten: dearer to this accuracy, if they reach it at all");
+            }
+            Strategy::Adaptive(_) => out.push("kicks, whose errors fall with the square of the step alone"),
+            Strategy::Stiff(_) => {
+                out.push("explicit steps of controlled error, which fast damping makes short: dearer, or too many to try");
+            }
+        }
+        let moves = !matches!(self.strategy, Strategy::Nothing);
+        if self.scene.torques().is_empty() || !moves {
+            if moves {
+                out.push("steps through time, since no torque acts");
+            }
+        } else {
+            let lossless =
+                |torque: &Torque<f64>| !matches!(torque, Torque::Damping(_) | Torque::Dissipation(_));
+            out.push(if self.scene.torques().iter().all(lossless) {
+                "the closed form, since a torque acts"
+            } else {
+                "the closed form, since damping acts"
+            });
+        }
+        if moves && self.scene.torques().is_empty() && !outputs.attitude {
+            out.push("the attitude, which is not requested");
+        }
+        out.into_iter().map(str::to_owned).collect()
+    }
+
+    fn accuracy_line(&self) -> String {
+        let requested = self.scene.accuracy();
+        if let Some(driven) = self.strategy.driven() {
+            return format!(
+                "{requested:.0e} requested; two runs of different steps were {:.0e} apart, and one of {} steps is taken",
+                driven.observed_difference(),
+                driven.steps()
+            );
+        }
+        match &self.strategy {
+            Strategy::Nothing if !self.scene.torques().is_empty() => {
+                format!("{requested:.0e} requested; nothing is computed")
+            }
+            _ => format!(
+                "{requested:.0e} requested; the closed form is as accurate as the rounding of the start permits"
+            ),
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! A body at the start of a scene, as described and along its principal axes.
+
+use crate::error::{Error, Field, finite_vector};
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::body::attitude;
+use tumbling::exact::FreeMotion;
+use tumbling::{Body, Inertia, PrincipalMoments};
+
+/// How a body moves at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// With this angular velocity in body axes, rad/s.
+    Spin(Vector3<f64>),
+    /// With this angular momentum in world axes, kg m²/s.
+    Momentum(Vector3<f64>),
+}
+
+/// A body at the start of a scene: its tensor, attitude, and spin or momentum, in any axes.
+///
+/// A plain description; it is checked when the body is [planned](crate::Scene::plan). A [`Body`] converts into it.
+///
+/// ```
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// use tumbling::{Body, Inertia};
+/// use tumbling_scenes::InitialState;
+/// let tensor = Inertia::new([3.0, 1.5, 2.5], [0.2, 0.0, -0.1])?;
+/// let body = Body::spinning(tensor, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
+/// let state = InitialState::from(body);
+/// assert_eq!(state.products, Vector3::new(0.2, 0.0, -0.1));
+/// assert_eq!(state.body()?, body);
+/// # Ok::<(), tumbling_scenes::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InitialState {
+    /// The diagonal of the inertia tensor in body axes, kg m²: the principal moments where the products are zero.
+    pub moments: Vector3<f64>,
+    /// The entries xy, xz, yz of the tensor, kg m², signed so that `L = I w` holds. Damping that differs from axis to axis acts along
+    /// the principal axes, which have no order if these are not zero: such a body is refused.
+    pub products: Vector3<f64>,
+    /// Body to world.
+    pub attitude: UnitQuaternion<f64>,
+    /// The spin or the angular momentum.
+    pub start: Start,
+}
+
+impl From<Body> for InitialState {
+    fn from(body: Body) -> Self {
+        let tensor = body.inertia().matrix();
+        Self {
+            moments: tensor.diagonal(),
+            products: Vector3::new(tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]),
+            attitude: body.attitude(),
+            start: Start::Momentum(body.momentum_world()),
+        }
+    }
+}
+
+impl InitialState {
+    /// A body with these principal moments (kg m²) and this spin (rad/s) along the same axes, which are the world's at the start.
+    #[must_use]
+    pub fn spinning(moments: Vector3<f64>, omega: Vector3<f64>) -> Self {
+        let (products, attitude) = (Vector3::zeros(), UnitQuaternion::identity());
+        Self { moments, products, attitude, start: Start::Spin(omega) }
+    }
+
+    /// The body.
+    ///
+    /// # Errors
+    /// [`Error::Field`] with the field that no body has, and why.
+    pub fn body(&self) -> Result<Body, Error> {
+        let inertia = Inertia::new(self.moments.into(), self.products.into());
+        let inertia = inertia.map_err(|error| Error::of_field(self.tensor_field())(error.into()))?;
+        let attitude = self.checked_attitude()?;
+        let body = match &self.start {
+            Start::Spin(omega) => Body::spinning(inertia, attitude, omega),
+            Start::Momentum(momentum) => Body::new(inertia, attitude, momentum),
+        };
+        body.map_err(|error| Error::of_field(self.start_field())(error.into()))
+    }
+
+    /// Its free motion, answered in its own axes and in the world.
+    ///
+    /// # Errors
+    /// As [`body`](Self::body), or as [`FreeMotion::new`].
+    pub fn motion(&self) -> Result<FreeMotion, Error> {
+        match self.start {
+            Start::Spin(omega) if self.products == Vector3::zeros() => {
+                Ok(FreeMotion::new(self.moments.try_into()?, &omega)?.with_attitude(&self.attitude)?)
+            }
+            _ => Ok(FreeMotion::of(&self.body()?)?),
+        }
+    }
+
+    fn tensor_field(&self) -> Field {
+        if self.products == Vector3::zeros() { Field::Moments } else { Field::Products }
+    }
+
+    fn start_field(&self) -> Field {
+        match self.start {
+            Start::Spin(_) => Field::Spin,
+            Start::Momentum(_) => Field::Momentum,
+        }
+    }
+
+    fn checked_attitude(&self) -> Result<UnitQuaternion<f64>, Error> {
+        attitude::checked(&self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
+    }
+
+    /// Along the principal axes, checked.
+    pub(crate) fn principal(&self) -> Result<Principal, Error> {
+        let attitude = self.checked_attitude()?;
+        finite_vector("a product of inertia", &self.products).map_err(Error::of_field(Field::Products))?;
+        let (checked, frame) = self.principal_moments().map_err(Error::of_field(self.tensor_field()))?;
+        let moments = checked.vector();
+        let along = |v: &Vector3<f64>| frame.map_or(*v, |frame| frame.inverse() * v);
+        let wrong = Error::of_field(self.start_field());
+        let omega = match &self.start {
+            Start::Spin(omega) => {
+                finite_vector("the spin", omega).map_err(&wrong)?;
+                along(omega)
+            }
+            Start::Momentum(momentum) => {
+                finite_vector("the angular momentum", momentum).map_err(&wrong)?;
+                along(&(attitude.inverse() * momentum)).component_div(&moments)
+            }
+        };
+        finite_vector("the spin", &omega).map_err(wrong)?;
+        let rounded = self.rounded(&moments, &omega, frame.is_some(), attitude != UnitQuaternion::identity());
+        let world = frame.map_or(attitude, |frame| attitude * frame);
+        Ok(Principal { moments: checked, omega, frame, world, attitude, rounded })
+    }
+
+    /// The principal moments, and the turn from principal to body axes where they are not the same.
+    fn principal_moments(&self) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), Error> {
+        if self.products == Vector3::zeros() {
+            return Ok((self.moments.try_into()?, None));
+        }
+        let axes = Inertia::new(self.moments.into(), self.products.into())?.principal();
+        Ok((axes.principal_moments()?, Some(axes.rotation())))
+    }
+
+    /// What the way to the principal axes has rounded: the moments of a tensor relative to the largest of them, a turned vector
+    /// relative to its length.
+    fn rounded(
+        &self,
+        moments: &Vector3<f64>,
+        omega: &Vector3<f64>,
+        framed: bool,
+        lies_turned: bool,
+    ) -> Rounded {
+        let (largest, length) = (moments.max(), moments.component_mul(omega).norm());
+        Rounded {
+            moments: if framed { Vector3::repeat(largest) } else { *moments },
+            omega: match self.start {
+                // The moment that the momentum is divided by is rounded too.
+                Start::Momentum(_) if framed => {
+                    moments.zip_map(omega, |moment, w| (length + w.abs() * largest) / moment)
+                }
+                Start::Momentum(_) if lies_turned => moments.map(|moment| length / moment),
+                Start::Spin(_) if framed => Vector3::repeat(omega.norm()),
+                _ => omega.abs(),
+            },
+        }
+    }
+}
+
+/// A body along its principal axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Principal {
+    pub(crate) moments: PrincipalMoments,
+    pub(crate) omega: Vector3<f64>,
+    /// Principal axes to body axes, where they are not the same.
+    pub(crate) frame: Option<UnitQuaternion<f64>>,
+    /// Principal axes to world, at the start.
+    pub(crate) world: UnitQuaternion<f64>,
+    /// Body to world, at the start.
+    pub(crate) attitude: UnitQuaternion<f64>,
+    pub(crate) rounded: Rounded,
+}
+
+/// For each number of a body along its principal axes, the size of which one rounding is a share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rounded {
+    pub(crate) moments: Vector3<f64>,
+    pub(crate) omega: Vector3<f64>,
+}
+
+impl Principal {
+    pub(crate) fn in_body(&self, vector: Vector3<f64>) -> Vector3<f64> {
+        self.frame.map_or(vector, |frame| frame * vector)
+    }
+}

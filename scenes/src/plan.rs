@@ -1,0 +1,140 @@
+//! How to answer for one body.
+
+use crate::error::Error;
+use crate::initial_state::{InitialState, Principal};
+use crate::scene::{Outputs, Scene};
+use crate::states::States;
+use crate::strategy::Strategy;
+use crate::{driven, free};
+use nalgebra::Vector3;
+use tumbling::dynamics::{observe, polhode::Polhode};
+use tumbling::exact::{Flips, FreeMotion};
+use tumbling::{Inertia, PrincipalMoments};
+
+/// How to answer for one body of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) body: Principal,
+    pub(crate) strategy: Strategy,
+    /// Where it does not change.
+    pub(crate) energy: Option<f64>,
+    pub(crate) gap: Option<f64>,
+    pub(crate) inertia: Inertia,
+}
+
+impl<'a> Plan<'a> {
+    pub(crate) fn new(scene: &'a Scene, state: &InitialState) -> Result<Self, Error> {
+        let body = state.principal()?;
+        let outputs = scene.outputs();
+        let free = scene.torques().is_empty();
+        let strategy = if free {
+            free::strategy(&body, outputs, scene.times().end(), scene.accuracy())?
+        } else {
+            refuse_of_driven(outputs)?;
+            if outputs.states() { driven::strategy(&body, scene)? } else { Strategy::Nothing }
+        };
+        let inertia = Inertia::from(body.moments);
+        let energy = if outputs.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
+        if outputs.gap && body.omega == Vector3::zeros() {
+            return Err(Error::Undefined {
+                what: "the angle between spin and momentum",
+                why: "a body at rest has neither",
+            });
+        }
+        let steady = matches!(
+            strategy,
+            Strategy::Nothing | Strategy::Constant { .. } | Strategy::Rotation(_) | Strategy::SymmetricTop(_)
+        );
+        let gap = if outputs.gap && steady { Some(inertia.angle_to_momentum(&body.omega)?) } else { None };
+        Ok(Self { scene, body, strategy, energy, gap, inertia })
+    }
+
+    /// The strategy chosen.
+    #[must_use]
+    pub fn strategy(&self) -> &Strategy {
+        &self.strategy
+    }
+
+    /// The kinetic energy, J, where it is requested and constant.
+    #[must_use]
+    pub fn energy(&self) -> Option<f64> {
+        self.energy
+    }
+
+    /// The angle between spin and momentum, rad, where it is requested and constant.
+    #[must_use]
+    pub fn gap(&self) -> Option<f64> {
+        self.gap
+    }
+
+    /// The states at the times of the scene, in order, one at a time.
+    #[must_use]
+    pub fn states(&self) -> States<'_> {
+        States::new(self)
+    }
+
+    /// The free motion that the states are taken from, along the body's principal axes and from their attitude at the start; none
+    /// where nothing moves, or under a torque.
+    ///
+    /// The motions of many such bodies may be answered [side by side](tumbling::exact::Batch) and each answer completed by
+    /// [`state`](Self::state).
+    #[must_use]
+    pub fn motion(&self) -> Option<FreeMotion> {
+        self.free_motion().copied()
+    }
+
+    pub(crate) fn free_motion(&self) -> Option<&FreeMotion> {
+        match &self.strategy {
+            Strategy::Rotation(motion)
+            | Strategy::SymmetricTop(motion)
+            | Strategy::EllipticSpin(motion)
+            | Strategy::Elliptic(motion) => Some(motion),
+            _ => None,
+        }
+    }
+
+    /// The flips up to the end of the scene, in order, without a step of the motion.
+    ///
+    /// # Errors
+    /// Under a torque, or as [`FreeMotion::flips`].
+    pub fn flips(&self) -> Result<Flips, Error> {
+        refuse_driven(self.scene, FLIPS)?;
+        let end = self.scene.times().end();
+        Ok(match self.free_motion() {
+            Some(motion) => motion.flips(0.0, end)?,
+            None => FreeMotion::new(self.body.moments, &self.body.omega)?.flips(0.0, end)?,
+        })
+    }
+
+    /// The path of the spin in the body, along its principal axes, from energy and momentum alone.
+    ///
+    /// # Errors
+    /// Under a torque, or a period beyond `f64`.
+    pub fn polhode(&self) -> Result<Polhode, Error> {
+        refuse_driven(self.scene, POLHODE)?;
+        Ok(Polhode::new(self.body.moments, &self.body.omega)?)
+    }
+}
+
+const FLIPS: &str = "the list of flips";
+const POLHODE: &str = "the polhode";
+const WHY: &str = "a torque acts: what it follows from is not conserved";
+
+fn refuse_driven(scene: &Scene, what: &'static str) -> Result<(), Error> {
+    if scene.torques().is_empty() { Ok(()) } else { Err(Error::Undefined { what, why: WHY }) }
+}
+
+fn refuse_of_driven(outputs: Outputs) -> Result<(), Error> {
+    match (outputs.flips, outputs.polhode) {
+        (true, _) => Err(Error::Undefined { what: FLIPS, why: WHY }),
+        (_, true) => Err(Error::Undefined { what: POLHODE, why: WHY }),
+        _ => Ok(()),
+    }
+}
+
+/// Half of `w . I w`, J.
+pub(crate) fn energy(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<f64, Error> {
+    let energy = observe::energy(omega, &moments.vector().component_mul(omega));
+    if energy.is_finite() { Ok(energy) } else { Err(Error::OutOfRange { what: "the energy", value: energy }) }
+}

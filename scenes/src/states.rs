@@ -1,0 +1,189 @@
+//! The states of a body, one after another.
+
+use crate::error::Error;
+use crate::plan::{Plan, energy};
+use crate::strategy::{Driven, Strategy};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use tumbling::step::State;
+
+/// A body at one time: the outputs requested.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Answer {
+    /// s from the start.
+    pub time: f64,
+    /// Angular velocity in body axes, rad/s.
+    pub spin: Option<Vector3<f64>>,
+    /// Body to world.
+    pub attitude: Option<UnitQuaternion<f64>>,
+    /// Kinetic energy, J.
+    pub energy: Option<f64>,
+    /// The angle between spin and momentum, rad.
+    pub gap: Option<f64>,
+}
+
+/// The states of one body, in order of time. After an error there are no more.
+#[derive(Debug, Clone)]
+pub struct States<'a> {
+    plan: &'a Plan<'a>,
+    next: u64,
+    end: u64,
+    /// Of a driven body, the time and state that it has been stepped to.
+    reached: Option<(f64, State<f64>)>,
+}
+
+/// Spin along the principal axes, and attitude of the body.
+type SpinAndAttitude = (Option<Vector3<f64>>, Option<UnitQuaternion<f64>>);
+
+impl<'a> States<'a> {
+    pub(crate) fn new(plan: &'a Plan<'a>) -> Self {
+        let reached = plan.strategy.driven().map(|driven| (0.0, driven.start));
+        Self { plan, next: 0, end: plan.scene.times().count(), reached }
+    }
+
+    /// The number of states still to come.
+    #[must_use]
+    pub fn remaining(&self) -> u64 {
+        self.end.saturating_sub(self.next)
+    }
+
+    fn at(&mut self, time: f64) -> Result<Answer, Error> {
+        let plan = self.plan;
+        let (along, attitude): SpinAndAttitude = match &plan.strategy {
+            Strategy::Nothing => (None, None),
+            Strategy::Constant { spin, attitude } => {
+                let (energy, gap) = (plan.energy, plan.gap);
+                return Ok(Answer { time, spin: *spin, attitude: *attitude, energy, gap });
+            }
+            _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
+            Strategy::Rotation(motion)
+            | Strategy::SymmetricTop(motion)
+            | Strategy::EllipticSpin(motion)
+            | Strategy::Elliptic(motion) => {
+                let outputs = plan.scene.outputs();
+                let spin = outputs.spin || (outputs.gap && plan.gap.is_none());
+                match (spin, outputs.attitude) {
+                    (_, false) => (Some(motion.omega(time)?), None),
+                    (false, true) => (None, Some(plan.turned(motion.attitude(time)?.into_inner()))),
+                    (true, true) => {
+                        let at = motion.at(time)?;
+                        (Some(at.omega), Some(plan.turned(at.attitude.into_inner())))
+                    }
+                }
+            }
+            Strategy::FixedStep(driven)
+            | Strategy::ExactDrift(driven)
+            | Strategy::Adaptive(driven)
+            | Strategy::Stiff(driven) => {
+                let (spin, attitude) = stepped(&mut self.reached, driven, time)?;
+                let attitude = plan.body.frame.map_or(attitude, |frame| attitude * frame.inverse());
+                (Some(spin), Some(attitude))
+            }
+        };
+        plan.answer(time, along, attitude)
+    }
+}
+
+impl Plan<'_> {
+    /// The answer for a body whose [motion](Self::motion) has this spin (principal axes, rad/s) and this turn since the start at this
+    /// time: the same bits as [`States`].
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling_scenes::{InitialState, Outputs, Scene, Times};
+    /// let body = InitialState::spinning(Vector3::new(1.0, 1.5, 2.0), Vector3::new(0.1, 1.0, 0.2));
+    /// let outputs = Outputs { spin: true, attitude: true, energy: true, ..Outputs::NOTHING };
+    /// let scene = Scene::new([body], vec![], Times::every(0.5, 10.0), outputs, 1e-9)?;
+    /// let plan = scene.plan(0)?;
+    /// let motion = plan.motion().ok_or("it moves")?;
+    /// for state in plan.states() {
+    ///     let state = state?;
+    ///     let at = motion.at(state.time)?;
+    ///     assert_eq!(plan.state(state.time, &at.omega, Some(&at.attitude))?, state);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An energy or a gap beyond `f64`.
+    pub fn state(
+        &self,
+        time: f64,
+        omega: &Vector3<f64>,
+        turn: Option<&UnitQuaternion<f64>>,
+    ) -> Result<Answer, Error> {
+        if time == 0.0 {
+            return self.answer(time, Some(self.body.omega), Some(self.body.attitude));
+        }
+        let attitude =
+            turn.filter(|_| self.scene.outputs().attitude).map(|turn| self.turned(turn.into_inner()));
+        self.answer(time, Some(*omega), attitude)
+    }
+
+    fn turned(&self, turn: Quaternion<f64>) -> UnitQuaternion<f64> {
+        let whole = self.body.world * UnitQuaternion::new_unchecked(turn);
+        self.body.frame.map_or(whole, |frame| whole * frame.inverse())
+    }
+
+    /// The outputs of this spin along the principal axes and this attitude of the body.
+    fn answer(
+        &self,
+        time: f64,
+        along: Option<Vector3<f64>>,
+        attitude: Option<UnitQuaternion<f64>>,
+    ) -> Result<Answer, Error> {
+        let outputs = self.scene.outputs();
+        let moving = |wanted: bool, kept: Option<f64>| if wanted && kept.is_none() { along } else { None };
+        Ok(Answer {
+            time,
+            spin: if outputs.spin { along.map(|omega| self.body.in_body(omega)) } else { None },
+            attitude: if outputs.attitude { attitude } else { None },
+            energy: match moving(outputs.energy, self.energy) {
+                Some(omega) => Some(energy(self.body.moments, &omega)?),
+                None => self.energy,
+            },
+            gap: match moving(outputs.gap, self.gap) {
+                Some(omega) => Some(self.inertia.angle_to_momentum(&omega)?),
+                None => self.gap,
+            },
+        })
+    }
+}
+
+/// Steps on to a time.
+fn stepped(
+    reached: &mut Option<(f64, State<f64>)>,
+    driven: &Driven,
+    time: f64,
+) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
+    let (mut now, mut state) = reached.take().unwrap_or_else(|| (0.0, driven.start));
+    if time > now {
+        state = driven.control.to_the_end(&driven.system, &state, time - now)?;
+        now = time;
+    }
+    let spin = driven.system.omega(&state.momentum);
+    let attitude = UnitQuaternion::from_quaternion(state.attitude);
+    *reached = Some((now, state));
+    Ok((spin, attitude))
+}
+
+impl Iterator for States<'_> {
+    type Item = Result<Answer, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.next >= self.end {
+            return None;
+        }
+        let time = self.plan.scene.times().within(self.next);
+        self.next += 1;
+        let state = self.at(time);
+        if state.is_err() {
+            self.next = self.end;
+        }
+        Some(state)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let whole = usize::try_from(self.remaining()).ok();
+        (usize::from(self.remaining() > 0), whole)
+    }
+}

@@ -1,0 +1,105 @@
+//! The ways to answer for a body.
+
+use crate::step_control::StepControl;
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, State, System};
+
+/// The ways to answer, the cheapest first. Each holds what it uses.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Strategy {
+    /// No output that moves is requested: all of it follows from what is conserved.
+    Nothing,
+    /// The outputs are constant: the spin of a steady motion, and the attitude of a body at rest.
+    Constant {
+        /// The spin in body axes, rad/s, where it is requested.
+        spin: Option<Vector3<f64>>,
+        /// The attitude, body to world, where it is requested.
+        attitude: Option<UnitQuaternion<f64>>,
+    },
+    /// A steady rotation about a fixed axis.
+    Rotation(Box<FreeMotion>),
+    /// Two equal moments: sines and cosines.
+    SymmetricTop(Box<FreeMotion>),
+    /// Three different moments, the spin alone: Jacobi's functions.
+    EllipticSpin(Box<FreeMotion>),
+    /// The attitude too: theta functions.
+    Elliptic(Box<FreeMotion>),
+    /// Steps of fixed length, with the torques as kicks between.
+    FixedStep(Driven),
+    /// The exact free motion between kicks of the torques.
+    ExactDrift(Driven),
+    /// Dormand and Prince's pair with its error controlled.
+    Adaptive(Driven),
+    /// Damping much faster than the motion: steps of a method that it does not limit.
+    Stiff(Driven),
+}
+
+impl Strategy {
+    /// How a driven body is stepped.
+    pub(crate) fn driven(&self) -> Option<&Driven> {
+        match self {
+            Self::FixedStep(driven)
+            | Self::ExactDrift(driven)
+            | Self::Adaptive(driven)
+            | Self::Stiff(driven) => Some(driven),
+            _ => None,
+        }
+    }
+}
+
+/// A body under torques, how it is stepped, and what the trial runs showed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Driven {
+    pub(crate) system: System<f64>,
+    pub(crate) start: State<f64>,
+    pub(crate) control: StepControl,
+    /// The largest difference between two trial runs of different steps.
+    pub(crate) difference: f64,
+    /// The number of steps of the run that was found good.
+    pub(crate) steps: usize,
+    /// The instructions of all trial runs.
+    pub(crate) trials: f64,
+    /// Whether damping is much faster than the motion.
+    pub(crate) stiff: bool,
+}
+
+impl Driven {
+    /// The stepping method; none for the exact drift between kicks.
+    #[must_use]
+    pub fn method(&self) -> Option<Method> {
+        match self.control {
+            StepControl::Fixed(method, _) => Some(method),
+            StepControl::Tolerance(_) => Some(Method::DormandPrince5),
+            StepControl::ExactDrift(_) => None,
+        }
+    }
+
+    /// The longest step, s; none where a tolerance decides.
+    #[must_use]
+    pub fn step(&self) -> Option<f64> {
+        match self.control {
+            StepControl::Fixed(_, step) | StepControl::ExactDrift(step) => Some(step),
+            StepControl::Tolerance(_) => None,
+        }
+    }
+
+    /// The tolerance of a step, where the error is controlled.
+    #[must_use]
+    pub fn tolerance(&self) -> Option<f64> {
+        if let StepControl::Tolerance(tolerance) = self.control { Some(tolerance) } else { None }
+    }
+
+    /// The largest difference between two trial runs: the one that is taken and one of other steps.
+    #[must_use]
+    pub fn observed_difference(&self) -> f64 {
+        self.difference
+    }
+
+    /// The number of steps of that run.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+}

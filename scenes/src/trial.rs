@@ -1,0 +1,221 @@
+//! Trial runs: a scene is stepped and stepped again finer, until two runs agree.
+
+use crate::error::Error;
+use crate::scene::Outputs;
+use crate::step_control::{StepControl, Stop};
+use nalgebra::UnitQuaternion;
+use tumbling::dynamics::observe;
+use tumbling::step::{State, System};
+
+/// Rounds of refinement before a trial is given up.
+const ROUNDS: usize = 30;
+
+/// What a trial showed to be accurate enough.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Chosen {
+    pub(crate) control: StepControl,
+    /// The largest difference from a run of other steps.
+    pub(crate) difference: f64,
+    /// The number of steps of the run.
+    pub(crate) steps: usize,
+}
+
+/// The states of a run at the times compared, with its number of steps.
+type Run = Result<(Vec<State<f64>>, usize), Stop>;
+
+pub(crate) struct Trial<'a> {
+    pub(crate) system: &'a System<f64>,
+    pub(crate) start: &'a State<f64>,
+    /// At which runs are compared.
+    pub(crate) times: &'a [f64],
+    pub(crate) outputs: Outputs,
+    pub(crate) accuracy: f64,
+    pub(crate) end: f64,
+    /// Radians from start to end.
+    pub(crate) turned: f64,
+    /// Time constants of the loss from start to end.
+    pub(crate) lost: f64,
+}
+
+impl Trial<'_> {
+    /// The expected number of steps of a run.
+    fn steps(&self, control: StepControl) -> f64 {
+        match control {
+            StepControl::Fixed(_, step) | StepControl::ExactDrift(step) => self.end / step,
+            StepControl::Tolerance(tolerance) => 0.3 * (self.turned / tolerance.powf(0.2)).max(self.lost),
+        }
+    }
+
+    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes the coarser; in at most
+    /// `left` steps in all, and no run that is known to take more than `most`.
+    #[allow(clippy::cast_precision_loss)]
+    pub(crate) fn refined(&self, first: StepControl, left: &mut usize, most: f64) -> Result<Chosen, Error> {
+        self.worth_trying(first, *left)?;
+        let all = *left;
+        let mut control = first;
+        let (mut best, mut before) = (f64::INFINITY, 0.0);
+        let mut coarse = self.run(control, None, left, most);
+        for _ in 0..ROUNDS {
+            if coarse == Err(Stop::OutOfSteps) {
+                break;
+            }
+            let observed = coarse.as_ref().map_or(f64::INFINITY, |_| best);
+            let finer =
+                control.finer(if observed.is_finite() { 0.5 * self.accuracy / observed } else { 0.0 });
+            if finer == control || self.steps(finer) > (*left as f64).min(most) {
+                break;
+            }
+            let fine = self.run(finer, Some(control), left, most);
+            let difference = match (&coarse, &fine) {
+                (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
+                _ => f64::INFINITY,
+            };
+            // Steps that a loss is over within do not yet show how their errors fall: two differences must.
+            let shown = difference <= 0.6 * before || !self.outrun(control);
+            before = difference;
+            // Halving the step halves an error at least: what is so much better than requested is right by the coarser run already.
+            for (control, run, share) in [(control, &coarse, 0.1), (finer, &fine, 0.5)] {
+                if shown
+                    && difference <= share * self.accuracy
+                    && let Ok((_, steps)) = run
+                {
+                    return Ok(Chosen { control, difference, steps: *steps });
+                }
+            }
+            best = best.min(difference);
+            // What was cut for the comparison alone is put back before it is compared with the next.
+            coarse = if self.cuts(finer, control) { self.run(finer, None, left, most) } else { fine };
+            control = finer;
+        }
+        match coarse {
+            _ if 2.0 * best < 1.0 => {
+                Err(Error::Unattainable { requested: self.accuracy, attainable: 2.0 * best })
+            }
+            Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
+            _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - *left }),
+        }
+    }
+
+    /// Refuses a run that is known to take more steps than are left.
+    #[allow(clippy::cast_precision_loss)]
+    fn worth_trying(&self, control: StepControl, left: usize) -> Result<(), Error> {
+        let (steps, what) = (self.steps(control), "the number of steps that the torques require");
+        if steps.is_nan() {
+            return Err(Error::OutOfRange { what, value: steps });
+        }
+        if steps > left as f64 {
+            let rule = format!("it must not be above {left}, the most that are tried");
+            return Err(Error::Value { what, value: steps, rule });
+        }
+        Ok(())
+    }
+
+    /// Whether a loss is over within one step.
+    fn outrun(&self, control: StepControl) -> bool {
+        let (StepControl::Fixed(_, step) | StepControl::ExactDrift(step)) = control else { return false };
+        self.lost * step > self.end
+    }
+
+    /// Whether a finer step is not finer everywhere: between some of the times both are one step, or as many.
+    fn cuts(&self, finer: StepControl, coarser: StepControl) -> bool {
+        let mut from = 0.0;
+        self.times.iter().any(|&to| {
+            let between = to - std::mem::replace(&mut from, to);
+            between > 0.0 && finer.count(between) < coarser.count(between).map(|count| 2 * count)
+        })
+    }
+
+    /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either way would agree with itself.
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
+    fn run(&self, control: StepControl, over: Option<StepControl>, left: &mut usize, most: f64) -> Run {
+        let (mut now, mut state) = (0.0, *self.start);
+        let whole = (*left).min(most as usize);
+        let mut of_run = whole;
+        let mut states = Vec::with_capacity(self.times.len());
+        let mut on = |of_run: &mut usize| {
+            for &time in self.times {
+                if time > now {
+                    let between = time - now;
+                    let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
+                    (state, now) = (control.advance(self.system, &state, between, least, of_run)?, time);
+                }
+                states.push(state);
+            }
+            Ok::<(), Stop>(())
+        };
+        let done = on(&mut of_run);
+        let taken = whole - of_run;
+        *left -= taken;
+        done.map(|()| (states, taken))
+    }
+
+    /// The largest angle between two runs' attitudes, or difference of spin, or of energy, relative to the largest so far; of attitude and
+    /// energy where they are requested.
+    fn apart(&self, a: &[State<f64>], b: &[State<f64>]) -> f64 {
+        let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
+        for (one, other) in a.iter().zip(b) {
+            let (w, v) = (self.system.omega(&one.momentum), self.system.omega(&other.momentum));
+            fastest = fastest.max(v.norm());
+            let spin = over((w - v).norm(), fastest);
+            let energy = if self.outputs.energy {
+                let [d, e] = [(&w, one), (&v, other)].map(|(w, motion)| observe::energy(w, &motion.momentum));
+                richest = richest.max(e);
+                over((d - e).abs(), richest)
+            } else {
+                0.0
+            };
+            let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
+            let turn = if self.outputs.attitude { p.angle_to(&q) } else { 0.0 };
+            worst = worst.max(spin).max(energy).max(turn);
+            // A difference that is not a number is no agreement.
+            if spin.is_nan() || energy.is_nan() || turn.is_nan() {
+                return f64::INFINITY;
+            }
+        }
+        worst
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Quaternion, Vector3};
+    use tumbling::step::Method;
+
+    /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin is two thirds of it.
+    #[test]
+    fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_requested() {
+        let system = System::free([1e-4, 1.0, 1.0].try_into().unwrap()).unwrap();
+        let [a, b] = [0.1, 0.2].map(|heavy| State {
+            attitude: Quaternion::identity(),
+            momentum: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
+        });
+        let apart = |energy| {
+            let (times, accuracy, end, turned, lost) = (&[1.0][..], 0.1, 1.0, 10.0, 0.0);
+            let outputs = Outputs { spin: true, energy, ..Outputs::NOTHING };
+            let trial = Trial { system: &system, start: &a, times, outputs, accuracy, end, turned, lost };
+            trial.apart(std::slice::from_ref(&a), std::slice::from_ref(&b))
+        };
+        assert!((apart(false) - 0.01).abs() < 1e-5);
+        // 0.005 + 0.005 J and 0.005 + 0.02 J.
+        assert!((apart(true) - 0.6).abs() < 1e-12);
+    }
+
+    /// Between times that are closer than a step two runs would take the same one, and agree whatever it is worth.
+    #[test]
+    fn a_finer_run_has_twice_the_steps_between_any_two_times() {
+        let system = System::free([1.0, 2.0, 2.5].try_into().unwrap()).unwrap();
+        let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
+        let times = &[0.01, 0.02, 1.0][..];
+        let (accuracy, end, turned, lost) = (0.1, 1.0, 1.0, 0.0);
+        let outputs = Outputs { spin: true, ..Outputs::NOTHING };
+        let trial = Trial { system: &system, start: &start, times, outputs, accuracy, end, turned, lost };
+        let [coarse, fine] = [0.5, 0.25].map(|step| StepControl::Fixed(Method::MoserVeselov8, step));
+        let steps = |by, over| trial.run(by, over, &mut { 1000 }, f64::INFINITY).unwrap().1;
+        assert_eq!((steps(coarse, None), steps(fine, None), steps(fine, Some(coarse))), (4, 6, 8));
+        assert!(
+            trial.cuts(fine, coarse) && !trial.cuts(StepControl::Fixed(Method::MoserVeselov8, 0.005), coarse)
+        );
+    }
+}

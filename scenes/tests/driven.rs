@@ -1,0 +1,316 @@
+//! Scenes of bodies under torques: the method follows from the torque and the accuracy, and it is right.
+
+mod common;
+
+use common::{ALL, BOTH, SPIN, apart, one, states};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use serde_json::Value;
+use tumbling::step::{Method, Torque};
+use tumbling_scenes::{Error, InitialState, Outputs, Scene, Start, Strategy, Times};
+
+fn agree(a: &Scene, b: &Scene) -> f64 {
+    let (a, b) = (a.plan(0).unwrap(), b.plan(0).unwrap());
+    states(&a).iter().zip(&states(&b)).map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// A torque that fades meets the free motion.
+    #[test]
+    fn a_fading_torque_meets_the_free_motion(
+        a in 0.6..1.0_f64, c in 1.1..1.5_f64, w in prop::array::uniform3(0.3..2.0_f64),
+        torque in prop::array::uniform3(-1.0..1.0_f64), accuracy in prop::sample::select(vec![1e-3, 1e-6, 1e-9]),
+    ) {
+        let body = InitialState::spinning(Vector3::new(a, 1.05, c), w.into());
+        let free = one(body, vec![], Times::every(1.0, 5.0), BOTH, accuracy);
+        for torque in [
+            Torque::InBody(Vector3::from(torque) * (1e-3 * accuracy)),
+            Torque::Aligning { arm: Vector3::from(torque) * (1e-3 * accuracy), field: Vector3::new(0.0, 0.0, -1.0) },
+            Torque::Damping(Vector3::from(torque).abs() * (1e-3 * accuracy)),
+        ] {
+            let driven = one(body, vec![torque], Times::every(1.0, 5.0), BOTH, accuracy);
+            prop_assert!(agree(&free, &driven) < 2.0 * accuracy);
+        }
+    }
+}
+
+/// The table of 30 digits: a heavy top and a damped spin.
+#[test]
+fn driven_scenes_are_as_accurate_as_asked_against_the_truth() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../measure/data/truth.json");
+    let table: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let number = |x: &Value| x.as_f64().or_else(|| x.as_str()?.parse().ok()).unwrap();
+    let three = |x: &Value| Vector3::from_iterator(x.as_array().unwrap().iter().map(number));
+    let mut seen = 0;
+    for entry in table["stories"].as_array().unwrap() {
+        let mut torques = Vec::new();
+        if entry["weight"].as_f64().is_some_and(|weight| weight != 0.0) {
+            torques.push(Torque::gravity(three(&entry["arm"]), number(&entry["weight"])));
+        }
+        if entry["damping"].is_array() && three(&entry["damping"]) != Vector3::zeros() {
+            torques.push(Torque::Damping(three(&entry["damping"])));
+        }
+        let driven = !torques.is_empty();
+        let moments = three(&entry["moments"]);
+        let body = InitialState::spinning(moments, three(&entry["omega"]));
+        let q: Vec<f64> = entry["attitude"].as_array().unwrap().iter().map(number).collect();
+        let truth = UnitQuaternion::from_quaternion(Quaternion::new(q[0], q[1], q[2], q[3]));
+        let spin = three(&entry["momentum"]).component_div(&moments);
+        for accuracy in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
+            let times = Times::every(0.5, number(&entry["t"]));
+            let scene = one(body, torques.clone(), times, BOTH, accuracy);
+            let plan = match scene.plan(0) {
+                // A hundred flips leave less than ten digits of the attitude.
+                Err(Error::Body { source, .. }) if !driven => {
+                    assert!(matches!(*source, Error::Unattainable { requested: 1e-10, .. }), "{source}");
+                    continue;
+                }
+                plan => plan.unwrap(),
+            };
+            let last = states(&plan).pop().unwrap();
+            assert_eq!(last.time, number(&entry["t"]));
+            let off =
+                last.attitude.unwrap().angle_to(&truth).max((last.spin.unwrap() - spin).norm() / spin.norm());
+            assert!(
+                off < accuracy,
+                "{}: {off:.1e} where {accuracy:e} was asked: {}",
+                entry["name"],
+                plan.explain()
+            );
+            seen += usize::from(driven);
+        }
+    }
+    assert_eq!(seen, 10);
+}
+
+/// Coarse asks are for fixed steps, fine ones for the controlled pair, the faintest torques for the exact drift.
+#[test]
+fn the_method_follows_from_the_torque_and_the_accuracy() {
+    let top = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
+    let way = |weight: f64, accuracy: f64, times: Times| {
+        let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
+        let scene = one(top, vec![torque], times, BOTH, accuracy);
+        match scene.plan(0).unwrap().strategy() {
+            Strategy::FixedStep(driven) => driven.method().unwrap().info().name,
+            Strategy::Adaptive(_) => "controlled",
+            Strategy::ExactDrift(_) => "drift",
+            _ => "other",
+        }
+    };
+    assert_eq!(way(4.0, 1e-2, Times::every(1.0 / 60.0, 1.0)), "Moser-Veselov 8");
+    assert_eq!(way(4.0, 1e-8, Times::every(1.0, 16.0)), "controlled");
+    assert_eq!(way(1e-8, 1e-8, Times::every(16.0, 16.0)), "drift");
+}
+
+/// Damping ten thousand times faster than anything else, against its own law: `w = w0 exp(-c t / I)` about a principal axis.
+#[test]
+fn stiff_damping_takes_few_steps_and_is_right() {
+    let moments = Vector3::new(1.0, 2.0, 2.5);
+    let body = InitialState::spinning(moments, Vector3::new(0.0, 1.0, 0.0));
+    let torque = Torque::Damping(Vector3::new(1e4, 2e4, 2e4));
+    let scene = one(body, vec![torque], Times::Given(vec![1e-4, 1.0]), BOTH, 1e-4);
+    let plan = scene.plan(0).unwrap();
+    let Strategy::Stiff(driven) = plan.strategy() else { panic!("{}", plan.explain()) };
+    assert!(driven.steps() < 100_000, "{}", plan.explain());
+    let states = states(&plan);
+    assert!((states[0].spin.unwrap().y - (-1.0_f64).exp()).abs() < 1e-4);
+    assert!(states[1].spin.unwrap().norm() < 1e-6);
+    // An overdamped needle in a field creeps along it: theta' = -(m B / c) sin theta.
+    let body = InitialState::spinning(moments, Vector3::zeros());
+    let field = Torque::Aligning { arm: Vector3::x(), field: Vector3::new(0.0, 10.0, 0.0) };
+    // tan(angle/2) falls as exp(-m B t / c), from a right angle; inertia changes that by I m B / c², 1e-5 and less.
+    let angle = 2.0 * (-1.0_f64).exp().atan();
+    for (c, end) in [(1e3, 100.0), (1e4, 1000.0)] {
+        let drag = Torque::Damping(Vector3::new(c, c, c));
+        let scene = one(body, vec![field.clone(), drag], Times::Given(vec![end]), BOTH, 1e-3);
+        let plan = scene.plan(0).unwrap();
+        let Strategy::Stiff(driven) = plan.strategy() else { panic!("{}", plan.explain()) };
+        assert_eq!(driven.method(), Some(Method::LinearisedImplicit), "{}", plan.explain());
+        assert!(plan.explain().contains("which fast damping makes short"), "{}", plan.explain());
+        let last = plan.states().last().unwrap().unwrap();
+        let turned = last.attitude.unwrap() * Vector3::x();
+        assert!((turned.angle(&Vector3::y()) - angle).abs() < 1e-3);
+    }
+}
+
+/// Damping creeps for all of the run: the pair's steps are short, and still the fewest that are right. Or it fades within a hundredth of it,
+/// and kicks are cheaper than the pair.
+#[test]
+fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
+    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
+    let needle = Torque::Aligning { arm: Vector3::x(), field: Vector3::new(0.0, 10.0, 0.0) };
+    let even = Torque::Damping(Vector3::new(1000.0, 1000.0, 1000.0));
+    let (push, uneven) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(5000.0, 1000.0, 2000.0));
+    let pushed = vec![Torque::InBody(push), Torque::Damping(uneven)];
+    for (torques, times, by_pair) in [
+        (vec![needle, even], vec![1e-3, 1e-2, 1.0, 10.0, 50.0, 100.0], true),
+        (pushed.clone(), vec![1e-3, 1e-2, 0.1, 1.0, 3.0], false),
+    ] {
+        let to = |accuracy| {
+            let times = Times::Given(times.clone());
+            one(body, torques.clone(), times, Outputs { energy: true, ..BOTH }, accuracy)
+        };
+        let (scene, fine) = (to(1e-3), to(1e-9));
+        let (plan, truth) = (scene.plan(0).unwrap(), fine.plan(0).unwrap());
+        // To nine digits the pair is the only one that gets there: what it costs bounds the others.
+        let Strategy::Adaptive(_) = truth.strategy() else { panic!("{}", truth.explain()) };
+        assert!(plan.cost().state <= truth.cost().state, "{}", plan.explain());
+        let told = if by_pair {
+            "steps that fast damping does not shorten"
+        } else {
+            "which fast damping makes short"
+        };
+        assert!(plan.explain().contains(told), "{}", plan.explain());
+        let (mut fastest, mut richest) = (0.0_f64, 0.0_f64);
+        for (state, right) in states(&plan).iter().zip(states(&truth)) {
+            let (spin, energy) = (right.spin.unwrap(), right.energy.unwrap());
+            (fastest, richest) = (fastest.max(spin.norm()), richest.max(energy));
+            assert!((state.spin.unwrap() - spin).norm() < 1e-3 * fastest);
+            assert!((state.energy.unwrap() - energy).abs() < 1e-3 * richest);
+            assert!(state.attitude.unwrap().angle_to(&right.attitude.unwrap()) < 1e-3);
+        }
+    }
+    // In the end the push holds the drag, about each axis: c w = torque, but for the gyroscopic 1e-6.
+    let scene = one(body, pushed, Times::Given(vec![3.0]), SPIN, 1e-3);
+    let end = scene.plan(0).unwrap().states().last().unwrap().unwrap();
+    assert!((end.spin.unwrap() - push.component_div(&uneven)).norm() < 1e-5);
+}
+
+/// Along x without products and along x with hardly any is not the same axis by its number: what cannot be told is refused.
+#[test]
+fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
+    let moments = Vector3::new(3.0, 1.5, 2.5);
+    let end = |products: Vector3<f64>, damping: Vector3<f64>| {
+        let body = InitialState { products, ..InitialState::spinning(moments, Vector3::x()) };
+        let scene = one(body, vec![Torque::Damping(damping)], Times::Given(vec![5.0]), SPIN, 1e-8);
+        scene.plan(0).map(|plan| states(&plan).pop().unwrap().spin.unwrap())
+    };
+    let (none, hardly) = (Vector3::zeros(), Vector3::new(1e-12, 0.0, 0.0));
+    let uneven = Vector3::new(0.5, 0.0, 0.0);
+    assert!((end(none, uneven).unwrap().x - (-0.5_f64 * 5.0 / 3.0).exp()).abs() < 1e-8);
+    let told = end(hardly, uneven).unwrap_err().to_string();
+    assert!(
+        told.contains("damping that differs from axis to axis is requested, but it acts along"),
+        "{told}"
+    );
+    let even = Vector3::new(0.5, 0.5, 0.5);
+    assert!((end(none, even).unwrap() - end(hardly, even).unwrap()).norm() < 1e-8);
+}
+
+/// The same top, told along its principal axes and told in axes of its maker's: the arm, the push and the attitude go along.
+#[test]
+fn a_driven_body_told_in_other_axes_moves_the_same() {
+    let moments = Vector3::new(1.0, 1.5, 0.75);
+    let frame = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
+    let rotation = frame.to_rotation_matrix();
+    let tensor = rotation * nalgebra::Matrix3::from_diagonal(&moments) * rotation.transpose();
+    let (omega, arm, push) =
+        (Vector3::new(0.25, 0.5, 4.0), Vector3::new(0.125, 0.0, 0.5), Vector3::new(0.05, -0.1, 0.02));
+    let attitude = UnitQuaternion::from_euler_angles(-0.2, 0.3, 0.5);
+    let plain = InitialState { attitude: attitude * frame, ..InitialState::spinning(moments, omega) };
+    let other = InitialState {
+        moments: tensor.diagonal(),
+        products: Vector3::new(tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]),
+        attitude,
+        start: Start::Spin(frame * omega),
+    };
+    let answers = |body, turn: UnitQuaternion<f64>| {
+        let torques = vec![
+            Torque::Aligning { arm: turn * arm, field: Vector3::new(0.0, 0.0, -2.0) },
+            Torque::InBody(turn * push),
+            Torque::InWorld(Vector3::new(0.1, 0.0, -0.05)),
+        ];
+        let scene = one(body, torques, Times::every(0.5, 3.0), ALL, 1e-8);
+        states(&scene.plan(0).unwrap())
+    };
+    for (a, b) in answers(plain, UnitQuaternion::identity()).iter().zip(&answers(other, frame)) {
+        assert!((frame * a.spin.unwrap() - b.spin.unwrap()).norm() < 1e-7, "at {} s", a.time);
+        assert!((a.attitude.unwrap() * frame.inverse()).angle_to(&b.attitude.unwrap()) < 1e-7);
+        assert!((a.energy.unwrap() - b.energy.unwrap()).abs() < 1e-6);
+        assert!((a.gap.unwrap() - b.gap.unwrap()).abs() < 1e-7);
+    }
+}
+
+/// A push so weak that one step would do: two runs met at the one instant asked for, and both were wrong by three times what was asked.
+#[test]
+fn runs_are_compared_between_the_times_asked_for_too() {
+    let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 3.0, 0.2));
+    let field = Vector3::new(0.0, 0.0, -0.001_254_310_970_579_529_5);
+    let torque = Torque::Aligning { arm: Vector3::new(0.125, 0.0, 0.5), field };
+    let at = |accuracy| {
+        let times = Times::Given(vec![7.907_675_008_433_149]);
+        let scene = one(InitialState::spinning(moments, omega), vec![torque.clone()], times, BOTH, accuracy);
+        let plan = scene.plan(0).unwrap();
+        if let Strategy::ExactDrift(driven) | Strategy::FixedStep(driven) | Strategy::Adaptive(driven) =
+            plan.strategy()
+        {
+            assert!(driven.observed_difference() <= 0.5 * accuracy, "{}", plan.explain());
+        }
+        states(&plan)[0]
+    };
+    assert!(apart(&at(1e-2), &at(1e-9)) < 1e-2);
+}
+
+/// Where nothing that moves is asked for, a torque costs nothing either.
+#[test]
+fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
+    let damped = vec![Torque::Damping(Vector3::new(1.0, 2.0, 3.0))];
+    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
+    let scene = one(body, damped.clone(), Times::every(0.1, 100.0), Outputs::NOTHING, 1e-9);
+    let plan = scene.plan(0).unwrap();
+    assert!(matches!(plan.strategy(), Strategy::Nothing) && plan.cost().once < 2000.0, "{}", plan.explain());
+    // And the attitude, not asked for, refines no step.
+    let cost = |outputs| {
+        one(body, damped.clone(), Times::every(0.1, 5.0), outputs, 1e-7).plan(0).unwrap().cost().state
+    };
+    assert!(cost(SPIN) <= cost(BOTH));
+}
+
+/// Two strong torques, no digit asked for to speak of, and a thousand seconds: the way there is longer than anybody waits.
+#[test]
+fn trials_end_after_so_many_steps_in_all() {
+    let body = InitialState::spinning(Vector3::new(1.794, 1.112, 1.532), Vector3::new(0.368, -0.454, 0.189));
+    let push = Torque::InWorld(Vector3::new(4.42, 4.05, -3.34));
+    let (arm, field) = (Vector3::new(-2.64, 5.36, 2.48), Vector3::new(-8.12, -9.62, 3.27));
+    let torques = vec![push, Torque::Aligning { arm, field }];
+    let times = Times::Given(vec![0.0, 300.0, 1000.0]);
+    let scene = one(body, torques, times, Outputs { energy: true, ..Outputs::NOTHING }, 0.5);
+    let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!() };
+    let Error::Disagreement { steps, .. } = *source else { panic!("{source}") };
+    assert!(steps <= 3_000_000, "{source}");
+}
+
+/// A needle spins about its light axis, and its energy is in the others: the spin may be right to a share that the energy is not.
+#[test]
+fn the_energy_under_a_torque_is_as_right_as_asked() {
+    let moments = Vector3::new(1e-4, 1.0, 1.000_05);
+    let body = InitialState::spinning(moments, Vector3::new(10.0, 0.1, 0.0));
+    let push = Vector3::new(0.0, 0.3, 0.0);
+    for accuracy in [0.1, 0.01, 1e-3] {
+        let outputs = Outputs { energy: true, ..SPIN };
+        let scene =
+            |accuracy| one(body, vec![Torque::InBody(push)], Times::every(0.5, 5.0), outputs, accuracy);
+        let (rough, fine) = (scene(accuracy), scene(1e-7));
+        let (a, b) = (states(&rough.plan(0).unwrap()), states(&fine.plan(0).unwrap()));
+        let mut most = 0.0_f64;
+        for (a, b) in a.iter().zip(&b) {
+            most = most.max(b.energy.unwrap());
+            let off = (a.energy.unwrap() - b.energy.unwrap()).abs() / most;
+            assert!(off < accuracy, "{off:e} of {accuracy:e} at {}", a.time);
+        }
+    }
+}
+
+/// A year of a top, or a torque that no step could follow: refused at once, not tried for hours.
+#[test]
+fn a_driven_scene_that_would_take_for_ever_is_refused_at_once() {
+    let body = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
+    for (weight, end) in [(4.0, 3e7), (1e300, 10.0), (4.0, 1e300)] {
+        let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
+        let scene = one(body, vec![torque], Times::every(end, end), BOTH, 1e-9);
+        let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!("{weight} {end}") };
+        assert!(matches!(*source, Error::Value { .. } | Error::OutOfRange { .. }), "{source}");
+    }
+}

@@ -1,0 +1,318 @@
+//! Scenes of free bodies: the cheapest way is taken, and it is right.
+
+mod common;
+
+use common::{ALL, BOTH, SPIN, apart, one, states};
+use nalgebra::{UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::exact::FreeMotion;
+use tumbling::step::Torque;
+use tumbling::{Body, Inertia};
+use tumbling_scenes::{Error, InitialState, Outputs, Scene, Start, Strategy, Times};
+
+fn agree(a: &Scene, b: &Scene) -> f64 {
+    let (a, b) = (a.plan(0).unwrap(), b.plan(0).unwrap());
+    states(&a).iter().zip(&states(&b)).map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
+}
+
+#[test]
+fn each_scene_is_answered_in_the_way_that_leaves_out_the_most() {
+    let (ball, top, uneven) =
+        (Vector3::new(2.0, 2.0, 2.0), Vector3::new(2.0, 2.0, 3.0), Vector3::new(1.0, 2.0, 2.5));
+    let (oblique, along, still) =
+        (Vector3::new(0.3, 1.0, 0.2), Vector3::new(0.0, 1.0, 0.0), Vector3::zeros());
+    let attitude = Outputs { attitude: true, ..Outputs::NOTHING };
+    let name = |moments, omega, outputs| {
+        let scene =
+            one(InitialState::spinning(moments, omega), vec![], Times::every(0.5, 5.0), outputs, 1e-9);
+        match scene.plan(0).unwrap().strategy() {
+            Strategy::Nothing => "nothing",
+            Strategy::Constant { .. } => "constant",
+            Strategy::Rotation(_) => "rotation",
+            Strategy::SymmetricTop(_) => "symmetric top",
+            Strategy::EllipticSpin(_) => "elliptic spin",
+            Strategy::Elliptic(_) => "elliptic",
+            _ => "steps",
+        }
+    };
+    for outputs in
+        [Outputs::NOTHING, Outputs { energy: true, flips: true, polhode: true, ..Outputs::NOTHING }]
+    {
+        assert_eq!(name(uneven, oblique, outputs), "nothing");
+    }
+    assert_eq!(name(ball, oblique, SPIN), "constant");
+    assert_eq!(name(uneven, still, BOTH), "constant");
+    assert_eq!(name(uneven, along, SPIN), "constant");
+    assert_eq!(name(ball, oblique, attitude), "rotation");
+    assert_eq!(name(uneven, along, BOTH), "rotation");
+    assert_eq!(name(top, oblique, SPIN), "symmetric top");
+    assert_eq!(name(top, oblique, BOTH), "symmetric top");
+    assert_eq!(name(uneven, oblique, SPIN), "elliptic spin");
+    assert_eq!(name(uneven, oblique, Outputs { gap: true, ..Outputs::NOTHING }), "elliptic spin");
+    assert_eq!(name(top, oblique, Outputs { gap: true, ..Outputs::NOTHING }), "nothing");
+    assert_eq!(name(uneven, oblique, attitude), "elliptic");
+}
+
+/// A tensor with products, a body that lies turned in the world: each way against the motion of the whole body.
+#[test]
+fn a_body_that_lies_turned_in_its_own_axes_and_in_the_world_is_answered_in_those() {
+    let lies = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    for moments in [[1.0, 2.0, 2.5], [2.0, 2.0, 3.0]] {
+        let tensor = Inertia::from_moments(moments[0], moments[1], moments[2]).unwrap();
+        let tensor = tensor.turned(&UnitQuaternion::from_euler_angles(1.0, 0.2, -0.7)).unwrap();
+        let omega = Vector3::new(0.4, -1.1, 0.7);
+        let body = Body::spinning(tensor, lies, &omega).unwrap();
+        let exact = FreeMotion::of(&body).unwrap();
+        let by_momentum = InitialState::from(body);
+        let by_spin = InitialState { start: Start::Spin(omega), ..by_momentum };
+        for state in [by_momentum, by_spin] {
+            let scene = one(state, vec![], Times::every(0.7, 7.0), ALL, 1e-9);
+            for state in states(&scene.plan(0).unwrap()) {
+                let at = exact.at(state.time).unwrap();
+                assert!((state.spin.unwrap() - at.omega).norm() < 1e-12);
+                assert!(state.attitude.unwrap().angle_to(&at.attitude) < 1e-12);
+                assert!((state.energy.unwrap() / body.energy() - 1.0).abs() < 1e-13);
+                assert!((state.gap.unwrap() - tensor.angle_to_momentum(&at.omega).unwrap()).abs() < 1e-12);
+            }
+        }
+    }
+}
+
+/// A flat plate's moments just meet the triangle inequality, and turning its tensor rounds them by some units beyond.
+#[test]
+fn a_flat_plate_is_answered_in_whatever_axes_its_tensor_is_given() {
+    let plate = Inertia::from_moments(0.1, 0.3, 0.1 + 0.3).unwrap();
+    for k in 0..300 {
+        let turn = UnitQuaternion::from_euler_angles(0.37 * f64::from(k), 0.11 * f64::from(k), 1.3);
+        let body = Body::spinning(
+            plate.turned(&turn).unwrap(),
+            turn.inverse(),
+            &(turn * Vector3::new(0.4, 1.0, 0.2)),
+        );
+        let body = body.unwrap();
+        let scene = Scene::new([body], vec![], Times::Given(vec![3.0]), BOTH, 1e-9).unwrap();
+        let plan = scene.plan(0).unwrap_or_else(|error| panic!("{k}: {error}"));
+        let at = FreeMotion::of(&body).unwrap().at(3.0).unwrap();
+        assert!((states(&plan)[0].spin.unwrap() - at.omega).norm() < 1e-12);
+    }
+}
+
+/// The principal axes of a tensor with hardly any products come in another order than its own: the answers do not.
+#[test]
+fn answers_are_continuous_in_the_entries_of_the_tensor() {
+    let at = |product: f64| {
+        let tensor = Inertia::new([0.05, 0.03, 0.07], [product, 0.0, 0.0]).unwrap();
+        let body = Body::spinning(tensor, UnitQuaternion::identity(), &Vector3::new(1.0, 0.2, 0.3)).unwrap();
+        let scene = Scene::new([body], vec![], Times::every(0.5, 5.0), ALL, 1e-9).unwrap();
+        states(&scene.plan(0).unwrap())
+    };
+    for (a, b) in at(0.0).iter().zip(&at(1e-12)) {
+        assert!(apart(a, b) < 1e-9 && (a.gap.unwrap() - b.gap.unwrap()).abs() < 1e-9, "{a:?} {b:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Two moments equal, or apart by a hair; all three; the spin along an axis, or beside it by a hair; the hair moves the motion by less
+    /// than what is asked.
+    #[test]
+    fn scenes_on_either_side_of_a_border_agree(
+        a in 0.6..1.0_f64, rise in 1.1..1.9_f64, w in prop::array::uniform3(-2.0..2.0_f64), hair in 1e-14..1e-12_f64,
+    ) {
+        let c = a * rise;
+        let times = || Times::every(0.9, 9.0);
+        let omega = Vector3::from(w);
+        let scene = |moments: [f64; 3], omega| one(InitialState::spinning(moments.into(), omega), vec![], times(), BOTH, 1e-9);
+        let far = 1e-9;
+        prop_assert!(agree(&scene([a, a, c], omega), &scene([a, a * (1.0 + hair), c], omega)) < far);
+        prop_assert!(agree(&scene([c, a, a], omega), &scene([c, a * (1.0 + hair), a], omega)) < far);
+        let ball = [1.0, 1.0 + hair, 1.0 + 3.0 * hair];
+        prop_assert!(agree(&scene([1.0; 3], omega), &scene(ball, omega)) < far);
+        let (fast, beside) = (w[0] + 3.0_f64.copysign(w[0]), hair * w[1]);
+        let along = Vector3::new(fast, 0.0, 0.0);
+        // About the largest and the smallest axis a hair stays one.
+        for moments in [[0.5, a, 1.05], [1.2, a, 0.9]] {
+            prop_assert!(agree(&scene(moments, along), &scene(moments, along + Vector3::new(0.0, beside, beside))) < far);
+        }
+        // At rest, or nearly.
+        let creeping = scene([a, 1.0, c], omega * 1e-13).plan(0).map(|plan| states(&plan)).unwrap();
+        prop_assert!(creeping.iter().all(|state| state.attitude.unwrap().angle() < far));
+    }
+
+    /// Whatever the numbers: an answer or a refusal.
+    #[test]
+    fn no_numbers_break_a_scene(
+        moments in prop::array::uniform3(any::<f64>()), w in prop::array::uniform3(any::<f64>()),
+        likely in prop::array::uniform3(0.5..1.0_f64), flip in any::<bool>(), momentum in any::<bool>(),
+        products in prop::option::of(prop::array::uniform3(any::<f64>())),
+        times in prop::array::uniform2(any::<f64>()), accuracy in prop_oneof![any::<f64>(), Just(1e-6)],
+    ) {
+        let moments = Vector3::from(if flip { likely } else { moments });
+        let start = Vector3::from(w);
+        let start = if momentum { Start::Momentum(start) } else { Start::Spin(start) };
+        let products = Vector3::from(products.unwrap_or_default());
+        let body = InitialState { moments, products, attitude: UnitQuaternion::identity(), start };
+        let outputs = Outputs { flips: true, polhode: true, ..ALL };
+        for times in [Times::every(times[0], times[1]), Times::Given(times.map(f64::abs).to_vec()), Times::every(0.5, 1.0)] {
+            let Ok(scene) = Scene::new(vec![body], vec![], times, outputs, accuracy) else { continue };
+            let Ok(plan) = scene.plan(0) else { continue };
+            prop_assert!(plan.explain().lines().count() == 4);
+            let _ = (plan.flips().map(|flips| flips.take(3).count()), plan.polhode());
+            for state in plan.states().take(3) {
+                let Ok(state) = state else { continue };
+                prop_assert!(state.spin.unwrap().iter().all(|x| x.is_finite()));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_torque_of_nothing_is_no_torque() {
+    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 1.0, 0.2));
+    let nothing = vec![
+        Torque::InBody(Vector3::zeros()),
+        Torque::gravity(Vector3::new(0.0, 0.0, 1.0), 0.0),
+        Torque::Damping(Vector3::zeros()),
+        Torque::Dissipation(0.0),
+    ];
+    let scene = one(body, nothing, Times::every(1.0, 5.0), BOTH, 1e-9);
+    assert!(matches!(scene.plan(0).unwrap().strategy(), Strategy::Elliptic(_)));
+}
+
+/// A tensor with products is turned to its principal axes, and that rounds a thin body's least moment to the size of its largest: what is
+/// lost there is not promised. And a momentum that is turned loses as much about the light axis.
+#[test]
+fn what_turning_to_the_principal_axes_rounds_is_not_promised() {
+    let frame = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
+    let rotation = frame.to_rotation_matrix();
+    let moments = Vector3::new(1e-8, 1.0, 1.0 + 0.5e-8);
+    let tensor = rotation * nalgebra::Matrix3::from_diagonal(&moments) * rotation.transpose();
+    let products = Vector3::new(tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]);
+    let l = frame * moments.component_mul(&Vector3::new(0.3, 0.2, 1.0));
+    let along = frame * Vector3::new(1e-8, 0.0, 0.0);
+    for body in [
+        InitialState {
+            moments: tensor.diagonal(),
+            products,
+            attitude: UnitQuaternion::identity(),
+            start: Start::Momentum(l),
+        },
+        // Here the light moment itself is what is lost.
+        InitialState {
+            moments: tensor.diagonal(),
+            products,
+            attitude: UnitQuaternion::identity(),
+            start: Start::Momentum(along),
+        },
+        InitialState {
+            moments: Vector3::new(1e-8, 1.0, 1.0 + 0.5e-8),
+            products: Vector3::zeros(),
+            attitude: frame,
+            start: Start::Momentum(l),
+        },
+    ] {
+        let scene = |accuracy| one(body, vec![], Times::Given(vec![0.0, 1.0]), BOTH, accuracy);
+        let told = scene(1e-12).plan(0).map(|plan| plan.explain()).unwrap_err();
+        let Error::Body { source, .. } = told else { panic!("{told}") };
+        assert!(matches!(*source, Error::Unattainable { attainable, .. } if attainable > 1e-9), "{source}");
+    }
+}
+
+/// The derivatives that the plan goes by, against the motion itself, started a little otherwise: what is accepted is had.
+#[test]
+fn an_accuracy_is_refused_where_the_start_does_not_determine_it() {
+    let roundings = 16.0 * f64::EPSILON;
+    let mut refused = 0;
+    for (moments, omega, end) in [
+        ([1.0, 2.0, 2.5], [0.01, 1.0, 0.02], 300.0),
+        ([1.0, 2.0, 2.5], [1e-4, 1.0, 1e-4], 100.0),
+        ([1e-5, 1.0, 1.000_005], [3.0, 0.5, 0.1], 50.0),
+        ([1.0, 1.0001, 1.9], [0.3, 0.2, 0.1], 1000.0),
+        ([0.0012, 0.01638, 0.01748], [0.01, 10.0, 0.01], 60.0),
+    ] {
+        let (moments, omega) = (Vector3::from(moments), Vector3::from(omega));
+        let motion = |omega: &Vector3<f64>| FreeMotion::new(moments.try_into().unwrap(), omega).unwrap();
+        let one_of = motion(&omega);
+        let flip = one_of.flips(0.0, end).unwrap().next_back();
+        let mut worst = 1.0_f64;
+        for time in flip.into_iter().chain([end]) {
+            for j in 0..3 {
+                let mut pushed = omega;
+                let share = 1e-10;
+                pushed[j] *= 1.0 + share;
+                let (a, b) = (one_of.at(time).unwrap(), motion(&pushed).at(time).unwrap());
+                let off = ((a.omega - b.omega).norm() / omega.norm()).max(a.attitude.angle_to(&b.attitude));
+                worst = worst.max(off / share);
+            }
+        }
+        for k in 0..30 {
+            let accuracy = 1e-2 * 0.4_f64.powi(k);
+            let times = Times::Given(vec![end]);
+            let scene = one(InitialState::spinning(moments, omega), vec![], times, BOTH, accuracy);
+            let accepted = scene.plan(0).is_ok();
+            assert!(!accepted || accuracy > 0.9 * roundings * worst, "{moments:?}: {accuracy:e} {worst:e}");
+            refused += usize::from(!accepted);
+        }
+    }
+    assert!(refused > 20, "{refused}");
+}
+
+/// A million radians leave ten digits of a rotation, and fewer of a flip.
+#[test]
+fn an_accuracy_below_rounding_is_refused_with_what_can_be_had() {
+    let (uneven, ball) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(1.0, 1.0, 1.0));
+    let flip = Vector3::new(1e-4, 1.0, 0.0);
+    for (moments, omega, end) in
+        [(ball, Vector3::new(0.0, 1.0, 1.0), 1e6), (uneven, flip, 1e3), (uneven, flip, 1e6)]
+    {
+        let plan = |accuracy: f64| {
+            let scene =
+                one(InitialState::spinning(moments, omega), vec![], Times::Given(vec![end]), BOTH, accuracy);
+            scene.plan(0).map(drop)
+        };
+        let Err(Error::Body { source, .. }) = plan(1e-12) else { panic!("{moments} {end}") };
+        let Error::Unattainable { attainable, .. } = *source else { panic!("{source}") };
+        assert!(attainable > 16.0 * f64::EPSILON * end, "{attainable:e}");
+        assert!(attainable < 1e-1, "{attainable:e}");
+        plan(1.001 * attainable).unwrap();
+    }
+}
+
+/// The spin of a top goes round in the body at the rate (C - A) n / A.
+#[test]
+fn the_polhode_of_a_top_is_once_around_after_its_period() {
+    let (moments, omega) = (Vector3::new(2.0, 2.0, 3.0), Vector3::new(0.4, 0.5, -1.0));
+    let outputs = Outputs { polhode: true, ..Outputs::NOTHING };
+    let scene = one(InitialState::spinning(moments, omega), vec![], Times::every(1.0, 1.0), outputs, 1e-9);
+    let period = scene.plan(0).unwrap().polhode().unwrap().period.unwrap();
+    assert!((period - std::f64::consts::TAU / 0.5).abs() < 1e-12);
+}
+
+/// Along the way the spin's components come as near to their bounds as the samples are close, and never pass them.
+#[test]
+fn the_polhode_bounds_the_spin_and_touches_its_bounds() {
+    for (moments, omega) in [
+        ([1.0, 2.0, 2.5], [0.3, 1.0, 0.2]),
+        ([1.0, 2.0, 2.5], [0.02, 0.3, 2.0]),
+        ([2.5, 1.0, 2.0], [0.1, 1.5, 0.2]),
+        ([2.0, 2.0, 3.0], [0.4, 0.3, 1.0]),
+    ] {
+        let body = InitialState::spinning(moments.into(), omega.into());
+        let outputs = Outputs { polhode: true, ..SPIN };
+        let scene = one(body, vec![], Times::every(0.01, 100.0), outputs, 1e-9);
+        let plan = scene.plan(0).unwrap();
+        let polhode = plan.polhode().unwrap();
+        let (mut least, mut greatest) = (Vector3::repeat(f64::INFINITY), Vector3::zeros());
+        for state in plan.states() {
+            let size = state.unwrap().spin.unwrap().abs();
+            (least, greatest) = (least.inf(&size), greatest.sup(&size));
+        }
+        assert!((polhode.greatest - greatest).amax() < 1e-3 && (polhode.greatest - greatest).min() > -1e-12);
+        assert!((polhode.least - least).amax() < 2e-2 && (polhode.least - least).max() < 1e-12);
+        let period = polhode.period.unwrap();
+        let again = one(body, vec![], Times::Given(vec![period]), SPIN, 1e-9);
+        let back = states(&again.plan(0).unwrap())[0].spin.unwrap();
+        assert!((back - Vector3::from(omega)).norm() < 1e-12);
+    }
+}

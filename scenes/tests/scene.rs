@@ -1,0 +1,161 @@
+//! What a scene refuses, counts and explains.
+
+mod common;
+
+use common::{ALL, BOTH, SPIN, one, states};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use tumbling::step::Torque;
+use tumbling_scenes::{Error, Field, InitialState, Outputs, Scene, Times};
+
+/// Multiples of a step that no sum of doubles meets, and counts so large that a share of them is many.
+#[test]
+fn as_many_states_as_steps_fit_the_span_and_one() {
+    for (step, span, count) in [
+        (0.1, 0.3, 4),
+        (0.1, 10.0, 101),
+        (0.1, 0.299, 3),
+        (1.0 / 3.0, 1e3, 3001),
+        (1.0, 1e9 - 0.5, 1_000_000_000),
+        (1.0, 1e10, 10_000_000_001),
+        (1e-3, 1e12, 1_000_000_000_000_001),
+    ] {
+        let times = Times::every(step, span);
+        assert_eq!(times.count(), count, "{step} {span}");
+        assert!(times.nth(count - 1) <= span && times.nth(count) <= span);
+    }
+    assert_eq!(Times::every(0.1, 0.3).nth(3), 0.3);
+    // None that a scene refuses is counted, and none overflows.
+    for (step, span) in
+        [(1e-300, 1.0), (f64::NAN, 1.0), (1.0, f64::NAN), (-0.1, -1.0), (0.0, 1.0), (0.0, 0.0)]
+    {
+        let times = Times::every(step, span);
+        assert!(times.validate().is_err() && times.count() == 0, "{step:e} {span}");
+        let _ = times.nth(3);
+    }
+    assert_eq!(Times::every(f64::EPSILON, 1.0).count(), (1 << 52) + 1);
+}
+
+#[test]
+fn refusals_are_plain_sentences() {
+    let refused = |body: InitialState, torques, time, accuracy| {
+        let scene = Scene::new(vec![body], torques, Times::Given(vec![time]), ALL, accuracy);
+        scene.and_then(|scene| scene.plan(0).map(drop)).unwrap_err().to_string()
+    };
+    let slow = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 5.0, 0.2));
+    let fast = InitialState::spinning(
+        Vector3::new(1.37e299, 1.42e299, 1.06e299),
+        Vector3::new(-4e299, -8e299, 2e298),
+    );
+    assert_eq!(refused(slow, vec![], 1.0, 1.0), "the accuracy is 1.0: it must be below 1");
+    let told = refused(fast, vec![], 1e9, 1e-9);
+    assert!(told.starts_with("body 0: the angle turned up to the last time comes out as inf"), "{told}");
+    let push = Torque::InBody(Vector3::new(0.1, 0.0, 0.0));
+    let told = refused(slow, vec![push.clone()], 10.0, 1e-15);
+    let share: f64 = told.rsplit(' ').next().unwrap().parse().unwrap();
+    assert!((1e-14..1e-10).contains(&share), "{told}");
+    // What is offered can be had.
+    let scene = one(slow, vec![push], Times::Given(vec![10.0]), ALL, 1.1 * share);
+    assert!(scene.plan(0).is_ok(), "{told}");
+}
+
+#[test]
+fn what_cannot_be_answered_is_refused_and_says_why() {
+    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 1.0, 0.2));
+    let times = Times::every(1.0, 2.0);
+    let new = |bodies: Vec<InitialState>, times: &Times, accuracy: f64| {
+        Scene::new(bodies, vec![], times.clone(), BOTH, accuracy)
+    };
+    assert!(matches!(new(vec![], &times, 1e-9), Err(Error::TooFew { what: "bodies", count: 0, .. })));
+    let unsorted = Times::Given(vec![0.0, 2.0, 1.0]);
+    assert!(matches!(new(vec![body], &unsorted, 1e-9), Err(Error::Value { what: "a time", value: 2.0, .. })));
+    for bad in [Times::Given(vec![]), Times::Given(vec![-1.0]), Times::Given(vec![f64::NAN])] {
+        assert!(new(vec![body], &bad, 1e-9).is_err());
+    }
+    for (step, span) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY), (1e-300, 1e300)] {
+        assert!(new(vec![body], &Times::every(step, span), 1e-9).is_err());
+    }
+    for bad in [0.0, -1.0, 1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(new(vec![body], &times, bad), Err(Error::Value { what: "the accuracy", .. })));
+    }
+    assert!(matches!(new(vec![body], &times, 1e-17), Err(Error::Unattainable { .. })));
+    let source = |scene: &Scene| match scene.plan(0) {
+        Err(Error::Body { index: 0, source }) => *source,
+        other => panic!("{other:?}"),
+    };
+    let outputs = Outputs { flips: true, ..Outputs::NOTHING };
+    let drag = || vec![Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
+    assert!(matches!(
+        source(&one(body, drag(), times.clone(), outputs, 1e-9)),
+        Error::Undefined { what: "the list of flips", .. }
+    ));
+    let still = InitialState::spinning(body.moments, Vector3::zeros());
+    let gap = Outputs { gap: true, ..Outputs::NOTHING };
+    assert!(matches!(source(&one(still, vec![], times.clone(), gap, 1e-9)), Error::Undefined { .. }));
+    let long =
+        InitialState { attitude: UnitQuaternion::new_unchecked(Quaternion::new(2.0, 0.0, 0.0, 0.0)), ..body };
+    assert_eq!(source(&one(long, vec![], times, BOTH, 1e-9)).field(), Some(Field::Attitude));
+    assert!(one(body, vec![], Times::every(1.0, 2.0), BOTH, 1e-9).plan(7).is_err());
+}
+
+#[test]
+fn one_body_that_is_none_leaves_the_others_answered() {
+    let good = |k: u32| {
+        InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 1.0, 0.001 * f64::from(k)))
+    };
+    let mut bodies: Vec<InitialState> = (0..1000).map(good).collect();
+    bodies[777].moments.z = 3.5;
+    let scene = Scene::new(bodies, vec![], Times::every(1.0, 1.0), SPIN, 1e-9).unwrap();
+    let (mut answered, mut refused) = (0, Vec::new());
+    scene.run(|index, state| match state {
+        Ok(_) => answered += 1,
+        Err(error) => refused.push((index, error)),
+    });
+    assert_eq!(answered, 2 * 999);
+    assert_eq!(refused.len(), 1);
+    assert!(
+        matches!(&refused[0], (777, error @ Error::Body { index: 777, .. }) if error.field() == Some(Field::Moments))
+    );
+}
+
+#[test]
+fn a_span_of_zero_answers_the_start() {
+    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 1.0, 0.2));
+    for torques in [vec![], vec![Torque::InBody(Vector3::x())]] {
+        let scene = one(body, torques, Times::every(1.0, 0.0), ALL, 1e-9);
+        let plan = scene.plan(0).unwrap();
+        let [state] = states(&plan)[..] else { panic!() };
+        assert_eq!(
+            (state.time, state.spin, state.attitude),
+            (0.0, Some(Vector3::new(0.1, 1.0, 0.2)), Some(body.attitude))
+        );
+    }
+}
+
+/// Each kind of plan says what it leaves out.
+#[test]
+fn a_plan_explains_itself_in_words() {
+    let told = |moments: [f64; 3], omega: [f64; 3], torques, outputs| {
+        let body = InitialState::spinning(moments.into(), omega.into());
+        one(body, torques, Times::every(0.5, 5.0), outputs, 1e-6).plan(0).unwrap().explain()
+    };
+    for (text, words) in [
+        (told([1.0; 3], [1.0, 2.0, 3.0], vec![], SPIN), "all three moments are equal"),
+        (told([1.0, 2.0, 2.5], [0.0, 1.0, 0.0], vec![], BOTH), "along a principal axis"),
+        (told([2.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "two moments are equal"),
+        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], SPIN), "the attitude, which is not requested"),
+        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "no torque acts"),
+        (
+            told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::InBody(Vector3::x())], BOTH),
+            "since a torque acts",
+        ),
+        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING), "nothing that moves is requested"),
+    ] {
+        assert!(text.contains(words), "{text}");
+        assert_eq!(text.lines().count(), 4, "{text}");
+        assert!(
+            text.lines()
+                .zip(["chosen: ", "left out: ", "accuracy: ", "cost: "])
+                .all(|(line, head)| line.starts_with(head))
+        );
+    }
+}
