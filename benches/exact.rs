@@ -62,11 +62,20 @@ fn works() -> Vec<Work> {
             ));
         }
         let short: Vec<f64> = times.iter().map(|t| 0.002 * t).collect();
-        for (what, times) in [("derivatives", &times), ("derivatives, short spans", &short)] {
+        for (what, times) in [("", &times), (", short spans", &short)] {
             let times = times.clone();
+            let again = times.clone();
             works.push((
-                name(what),
-                Box::new(move |k| drop(black_box(motion.sensitivity(black_box(times[k as usize % 1024]))))),
+                name(&format!("state transition{what}")),
+                Box::new(move |k| {
+                    drop(black_box(motion.state_transition(black_box(times[k as usize % 1024]))));
+                }),
+            ));
+            works.push((
+                name(&format!("derivatives by the tensor{what}")),
+                Box::new(move |k| {
+                    drop(black_box(motion.tensor_sensitivity(black_box(again[k as usize % 1024]))));
+                }),
             ));
         }
         // A thousand at once count as the one instant that each is.

@@ -42,7 +42,6 @@ pub use flips::Flips;
 pub use period::time_between_flips;
 pub use polhode::Polhode;
 pub use regime::Regime;
-pub use sensitivity::Sensitivity;
 
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};

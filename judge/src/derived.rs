@@ -23,20 +23,20 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
     for _ in 0..20 {
         let motion = FreeMotion::new((*moments).try_into().ok()?, &omega).ok()?;
         let got = from * motion.attitude(pair.h).ok()?.into_inner();
-        // What is left of the turn, in the axes of the first attitude.
+        // What is left of the turn, in body axes.
         let left = Pair {
             from: Row { attitude: Some(got), ..pair.to },
             to: Row { attitude: Some(to), ..pair.to },
             h: pair.h,
         };
-        let left = motion.attitude(pair.h).ok()? * left.turn()?;
+        let left = left.turn()?;
         let size = left.norm();
         if size >= least || size == 0.0 {
             break;
         }
         least = size;
-        let change = motion.sensitivity(pair.h).ok()?.turn_by_omega.lu().solve(&left)?;
-        omega += change;
+        let by_start = motion.state_transition(pair.h).ok()?.fixed_view::<3, 3>(0, 3).into_owned();
+        omega += by_start.lu().solve(&left)?;
     }
     (least <= 1e-6 && omega.iter().all(|x| x.is_finite())).then_some(omega)
 }

@@ -41,7 +41,7 @@ pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64
         let (mut normal, mut side) = (Matrix3::zeros(), Vector3::zeros());
         for row in rows {
             let t = row.t - first.t;
-            let by_start = motion.sensitivity(t)?.omega_by_omega;
+            let by_start = motion.state_transition(t)?.fixed_view::<3, 3>(3, 3).into_owned();
             normal += by_start.tr_mul(&by_start);
             side += by_start.tr_mul(&(row.omega - motion.omega(t)?));
         }

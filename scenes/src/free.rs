@@ -94,14 +94,13 @@ fn attainable(
     let rounded = body.rounded;
     let flip = motion.flips(0.0, end)?.next_back();
     for time in flip.into_iter().chain([end]) {
-        let change = motion.sensitivity(time)?;
-        let (by_omega, by_moments) = (change.turn_by_omega, change.turn_by_moments);
+        let (by_start, by_tensor) = (motion.state_transition(time)?, motion.tensor_sensitivity(time)?);
         for j in 0..3 {
-            let (omega, moment) = (rounded.omega[j], rounded.moments[j]);
-            let spin = change.omega_by_omega.column(j).norm() * omega
-                + change.omega_by_moments.column(j).norm() * moment;
-            let turn = by_omega.column(j).norm() * omega + by_moments.column(j).norm() * moment;
-            worst = worst.max(spin / speed).max(turn);
+            let change = |row: usize| {
+                by_start.fixed_view::<3, 1>(row, 3 + j).norm() * rounded.omega[j]
+                    + by_tensor.fixed_view::<3, 1>(row, j).norm() * rounded.moments[j]
+            };
+            worst = worst.max(change(3) / speed).max(change(0));
         }
     }
     allowed(accuracy, ROUNDINGS * f64::EPSILON * worst)

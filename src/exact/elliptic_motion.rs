@@ -4,10 +4,9 @@ mod axes;
 mod complementary;
 mod direct;
 mod folded_argument;
-mod neighbours;
 mod prepare;
+mod variations;
 
-pub(super) use neighbours::Halves;
 pub(super) use {complementary::Attitude as ComplementaryAttitude, complementary::Spin as ComplementarySpin};
 pub(super) use {direct::Attitude as DirectAttitude, direct::Spin as DirectSpin};
 
@@ -79,6 +78,10 @@ impl EllipticMotion {
     /// Index of the axis circled.
     pub(crate) fn around(&self) -> usize {
         self.axes[2]
+    }
+
+    pub(crate) fn modulus(&self) -> f64 {
+        self.constants.modulus
     }
 
     pub(crate) fn greatest_spin(&self) -> f64 {

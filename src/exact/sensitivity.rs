@@ -1,108 +1,182 @@
-//! How the motion answers to small changes of its start and of the body.
+//! Sensitivity of the motion: its state transition matrix, and its derivatives by the tensor.
 
 mod elementary;
 mod needle;
+mod products;
+mod quadrature;
 mod series;
 
 use super::elementary::scaled;
-use super::elliptic_motion::{EllipticMotion, Halves};
+use super::elliptic_motion::EllipticMotion;
 use super::{FreeMotion, Law};
 use crate::error::{Error, Refusal, finite};
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3};
+use series::{Request, span};
 
-/// Derivatives of spin and attitude at one instant; see [`FreeMotion::sensitivity`].
-///
-/// Column `j` of each matrix belongs to the change of component `j` of the start's spin or of moment `j`, along the
-/// principal axes in the order of [`FreeMotion::moments`]; the changes are along those axes too, and those of
-/// the start for the world.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sensitivity {
-    /// Change of the spin in body axes by that of the spin at the start, pure numbers.
-    pub omega_by_omega: Matrix3<f64>,
-    /// Change of the spin in body axes by that of the moments, rad/s per kg m².
-    pub omega_by_moments: Matrix3<f64>,
-    /// The turn in the world (rotation vector, radians) that the attitude is changed by, by the change of the
-    /// spin at the start, per rad/s.
-    pub turn_by_omega: Matrix3<f64>,
-    /// The same by the change of the moments, per kg m².
-    pub turn_by_moments: Matrix3<f64>,
+/// Derivatives of a vector along the principal axes by the tensor's entries there: the three moments, then
+/// the three products of inertia, each at the place of the axis that it does not belong to.
+pub(super) type ByTensor = SMatrix<f64, 3, 6>;
+
+/// Derivatives of the spin along the principal axes, in scaled units.
+pub(super) struct SpinDerivatives {
+    /// By the spin at the start.
+    pub(super) spin: Matrix3<f64>,
+    /// By the tensor; what was not requested is zero.
+    pub(super) by_tensor: ByTensor,
+    /// The integrals over time of `w_i²` and `2 w_i w_j`, in the order of the tensor's entries, less those of
+    /// the start.
+    pub(super) energy: [f64; 6],
 }
 
-/// The change of the spin by the three components of the start's and by the three moments, and the integral over time of
-/// the square of each component less that at the start.
-pub(super) struct Change {
-    pub(super) spin: [Vector3<f64>; 6],
-    pub(super) squares: [f64; 3],
+/// Derivatives of spin and attitude along the principal axes, in scaled units; the attitude's are rotation
+/// vectors in the axes of the time in question.
+struct Derivatives {
+    /// Coordinates along the axes at the start to those at the time.
+    back: Matrix3<f64>,
+    turn: Matrix3<f64>,
+    spin: Matrix3<f64>,
+    turn_by_tensor: ByTensor,
+    spin_by_tensor: ByTensor,
 }
 
-/// Up to this many radians the power series in time are taken.
+/// Up to this angle the power series in time are taken, rad; and up to this distance of Jacobi's argument
+/// from whole half periods, for needles up to that of `SHORT`: their closed form cancels more.
 const SHORT: f64 = 1.0;
+const NEAR_RETURN: f64 = 0.5;
+/// A moment below this share of the largest makes a needle.
+const NEEDLE: f64 = 1e-3;
 
 impl FreeMotion {
-    /// How the motion at time `t` changes with the spin at the start and with the moments.
+    /// The state transition matrix from the start to time `t`, of attitude error (rad) and spin error
+    /// (rad/s), both in body axes.
     ///
-    /// The derivatives are those of the closed form, in every regime: of Jacobi's functions by argument and modulus,
-    /// of sines and exponentials, and over short spans of power series in time. The turn needs no
-    /// integral but that of the squares of the spin: across the momentum it follows from the momentum's being
-    /// constant, along it from the energy's. Each of the four matrices is right to some roundings of its own norm,
-    /// times the angle in radians that the body has spun through where that is above 1. Of needles, below a thousandth of the largest
-    /// moment, the derivatives by the moments have been seen a thousand roundings off.
+    /// The attitude error is the small rotation vector `e` of `R exp(e)` relative to the attitude `R`, in the
+    /// axes of the body at the same time: the local error that multiplicative attitude filters estimate. `F`
+    /// is then a matrix of the body alone, the same from any attitude. Its upper left block is the turn back
+    /// from `t` to the start, the lower left zero, the lower right the derivative of the spin by that at the
+    /// start.
+    ///
+    /// The derivatives are those of the closed form, in every regime. Each of the blocks is right to 8
+    /// roundings of its own norm, times the angle in radians that the body has spun through where that is
+    /// above 1.
     ///
     /// ```
-    /// use nalgebra::Vector3;
-    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
-    /// // A spin about the middle axis: a push across it grows as cosh(rate t), with rate² = 100/3.
-    /// let steady = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.0))?;
-    /// let change = steady.sensitivity(0.5)?;
-    /// let growth = (10.0 / 3_f64.sqrt() * 0.5).cosh();
-    /// assert!((change.omega_by_omega[(2, 2)] / growth - 1.0).abs() < 1e-14);
+    /// use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
+    /// use tumbling::{Body, Inertia, exact::FreeMotion};
+    /// // A CubeSat whose attitude is known to 1 mrad and whose spin is known to 0.1 mrad/s.
+    /// let inertia = Inertia::from_moments(0.05, 0.03, 0.07)?.turned(&UnitQuaternion::from_euler_angles(0.0, 0.1, 0.02))?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.01, -0.02, 0.03))?;
+    /// let motion = FreeMotion::of(&body)?;
+    /// let before = Matrix6::from_diagonal(&Vector6::new(1e-3, 1e-3, 1e-3, 1e-4, 1e-4, 1e-4).map(|sigma| sigma * sigma));
+    /// let f = motion.state_transition(60.0)?;
+    /// let after = f * before * f.transpose();
+    /// // At rest 0.1 mrad/s would make 6 mrad of a minute; the spin turns the error away from where it began.
+    /// let sigma = (after.fixed_view::<3, 3>(0, 0).trace() / 3.0).sqrt();
+    /// assert!((sigma - 4.951e-3).abs() < 1e-6);
+    /// // A start that is off by that much comes out as far off as the matrix says.
+    /// let (e, w) = (Vector3::new(3e-7, -1e-7, 2e-7), Vector3::new(1e-8, 2e-8, -1e-8));
+    /// let off = Body::spinning(inertia, UnitQuaternion::from_scaled_axis(e), &(body.omega_body() + w))?;
+    /// let (one, other) = (motion.at(60.0)?, FreeMotion::of(&off)?.at(60.0)?);
+    /// let turned = (one.attitude.inverse() * other.attitude).scaled_axis();
+    /// let expected = f * Vector6::new(e.x, e.y, e.z, w.x, w.y, w.z);
+    /// assert!((turned - expected.fixed_rows::<3>(0)).norm() < 1e-5 * turned.norm());
+    /// assert!((other.omega - one.omega - expected.fixed_rows::<3>(3)).norm() < 1e-5 * w.norm());
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A time that is not finite, derivatives beyond `f64`, or the separatrix where its spin has been at rest on the
-    /// middle axis for so long (700 times the inverse of its rate) that `f64` does not tell it from rest.
-    pub fn sensitivity(&self, t: f64) -> Result<Sensitivity, Error> {
-        let time = finite("the time", t)? * self.clock;
-        let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
-        let speed = Vector3::from(omega).norm();
-        let (change, turn) = if (speed * time).abs() <= SHORT {
-            let short = series::short(&moments, &omega, time, speed * time);
-            let attitude = self.turned(time);
-            (short.change, short.turn.map(|turn| attitude * turn))
-        } else {
-            let change = self.change(&moments, &omega, time)?;
-            let turn = match self.slow_turn(&moments, &omega, time) {
-                Some(turn) => turn,
-                None => self.turn(&moments, &omega, time, &change),
-            };
-            (change, turn)
+    /// A time that is not finite, derivatives beyond `f64`, or the separatrix where its spin has been at rest
+    /// on the middle axis for so long (700 times the inverse of its rate) that `f64` does not tell it from
+    /// rest.
+    pub fn state_transition(&self, t: f64) -> Result<Matrix6<f64>, Error> {
+        let found = self.derivatives(t, false)?;
+        let in_body = |block: &Matrix3<f64>, power: i32| {
+            let block = block.map(|x| times_power_of_two(x, power));
+            self.mount.map_or(block, |mount| {
+                let frame = mount.frame.to_rotation_matrix();
+                frame * block * frame.transpose()
+            })
         };
-        let heaviest = exponent(self.moments.largest());
-        let matrix = |columns: &[Vector3<f64>], power: i32| {
-            let matrix = Matrix3::from_columns(columns).map(|x| times_power_of_two(x, power));
-            match matrix.iter().find(|x| !x.is_finite()) {
-                Some(&value) => {
-                    Err(Error::from(Refusal::OutOfRange { what: "a derivative of the motion", value }))
-                }
-                None => Ok(matrix),
-            }
-        };
-        Ok(Sensitivity {
-            omega_by_omega: matrix(&change.spin[..3], 0)?,
-            omega_by_moments: matrix(&change.spin[3..], self.exponent - heaviest)?,
-            turn_by_omega: matrix(&turn[..3], -self.exponent)?,
-            turn_by_moments: matrix(&turn[3..], -heaviest)?,
-        })
+        let mut transition = Matrix6::zeros();
+        transition.fixed_view_mut::<3, 3>(0, 0).copy_from(&in_body(&found.back, 0));
+        transition.fixed_view_mut::<3, 3>(0, 3).copy_from(&in_body(&found.turn, -self.exponent));
+        transition.fixed_view_mut::<3, 3>(3, 3).copy_from(&in_body(&found.spin, 0));
+        all_finite(transition)
     }
 
-    /// The change of the spin, in scaled units, over a span in which the body turns by more than a little.
-    fn change(&self, moments: &[f64; 3], omega: &[f64; 3], time: f64) -> Result<Change, Error> {
+    /// The derivatives of attitude (rad, as in [`state_transition`](Self::state_transition)) and spin (rad/s)
+    /// at time `t` by the tensor's entries (kg m²) `Ixx`, `Iyy`, `Izz`, `Ixy`, `Ixz`, `Iyz` in body axes, at
+    /// fixed attitude and spin at the start.
+    ///
+    /// `Ixy` is the entry of the tensor's matrix and its mirror together; it turns the principal axes, and
+    /// where two moments agree the derivatives are the limit, since the motion is smooth in the tensor.
+    /// Accuracy is that of the state transition; of needles, below a thousandth of the largest moment, a
+    /// thousand roundings have been seen.
+    ///
+    /// ```
+    /// use nalgebra::{Vector3, Vector6};
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// // A heavier body moves alike: along the tensor itself nothing changes.
+    /// let motion = FreeMotion::new(PrincipalMoments::new(0.05, 0.03, 0.07)?, &Vector3::new(0.1, -0.2, 0.3))?;
+    /// let by_tensor = motion.tensor_sensitivity(20.0)?;
+    /// let change = by_tensor * Vector6::new(0.05, 0.03, 0.07, 0.0, 0.0, 0.0);
+    /// assert!(change.norm() < 1e-14 * by_tensor.norm());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`state_transition`](Self::state_transition).
+    pub fn tensor_sensitivity(&self, t: f64) -> Result<Matrix6<f64>, Error> {
+        let found = self.derivatives(t, true)?;
+        let heaviest = exponent(self.moments.largest());
+        let frame = self.mount.map(|mount| mount.frame.to_rotation_matrix().into_inner());
+        let in_body = |block: &ByTensor, power: i32| {
+            let block = match &frame {
+                Some(frame) => frame * block * along_principal_axes(frame),
+                // The products in the other order.
+                None => ByTensor::from_columns(&[0, 1, 2, 5, 4, 3].map(|k| block.column(k))),
+            };
+            block.map(|x| times_power_of_two(x, power))
+        };
+        let mut sensitivity = Matrix6::zeros();
+        sensitivity.fixed_rows_mut::<3>(0).copy_from(&in_body(&found.turn_by_tensor, -heaviest));
+        sensitivity
+            .fixed_rows_mut::<3>(3)
+            .copy_from(&in_body(&found.spin_by_tensor, self.exponent - heaviest));
+        all_finite(sensitivity)
+    }
+
+    fn derivatives(&self, t: f64, tensor: bool) -> Result<Derivatives, Error> {
+        let time = finite("the time", t)? * self.clock;
+        let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
+        if self.law == Law::AtRest {
+            return Ok(Derivatives::at_rest(time));
+        }
+        let angle = Vector3::from(omega).norm() * time.abs();
+        if angle <= SHORT {
+            let request = Request { attitude: true, tensor };
+            let argument = series::argument_rate(&moments, &omega) * time;
+            return Ok(span(&moments, &omega, time, [argument, angle], request).into());
+        }
+        if let Some(found) = self.slow_turn(&moments, &omega, time, tensor) {
+            return found;
+        }
+        let found = self.spin_derivatives(&moments, &omega, time, tensor)?;
+        Ok(self.with_turn(&moments, &omega, time, found, tensor))
+    }
+
+    /// The derivatives of the spin over a span in which the body turns by more than a little.
+    fn spin_derivatives(
+        &self,
+        moments: &[f64; 3],
+        omega: &[f64; 3],
+        time: f64,
+        tensor: bool,
+    ) -> Result<SpinDerivatives, Error> {
         Ok(match &self.law {
-            Law::AtRest => series::short(moments, omega, time, 0.0).change,
-            Law::Steady(_) => {
+            Law::AtRest | Law::Steady(_) => {
                 let moving = [0, 1, 2].map(|k| omega[k] != 0.0);
                 match moving {
                     [true, false, false] => elementary::principal(moments, 0, omega[0], time),
@@ -117,71 +191,169 @@ impl FreeMotion {
             }
             Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
             Law::Elliptic(motion) => {
-                let halves = motion.half_periods(time);
-                if halves.argument.abs() <= SHORT {
-                    near_return(motion, &halves, moments, omega)
+                let thin = Vector3::from(*moments).min() < NEEDLE * Vector3::from(*moments).max();
+                if motion.half_periods(time).argument.abs() <= if thin { SHORT } else { NEAR_RETURN } {
+                    near_return(motion, moments, omega, time, tensor)
                 } else {
-                    motion.neighbours(moments, time)?
+                    let mut found = motion.derivatives(moments, time, tensor)?;
+                    if tensor {
+                        products::add(motion, moments, omega, &self.scaled_omega(time), time, &mut found);
+                    }
+                    found
                 }
             }
         })
     }
 
-    /// The turns that belong to it, in the world.
+    /// The spin along the principal axes, in scaled units.
+    fn scaled_omega(&self, time: f64) -> Vector3<f64> {
+        self.omega_along(time).map(|w| times_power_of_two(w, -self.exponent))
+    }
+
+    /// With the derivatives of the attitude, which need no integral beyond those of the energy.
     ///
-    /// The momentum in the world is `L = R M`; so `turn x L + R dM = dL`, which gives the part across `L`. Along
-    /// it, `d/dt (turn · L) = dw · M`, and `2E` is the start's.
-    fn turn(&self, moments: &[f64; 3], omega: &[f64; 3], time: f64, change: &Change) -> [Vector3<f64>; 6] {
-        let rotation = self.turned(time);
-        let now = self.omega_along(time).map(|w| times_power_of_two(w, -self.exponent));
-        let i = Vector3::from(*moments);
-        let start = i.component_mul(&Vector3::from(*omega));
-        let momentum = start.norm();
-        let direction = start / momentum;
+    /// The momentum in the world is `L = R M`; so `R (e x M + dM) = dL`, which gives the part of `e` across
+    /// `M`. Along it, `d/dt (e · M) = dw · M`, and the change of twice the energy, `2 dw · M + w · dI w`, is
+    /// the start's.
+    fn with_turn(
+        &self,
+        moments: &[f64; 3],
+        omega: &[f64; 3],
+        time: f64,
+        found: SpinDerivatives,
+        tensor: bool,
+    ) -> Derivatives {
+        let back = self.turned(time).inverse().to_rotation_matrix().into_inner();
+        let now = self.scaled_omega(time);
+        let (i, omega) = (Vector3::from(*moments), Vector3::from(*omega));
+        let start = i.component_mul(&omega);
         let current = i.component_mul(&now);
+        let length = start.norm();
+        let direction = current / length;
+        let turn = |before: Vector3<f64>, after: Vector3<f64>, along: f64| {
+            (direction.cross(&(back * before - after)) + direction * along) / length
+        };
+        let columns = [0, 1, 2].map(|k| {
+            let after = i.component_mul(&found.spin.column(k));
+            turn(Vector3::ith(k, i[k]), after, time * start[k])
+        });
+        let mut turn_by_tensor = ByTensor::zeros();
         let main = start.iamax();
-        std::array::from_fn(|column| {
+        for column in 0..if tensor { 6 } else { 0 } {
+            let mut after = i.component_mul(&found.by_tensor.column(column));
             let k = column % 3;
-            let unit = Vector3::ith(k, 1.0);
-            let (mut before, mut after) = (Vector3::zeros(), i.component_mul(&change.spin[column]));
-            let along = if column < 3 {
-                before += unit * i[k];
-                time * start[k]
-            } else {
+            let before = if column >= 3 {
+                let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+                let of = |w: &Vector3<f64>| Vector3::ith(a, w[b]) + Vector3::ith(b, w[a]);
+                after += of(&now);
+                of(&omega)
+            } else if k == main {
                 // Along its largest component the momentum itself may be taken off, which does not change.
-                if k == main {
-                    before -= (start - unit * start[k]) / i[k];
-                    after -= (current - unit * current[k]) / i[k];
-                } else {
-                    before += unit * omega[k];
-                    after += unit * now[k];
-                }
-                -0.5 * change.squares[k]
+                after -= (current - Vector3::ith(k, current[k])) / i[k];
+                -(start - Vector3::ith(k, start[k])) / i[k]
+            } else {
+                after += Vector3::ith(k, now[k]);
+                Vector3::ith(k, omega[k])
             };
-            let across = direction.cross(&(before - rotation * after));
-            across / momentum + direction * (along / momentum)
-        })
+            turn_by_tensor.set_column(column, &turn(before, after, -0.5 * found.energy[column]));
+        }
+        Derivatives {
+            back,
+            turn: Matrix3::from_columns(&columns),
+            spin: found.spin,
+            turn_by_tensor,
+            spin_by_tensor: found.by_tensor,
+        }
     }
 }
 
-/// The change near a whole number of half periods, after each of which the spin is that before it with two signs
-/// turned: a series over the time that is left, and how much later or earlier the half periods end.
-fn near_return(motion: &EllipticMotion, halves: &Halves, moments: &[f64; 3], omega: &[f64; 3]) -> Change {
-    let series::Short { mut change, omega: end, .. } =
-        series::short(moments, omega, halves.time, halves.argument);
+impl Derivatives {
+    /// A body that is given a spin has it, and turns by it.
+    fn at_rest(time: f64) -> Self {
+        Self {
+            back: Matrix3::identity(),
+            turn: Matrix3::identity() * time,
+            spin: Matrix3::identity(),
+            turn_by_tensor: ByTensor::zeros(),
+            spin_by_tensor: ByTensor::zeros(),
+        }
+    }
+}
+
+/// The coefficients of a tensor's entries along its principal axes, in the order of [`ByTensor`], in terms of
+/// its entries in body axes, in the order of [`FreeMotion::tensor_sensitivity`].
+fn along_principal_axes(frame: &Matrix3<f64>) -> Matrix6<f64> {
+    Matrix6::from_fn(|row, column| {
+        let (a, b) = if row < 3 { (row, row) } else { ((row + 1) % 3, (row + 2) % 3) };
+        let (p, q) = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)][column];
+        let one = frame[(p, a)] * frame[(q, b)];
+        if p == q { one } else { one + frame[(q, a)] * frame[(p, b)] }
+    })
+}
+
+fn all_finite(matrix: Matrix6<f64>) -> Result<Matrix6<f64>, Error> {
+    match matrix.iter().find(|x| !x.is_finite()) {
+        Some(&value) => Err(Refusal::OutOfRange { what: "a derivative of the motion", value }.into()),
+        None => Ok(matrix),
+    }
+}
+
+impl From<series::Span> for SpinDerivatives {
+    fn from(span: series::Span) -> Self {
+        Self { spin: span.spin, by_tensor: span.spin_by_tensor, energy: span.energy }
+    }
+}
+
+impl From<series::Span> for Derivatives {
+    fn from(span: series::Span) -> Self {
+        let back = span.rotation.transpose();
+        Self {
+            back,
+            turn: back * span.turn,
+            spin: span.spin,
+            turn_by_tensor: back * span.turn_by_tensor,
+            spin_by_tensor: span.spin_by_tensor,
+        }
+    }
+}
+
+/// The derivatives near a whole number of half periods, after each of which the spin is that before it with
+/// the signs across the circled axis changed: a series over the rest, and by how much earlier or later the
+/// half periods end.
+fn near_return(
+    motion: &EllipticMotion,
+    moments: &[f64; 3],
+    omega: &[f64; 3],
+    time: f64,
+    tensor: bool,
+) -> SpinDerivatives {
+    let halves = motion.half_periods(time);
+    let request = Request { attitude: false, tensor };
+    let rest = span(moments, omega, halves.time, [halves.argument, 0.0], request);
+    let (end, mut found) = (rest.omega, SpinDerivatives::from(rest));
     if halves.count == 0.0 {
-        return change;
+        return found;
     }
-    let (later, squares) = motion.whole(moments, halves.count);
-    let factor = series::Ratios::new(moments).factor;
-    let rate = Vector3::from([0, 1, 2].map(|a| factor[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
+    let (earlier, squares) = motion.over_half_periods(moments, halves.count);
+    let factors = series::factors(moments);
+    let rate = Vector3::from([0, 1, 2].map(|a| factors[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
     let odd = halves.count - 2.0 * (0.5 * halves.count).round_ties_even() != 0.0;
-    let turned = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
-    for (column, later) in change.spin.iter_mut().zip(later) {
-        *column = (*column + rate * later).component_mul(&turned);
+    let signs = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
+    for (k, mut column) in found.spin.column_iter_mut().enumerate() {
+        let later = &column + rate * earlier[k];
+        column.copy_from(&later.component_mul(&signs));
     }
-    for (sum, whole) in change.squares.iter_mut().zip(squares) {
-        *sum += whole;
+    if tensor {
+        for (k, mut column) in found.by_tensor.column_iter_mut().enumerate() {
+            let later = &column + rate * earlier[3 + k];
+            column.copy_from(&later.component_mul(&signs));
+        }
+        for k in 0..3 {
+            found.energy[k] += squares[k];
+        }
+        let end = Vector3::from(end).component_mul(&signs);
+        let times = [time - halves.time, halves.time];
+        products::after_half_periods(moments, omega, &end, &signs, times, &mut found);
     }
-    change
+    found
 }

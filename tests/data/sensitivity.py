@@ -1,14 +1,16 @@
-"""Derivatives of free motions by the spin at the start and by the moments, to 20 digits.
+"""Derivatives of free motions by the spin at the start and by the six entries of the tensor, to 20 digits.
 
     python3 sensitivity.py > sensitivity.json
 
 Symmetric differences of the closed form (oracle.py). The distance is 1e-35 of the smallest scale there is (a component
 of the spin, a moment, a difference of two moments), and so many digits are carried that 40 or more of the difference
-are left. The turn is the rotation vector in the world, twice the imaginary part of dq conj(q)."""
+are left. A product of inertia turns two principal axes: the closed form is that of the tensor's own moments, seen from
+the axes turned back. The turn is the rotation vector in the world, twice the imaginary part of dq conj(q)."""
 import json, math, itertools, random
 from fractions import Fraction as Fr
 from multiprocessing import Pool
 import mpmath as mp
+from mpmath import mpf
 from oracle import Closed, F, M, qmul, qconj
 
 def distances(I, w, t, on_separatrix):
@@ -24,6 +26,33 @@ def distances(I, w, t, on_separatrix):
     # so close to the separatrix, a moment must not move the motion across it
     return power(least)*near, power(min(x for x in lengths if x)*ratio**2)*near
 
+PRODUCTS = ((0, 1), (0, 2), (1, 2))
+
+def rational(x):
+    "the exact value of an mpf"
+    sign, man, exp, _ = x._mpf_
+    return Fr((-1)**sign*int(man))*Fr(2)**exp
+
+def with_product(J, v, pair, h, t, digits):
+    "the motion of diag(J) with this product of inertia"
+    i, j = pair
+    k = 3-i-j
+    if (j-i) % 3 == 2: i, j = j, i # i, j, k cyclic
+    mean, half = (M(J[i])+M(J[j]))/2, (M(J[i])-M(J[j]))/2
+    angle = mp.atan2(M(h), half)/2 # of the axis of the larger moment from i to j
+    root = mp.sqrt(half*half+M(h)**2)
+    back = [mpf(0)]*4
+    back[0], back[1+k] = mp.cos(angle/2), -mp.sin(angle/2)
+    turned = list(v)
+    c, s = mp.cos(angle), mp.sin(angle)
+    turned[i], turned[j] = rational(c*M(v[i])+s*M(v[j])), rational(c*M(v[j])-s*M(v[i]))
+    own = list(J)
+    own[i], own[j] = rational(mean+root), rational(mean-root)
+    W, q = Closed(own, turned, digits).at(t)
+    W = list(W)
+    W[i], W[j] = c*W[i]-s*W[j], c*W[j]+s*W[i]
+    return W, list(qmul(qmul(qconj(back), q), back))
+
 def derivatives(case):
     family, I, w, t = case
     h_spin, h_moment = distances(I, w, t, family == 'separatrix')
@@ -31,13 +60,14 @@ def derivatives(case):
     with mp.workdps(digits):
         Q = Closed(I, w, digits).at(t)[1]
         columns = []
-        for k in range(6):
+        for k in range(9):
             h, ends = (h_spin if k < 3 else h_moment), []
             for sign in (1, -1):
                 J, v = [F(x) for x in I], [F(x) for x in w]
                 if k < 3: v[k] += sign*h
-                else: J[k-3] += sign*h
-                W, q = Closed(J, v, digits).at(t)
+                elif k < 6: J[k-3] += sign*h
+                if k < 6: W, q = Closed(J, v, digits).at(t)
+                else: W, q = with_product(J, v, PRODUCTS[k-6], sign*h, t, digits)
                 if sum(a*b for a, b in zip(q, Q)) < 0: q = [-x for x in q]
                 ends.append((W, q))
             (wa, qa), (wb, qb) = ends
@@ -134,5 +164,5 @@ def drawn(seed, count):
 if __name__ == '__main__':
     with Pool() as pool:
         rows = pool.map(derivatives, list(cases()) + list(drawn(1, 120)), chunksize=1)
-    print(json.dumps(dict(schema="columns: by w0[0..3], then by inertia[0..3]; each: change of w (body), then of the turn (world)",
+    print(json.dumps(dict(schema="columns: by w0[0..3], by inertia[0..3], by the products Ixy, Ixz, Iyz; each: change of w (body), then of the turn (world)",
                           cases=rows), indent=0))

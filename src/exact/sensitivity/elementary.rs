@@ -1,38 +1,57 @@
-//! The change of a steady spin and of that of a body with two equal moments: sines, exponentials, powers of time.
+//! Solutions of the variational equations of a steady spin and of a body with two equal moments: sines,
+//! exponentials, powers of time.
 
-use super::Change;
-use super::series::Ratios;
+use super::series::{Forcing, factors};
+use super::{ByTensor, SpinDerivatives};
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::TAU;
 
-/// About the principal axis number `axis`: that part of the change stays, the other two grow or turn together, and a
-/// change of the moments changes nothing.
-pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -> Change {
+/// About the principal axis number `axis`: that component's error stays, the other two grow or turn together.
+/// The moments have no effect; a product of inertia acts on them as a constant torque.
+pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -> SpinDerivatives {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let ratios = Ratios::new(moments);
+    let factors = factors(moments);
     let gap = |a: usize, b: usize| DoubleDouble::sum(moments[a], -moments[b]);
     // The square of the rate, with its sign: positive about the middle axis.
     let squared =
         gap(j, axis) / DoubleDouble::from(moments[i]) * (gap(axis, i) / DoubleDouble::from(moments[j]));
     let rate = squared.abs().sqrt() * spin.abs();
     let phase = rate * time;
-    let (even, odd) = if phase.hi() == 0.0 {
-        (1.0, time)
+    // Even and odd solution, and the integral of the odd one.
+    let half = 0.5 * phase.hi();
+    let (even, odd, sum) = if phase.hi() == 0.0 {
+        (1.0, time, 0.5 * time * time)
     } else if squared.hi() < 0.0 {
         let (sin, cos) = sin_cos_of_turns(phase / (DoubleDouble::PI * 2.0));
-        (cos, sin / rate.hi())
+        let (sin_of_half, _) = sin_cos_of_turns(phase / (DoubleDouble::PI * 4.0));
+        let quotient = sin_of_half / rate.hi();
+        (cos, sin / rate.hi(), 2.0 * quotient * quotient)
     } else {
         let (main, rest) = (phase.hi(), phase.lo());
-        (main.cosh() + main.sinh() * rest, (main.sinh() + main.cosh() * rest) / rate.hi())
+        let quotient = half.sinh() / rate.hi();
+        (
+            main.cosh() + main.sinh() * rest,
+            (main.sinh() + main.cosh() * rest) / rate.hi(),
+            2.0 * quotient * quotient,
+        )
     };
-    let mut change = Change { spin: [Vector3::zeros(); 6], squares: [0.0; 3] };
-    change.spin[axis][axis] = 1.0;
-    change.spin[i][i] = even;
-    change.spin[j][j] = even;
-    change.spin[j][i] = ratios.factor[i] * spin * odd;
-    change.spin[i][j] = ratios.factor[j] * spin * odd;
-    change
+    let mut derivatives = Matrix3::zeros();
+    derivatives[(axis, axis)] = 1.0;
+    (derivatives[(i, i)], derivatives[(j, j)]) = (even, even);
+    derivatives[(j, i)] = factors[j] * spin * odd;
+    derivatives[(i, j)] = factors[i] * spin * odd;
+    let mut omega = [0.0; 3];
+    omega[axis] = spin;
+    let forcing = Forcing::new(moments).at(&omega);
+    let mut by_tensor = ByTensor::zeros();
+    for column in 0..6 {
+        let [f, g] = [i, j].map(|k| forcing[(k, column)]);
+        by_tensor[(i, column)] = odd * f + factors[i] * spin * sum * g;
+        by_tensor[(j, column)] = odd * g + factors[j] * spin * sum * f;
+    }
+    SpinDerivatives { spin: derivatives, by_tensor, energy: [0.0; 6] }
 }
 
 type Complex = [f64; 2];
@@ -41,46 +60,63 @@ fn times(x: Complex, y: Complex) -> Complex {
     [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
 }
 
-/// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `wobble` turns per unit of
-/// time. The two across are one complex number `W`, and so are their changes `z`, seen from where they turn along.
+/// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `wobble` turns
+/// per unit of time. The two across are one complex number `W = W_0 exp(i r t)`, and so are their changes
+/// `exp(i r t) z`, where `z' = i s W_0 c + exp(-i r t) f` with the change `c` of the spin along the axis and
+/// the forcing `f`, both trigonometric.
 pub(super) fn top(
     moments: &[f64; 3],
     axis: usize,
     omega: &[f64; 3],
     wobble: DoubleDouble,
     time: f64,
-) -> Change {
+) -> SpinDerivatives {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-    let Ratios { factor, by_moments } = Ratios::new(moments);
-    let (w, along) = ([omega[a], omega[b]], omega[axis]);
+    let (w, along, equal) = ([omega[a], omega[b]], omega[axis], moments[a]);
+    let (s, by_moments) = (factors(moments)[b], Forcing::new(moments).by_moments);
     let (sin, cos) = sin_cos_of_turns(wobble * time);
     let turned = [cos, sin];
-    let [once, twice] = integrals(2.0 * std::f64::consts::TAU * wobble.hi(), times(turned, turned), time);
-    let square = times(w, w);
-    let mut change = Change { spin: [Vector3::zeros(); 6], squares: [0.0; 3] };
-    for column in 0..6 {
-        let start = |k: usize| if column == k { 1.0 } else { 0.0 };
-        let ratio = |k: usize| if column < 3 { 0.0 } else { by_moments[k][column - 3] };
-        // Of the spin along the axis, and its integral.
-        let gain = 0.5 * ratio(axis);
-        let around = start(axis) + gain * times(square, once)[1];
-        let advance = factor[b] * (start(axis) * time + gain * times(square, twice)[1]);
-        let (less, more) = (0.5 * along * (ratio(b) - ratio(a)), 0.5 * along * (ratio(b) + ratio(a)));
-        let mirrored = times([w[0], -w[1]], [once[0], -once[1]]);
-        let by_turning = advance + less * time;
-        // i (by_turning W + more conj(W) integral) beside the change at the start.
-        let z = [
-            start(a) - (by_turning * w[1] + more * mirrored[1]),
-            start(b) + by_turning * w[0] + more * mirrored[0],
-        ];
-        let z = times(turned, z);
-        (change.spin[column][a], change.spin[column][b], change.spin[column][axis]) = (z[0], z[1], around);
+    let rate = TAU * wobble.hi();
+    // The integrals of exp(i r t) and exp(2 i r t), and the integrals of these.
+    let [first, first_sum] = integrals(rate, turned, time);
+    let [second, second_sum] = integrals(2.0 * rate, times(turned, turned), time);
+    let (square, half_size) = (times(w, w), 0.5 * (w[0] * w[0] + w[1] * w[1]));
+    // `c`, its integral, and what else `z` consists of.
+    let column = |c: f64, sum: f64, [x, y]: Complex| {
+        let [x, y] = times(turned, [x - s * sum * w[1], y + s * sum * w[0]]);
+        let mut column = Vector3::zeros();
+        (column[axis], column[a], column[b]) = (c, x, y);
+        column
+    };
+    let (mut spin, mut by_tensor) = (Matrix3::zeros(), ByTensor::zeros());
+    spin.set_column(axis, &column(1.0, time, [0.0; 2]));
+    spin.set_column(a, &column(0.0, 0.0, [1.0, 0.0]));
+    spin.set_column(b, &column(0.0, 0.0, [0.0, 1.0]));
+    let mirrored = times([w[0], -w[1]], [second[0], -second[1]]);
+    for k in 0..3 {
+        let gain = 0.5 * by_moments[axis][k];
+        let less = 0.5 * along * (by_moments[b][k] - by_moments[a][k]) * time;
+        let more = 0.5 * along * (by_moments[b][k] + by_moments[a][k]);
+        let rest = [-(less * w[1] + more * mirrored[1]), less * w[0] + more * mirrored[0]];
+        let [c, sum] = [second, second_sum].map(|x| gain * times(square, x)[1]);
+        by_tensor.set_column(k, &column(c, sum, rest));
     }
-    // Of the integral of exp(2 i k t) less the time, which is 2 i k times the second integral.
-    let rate = 2.0 * std::f64::consts::TAU * wobble.hi();
-    let excess = 0.5 * times(square, [-rate * twice[1], rate * twice[0]])[0];
-    (change.squares[a], change.squares[b]) = (excess, -excess);
-    change
+    let [c, sum] = [second, second_sum].map(|x| -times(square, x)[0] / moments[axis]);
+    let by_own = along * (1.0 - s) / equal;
+    by_tensor.set_column(3 + axis, &column(c, sum, mirrored.map(|x| by_own * x)));
+    let (constant, [x, y]) = (along * along - half_size, times(square, first).map(|x| 0.5 * x / equal));
+    let [u, v] = [constant * first[0] / equal, -constant * first[1] / equal];
+    let [c, sum] = [first, first_sum].map(|x| -along * times(w, x)[0] / equal);
+    by_tensor.set_column(3 + a, &column(c, sum, [u + x, v + y]));
+    let [c, sum] = [first, first_sum].map(|x| along * times(w, x)[1] / equal);
+    by_tensor.set_column(3 + b, &column(c, sum, [v - y, x - u]));
+    // Of the integral of exp(i r t) less the time, which is i r times the second integral.
+    let excess = |w: Complex, rate: f64, [x, y]: Complex| times(w, [-rate * y, rate * x]);
+    let (squares, products) = (excess(square, 2.0 * rate, second_sum), excess(w, rate, first_sum));
+    let mut energy = [0.0; 6];
+    (energy[a], energy[b], energy[3 + axis]) = (0.5 * squares[0], -0.5 * squares[0], squares[1]);
+    (energy[3 + b], energy[3 + a]) = (2.0 * along * products[0], 2.0 * along * products[1]);
+    SpinDerivatives { spin, by_tensor, energy }
 }
 
 /// The integral of `exp(i rate s)` from 0 to `time` and the integral of that, given `exp(i rate time)`.

@@ -1,49 +1,44 @@
 //! Thin needles that spin fast about themselves while they hardly turn over.
 //!
-//! Their momentum is small beside what a change of the spin adds to it, so that what the momentum's constancy says about
-//! the turn is a small difference of large terms. Here the turn is added up from steps instead, and over whole
-//! periods by doubling.
+//! Their momentum is small relative to what a change of the spin adds to it, so that what the momentum's
+//! constancy says about the turn is a small difference of large terms. Here the turn is added up from steps
+//! instead, and over whole periods by doubling.
 
-use super::series::short;
-use super::{FreeMotion, Law};
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use super::series::{Request, span};
+use super::{Derivatives, FreeMotion, Law};
+use crate::error::Error;
+use nalgebra::Vector3;
 
-/// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better way.
+/// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better
+/// way.
 const SLOW: f64 = 1.0;
 /// Above this a number of periods is not exact.
 const COUNTABLE: f64 = 9_007_199_254_740_992.0;
 
-/// What a span of the motion does: to a change of the spin and to the turn, by the spin before it and by the moments.
-struct Map {
-    spin: Matrix3<f64>,
-    spin_by_moments: Matrix3<f64>,
-    turn: Matrix3<f64>,
-    turn_by_moments: Matrix3<f64>,
-    attitude: UnitQuaternion<f64>,
-}
-
-impl Map {
+impl Derivatives {
+    /// Over this span and the next one.
     fn then(&self, next: &Self) -> Self {
-        let rotation = self.attitude.to_rotation_matrix().into_inner();
         Self {
+            back: next.back * self.back,
+            turn: next.back * self.turn + next.turn * self.spin,
             spin: next.spin * self.spin,
-            spin_by_moments: next.spin * self.spin_by_moments + next.spin_by_moments,
-            turn: self.turn + rotation * (next.turn * self.spin),
-            turn_by_moments: self.turn_by_moments
-                + rotation * (next.turn * self.spin_by_moments + next.turn_by_moments),
-            attitude: self.attitude * next.attitude,
+            turn_by_tensor: next.back * self.turn_by_tensor
+                + next.turn * self.spin_by_tensor
+                + next.turn_by_tensor,
+            spin_by_tensor: next.spin * self.spin_by_tensor + next.spin_by_tensor,
         }
     }
 }
 
 impl FreeMotion {
-    /// The turns in the world over scaled `time`, if this is such a motion.
+    /// The derivatives of the attitude over scaled `time`, if this is such a motion, with those of the spin.
     pub(super) fn slow_turn(
         &self,
         moments: &[f64; 3],
         omega: &[f64; 3],
         time: f64,
-    ) -> Option<[Vector3<f64>; 6]> {
+        tensor: bool,
+    ) -> Option<Result<Derivatives, Error>> {
         let speed = Vector3::from(*omega).norm();
         let momentum = Vector3::from(*moments).component_mul(&Vector3::from(*omega)).norm();
         let (spun, tipped) = (speed * time.abs(), momentum * time.abs() / Vector3::from(*moments).max());
@@ -62,32 +57,25 @@ impl FreeMotion {
         if count > COUNTABLE {
             return None;
         }
-        let rest = if count > 0.0 { time - count * period } else { time };
-        let mut map = self.map(moments, omega, rest, speed);
-        let mut power = if count > 0.0 { Some(self.map(moments, omega, period, speed)) } else { None };
+        let over = |time: f64| -> Derivatives {
+            let request = Request { attitude: true, tensor };
+            span(moments, omega, time, [speed * time; 2], request).into()
+        };
+        let mut found = over(if count > 0.0 { time - count * period } else { time });
+        let mut power = (count > 0.0).then(|| over(period));
         while let Some(whole) = power {
             let half = (0.5 * count).trunc();
             if count > 2.0 * half {
-                map = whole.then(&map);
+                found = whole.then(&found);
             }
             count = half;
             power = (count > 0.0).then(|| whole.then(&whole));
         }
-        let columns = [map.turn, map.turn_by_moments];
-        Some([0, 1, 2, 3, 4, 5].map(|k| columns[k / 3].column(k % 3).into()))
-    }
-
-    fn map(&self, moments: &[f64; 3], omega: &[f64; 3], time: f64, speed: f64) -> Map {
-        let short = short(moments, omega, time, speed * time);
-        let attitude = self.turned(time);
-        let turn = short.turn.map(|turn| attitude * turn);
-        let spin = &short.change.spin;
-        Map {
-            spin: Matrix3::from_columns(&spin[..3]),
-            spin_by_moments: Matrix3::from_columns(&spin[3..]),
-            turn: Matrix3::from_columns(&turn[..3]),
-            turn_by_moments: Matrix3::from_columns(&turn[3..]),
-            attitude,
-        }
+        // Beyond short spans the closed form has the spin to more digits.
+        Some(self.spin_derivatives(moments, omega, time, tensor).map(|spin| Derivatives {
+            spin: spin.spin,
+            spin_by_tensor: spin.by_tensor,
+            ..found
+        }))
     }
 }

@@ -1,149 +1,332 @@
-//! Short spans: the motion and its neighbours as power series in time.
+//! Short spans: the variational equations by power series in time and Gauss quadrature.
 //!
-//! The closed form's derivatives are small differences where little of the motion has passed. Here nothing is: the series
-//! start from the derivatives at the start, which are given, and the moments enter by their differences alone.
+//! The closed form's derivatives are small differences where little of the motion has passed. Here nothing
+//! cancels: the series of the spin `w`, of its derivative `F` by the spin at the start and of the attitude
+//! `R` begin with given values. The rest are integrals of products of these: of the turn, in the world, `T =
+//! int R F`; of the spin by the tensor `D = F y` with `y = int F^-1 f`, where `f` is the derivative of the
+//! angular acceleration by the tensor at a fixed spin; and of the turn by the tensor, at the end `t`, `int R
+//! D = int (T(t) - T) F^-1 f`. The flow keeps volumes, so that `F^-1` is the adjugate of `F`.
 
-use super::Change;
-use nalgebra::Vector3;
+use super::ByTensor;
+use super::quadrature::{NODE_COUNT, NODES, REMAINING, WEIGHTS};
+use nalgebra::{Matrix3, Vector3};
 
 /// Terms of the longest series.
-const TERMS: usize = 24;
-/// The longest step, in radians of the fastest motion in question.
-const STEP: f64 = 0.25;
+const TERMS: usize = 36;
+/// The longest step, in radians of Jacobi's argument, or of the angle turned where the attitude is needed.
+const STEP: [f64; 2] = [0.5, 0.5];
+/// Relative to derivatives of size 1, terms that are left out.
+const NEGLIGIBLE: f64 = 1e-17;
+/// How far the nearest singularity of the motion is, in radians of Jacobi's argument.
+const RADIUS: f64 = 1.5;
 
-/// The factors `(I_B - I_C)/I_A` of Euler's equations, and their derivatives by the three moments.
-pub(super) struct Ratios {
-    pub(super) factor: [f64; 3],
-    pub(super) by_moments: [[f64; 3]; 3],
+/// The factors `(I_B - I_C)/I_A` of Euler's equations.
+pub(super) fn factors(moments: &[f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|a| (moments[(a + 1) % 3] - moments[(a + 2) % 3]) / moments[a])
 }
 
-impl Ratios {
+/// By how much the other two moments exceed that about axis `c`: of a needle, the difference of the large
+/// ones comes first.
+pub(super) fn triangle_excess(moments: &[f64; 3], c: usize) -> f64 {
+    let (a, b) = (moments[(c + 1) % 3], moments[(c + 2) % 3]);
+    (a.max(b) - moments[c]) + a.min(b)
+}
+
+/// A bound of the rate of Jacobi's argument.
+pub(super) fn argument_rate(moments: &[f64; 3], omega: &[f64; 3]) -> f64 {
+    let factors = factors(moments);
+    let square = |c: usize| {
+        let (a, b) = ((c + 1) % 3, (c + 2) % 3);
+        (factors[a] * factors[b]).abs() * omega[c] * omega[c]
+    };
+    (square(0) + square(1) + square(2)).sqrt()
+}
+
+/// The derivative of the angular acceleration by the tensor at a fixed spin, `I^-1 (dI w x w - dI w')`.
+pub(super) struct Forcing {
+    pub(super) by_moments: [[f64; 3]; 3],
+    /// `(I_A + I_B - I_C)/(I_A I_B)` for the product of inertia of the two axes other than `C`.
+    by_products: [f64; 3],
+    over: [f64; 3],
+}
+
+impl Forcing {
     pub(super) fn new(moments: &[f64; 3]) -> Self {
+        let (factors, over) = (factors(moments), moments.map(|i| 1.0 / i));
         let mut by_moments = [[0.0; 3]; 3];
-        let factor = [0, 1, 2].map(|a| {
+        for a in 0..3 {
             let (b, c) = ((a + 1) % 3, (a + 2) % 3);
-            let factor = (moments[b] - moments[c]) / moments[a];
-            by_moments[a][a] = -factor / moments[a];
-            by_moments[a][b] = 1.0 / moments[a];
-            by_moments[a][c] = -1.0 / moments[a];
-            factor
-        });
-        Self { factor, by_moments }
+            by_moments[a][a] = -factors[a] * over[a];
+            (by_moments[a][b], by_moments[a][c]) = (over[a], -over[a]);
+        }
+        let by_products =
+            [0, 1, 2].map(|c| triangle_excess(moments, c) * over[(c + 1) % 3] * over[(c + 2) % 3]);
+        Self { by_moments, by_products, over }
+    }
+
+    pub(super) fn at(&self, w: &[f64; 3]) -> ByTensor {
+        let mut forcing = ByTensor::zeros();
+        for c in 0..3 {
+            let (a, b) = ((c + 1) % 3, (c + 2) % 3);
+            for column in 0..3 {
+                forcing[(c, column)] = self.by_moments[c][column] * w[a] * w[b];
+            }
+            forcing[(a, 3 + c)] = self.by_products[c] * w[a] * w[c];
+            forcing[(b, 3 + c)] = -self.by_products[c] * w[b] * w[c];
+            forcing[(c, 3 + c)] = self.over[c] * (w[b] - w[a]) * (w[b] + w[a]);
+        }
+        forcing
     }
 }
 
-/// The change, and that of the attitude as rotation vectors in body axes.
-pub(super) struct Short {
-    pub(super) change: Change,
-    pub(super) turn: [Vector3<f64>; 6],
-    /// The spin itself.
-    pub(super) omega: [f64; 3],
+/// What is requested beyond the derivative of the spin by the spin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Request {
+    pub(super) attitude: bool,
+    pub(super) tensor: bool,
 }
 
-/// Coefficients of three components in powers of the share of the step that has passed.
-type Series = [[f64; TERMS + 1]; 3];
+/// The derivatives over a span; what is not requested is zero.
+pub(super) struct Span {
+    /// The spin at the end, and its derivatives by the spin at the start and by the tensor.
+    pub(super) omega: [f64; 3],
+    pub(super) spin: Matrix3<f64>,
+    pub(super) spin_by_tensor: ByTensor,
+    /// The attitude at the end relative to the start, and the rotation vectors in the axes of the start.
+    pub(super) rotation: Matrix3<f64>,
+    pub(super) turn: Matrix3<f64>,
+    pub(super) turn_by_tensor: ByTensor,
+    /// The integrals of the products `w_i w_j` that the tensor's entries have in twice the energy, less those
+    /// of the start.
+    pub(super) energy: [f64; 6],
+}
 
-/// Over `time`, in which the fastest motion in question runs through `angle` radians.
-pub(super) fn short(moments: &[f64; 3], omega: &[f64; 3], time: f64, angle: f64) -> Short {
-    let ratios = Ratios::new(moments);
-    let steps = (angle.abs() / STEP).ceil().max(1.0);
+/// Three columns of the derivative by the spin at the start, and the spin.
+type Row = [f64; 4];
+
+/// Coefficients in powers of the share of the step that has passed.
+struct Series {
+    order: usize,
+    /// Of the three components.
+    rows: [[Row; 3]; TERMS + 1],
+    /// Of the attitude's quaternion, real part first.
+    attitude: [Row; TERMS + 1],
+}
+
+/// Over `time`, in which the motion runs through `argument` radians of Jacobi's argument and through `angle`
+/// radians.
+pub(super) fn span(
+    moments: &[f64; 3],
+    omega: &[f64; 3],
+    time: f64,
+    [argument, angle]: [f64; 2],
+    request: Request,
+) -> Span {
+    let angle = if request.attitude { angle.abs() } else { 0.0 };
+    let steps = (argument.abs() / STEP[0]).max(angle / STEP[1]).ceil().max(1.0);
     let h = time / steps;
-    let order = order(angle.abs() / steps);
-    let mut w = *omega;
-    let mut spin = [0, 1, 2, 3, 4, 5].map(|k| if k < 3 { unit(k) } else { [0.0; 3] });
-    let mut turn = [[0.0; 3]; 6];
-    let (mut squares, mut gained) = ([0.0; 3], [0.0; 3]);
+    let order = order([argument.abs() / steps, angle / steps]);
+    let (factors, forcing) = (factors(moments), Forcing::new(moments));
+    let mut sums = Sums { start: *omega, ..Sums::default() };
+    let mut rows = [0, 1, 2].map(|a| [0, 1, 2, 3].map(|k| if k == 3 { omega[a] } else { f64::from(a == k) }));
+    let mut attitude = [1.0, 0.0, 0.0, 0.0];
     let mut done = 0.0;
     while done < steps {
-        let motion = motion(&ratios, &w, h, order);
-        for k in 0..3 {
-            // Integral of the square less that at the step's start, then less that at the very start.
-            let (mut excess, mut integral) = (0.0, 0.0);
-            for n in (1..=order).rev() {
-                let term: f64 = (0..=n).map(|j| motion[k][j] * motion[k][n - j]).sum();
-                excess += term;
-                integral += term / (n + 1) as f64;
-            }
-            squares[k] += h * (integral + gained[k]);
-            gained[k] += excess;
+        let series = Series::new(rows, request.attitude.then_some(attitude), &factors, h, order);
+        if request.attitude || request.tensor {
+            sums.add(&series, &forcing, h, request);
         }
-        for column in 0..6 {
-            let forced =
-                if column < 3 { [0.0; 3] } else { [0, 1, 2].map(|a| ratios.by_moments[a][column - 3]) };
-            (spin[column], turn[column]) =
-                step(&ratios, &forced, &motion, [&spin[column], &turn[column]], h, order);
-        }
-        w = total(&motion, order);
+        (rows, attitude) = series.at(1.0, request.attitude);
         done += 1.0;
     }
-    Short { change: Change { spin: spin.map(Into::into), squares }, turn: turn.map(Into::into), omega: w }
+    let spin = matrix(&rows);
+    Span {
+        omega: rows.map(|row| row[3]),
+        spin,
+        spin_by_tensor: spin * sums.inverse_forced,
+        rotation: rotation(&attitude),
+        turn: sums.turn,
+        turn_by_tensor: sums.turn_by_tensor,
+        energy: sums.energy,
+    }
 }
 
-/// As many terms as reach rounding: all is analytic to a quarter period of complex time, at least a quarter turn.
-fn order(angle: f64) -> usize {
-    let (mut left, mut n) = (1.0, 0);
-    while n < TERMS && left * (n as f64 + 1.0) > 1e-18 {
-        left *= angle / 1.5;
+/// As many terms as reach rounding: of a function that is singular at [`RADIUS`], times one that is entire.
+fn order([argument, angle]: [f64; 2]) -> usize {
+    let (mut singular, mut entire, mut n) = (1.0, 1.0, 0);
+    while n < TERMS && (singular + entire) * (n as f64 + 1.0) > 1e-18 {
         n += 1;
+        singular *= argument / RADIUS;
+        entire *= angle / n as f64;
     }
-    // Where the motion is slow the first terms are not of its own rate: a change of the moments sets one component off,
-    // and that the others.
+    // Where the motion is slow, its first terms are not of its own rate.
     (n + 3).min(TERMS)
 }
 
-fn unit(k: usize) -> [f64; 3] {
-    let mut vector = [0.0; 3];
-    vector[k] = 1.0;
-    vector
-}
-
-/// Smallest terms first.
-fn total(series: &Series, order: usize) -> [f64; 3] {
-    [0, 1, 2].map(|k| series[k][..=order].iter().rev().sum())
-}
-
-/// Of the product of two series, the term of power `n`.
-fn product(a: &[f64; TERMS + 1], b: &[f64; TERMS + 1], n: usize) -> f64 {
-    a[..=n].iter().zip(b[..=n].iter().rev()).map(|(x, y)| x * y).sum()
-}
-
-fn motion(ratios: &Ratios, omega: &[f64; 3], h: f64, order: usize) -> Series {
-    let mut w = [[0.0; TERMS + 1]; 3];
-    for k in 0..3 {
-        w[k][0] = omega[k];
-    }
-    for n in 0..order {
-        let part = h / (n + 1) as f64;
-        let next = [0, 1, 2].map(|a| part * ratios.factor[a] * product(&w[(a + 1) % 3], &w[(a + 2) % 3], n));
-        for a in 0..3 {
-            w[a][n + 1] = next[a];
+impl Series {
+    /// Euler's equations, their derivative `F' = k (F w + w F)`, and `q' = q w/2`.
+    fn new(rows: [Row; 3], attitude: Option<Row>, factors: &[f64; 3], h: f64, longest: usize) -> Self {
+        let mut series =
+            Self { order: longest, rows: [[[0.0; 4]; 3]; TERMS + 1], attitude: [[0.0; 4]; TERMS + 1] };
+        (series.rows[0], series.attitude[0]) = (rows, attitude.unwrap_or_default());
+        let mut least = f64::INFINITY;
+        for n in 0..longest {
+            let part = h / (n + 1) as f64;
+            let mut largest = series.advance(n, factors, part);
+            if attitude.is_some() {
+                largest = largest.max(series.turn(n, 0.5 * part));
+            }
+            // Two in a row, since every other term may vanish.
+            if largest.max(least) < NEGLIGIBLE {
+                series.order = n + 1;
+                break;
+            }
+            least = largest;
         }
+        series
     }
-    w
+
+    /// The next term of the spin and of its derivative; gives the size of the latter.
+    fn advance(&mut self, n: usize, factors: &[f64; 3], part: f64) -> f64 {
+        let (mut x, mut y, mut z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        for (before, after) in self.rows[..=n].iter().zip(self.rows[..=n].iter().rev()) {
+            let [a, b, c] = [before[0][3], before[1][3], before[2][3]];
+            for k in 0..4 {
+                x[k] += b * after[2][k] + c * after[1][k];
+                y[k] += c * after[0][k] + a * after[2][k];
+                z[k] += a * after[1][k] + b * after[0][k];
+            }
+        }
+        let mut largest = 0.0_f64;
+        for (a, sum) in [x, y, z].into_iter().enumerate() {
+            let factor = part * factors[a];
+            let row = [factor * sum[0], factor * sum[1], factor * sum[2], factor * (0.5 * sum[3])];
+            largest = largest.max(row[0].abs()).max(row[1].abs()).max(row[2].abs());
+            self.rows[n + 1][a] = row;
+        }
+        largest
+    }
+
+    /// The next term of the attitude; gives its size.
+    fn turn(&mut self, n: usize, half: f64) -> f64 {
+        let (mut x, mut y, mut z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        for (rows, q) in self.rows[..=n].iter().zip(self.attitude[..=n].iter().rev()) {
+            for k in 0..4 {
+                x[k] += rows[0][3] * q[k];
+                y[k] += rows[1][3] * q[k];
+                z[k] += rows[2][3] * q[k];
+            }
+        }
+        let next = [
+            -half * (x[1] + y[2] + z[3]),
+            half * (x[0] + z[2] - y[3]),
+            half * (y[0] - z[1] + x[3]),
+            half * (z[0] + y[1] - x[2]),
+        ];
+        self.attitude[n + 1] = next;
+        next.iter().fold(0.0, |largest, x| x.abs().max(largest))
+    }
+
+    /// The spin less that at the start of the step.
+    fn gained(&self, share: f64) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for rows in self.rows[1..=self.order].iter().rev() {
+            sum = [0, 1, 2].map(|a| (sum[a] + rows[a][3]) * share);
+        }
+        sum
+    }
+
+    /// Smallest terms first.
+    fn at(&self, share: f64, attitude: bool) -> ([Row; 3], Row) {
+        let mut rows = [[0.0; 4]; 3];
+        for terms in self.rows[..=self.order].iter().rev() {
+            for (row, term) in rows.iter_mut().zip(terms) {
+                for k in 0..4 {
+                    row[k] = row[k] * share + term[k];
+                }
+            }
+        }
+        let mut turned = [0.0; 4];
+        for term in self.attitude[..=if attitude { self.order } else { 0 }].iter().rev() {
+            for k in 0..4 {
+                turned[k] = turned[k] * share + term[k];
+            }
+        }
+        (rows, turned)
+    }
 }
 
-/// One input's change of the spin, `d' = k (d w + w d) + dk w w`, and of the attitude in body axes, `e' = d + e x w`.
-fn step(
-    ratios: &Ratios,
-    forced: &[f64; 3],
-    w: &Series,
-    start: [&[f64; 3]; 2],
-    h: f64,
-    order: usize,
-) -> ([f64; 3], [f64; 3]) {
-    let (mut d, mut e) = ([[0.0; TERMS + 1]; 3], [[0.0; TERMS + 1]; 3]);
-    for k in 0..3 {
-        (d[k][0], e[k][0]) = (start[0][k], start[1][k]);
-    }
-    for n in 0..order {
-        let part = h / (n + 1) as f64;
-        for a in 0..3 {
-            let (b, c) = ((a + 1) % 3, (a + 2) % 3);
-            let linear = product(&d[b], &w[c], n) + product(&w[b], &d[c], n);
-            let force = if forced[a] == 0.0 { 0.0 } else { forced[a] * product(&w[b], &w[c], n) };
-            d[a][n + 1] = part * (ratios.factor[a] * linear + force);
-            e[a][n + 1] = part * (d[a][n] + (product(&e[b], &w[c], n) - product(&e[c], &w[b], n)));
+fn matrix(rows: &[Row; 3]) -> Matrix3<f64> {
+    Matrix3::from_fn(|a, k| rows[a][k])
+}
+
+fn rotation(&[w, x, y, z]: &Row) -> Matrix3<f64> {
+    let [xx, yy, zz] = [x * x, y * y, z * z];
+    Matrix3::new(
+        1.0 - 2.0 * (yy + zz),
+        2.0 * (x * y - w * z),
+        2.0 * (x * z + w * y),
+        2.0 * (x * y + w * z),
+        1.0 - 2.0 * (xx + zz),
+        2.0 * (y * z - w * x),
+        2.0 * (x * z - w * y),
+        2.0 * (y * z + w * x),
+        1.0 - 2.0 * (xx + yy),
+    )
+}
+
+/// The integrals from the start.
+#[derive(Default)]
+struct Sums {
+    start: [f64; 3],
+    /// The spin less that at the start, with digits of its own.
+    gained: [f64; 3],
+    turn: Matrix3<f64>,
+    inverse_forced: ByTensor,
+    turn_by_tensor: ByTensor,
+    energy: [f64; 6],
+}
+
+impl Sums {
+    fn add(&mut self, series: &Series, forcing: &Forcing, h: f64, request: Request) {
+        let nodes = NODES.map(|node| series.at(0.5 + 0.5 * node, request.attitude));
+        let turning =
+            nodes.map(
+                |(rows, attitude)| {
+                    if request.attitude { rotation(&attitude) * matrix(&rows) } else { Matrix3::zeros() }
+                },
+            );
+        let turn = weighted(&turning, &WEIGHTS) * h;
+        self.turn += turn;
+        self.turn_by_tensor += turn * self.inverse_forced;
+        if request.tensor {
+            for (j, (rows, _)) in nodes.iter().enumerate() {
+                let (w, weight) = (rows.map(|row| row[3]), h * WEIGHTS[j]);
+                let forced = adjugate(rows) * forcing.at(&w) * weight;
+                self.inverse_forced += forced;
+                if request.attitude {
+                    self.turn_by_tensor += weighted(&turning, &REMAINING[j]) * h * forced;
+                }
+                let gained = series.gained(0.5 + 0.5 * NODES[j]);
+                let gained = [0, 1, 2].map(|c| self.gained[c] + gained[c]);
+                for c in 0..3 {
+                    let (a, b) = ((c + 1) % 3, (c + 2) % 3);
+                    self.energy[c] += weight * gained[c] * (w[c] + self.start[c]);
+                    self.energy[3 + c] += 2.0 * weight * (gained[a] * w[b] + self.start[a] * gained[b]);
+                }
+            }
         }
+        let gained = series.gained(1.0);
+        self.gained = [0, 1, 2].map(|c| self.gained[c] + gained[c]);
     }
-    (total(&d, order), total(&e, order))
+}
+
+fn weighted(terms: &[Matrix3<f64>; NODE_COUNT], weights: &[f64; NODE_COUNT]) -> Matrix3<f64> {
+    terms.iter().zip(weights).fold(Matrix3::zeros(), |sum, (term, weight)| sum + term * *weight)
+}
+
+/// Of a matrix with determinant 1 its inverse.
+fn adjugate(rows: &[Row; 3]) -> Matrix3<f64> {
+    let [x, y, z] = rows.map(|[x, y, z, _]| Vector3::new(x, y, z));
+    Matrix3::from_columns(&[y.cross(&z), z.cross(&x), x.cross(&y)])
 }

@@ -1,20 +1,21 @@
-//! How the spin of neighbouring motions differs: the closed form differentiated.
+//! Solutions of the variational equations: the closed form of the spin differentiated.
 //!
-//! With the spin `A_X cn u`, `A_M sn u`, `A_C dn u`, every neighbour differs by its amplitudes, its modulus and where
-//! it stands. The last two are one number, a shift of the phase at a fixed angle: of `u = F(phi, m)` it is
-//! `du - (dF/dm) dm`, and `dF/dm` is an integral of one sign, Carlson's `R_D` ([DLMF](crate::references) 19.25). At the start the shift is known from
-//! the spin; from there it grows with the change of the rate, and with that of the modulus by the difference of the
-//! integral. All that is small, near the separatrix or in a small wobble, is carried times powers of two, as in the
-//! motion itself; on the separatrix `m' = 0` the same formulas hold as they are.
+//! With the spin `A_X cn u`, `A_M sn u`, `A_C dn u`, a change of the inputs changes the amplitudes, the
+//! modulus and the argument. The last two make one number, a shift of the phase at a fixed angle: of `u =
+//! F(phi, m)` it is `du - (dF/dm) dm`, and `dF/dm` is an integral of one sign, Carlson's `R_D`
+//! ([DLMF](crate::references) 19.25). At the start the shift is known from the spin; from there it grows with
+//! the change of the rate, and with that of the modulus by the difference of the integral. All that is small,
+//! near the separatrix or in a small libration, is carried times powers of two, as in the motion itself; on
+//! the separatrix `m' = 0` the same formulas hold.
 
 use super::{EllipticMotion, Form};
 use crate::error::{Error, Refusal};
 use crate::exact::elliptic::rd;
 use crate::exact::kernel::Kernel;
-use crate::exact::sensitivity::Change;
+use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
-use nalgebra::Vector3;
+use nalgebra::Matrix3;
 use std::f64::consts::TAU;
 
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
@@ -33,9 +34,9 @@ impl Values {
     }
 }
 
-/// What one place on the way contributes: the half turns there, `dn dF/dm` without them, and the integral of `cn²` as
-/// quarter turns and a rest, counted from the flip or the saddle, whichever is nearer.
-struct Place {
+/// One end of the span: the number of half periods there, `dn dF/dm` without them, and the integral of `cn²`
+/// as a number of quarter periods and a rest, counted from the flip or the saddle, whichever is nearer.
+struct End {
     values: Values,
     halves: f64,
     growth: f64,
@@ -43,9 +44,9 @@ struct Place {
     share: f64,
 }
 
-/// How the motion's constants differ between neighbours, for the spin across, along the middle and circled (each times
-/// its power of two) and the three moments in the same order.
-struct Constants {
+/// Derivatives of the motion's constants by the spin across, along the middle and circled (each times its
+/// power of two) and by the three moments in the same order.
+struct Inputs {
     /// Of the three amplitudes, of the logarithm of the rate, and of `m'` times the square of the shift.
     across: [f64; 6],
     middle: [f64; 6],
@@ -59,11 +60,10 @@ struct Constants {
     steepness: f64,
 }
 
-/// The change of whole half periods.
-pub(crate) struct Halves {
-    /// How many.
+/// A time as a number of half periods and a rest.
+pub(crate) struct HalfPeriods {
     pub(crate) count: f64,
-    /// The scaled time that is left, and Jacobi's argument over it.
+    /// The scaled time of the rest, and Jacobi's argument over it.
     pub(crate) time: f64,
     pub(crate) argument: f64,
 }
@@ -73,38 +73,79 @@ const FAR: f64 = 1e100;
 
 impl EllipticMotion {
     /// The half periods nearest to `time`; none on the separatrix.
-    pub(crate) fn half_periods(&self, time: f64) -> Halves {
+    pub(crate) fn half_periods(&self, time: f64) -> HalfPeriods {
         let run = self.constants.rate * time;
         let half = self.constants.quarter * 2.0;
         let (count, left) = if half.hi().is_finite() { (run / half).split() } else { (0.0, 0.0) };
         if count == 0.0 {
-            return Halves { count, time, argument: run.hi() };
+            return HalfPeriods { count, time, argument: run.hi() };
         }
         let argument = half * left;
-        Halves { count, time: (argument / self.constants.rate).hi(), argument: argument.hi() }
+        HalfPeriods { count, time: (argument / self.constants.rate).hi(), argument: argument.hi() }
     }
 
-    /// The change over `count` half periods: by how much each input shifts the time at which they end, and the integrals
-    /// of the squares.
-    pub(crate) fn whole(&self, moments: &[f64; 3], count: f64) -> ([f64; 6], [f64; 3]) {
-        let start = self.place(0.0);
-        let constants = self.inputs(moments, &start);
-        let half = 2.0 * self.constants.quarter.hi();
-        let mut later = [0.0; 6];
+    /// Over `count` half periods: the derivatives of the time by which they end earlier, by the spin at the
+    /// start and by the tensor, and the integrals of the squares of the spin less those at the start.
+    pub(crate) fn over_half_periods(&self, moments: &[f64; 3], count: f64) -> ([f64; 9], [f64; 3]) {
+        let start = self.end(0.0);
+        let inputs = self.inputs(moments, &start);
+        let (half, complete) = (2.0 * self.constants.quarter.hi(), self.complete());
+        let per_argument = count / self.constants.rate.hi();
+        let mut earlier = [0.0; 9];
         for k in 0..6 {
-            let shift = half * constants.log_rate[k] + 2.0 * constants.to_separatrix[k] * self.complete();
+            let shift = half * inputs.log_rate[k] + 2.0 * inputs.to_separatrix[k] * complete;
             let up = if k < 3 { self.constants.lifts[k] } else { 0 };
-            later[self.index(k)] = times_power_of_two(count * shift / self.constants.rate.hi(), up);
+            earlier[self.index(k)] = times_power_of_two(per_argument * shift, up);
         }
-        (later, self.squares(&constants, &start, count * half, 2.0 * count * self.quarter_share()))
+        let products = self.half_period_by_products(moments, &start, complete);
+        for (axis, product) in self.axes.into_iter().zip(products) {
+            earlier[6 + axis] = per_argument * product;
+        }
+        (earlier, self.squares(&inputs, &start, count * half, 2.0 * count * self.quarter_share()))
     }
 
-    /// How the spin at scaled `time` changes with that at the start and with the moments, and by how much the squares
-    /// of the spin, integrated over time, exceed their values at the start. Not for the neighbourhood of whole half
-    /// periods: there it cancels.
+    /// The derivatives of the half period, in Jacobi's argument, by the products of inertia of the axes other
+    /// than the across, the middle and the circled one, with the opposite sign.
+    ///
+    /// A product turns the principal axes, which the half period knows of by energy and momentum alone: its
+    /// derivative by a component `w_a` of the spin is `I_a (e + l I_a) w_a`, and that by a product `(e + l
+    /// (I_a + I_b)) w_a w_b`.
+    fn half_period_by_products(&self, moments: &[f64; 3], start: &End, complete: f64) -> [f64; 3] {
+        let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
+        let [d_cx, d_cm] = [i_c - i_x, i_c - i_m];
+        let [a_x, a_m, a_c] = self.amplitudes;
+        let Values { sn, cn, dn } = start.values;
+        let down2 = self.down() * self.down();
+        let half = 2.0 * self.constants.quarter.hi() * down2;
+        let parameter = self.constants.modulus * self.constants.modulus;
+        let complement2 = self.constants.scaled_complement * self.constants.scaled_complement;
+        let slower = half + 4.0 * parameter * complete;
+        let across = 4.0 * complete * i_x / (i_c * d_cm);
+        let with_middle = i_m / (i_c * d_cx) * (half - 4.0 * complete * complement2 * down2) + across;
+        let with_circled = (slower + across * (i_m - i_x)) / d_cx;
+        let both = (slower / i_c * (i_c + i_m - i_x) + across * (i_m - i_x) * i_m / i_x) / d_cx;
+        let (square, [first, second, third]) = (a_c * a_c, self.constants.lifts);
+        let part = |factor: f64, one: f64, other: f64, lifts: i32| {
+            times_power_of_two(factor / square * one * other, 2 * third - lifts)
+        };
+        [
+            part(both, a_m * sn, a_c * dn, second + third),
+            part(with_circled, a_x * cn, a_c * dn, first + third),
+            part(with_middle, a_x * cn, a_m * sn, first + second),
+        ]
+    }
+
+    /// The derivatives of the spin at scaled `time` by the spin at the start and, if requested, by the three
+    /// moments, with the integrals of the squares of the spin less those at the start. Not for the
+    /// neighbourhood of whole half periods: there it cancels.
     ///
     /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
-    pub(crate) fn neighbours(&self, moments: &[f64; 3], time: f64) -> Result<Change, Error> {
+    pub(crate) fn derivatives(
+        &self,
+        moments: &[f64; 3],
+        time: f64,
+        tensor: bool,
+    ) -> Result<SpinDerivatives, Error> {
         let run = self.constants.rate * time;
         let resting = self.constants.quarter.hi().is_infinite();
         if resting && (self.constants.argument + run).hi().abs() > REST {
@@ -112,8 +153,8 @@ impl EllipticMotion {
             return Err(Refusal::OutOfRange { what, value: run.hi() }.into());
         }
         let run = run.hi();
-        let (start, end) = (self.place(0.0), self.place(time));
-        let constants = self.inputs(moments, &start);
+        let (start, end) = (self.end(0.0), self.end(time));
+        let inputs = self.inputs(moments, &start);
         let down = self.down();
         let turns = end.halves - start.halves;
         let whole = if turns == 0.0 { 0.0 } else { 2.0 * turns * self.complete() };
@@ -121,27 +162,36 @@ impl EllipticMotion {
         let Values { sn, cn, dn } = end.values;
         let [a_x, a_m, a_c] = self.amplitudes;
         let parameter = self.constants.modulus * self.constants.modulus;
-        let mut spin = [Vector3::zeros(); 6];
-        for k in 0..6 {
-            let to_separatrix = constants.to_separatrix[k];
+        let mut spin = Matrix3::zeros();
+        let mut by_tensor = ByTensor::zeros();
+        for k in 0..if tensor { 6 } else { 3 } {
+            let to_separatrix = inputs.to_separatrix[k];
             // The shift of the phase times dn: far out on the separatrix it has no size of its own.
-            let shift = dn * (constants.phase[k] + run * constants.log_rate[k] + to_separatrix * before)
+            let shift = dn * (inputs.phase[k] + run * inputs.log_rate[k] + to_separatrix * before)
                 + to_separatrix * end.growth;
             let change = [
-                constants.across[k] * cn - a_x * sn * shift,
-                constants.middle[k] * sn + a_m * (cn * down) * (shift * down),
-                constants.around[k] * dn
+                inputs.across[k] * cn - a_x * sn * shift,
+                inputs.middle[k] * sn + a_m * (cn * down) * (shift * down),
+                inputs.around[k] * dn
                     + a_c * sn * (sn * (to_separatrix / (2.0 * dn)) - parameter * (cn / dn) * shift),
             ];
             let up = if k < 3 { self.constants.lifts[k] } else { 0 };
             for (row, &axis) in self.axes.iter().enumerate() {
-                spin[self.index(k)][axis] = times_power_of_two(change[row], up - self.constants.lifts[row]);
+                let change = times_power_of_two(change[row], up - self.constants.lifts[row]);
+                match self.index(k) {
+                    column @ 0..3 => spin[(axis, column)] = change,
+                    column => by_tensor[(axis, column - 3)] = change,
+                }
             }
         }
-        let quarters = end.quarters - start.quarters;
-        let whole = if quarters == 0.0 { 0.0 } else { quarters * self.quarter_share() };
-        let squares = self.squares(&constants, &start, run, whole + (end.share - start.share));
-        Ok(Change { spin, squares })
+        let mut energy = [0.0; 6];
+        if tensor {
+            let quarters = end.quarters - start.quarters;
+            let whole = if quarters == 0.0 { 0.0 } else { quarters * self.quarter_share() };
+            let squares = self.squares(&inputs, &start, run, whole + (end.share - start.share));
+            energy[..3].copy_from_slice(&squares);
+        }
+        Ok(SpinDerivatives { spin, by_tensor, energy })
     }
 
     /// Which column the input number `k` is, in the body's order.
@@ -166,7 +216,7 @@ impl EllipticMotion {
         if complement == 0.0 { 1.0 } else { 2.0 * complement * complement * self.complete() }
     }
 
-    fn place(&self, time: f64) -> Place {
+    fn end(&self, time: f64) -> End {
         let (values, halves) = match &self.form {
             Form::Direct { spin, .. } => {
                 let [sin, cos] = spin.phase(time);
@@ -207,24 +257,24 @@ impl EllipticMotion {
             };
             (side, -side * left)
         };
-        Place { values, halves, growth, quarters: 2.0 * halves + quarters, share }
+        End { values, halves, growth, quarters: 2.0 * halves + quarters, share }
     }
 
-    /// The integrals over time of the squares of the spin less those at the start, from Jacobi's argument `run` and
-    /// the integral of `cn²` over it; of the three the energy and the momentum leave one.
-    fn squares(&self, constants: &Constants, start: &Place, run: f64, share: f64) -> [f64; 3] {
+    /// The integrals over time of the squares of the spin less those at the start, from Jacobi's argument
+    /// `run` and the integral of `cn²` over it; of the three the energy and the momentum leave one.
+    fn squares(&self, inputs: &Inputs, start: &End, run: f64, share: f64) -> [f64; 3] {
         let amplitude = times_power_of_two(self.amplitudes[1], -self.constants.lifts[1]);
         let cn = start.values.cn * self.down();
         let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.hi();
         let [x, m, c] = self.axes;
         let mut squares = [0.0; 3];
-        squares[x] = -constants.ratio * excess;
+        squares[x] = -inputs.ratio * excess;
         squares[m] = excess;
-        squares[c] = -constants.steepness * excess;
+        squares[c] = -inputs.steepness * excess;
         squares
     }
 
-    fn inputs(&self, moments: &[f64; 3], start: &Place) -> Constants {
+    fn inputs(&self, moments: &[f64; 3], start: &End) -> Inputs {
         let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
         let [d_cx, d_cm, d_mx] = [i_c - i_x, i_c - i_m, i_m - i_x];
         // A_X² = w_X² + R w_M², A_C² = w_C² + S w_M², m' A_C² = w_C² - T w_X².
@@ -257,7 +307,7 @@ impl EllipticMotion {
         let around = all([0.0, s * (a_m * flat) / a_c * sn * flat, dn * down * down], &|k| {
             0.5 * a_c * parameter * square * log_s[k]
         });
-        Constants {
+        Inputs {
             across: all([cn * down * down, root_r * sn, 0.0], &|k| 0.5 * a_x * square * log_r[k]),
             middle: all([cn * down * down / root_r, sn, 0.0], &|k| -0.5 * a_m * true_cn2 * log_r[k]),
             around,
@@ -280,8 +330,9 @@ impl EllipticMotion {
     }
 }
 
-/// `dn dF/dm` at fixed angle, up to a quarter turn, over `2^shift`: from its sine, and cosine and rate times `2^shift`.
-/// The derivative is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with the scaled numbers.
+/// `dn dF/dm` at fixed angle, up to a quarter turn, over `2^shift`: from its sine, and cosine and rate times
+/// `2^shift`. The derivative is `sin³/6 R_D(cos², 1, rate²)`; the first step of the duplication is taken with
+/// the scaled numbers.
 fn growth(sn: f64, cn: f64, dn: f64, down: f64) -> f64 {
     let (true_cn, true_dn) = (cn * down, dn * down);
     let shared = true_cn + true_dn + true_cn * true_dn;
