@@ -12,7 +12,9 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
+use crate::body::attitude::turn;
 use crate::error::Error;
+use crate::number::functions::{atan2, hypot, sin_cos};
 use crate::solid::{Compound, Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
@@ -147,7 +149,7 @@ pub fn tennis_racket() -> Result<MassProperties, Error> {
     // The hoop, as 48 straight bars of the same mass; its middle is 520 mm from the butt.
     let (wide, long, middle) = (0.122, 0.165, 0.520);
     let corner = |i: u32| {
-        let (sin, cos) = (TAU * f64::from(i) / 48.0).sin_cos();
+        let (sin, cos) = sin_cos(TAU * f64::from(i) / 48.0);
         [wide * cos, middle + long * sin]
     };
     let mut racket = Compound::new();
@@ -221,8 +223,8 @@ pub fn t_handle() -> Result<MassProperties, Error> {
 fn bar(compound: Compound, mass: f64, from: [f64; 2], to: [f64; 2]) -> Result<Compound, Error> {
     let (dx, dz) = (to[0] - from[0], to[1] - from[1]);
     let middle = Vector3::new(0.5 * (from[0] + to[0]), 0.0, 0.5 * (from[1] + to[1]));
-    let attitude = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), dx.atan2(dz));
-    Ok(compound.with(ThinRod::new(dx.hypot(dz))?.with_mass(mass)?, middle, attitude))
+    let attitude = UnitQuaternion::new_unchecked(turn(&Vector3::new(0.0, atan2(dx, dz), 0.0)));
+    Ok(compound.with(ThinRod::new(hypot(dx, dz))?.with_mass(mass)?, middle, attitude))
 }
 
 fn along_z(z: f64) -> Vector3<f64> {

@@ -2,6 +2,7 @@
 
 use super::{PrincipalMoments, ascending};
 use crate::error::Error;
+use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
@@ -128,8 +129,8 @@ fn rotate(a: &mut Matrix3<f64>, v: &mut Matrix3<f64>, p: usize, q: usize) -> boo
         return false;
     }
     let theta = (mq - mp) / (2.0 * product);
-    let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
-    let c = 1.0 / t.hypot(1.0);
+    let t = theta.signum() / (theta.abs() + hypot(theta, 1.0));
+    let c = 1.0 / hypot(t, 1.0);
     let s = t * c;
     a[(p, p)] = mp - t * product;
     a[(q, q)] = mq + t * product;

@@ -8,6 +8,7 @@
 use super::mesh::triple;
 use crate::error::Error;
 use crate::number::extended::Extended;
+use crate::number::functions::atan2;
 use nalgebra::Vector3;
 use num_traits::Zero;
 use std::f64::consts::TAU;
@@ -158,5 +159,5 @@ fn solid_angle(corners: [Option<Vector3<f64>>; 3]) -> Option<f64> {
     };
     let (sine, cosine) = (triple(&a, &b, &c), 1.0 + a.dot(&b) + b.dot(&c) + c.dot(&a));
     let on_it = sine.abs() <= ROUNDING && cosine <= ROUNDING;
-    (!on_it).then(|| 2.0 * sine.atan2(cosine))
+    (!on_it).then(|| 2.0 * atan2(sine, cosine))
 }

@@ -2,6 +2,7 @@
 
 use crate::body::{Rate, State};
 use crate::error::{Error, finite, positive};
+use crate::number::functions::fifth_root;
 use crate::number::{Analytic, Field};
 use crate::step::method::{Conserved, MethodInfo, check_square_underflow};
 use crate::step::system::System;
@@ -153,7 +154,7 @@ pub(crate) fn controlled_within(
     let [unit, _] = lengths(start);
     let torque = length(system.torque(start).as_slice());
     let pace = (2.0 * over(turning, unit)).max((torque * system.inverse().max()).sqrt());
-    let guess = tolerance.powf(0.2) / pace;
+    let guess = fifth_root(tolerance) / pace;
     let mut h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
     let mut time = 0.0;
     while time != duration {
@@ -181,7 +182,7 @@ pub(crate) fn controlled_within(
             return Err(Error::OutOfRange { what: "the error of a step", value: error });
         }
         // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
-        let factor = (0.9 * error.powf(-0.2)).clamp(0.1, 10.0);
+        let factor = (0.9 / fifth_root(error)).clamp(0.1, 10.0);
         if error <= 1.0 {
             (run.end, slope) = (end, end_slope);
             run.steps += 1;

@@ -18,6 +18,7 @@
 use crate::body::State;
 use crate::body::attitude;
 use crate::error::Error;
+use crate::number::functions::powi;
 use crate::number::{Analytic, Ring};
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
@@ -148,7 +149,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
     // An error e leaves one of the order of e^2: below this it leaves less than rounding.
     let enough = T::rounding().sqrt() / 8.0;
     // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to find.
-    let least = T::rounding().powi(4);
+    let least = powi(T::rounding(), 4);
     let mut moved = f64::NAN;
     for _ in 0..ROUNDS {
         let kc = k.component_mul(&c);
