@@ -4,6 +4,7 @@ mod abreast;
 mod neighbours;
 mod way;
 
+use crate::number::functions::{atan2, exp, sin_cos};
 pub(super) use abreast::{Going, Lingering, LingeringTurn, Waving, WavingTurn};
 pub(super) use neighbours::Halves;
 
@@ -137,7 +138,7 @@ impl Elliptic {
         let tau = DoubleDouble::PI * 2.0;
         let (mut form, drift) = if wobbles {
             let shape = Shape { cyclic, forward, tilt, depth: PI * depth / quarter.hi() };
-            let q = (-PI * ratio).exp();
+            let q = exp(-PI * ratio);
             let pair = TrigonometricPair::new(q, &shape);
             let turns = rate / (quarter * 4.0);
             // Steady rate: that of the smooth phase about L where the across component is largest, less what
@@ -155,7 +156,7 @@ impl Elliptic {
             (form, drift)
         } else {
             let shape = Shape { cyclic, forward, tilt, depth: PI * depth / (4.0 * other) };
-            let p = if motion.separatrix { 0.0 } else { (-FRAC_PI_2 / ratio).exp() };
+            let p = if motion.separatrix { 0.0 } else { exp(-FRAC_PI_2 / ratio) };
             let pair = HyperbolicPair::new(p, &shape);
             let stretch = PI / (2.0 * other);
             let (angle, turning) = pair.angle_and_turning_at_middle();
@@ -254,11 +255,11 @@ impl Elliptic {
         let least = around * self.constants.complement;
         let swing = |angle: f64| [angle, PI - angle];
         if axis == self.axes[0] {
-            swing(around.atan2(across))
+            swing(atan2(around, across))
         } else if axis == self.axes[1] {
-            swing(least.atan2(middle))
+            swing(atan2(least, middle))
         } else {
-            let [near, far] = [across.atan2(around), middle.atan2(least)];
+            let [near, far] = [atan2(across, around), atan2(middle, least)];
             if self.amplitudes[2] > 0.0 { [near, far] } else { [PI - far, PI - near] }
         }
     }
@@ -396,7 +397,7 @@ impl Form {
     fn argument(&self) -> DoubleDouble {
         match self {
             Self::Trigonometric { start: [sin, cos], turns_per_argument, .. } => {
-                DoubleDouble::from(sin.atan2(*cos) / (2.0 * PI * turns_per_argument))
+                DoubleDouble::from(atan2(*sin, *cos) / (2.0 * PI * turns_per_argument))
             }
             Self::Hyperbolic { way, .. } => way.start,
         }
@@ -442,10 +443,10 @@ fn drifted<T: Lane>(drift: DoubleDouble<T>, time: T, extra: DoubleDouble<T>) -> 
 fn phase_at_start(sn: f64, cn: f64, dn: f64, complement: f64, quarter: f64) -> [f64; 2] {
     let (sin, cos) = if sn.abs() <= cn.abs() {
         let u = sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, 1.0);
-        (FRAC_PI_2 * u / quarter).sin_cos()
+        sin_cos(FRAC_PI_2 * u / quarter)
     } else {
         let u = cn.abs() * elliptic::rf_of_roots(complement * sn.abs(), complement, dn);
-        let (cos, sin) = (FRAC_PI_2 * u / quarter).sin_cos();
+        let (cos, sin) = sin_cos(FRAC_PI_2 * u / quarter);
         (sin, cos)
     };
     [sin.copysign(sn), cos.copysign(cn)]

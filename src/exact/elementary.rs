@@ -3,6 +3,7 @@
 use super::klein;
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::number::{Lane, gathered};
 use nalgebra::{Quaternion, Vector3};
@@ -84,7 +85,7 @@ impl Precession {
     /// The largest component that the spin can have, rad/s.
     pub(crate) fn greatest_spin(&self) -> f64 {
         let [a, b] = [1, 2].map(|k| self.omega[(self.axis + k) % 3]);
-        a.hypot(b).max(self.omega[self.axis].abs())
+        hypot(a, b).max(self.omega[self.axis].abs())
     }
 
     /// Turns per unit of scaled time.

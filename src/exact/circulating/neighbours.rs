@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::exact::elliptic::{Values, rd};
 use crate::exact::sensitivity::Change;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::atan2;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -157,7 +158,7 @@ impl Elliptic {
             Form::Trigonometric { spin, start, turns, .. } => {
                 let (sin, cos) = super::advanced(start, *turns * time);
                 let values = spin.at(sin, cos);
-                let at_start = DoubleDouble::from(start[0].atan2(start[1]) / TAU);
+                let at_start = DoubleDouble::from(atan2(start[0], start[1]) / TAU);
                 let (whole, left) = ((*turns * time + at_start) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;

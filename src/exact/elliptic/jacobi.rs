@@ -6,6 +6,7 @@ use super::trigonometric::Trigonometric;
 use super::{Values, complete};
 use crate::error::{Error, finite};
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::exp;
 use std::f64::consts::PI;
 
 /// Below this ratio of the quarter periods `K'/K` the imaginary transformation converges faster.
@@ -64,9 +65,9 @@ impl Jacobi {
         };
         let other = complete::quarter_period(modulus);
         let form = if other / quarter.hi() >= TURNING_RATIO {
-            Form::Trigonometric(Trigonometric::new((-PI * (other / quarter.hi())).exp()))
+            Form::Trigonometric(Trigonometric::new(exp(-PI * (other / quarter.hi()))))
         } else {
-            let p = (-0.5 * PI * (quarter.hi() / other)).exp();
+            let p = exp(-0.5 * PI * (quarter.hi() / other));
             Form::Hyperbolic(Hyperbolic::new(p * p, complement, 0), PI / (2.0 * other), p)
         };
         Ok(Self { quarter, form })

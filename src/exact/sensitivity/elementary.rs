@@ -4,6 +4,7 @@ use super::Change;
 use super::series::Ratios;
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::{cosh, sinh};
 use nalgebra::Vector3;
 
 /// About the principal axis number `axis`: that part of the change stays, the other two grow or turn together, and a
@@ -24,7 +25,7 @@ pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -
         (cos, sin / rate.hi())
     } else {
         let (main, rest) = (phase.hi(), phase.lo());
-        (main.cosh() + main.sinh() * rest, (main.sinh() + main.cosh() * rest) / rate.hi())
+        (cosh(main) + sinh(main) * rest, (sinh(main) + cosh(main) * rest) / rate.hi())
     };
     let mut change = Change { spin: [Vector3::zeros(); 6], squares: [0.0; 3] };
     change.spin[axis][axis] = 1.0;
