@@ -1,6 +1,7 @@
 //! What can be wrong with what you give the library, one kind each.
 
-use std::fmt;
+use alloc::boxed::Box;
+use core::fmt;
 
 /// Why a value was refused: what it was, the rule it broke, and by how much.
 ///
@@ -325,8 +326,8 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+impl core::error::Error for Error {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             Self::Part { source, .. } | Self::OfBody { source, .. } | Self::OfTorque { source, .. } => {
                 Some(source.as_ref())

@@ -6,6 +6,7 @@
 //! Whatever branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64` side
 //! by side.
 
+#[cfg(feature = "std")]
 pub mod counted;
 pub(crate) mod double_double;
 pub(crate) mod extended;
@@ -16,9 +17,9 @@ pub(crate) mod power_of_two;
 pub use lane::Lane;
 pub(crate) use lane::gathered;
 
+use core::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
-use num_traits::{One, Zero};
-use std::ops::Neg;
+use num_traits::{Float, One, Zero};
 
 /// A commutative ring: add, subtract, multiply, with 0 and 1. Implemented for every type that can.
 ///
@@ -93,7 +94,7 @@ pub trait Analytic: Field {
 
 impl Analytic for f64 {
     fn sqrt(&self) -> Self {
-        f64::sqrt(*self)
+        Float::sqrt(*self)
     }
     fn sin_cos(&self) -> (Self, Self) {
         functions::sin_cos(*self)
@@ -116,7 +117,7 @@ impl Analytic for f64 {
 #[allow(clippy::cast_possible_truncation)]
 impl Analytic for f32 {
     fn sqrt(&self) -> Self {
-        f32::sqrt(*self)
+        Float::sqrt(*self)
     }
     fn sin_cos(&self) -> (Self, Self) {
         let (sine, cosine) = functions::sin_cos(f64::from(*self));

@@ -16,8 +16,10 @@ use crate::body::attitude::turn;
 use crate::error::Error;
 use crate::number::functions::{atan2, hypot, sin_cos};
 use crate::solid::{Compound, Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
+use core::f64::consts::{FRAC_1_SQRT_2, TAU};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Density of steel, kg/m³: a textbook value.
 const STEEL: f64 = 7850.0;

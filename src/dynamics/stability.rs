@@ -5,8 +5,10 @@ use crate::error::{Error, finite, finite_vector};
 use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use crate::number::power_of_two::times_power_of_two;
+use core::fmt;
 use nalgebra::Vector3;
-use std::fmt;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The square of the rate at which a small disturbance changes, (1/s)²: positive where it grows, negative
 /// where it librates, for a spin `omega` about the axis with moment `about`, the others being `first` and

@@ -5,8 +5,9 @@ use super::elementary::{Precession, Turn, Turns, Wobbles};
 use super::{FreeMotion, Instant, Law, klein, real_first};
 use crate::error::{Error, finite};
 use crate::number::{Lane, gathered};
+use alloc::vec::Vec;
+use core::mem::size_of;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::mem::size_of;
 
 /// Many bodies in free motion, prepared to be asked together: as many side by side as the number type has
 /// [lanes](Lane).

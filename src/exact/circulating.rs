@@ -18,8 +18,8 @@ use crate::inertia::Axis;
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
+use core::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, PI};
 use way::Way;
 
 /// All that an instant needs, in units where the largest spin is near 1.

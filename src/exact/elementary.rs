@@ -6,8 +6,8 @@ use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::number::{Lane, gathered};
+use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::PI;
 
 /// A turn at an even rate about a fixed direction.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,6 +13,8 @@ mod trig;
 mod trigonometric;
 
 pub use jacobi::Jacobi;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 pub(crate) use carlson::{rd, rf_of_roots};
 pub(crate) use complete::{quarter_period, quarter_period_from_root};

@@ -6,8 +6,10 @@ use crate::error::{Error, finite};
 use crate::inertia::Axis;
 use crate::inertia::unit;
 use crate::number::functions::{atan2, hypot};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The complementary modulus up to which a motion is said to pass the middle axis closely.
 const CLOSE: f64 = 0.1;

@@ -8,6 +8,7 @@ use super::circulating::{Elliptic, Halves};
 use super::elementary::scaled;
 use super::{FreeMotion, Law};
 use crate::error::{Error, finite};
+use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Vector3};
@@ -138,7 +139,7 @@ impl FreeMotion {
         let direction = start / momentum;
         let current = i.component_mul(&now);
         let main = start.iamax();
-        std::array::from_fn(|column| {
+        core::array::from_fn(|column| {
             let k = column % 3;
             let unit = Vector3::ith(k, 1.0);
             let (mut before, mut after) = (Vector3::zeros(), i.component_mul(&change.spin[column]));
@@ -173,7 +174,7 @@ fn near_return(motion: &Elliptic, halves: &Halves, moments: &[f64; 3], omega: &[
     let (later, squares) = motion.whole(moments, halves.count);
     let factor = series::Ratios::new(moments).factor;
     let rate = Vector3::from([0, 1, 2].map(|a| factor[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
-    let odd = halves.count - 2.0 * (0.5 * halves.count).round_ties_even() != 0.0;
+    let odd = halves.count - 2.0 * Lane::round_ties_even(0.5 * halves.count) != 0.0;
     let turned = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
     for (column, later) in change.spin.iter_mut().zip(later) {
         *column = (*column + rate * later).component_mul(&turned);

@@ -3,9 +3,9 @@
 use super::{Axis, DIAGONAL_ROUNDING_ULPS, Inertia, physically_possible};
 use crate::error::{Error, positive};
 use crate::number::power_of_two::ulp;
+use core::fmt;
+use core::ops::Index;
 use nalgebra::Vector3;
-use std::fmt;
-use std::ops::Index;
 
 /// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two by more than
 /// rounding (4 units in the last place of the largest).

@@ -5,6 +5,8 @@ use crate::error::Error;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Which of a body's three principal axes, by its moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

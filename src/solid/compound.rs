@@ -2,6 +2,8 @@
 
 use super::MassProperties;
 use crate::error::Error;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A body made of parts, each put in its place.

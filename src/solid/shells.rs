@@ -9,9 +9,12 @@ use super::mesh::triple;
 use crate::error::Error;
 use crate::number::extended::Extended;
 use crate::number::functions::atan2;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 use num_traits::Zero;
-use std::f64::consts::TAU;
 
 /// How far beside a face to look, in its heights: far enough that a slim face's own solid angle is clear of
 /// rounding, near enough to stay beside it. In a solid a point anywhere has winding number 0 or 1, so none

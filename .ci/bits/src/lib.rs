@@ -10,3 +10,9 @@ pub use same_bits::{Hash, hash};
 pub extern "C" fn same_bits(rounds: u32) -> u64 {
     hash(rounds).value()
 }
+
+/// How many numbers it is of.
+#[unsafe(no_mangle)]
+pub extern "C" fn same_bits_numbers(rounds: u32) -> u64 {
+    hash(rounds).numbers
+}

@@ -6,6 +6,7 @@ use crate::exact::elliptic::{Hyperbolic, Trigonometric};
 use crate::exact::klein::{self, HyperbolicPair, Pair, TrigonometricPair, phase};
 use crate::number::double_double::DoubleDouble;
 use crate::number::{Lane, gathered};
+use alloc::vec::Vec;
 
 /// Which way round the axes go, which differs from body to body.
 #[derive(Debug, Clone, PartialEq)]

@@ -11,11 +11,12 @@ use super::{Elliptic, Form};
 use crate::error::Error;
 use crate::exact::elliptic::{Values, rd};
 use crate::exact::sensitivity::Change;
+use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::atan2;
 use crate::number::power_of_two::times_power_of_two;
+use core::f64::consts::TAU;
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
 const REST: f64 = 700.0;
@@ -161,7 +162,7 @@ impl Elliptic {
                 let at_start = DoubleDouble::from(atan2(start[0], start[1]) / TAU);
                 let (whole, left) = ((*turns * time + at_start) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
-                let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
+                let even = whole - 2.0 * Lane::round_ties_even(0.5 * whole) == 0.0;
                 let halves =
                     if even == values.cn.is_sign_positive() { whole } else { whole + 1_f64.copysign(left) };
                 (values, halves)

@@ -7,7 +7,9 @@ use super::{Values, complete};
 use crate::error::{Error, finite};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::exp;
-use std::f64::consts::PI;
+use core::f64::consts::PI;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Below this ratio of the quarter periods `K'/K` the imaginary transformation converges faster.
 pub(crate) const TURNING_RATIO: f64 = 0.775;

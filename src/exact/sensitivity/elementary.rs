@@ -56,7 +56,7 @@ pub(super) fn top(
     let (w, along) = ([omega[a], omega[b]], omega[axis]);
     let (sin, cos) = sin_cos_of_turns(wobble * time);
     let turned = [cos, sin];
-    let [once, twice] = integrals(2.0 * std::f64::consts::TAU * wobble.hi(), times(turned, turned), time);
+    let [once, twice] = integrals(2.0 * core::f64::consts::TAU * wobble.hi(), times(turned, turned), time);
     let square = times(w, w);
     let mut change = Change { spin: [Vector3::zeros(); 6], squares: [0.0; 3] };
     for column in 0..6 {
@@ -78,7 +78,7 @@ pub(super) fn top(
         (change.spin[column][a], change.spin[column][b], change.spin[column][axis]) = (z[0], z[1], around);
     }
     // Of the integral of exp(2 i k t) less the time, which is 2 i k times the second integral.
-    let rate = 2.0 * std::f64::consts::TAU * wobble.hi();
+    let rate = 2.0 * core::f64::consts::TAU * wobble.hi();
     let excess = 0.5 * times(square, [-rate * twice[1], rate * twice[0]])[0];
     (change.squares[a], change.squares[b]) = (excess, -excess);
     change

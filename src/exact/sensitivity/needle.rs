@@ -7,6 +7,8 @@
 use super::series::short;
 use super::{FreeMotion, Law};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better way.
 const SLOW: f64 = 1.0;

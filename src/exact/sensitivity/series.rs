@@ -5,6 +5,8 @@
 
 use super::Change;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Terms of the longest series.
 const TERMS: usize = 24;

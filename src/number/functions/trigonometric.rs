@@ -3,6 +3,8 @@
 use super::reduction::quarters;
 use super::{inverse_factorials, polynomial};
 use core::f64::consts::FRAC_PI_4;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// `(1 - sin x / x) / x²` as a series in `x²`. Up to an eighth of a turn the first term left out is below 2^-66.
 const SINE: [f64; 8] = inverse_factorials(3, 2, -1.0);

@@ -6,6 +6,9 @@ use crate::number::functions::fifth_root;
 use crate::number::{Analytic, Field};
 use crate::step::method::{Conserved, MethodInfo, check_square_underflow};
 use crate::step::system::System;
+use alloc::vec::Vec;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "Dormand-Prince 5",

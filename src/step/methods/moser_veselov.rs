@@ -23,6 +23,8 @@ use crate::number::{Analytic, Ring};
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 const ALL: Conserved =
     Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true };
@@ -57,7 +59,7 @@ pub(crate) fn step<T: Analytic>(
 /// The equation has several solutions. With `D = tr(K)/2 - K`, the turn `R` and `W = R D` it is `W - W^T = M` with `W^T W = D^2`; two solutions
 /// `V` and `W` then obey `V^T (V - W) + (V - W) W = 0`, which leaves no difference where the eigenvalues of both have positive real parts.
 /// Below a quarter turn they do, since then `R + R^T` is positive definite. So no other solution is taken for this one, forth or back.
-const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
+const LONGEST: f64 = core::f64::consts::FRAC_PI_2;
 
 /// The greatest relative change of an inverse moment by preprocessing: beyond it the powers of the step no longer converge, and the altered
 /// moments may be those of no body.
