@@ -18,7 +18,7 @@
 use crate::body::State;
 use crate::body::attitude;
 use crate::error::Error;
-use crate::number::functions::powi;
+use crate::number::functions::{atan2, powi};
 use crate::number::{Analytic, Ring};
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
@@ -119,7 +119,7 @@ impl<T: Analytic> Prepared<T> {
         let c = tangents(&self.moments, &self.inverse, &half)?;
         let square = c.dot(&c);
         if square.size() >= 1.0 {
-            let turn = 2.0 * square.size().sqrt().atan();
+            let turn = 2.0 * atan2(square.size().sqrt(), 1.0);
             return Err(Error::NotBelow {
                 what: "the turn of a Moser-Veselov step, rad",
                 value: turn,
