@@ -4,7 +4,8 @@ mod refusal;
 
 pub(crate) use refusal::Refusal;
 
-use std::fmt;
+use alloc::boxed::Box;
+use core::fmt;
 
 /// Why a value was refused: its sentence names the value, the rule it broke, and by how much. Programs decide by the
 /// [kind](Self::kind).
@@ -88,8 +89,8 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+impl core::error::Error for Error {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.refusal {
             Refusal::Part { source, .. } | Refusal::OffCentre { source, .. } => Some(source.as_ref()),
             _ => None,

@@ -37,6 +37,7 @@ mod polhode;
 mod regime;
 mod sensitivity;
 
+use alloc::vec::Vec;
 pub use batch::{Batch, Spins};
 pub use flips::Flips;
 pub use period::time_between_flips;
@@ -317,7 +318,7 @@ impl FreeMotion {
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
                 axis: top.axis(),
-                nutation: per_second(top.wobble_turns() * std::f64::consts::TAU),
+                nutation: per_second(top.wobble_turns() * core::f64::consts::TAU),
                 precession: per_second(top.precession()),
             },
             Law::Elliptic(motion) => motion.regime(per_second),

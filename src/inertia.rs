@@ -10,6 +10,8 @@ mod nearest;
 mod possible;
 mod principal;
 
+use crate::number::functions::atan2;
+use alloc::boxed::Box;
 pub use inverse::InverseInertia;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
@@ -171,7 +173,7 @@ impl Inertia {
             (w.x * l[1] - w.y * l[0]).hi(),
         );
         let dot = (w.x * l[0] + w.y * l[1] + w.z * l[2]).hi();
-        Ok(length(&cross).atan2(dot))
+        Ok(atan2(length(&cross), dot))
     }
 
     /// The moment about the axis along `direction` (any length) through the same point, kg m².

@@ -50,8 +50,11 @@
 //! numbers, say, overflow and divide by zero in their own way.
 //!
 //! Sources are given by keys, which stand in [`references`].
+#![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+extern crate alloc;
 
 pub mod body;
 pub mod dynamics;

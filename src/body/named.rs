@@ -20,6 +20,7 @@ mod part;
 mod racket;
 mod steel;
 
+use alloc::vec::Vec;
 pub use boxes::{BOOK, EvenBox, PHONE, REMOTE_CONTROL, THE_BOX};
 pub use part::{Fill, Part, Section};
 

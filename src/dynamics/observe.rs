@@ -1,6 +1,7 @@
 //! What can be read off a motion: energy, length of momentum, flips, closeness to the separatrix.
 
 use crate::number::Field;
+use alloc::vec::Vec;
 use nalgebra::Vector3;
 
 /// Kinetic energy, J: half of `w . L`, the same in body and world axes as long as both vectors share them.

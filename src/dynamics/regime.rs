@@ -8,6 +8,8 @@ use crate::inertia::PrincipalMoments;
 use crate::number::double_double::{DoubleDouble, exact_products, exact_sum};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// What kind of free motion this is, decided without rounding.
 #[allow(clippy::large_enum_variant)] // made once and taken apart at once
@@ -174,5 +176,5 @@ fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) 
         exact_products(exact_products(with_moment, w), w)
     };
     let mut all = terms(high, 1.0).chain(terms(low, -1.0)); // sixteen each
-    exact_sum::<32>(std::array::from_fn(|_| all.next().unwrap_or(0.0)))
+    exact_sum::<32>(core::array::from_fn(|_| all.next().unwrap_or(0.0)))
 }

@@ -3,7 +3,9 @@
 use crate::error::{Error, Refusal, finite};
 use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
-use std::fmt;
+use core::fmt;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The square of the rate at which a small disturbance changes, (1/s)²: positive where it grows, negative
 /// where it librates, for a spin `omega` about the axis with moment `about`, the others being `first` and

@@ -1,7 +1,8 @@
 //! Each way to be refused, with the values that its sentence names.
 
 use super::{Error, ErrorKind};
-use std::fmt;
+use alloc::boxed::Box;
+use core::fmt;
 
 /// What was wrong, one variant for each sentence. Behind [`Error`], so that a sentence can gain a number without breaking anyone.
 #[derive(Debug, Clone, PartialEq)]

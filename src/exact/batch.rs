@@ -9,9 +9,9 @@ use super::elliptic_motion::{
 use super::{FreeMotion, Instant, Law};
 use crate::error::{Error, finite};
 use crate::number::Lane;
+use alloc::vec::Vec;
 use group::Group;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::mem::size_of;
 
 /// Many bodies in free motion, prepared to be asked together: as many side by side as the number type has
 /// [lanes](Lane).

@@ -14,6 +14,7 @@
 //! quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::{atan2, exp, exp_m1, hypot, powi, sin_cos};
 use crate::number::{Gather, Lane, gather_fields};
 
 /// `a + b j`, not of length 1.
@@ -104,29 +105,29 @@ gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos, sense
 impl DirectPair {
     /// `q` is the nome and `shape.depth = pi y/K`, twice the imaginary shift.
     pub(crate) fn new(q: f64, shape: &Shape) -> Self {
-        let fall = (-shape.depth).exp();
+        let fall = exp(-shape.depth);
         // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
         let rise = if q == 0.0 { 0.0 } else { (q / fall).min(1.0) };
         let s = shape.sense();
-        let (q2, q6, q8) = (q * q, q.powi(6), q.powi(8));
-        let (q15, q18) = (q.powi(15), q.powi(18));
+        let (q2, q6, q8) = (q * q, powi(q, 6), powi(q, 8));
+        let (q15, q18) = (powi(q, 15), powi(q, 18));
         // 2 q^(2n²) cosh 2nB and sinh.
-        let up = [q * rise, q6 * rise * rise, q15 * rise.powi(3)];
-        let down = [q2 * fall, q8 * fall * fall, q18 * fall.powi(3)];
+        let up = [q * rise, q6 * rise * rise, q15 * powi(rise, 3)];
+        let down = [q2 * fall, q8 * fall * fall, q18 * powi(fall, 3)];
         let cosh = [0, 1, 2].map(|n| up[n] + down[n]);
         let sinh = [0, 1, 2].map(|n| s * (up[n] - down[n]));
         let a_real = [1.0 - cosh[1], -cosh[0] + 3.0 * cosh[2], 2.0 * cosh[1], -4.0 * cosh[2]];
         let a_imaginary = [-sinh[0] + sinh[2], 2.0 * sinh[1], -4.0 * sinh[2]];
         // 2 exp(-B) q^(2n(n+1)) cosh (2n+1)B and sinh.
-        let (q3, q4, q10, q12) = (q.powi(3), q.powi(4), q.powi(10), q.powi(12));
-        let c = [1.0 + fall, q3 * rise + q4 * fall * fall, q10 * rise * rise + q12 * fall.powi(3)];
+        let (q3, q4, q10, q12) = (powi(q, 3), powi(q, 4), powi(q, 10), powi(q, 12));
+        let c = [1.0 + fall, q3 * rise + q4 * fall * fall, q10 * rise * rise + q12 * powi(fall, 3)];
         let d =
-            [-(-shape.depth).exp_m1(), q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * fall.powi(3)];
+            [-exp_m1(-shape.depth), q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * powi(fall, 3)];
         let b_along_sin = [c[0] - c[1] - c[2], -2.0 * c[1] + 2.0 * c[2], 4.0 * c[2]];
         let b_along_cos = [d[0] + d[1] - d[2], -2.0 * d[1] - 2.0 * d[2], 4.0 * d[2]].map(|x| -s * x);
         let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense: s };
         let at_middle = pair.raw(1.0, 0.0);
-        let amplitude = shape.tilt * at_middle.a[0] / at_middle.b[0].hypot(at_middle.b[1]);
+        let amplitude = shape.tilt * at_middle.a[0] / hypot(at_middle.b[0], at_middle.b[1]);
         let amplitude = if shape.forward { amplitude } else { -amplitude };
         pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
         pair.b_along_cos = pair.b_along_cos.map(|x| x * amplitude);
@@ -182,15 +183,15 @@ impl ComplementaryPair {
     pub(crate) fn new(nome: f64, shape: &Shape) -> Self {
         let p = nome;
         // Sines and cosines of the odd multiples, each from the two before.
-        let (sin, cos) = shape.depth.sin_cos();
+        let (sin, cos) = sin_cos(shape.depth);
         let twice = 2.0 * (cos - sin) * (cos + sin);
         let (mut s, mut c) = ([-sin, sin, 0.0, 0.0, 0.0, 0.0], [cos, cos, 0.0, 0.0, 0.0, 0.0]);
         for n in 2..6 {
             (s[n], c[n]) = (twice * s[n - 1] - s[n - 2], twice * c[n - 1] - c[n - 2]);
         }
         let (s, c) = (&s[1..], &c[1..]);
-        let up = [1.0, 1.0, p.powi(2), p.powi(6), p.powi(12)];
-        let down = [1.0, p.powi(2), p.powi(6), p.powi(12)];
+        let up = [1.0, 1.0, powi(p, 2), powi(p, 6), powi(p, 12)];
+        let down = [1.0, powi(p, 2), powi(p, 6), powi(p, 12)];
         let mut pair = Self {
             nome,
             rising: [[0, 1, 2, 3, 4].map(|n| up[n] * c[n]), [0, 1, 2, 3, 4].map(|n| up[n] * s[n])],
@@ -199,7 +200,7 @@ impl ComplementaryPair {
             sense: shape.sense(),
         };
         let middle = pair.raw(nome, 1.0, 1.0, 1.0);
-        let length = |x: [f64; 2]| x[0].hypot(x[1]);
+        let length = |x: [f64; 2]| hypot(x[0], x[1]);
         let amplitude = shape.tilt * length(middle.a) / length(middle.b);
         pair.amplitude = if shape.forward { amplitude } else { -amplitude };
         pair
@@ -213,12 +214,12 @@ impl ComplementaryPair {
             for n in 0..5 {
                 let k = n as i32;
                 let weight = if weigh { f64::from(k) } else { 1.0 };
-                total[0] += weight * self.rising[wave][n] * p.powi(k);
+                total[0] += weight * self.rising[wave][n] * powi(p, k);
             }
             for n in 0..4 {
                 let k = n as i32 + 1;
                 let weight = if weigh { f64::from(-k) } else { 1.0 };
-                total[1] += weight * self.falling[wave][n] * p.powi(k);
+                total[1] += weight * self.falling[wave][n] * powi(p, k);
             }
             total
         };
@@ -226,7 +227,7 @@ impl ComplementaryPair {
         let a = [c[0] + c[1], self.sense * (s[1] - s[0])];
         let change = [dc[0] + dc[1], self.sense * (ds[1] - ds[0])];
         let turning = (a[0] * change[1] - a[1] * change[0]) / (a[0] * a[0] + a[1] * a[1]);
-        (a[1].atan2(a[0]), turning)
+        (atan2(a[1], a[0]), turning)
     }
 }
 

@@ -4,10 +4,11 @@ use super::kernel::{FirstAxis, Kernel, unit};
 use crate::body::attitude::product;
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::number::{Gather, Lane, gather_fields};
+use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::PI;
 
 /// A turn at an even rate about a fixed direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,7 +156,7 @@ impl Precession {
     /// The largest component that the spin can have, rad/s.
     pub(crate) fn greatest_spin(&self) -> f64 {
         let [along, a, b] = self.spin.omega;
-        a.hypot(b).max(along.abs())
+        hypot(a, b).max(along.abs())
     }
 
     /// Turns per unit of scaled time.

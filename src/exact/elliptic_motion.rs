@@ -15,8 +15,9 @@ use super::flips::Clock;
 use super::kernel::Kernel;
 use crate::inertia::Axis;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::atan2;
+use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::PI;
 
 /// All that an instant needs, in units where the largest spin is near 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,11 +109,11 @@ impl EllipticMotion {
         let least = around * self.constants.complement;
         let swing = |angle: f64| [angle, PI - angle];
         if axis == self.axes[0] {
-            swing(around.atan2(across))
+            swing(atan2(around, across))
         } else if axis == self.axes[1] {
-            swing(least.atan2(middle))
+            swing(atan2(least, middle))
         } else {
-            let [near, far] = [across.atan2(around), middle.atan2(least)];
+            let [near, far] = [atan2(across, around), atan2(middle, least)];
             if self.amplitudes[2] > 0.0 { [near, far] } else { [PI - far, PI - near] }
         }
     }

@@ -3,7 +3,9 @@
 use crate::error::{Error, Refusal};
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
-use std::iter::FusedIterator;
+use core::iter::FusedIterator;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Beyond this many flips from the start an `f64` cannot number them one by one.
 const LAST: f64 = 9_007_199_254_740_992.0;

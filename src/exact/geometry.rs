@@ -5,8 +5,11 @@ use crate::dynamics::stability::{Stability, of_spin};
 use crate::error::{Error, Refusal, finite};
 use crate::inertia::Axis;
 use crate::inertia::unit;
+use crate::number::functions::{atan2, hypot};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The complementary modulus up to which a motion is said to pass the middle axis closely.
 const CLOSE: f64 = 0.1;
@@ -105,13 +108,13 @@ impl FreeMotion {
             .component_mul(&scaled(self.start, self.start.amax()));
         let share = unit("the angular momentum", &momentum)?;
         let swing = |along: f64, off: f64| {
-            let least = off.atan2(along);
+            let least = atan2(off, along);
             [least, PI - least]
         };
-        let off = |axis: usize| share[(axis + 1) % 3].hypot(share[(axis + 2) % 3]);
+        let off = |axis: usize| hypot(share[(axis + 1) % 3], share[(axis + 2) % 3]);
         Ok(match &self.law {
-            Law::AtRest | Law::Steady(_) => [off(axis).atan2(share[axis]); 2],
-            Law::Symmetric(top) if top.axis() == axis => [off(axis).atan2(share[axis]); 2],
+            Law::AtRest | Law::Steady(_) => [atan2(off(axis), share[axis]); 2],
+            Law::Symmetric(top) if top.axis() == axis => [atan2(off(axis), share[axis]); 2],
             Law::Symmetric(top) => swing(off(top.axis()), share[top.axis()].abs()),
             Law::Elliptic(motion) => motion.angles(axis),
         })

@@ -4,6 +4,7 @@ use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, finite_vector};
 use crate::exact::time_between_flips;
 use crate::inertia::PrincipalMoments;
+use crate::number::functions::hypot;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
@@ -41,13 +42,13 @@ impl Polhode {
             Kind::Steady => Ok(Self { least: still, greatest: still, period: None }),
             Kind::Symmetric(axis) => {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-                let across = omega[a].hypot(omega[b]);
+                let across = hypot(omega[a], omega[b]);
                 let (mut least, mut greatest) = (still, still);
                 for side in [a, b] {
                     (least[side], greatest[side]) = (0.0, across);
                 }
                 let rate = omega[axis] * ((moments[axis] - moments[a]) / moments[a]);
-                let period = Some(std::f64::consts::TAU / rate.abs()).filter(|period| period.is_finite());
+                let period = Some(core::f64::consts::TAU / rate.abs()).filter(|period| period.is_finite());
                 Ok(Self { least, greatest, period })
             }
             Kind::Asymmetric(motion) => {

@@ -1,7 +1,9 @@
 //! Which kind of free motion it is, with the numbers that belong to that kind.
 
 use crate::inertia::Axis;
-use std::fmt;
+use alloc::format;
+use alloc::string::ToString as _;
+use core::fmt;
 
 /// The kinds of free motion, each with its own constants.
 ///

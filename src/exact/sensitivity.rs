@@ -10,6 +10,7 @@ use super::elementary::scaled;
 use super::elliptic_motion::EllipticMotion;
 use super::{FreeMotion, Law};
 use crate::error::{Error, Refusal, finite};
+use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3};
@@ -337,7 +338,7 @@ fn near_return(
     let (earlier, squares) = motion.over_half_periods(moments, halves.count);
     let factors = series::factors(moments);
     let rate = Vector3::from([0, 1, 2].map(|a| factors[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
-    let odd = halves.count - 2.0 * (0.5 * halves.count).round_ties_even() != 0.0;
+    let odd = halves.count - 2.0 * Lane::round_ties_even(0.5 * halves.count) != 0.0;
     let signs = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
     for (k, mut column) in found.spin.column_iter_mut().enumerate() {
         let later = &column + rate * earlier[k];

@@ -1,8 +1,11 @@
 //! Tensors and axes as text.
 
 use super::{Axis, Inertia, InverseInertia, PrincipalAxes};
+use alloc::format;
+use alloc::string::String;
+use alloc::string::ToString as _;
+use core::fmt;
 use nalgebra::Matrix3;
-use std::fmt;
 
 fn number(x: f64, f: &fmt::Formatter<'_>) -> String {
     f.precision().map_or_else(|| x.to_string(), |digits| format!("{x:.digits$}"))

@@ -4,9 +4,9 @@ use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
 use super::{Adjusted, Axis, Inertia};
 use crate::error::{Error, positive};
 use crate::number::power_of_two::ulp;
+use core::fmt;
+use core::ops::Index;
 use nalgebra::{Matrix3, Vector3};
-use std::fmt;
-use std::ops::Index;
 
 /// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two by more than
 /// rounding (4 units in the last place of the largest).

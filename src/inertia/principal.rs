@@ -2,8 +2,11 @@
 
 use super::{PrincipalMoments, ascending};
 use crate::error::Error;
+use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Which of a body's three principal axes, by its moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -128,8 +131,8 @@ fn rotate(a: &mut Matrix3<f64>, v: &mut Matrix3<f64>, p: usize, q: usize) -> boo
         return false;
     }
     let theta = (mq - mp) / (2.0 * product);
-    let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
-    let c = 1.0 / t.hypot(1.0);
+    let t = theta.signum() / (theta.abs() + hypot(theta, 1.0));
+    let c = 1.0 / hypot(t, 1.0);
     let s = t * c;
     a[(p, p)] = mp - t * product;
     a[(q, q)] = mq + t * product;

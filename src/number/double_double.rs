@@ -6,7 +6,7 @@
 
 use crate::number::power_of_two::times_power_of_two;
 use crate::number::{Gather, Lane, gather_fields};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +21,7 @@ impl DoubleDouble {
     pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// The circle's constant to 107 bits.
-    pub(crate) const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+    pub(crate) const PI: Self = Self { hi: core::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
 
     /// The square root of a number that is not negative, to about 104 bits.
     pub(crate) fn sqrt(self) -> Self {
@@ -44,6 +44,11 @@ impl DoubleDouble {
 }
 
 impl<T: Lane> DoubleDouble<T> {
+    /// The sum of a number and of one that is at most half a unit in its last place.
+    pub(crate) fn new(hi: T, lo: T) -> Self {
+        Self { hi, lo }
+    }
+
     /// The nearest single number.
     #[inline(always)]
     pub(crate) fn hi(self) -> T {

@@ -6,8 +6,8 @@
 
 use crate::error::{Error, Refusal};
 use crate::number::power_of_two::{exponent, times_power_of_two};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `significand * 2^exponent`, with `1 <= |significand| < 2`, or zero.
 #[derive(Debug, Clone, Copy, PartialEq)]

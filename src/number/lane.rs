@@ -1,9 +1,14 @@
 //! Several numbers side by side, worked on at once.
 
 use super::Field;
+use core::fmt::Debug;
+use core::ops::{Add, Mul, Sub};
 use nalgebra::Vector3;
-use std::fmt::Debug;
-use std::ops::{Add, Mul, Sub};
+use num_traits::Float;
+
+/// 2^52.
+#[cfg(not(feature = "std"))]
+const LARGE: f64 = 4_503_599_627_370_496.0;
 
 /// Several `f64` side by side that go through the same arithmetic at once, each for itself: a processor's vector register.
 /// `f64` is the case of one lane.
@@ -128,17 +133,21 @@ impl Lane for f64 {
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        self.sqrt()
+        Float::sqrt(self)
     }
 
     #[inline(always)]
     fn round_ties_even(self) -> Self {
-        self.round_ties_even()
+        #[cfg(feature = "std")]
+        return self.round_ties_even();
+        // Numbers from 2^52 on have no fraction: a sum that large rounds it off.
+        #[cfg(not(feature = "std"))]
+        if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
     }
 
     #[inline(always)]
     fn two_product_error(self, other: Self, product: Self) -> Self {
-        self.mul_add(other, -product)
+        Float::mul_add(self, other, -product)
     }
 
     #[inline(always)]
@@ -169,7 +178,7 @@ impl<T: Lane> Gather for T {
 impl<G: Gather, const N: usize> Gather for [G; N] {
     type One = [G::One; N];
     fn gather<S>(from: &[S], of: impl Fn(&S) -> &[G::One; N]) -> Self {
-        std::array::from_fn(|n| G::gather(from, |s| &of(s)[n]))
+        core::array::from_fn(|n| G::gather(from, |s| &of(s)[n]))
     }
 }
 

@@ -24,7 +24,7 @@ pub(crate) fn exponent(x: f64) -> i32 {
     }
     let bits = |y: f64| i32::try_from(y.to_bits() >> 52 & 0x7ff).unwrap_or(0);
     match bits(x) {
-        0 => bits(x * 2_f64.powi(64)) - 1023 - 64,
+        0 => bits(x * 18_446_744_073_709_551_616.0) - 1023 - 64,
         biased => biased - 1023,
     }
 }

@@ -4,8 +4,8 @@ use super::{MassProperties, Solid, centred, cube, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The moment of a ball about any axis through its centre: `2/5 m r²`. Source:
 /// [LL76](crate::references), section 32, problem 2b.

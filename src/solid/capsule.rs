@@ -4,8 +4,8 @@ use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The moments of a capsule about its centre: a cylinder of length `l` and two half balls, axis along z.
 ///

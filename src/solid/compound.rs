@@ -2,6 +2,7 @@
 
 use super::MassProperties;
 use crate::error::Error;
+use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A body made of parts, each put in its place.

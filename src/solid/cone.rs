@@ -4,9 +4,9 @@ use super::{MassProperties, Solid, centred_at, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
 use num_traits::Zero;
-use std::f64::consts::PI;
 
 /// The moments of a full cone about its centre of mass: `3/80 m (4r² + h²)` across, `3/10 m r²` along its
 /// axis, z. Source:

@@ -4,8 +4,8 @@ use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The moments of a full cylinder about its centre: `m/12 (3r² + h²)` across, `m r²/2` along its axis, z.
 /// Source: [LL76](crate::references), section 32, problem 2c.

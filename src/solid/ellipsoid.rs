@@ -4,8 +4,8 @@ use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and so on round. Source:
 /// [LL76](crate::references), section 32, problem 2f.

@@ -4,8 +4,8 @@ use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, Refusal, not_negative, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The moment of a hollow sphere: `2/5 m (o⁵ - i⁵)/(o³ - i³)`, a ball minus a ball.
 ///

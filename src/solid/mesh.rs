@@ -11,6 +11,7 @@ use crate::inertia::PrincipalAxes;
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
 use crate::number::{Field, Ring};
+use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 

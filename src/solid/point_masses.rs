@@ -5,6 +5,7 @@ use super::{MassMoments, MassProperties, combined};
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass, centre and inertia of point masses at given positions: the definition itself, `sum m (|d|² 1 - d d^T)`

@@ -4,6 +4,7 @@ use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
+use alloc::vec::Vec;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// Mass, centre and inertia tensor about the centre, over any number type: what the generic laws take and

@@ -8,9 +8,13 @@
 use super::mesh::triple;
 use crate::error::{Error, Refusal};
 use crate::number::extended::Extended;
+use crate::number::functions::atan2;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 use num_traits::Zero;
-use std::f64::consts::TAU;
 
 /// How far from a face to look, in its heights: far enough that a slim face's own solid angle is clear of
 /// rounding, near enough to stay next to it. In a solid a point anywhere has winding number 0 or 1, so none
@@ -159,5 +163,5 @@ fn solid_angle(corners: [Option<Vector3<f64>>; 3]) -> Option<f64> {
     };
     let (sine, cosine) = (triple(&a, &b, &c), 1.0 + a.dot(&b) + b.dot(&c) + c.dot(&a));
     let on_it = sine.abs() <= ROUNDING && cosine <= ROUNDING;
-    (!on_it).then(|| 2.0 * sine.atan2(cosine))
+    (!on_it).then(|| 2.0 * atan2(sine, cosine))
 }

@@ -1,7 +1,8 @@
 //! Whether a list of triangles is a closed surface with one side in and one side out, and of which shells.
 
 use crate::error::{Error, Refusal};
-use std::collections::HashMap;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
 
 /// An edge of a face, its two vertices in rising order, and whether the face runs it that way.
 struct Side {
@@ -17,7 +18,7 @@ struct Side {
 /// touch along an edge, which still have an inside. Faces that touch only there are different shells
 /// wherever each of them closes without the other.
 pub(super) fn shells(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>, Error> {
-    let mut listed = HashMap::with_capacity(faces.len());
+    let mut listed = BTreeMap::new();
     let mut sides = Vec::with_capacity(3 * faces.len());
     for (face, &vertices) in faces.iter().enumerate() {
         let [a, b, c] = vertices;
@@ -48,7 +49,7 @@ pub(super) fn shells(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>, E
     for around in edges().filter(|around| around.len() > 2) {
         // Those that close here without the others stay apart; the rest are one.
         let parts: Vec<_> = around.iter().map(|side| (joined.root(side.face), side.rising)).collect();
-        let mut surplus = HashMap::new();
+        let mut surplus = BTreeMap::new();
         for &(part, rising) in &parts {
             *surplus.entry(part).or_insert(0_i64) += if rising { 1 } else { -1 };
         }
@@ -57,7 +58,7 @@ pub(super) fn shells(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>, E
             open.for_each(|part| joined.join(start, part));
         }
     }
-    let mut numbers = HashMap::new();
+    let mut numbers = BTreeMap::new();
     Ok((0..faces.len())
         .map(|face| {
             let next = numbers.len();

@@ -5,8 +5,8 @@ use super::{MassProperties, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
+use core::f64::consts::PI;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// The moments of a tube about its centre: `m/12 (3(i² + o²) + h²)` across, `m/2 (i² + o²)` along its
 /// axis, z. It is a cylinder minus a cylinder, with the factor `o² - i²` divided out, so nothing cancels.

@@ -3,9 +3,12 @@
 use super::methods::dormand_prince::Stages;
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, finite, positive};
+use crate::number::functions::fifth_root;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The result of an adaptive run.
 #[derive(Debug, Clone, PartialEq)]
@@ -138,7 +141,7 @@ impl<'a> Run<'a> {
         let turning =
             over(largest(slope.attitude.coords.as_slice()), largest(start.attitude.coords.as_slice()));
         let pace = (2.0 * turning).max((torque * system.inverse().max()).sqrt());
-        let guess = tolerance.powf(0.2) / pace;
+        let guess = fifth_root(tolerance) / pace;
         let h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
         let state = start.clone();
         let (steps, rejected, stiff, mild) = (0, 0, 0, 0);
@@ -163,7 +166,7 @@ impl<'a> Run<'a> {
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() { f64::INFINITY } else { error };
         // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
-        let factor = (0.9 * error.powf(-0.2)).clamp(0.1, 10.0);
+        let factor = (0.9 / fifth_root(error)).clamp(0.1, 10.0);
         if error <= 1.0 {
             self.watch(&stages, &end_slope, h);
             (self.state, self.slope) = (stages.end, end_slope);

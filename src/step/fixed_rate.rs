@@ -7,6 +7,8 @@ use crate::inertia::ascending;
 use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The order at which the moments are preprocessed.
 const ORDER: u32 = 8;

@@ -8,8 +8,8 @@ use crate::body::State;
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
 use crate::step::system::System;
+use core::fmt;
 use nalgebra::Vector3;
-use std::fmt;
 
 /// A way to step a body through time.
 ///

@@ -5,6 +5,7 @@ use super::methods::rk4::rk4;
 use crate::body::{Body, along, attitude};
 use crate::error::{Error, Refusal, finite};
 use crate::number::Field;
+use alloc::vec::Vec;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.

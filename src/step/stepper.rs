@@ -7,6 +7,7 @@ use crate::number::{Analytic, Ring};
 use crate::step::method::Method;
 use crate::step::system::System;
 use crate::step::torque::Torque;
+use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 
@@ -179,7 +180,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         end: f64,
     ) -> impl Iterator<Item = Result<State<T>, Error>> + use<'_, T> {
         let mut failed = false;
-        std::iter::from_fn(move || {
+        core::iter::from_fn(move || {
             // Also where the end is NaN.
             let state = (!failed && self.time != end).then(|| self.step_toward(h, end))?;
             failed = state.is_err();

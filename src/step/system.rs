@@ -7,6 +7,7 @@ use crate::error::{Error, Refusal};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::torque::Torque;
+use alloc::vec::Vec;
 use nalgebra::Vector3;
 
 /// A body by its principal moments, and the torques that act on it.

@@ -3,10 +3,10 @@
 use crate::body::attitude;
 use crate::error::{Error, Refusal, finite_vector, not_negative};
 use crate::number::{Analytic, Field};
+use alloc::sync::Arc;
+use core::fmt;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::ToPrimitive;
-use std::fmt;
-use std::sync::Arc;
 
 /// A torque on a rigid body about its centre of mass, or about the fixed point of a top.
 #[derive(Debug, Clone, PartialEq)]

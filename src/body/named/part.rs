@@ -1,9 +1,10 @@
 //! A part of a named body: a straight bar.
 
 use crate::error::Error;
+use crate::number::functions::{atan2, hypot};
 use crate::solid::{Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
+use core::f64::consts::{FRAC_1_SQRT_2, PI};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// A straight bar in the xz plane of a body, with one cross-section all along.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +62,7 @@ impl Part {
     /// Its length, m.
     #[must_use]
     pub fn length(&self) -> f64 {
-        self.along.x.hypot(self.along.z)
+        hypot(self.along.x, self.along.z)
     }
 
     /// Its two ends, m.
@@ -92,7 +93,8 @@ impl Part {
             // A quarter turn with no rounding between its components.
             return UnitQuaternion::new_unchecked(Quaternion::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2, 0.0));
         }
-        UnitQuaternion::from_axis_angle(&Vector3::y_axis(), self.along.x.atan2(self.along.z))
+        let (sine, cosine) = sin_cos(0.5 * atan2(self.along.x, self.along.z));
+        UnitQuaternion::new_unchecked(Quaternion::new(cosine, 0.0, sine, 0.0))
     }
 
     /// Its mass, centre and inertia in its own axes: the origin in its middle, z along it.

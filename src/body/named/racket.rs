@@ -1,8 +1,11 @@
 //! The tennis racket. Where its sizes come from stands at [`tennis_racket`](super::tennis_racket).
 
 use super::{Fill, Part, Section};
+use crate::number::functions::sin_cos;
+use core::f64::consts::TAU;
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// A thin bar from one `[x, z]` to another.
 fn bar(name: &'static str, material: &'static str, mass: f64, from: [f64; 2], to: [f64; 2]) -> Part {
@@ -20,7 +23,7 @@ pub(super) fn parts(put: &mut dyn FnMut(Part)) {
     // The hoop, as 48 straight bars of the same mass; its middle is 520 mm from the butt.
     let (wide, long, middle) = (0.122, 0.165, 0.520);
     let corner = |i: u32| {
-        let (sin, cos) = (TAU * f64::from(i) / 48.0).sin_cos();
+        let (sin, cos) = sin_cos(TAU * f64::from(i) / 48.0);
         [wide * cos, middle + long * sin]
     };
     for i in 0..48 {

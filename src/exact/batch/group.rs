@@ -4,8 +4,9 @@ use crate::exact::kernel::Kernel;
 use crate::exact::mount::{Mount, in_body, in_world};
 use crate::exact::{FreeMotion, Instant};
 use crate::number::{Gather, Lane};
+use alloc::vec::Vec;
+use core::mem::size_of;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::mem::size_of;
 
 /// In the lanes that are only copies.
 const NOBODY: usize = usize::MAX;

@@ -1,5 +1,7 @@
 //! Carlson's symmetric integrals of the first and second kind [Car95](crate::references), by duplication.
 
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 /// `R_F(x², y², z²)` for three numbers not below zero, at most one of them zero (two zeros give infinity).
 ///
 /// Takes the roots, so that 1e-200 and its like come through: the first duplication uses them as they are.

@@ -37,7 +37,7 @@ fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
     // The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.
     const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
     const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-    let twos = (x * std::f64::consts::LOG2_E).round_ties_even();
+    let twos = (x * core::f64::consts::LOG2_E).round_ties_even();
     let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW);
     // The series of exp(r) - 1 - r, over r²: what is left out is below 1e-17 of it for |r| <= 0.35.
     let a = const {

@@ -1,7 +1,9 @@
 //! The complete integral by the arithmetic-geometric mean [Gau99](crate::references).
 
 use crate::number::double_double::DoubleDouble;
-use std::f64::consts::FRAC_PI_2;
+use core::f64::consts::FRAC_PI_2;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.
 ///

@@ -1,5 +1,6 @@
 //! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
 
+use crate::number::functions::powi;
 use crate::number::{Gather, Lane, gather_fields};
 
 /// The sums for a nome of at most 0.09: four terms each reach rounding. Written as polynomials in
@@ -18,7 +19,7 @@ gather_fields!(DirectSeries { outer, inner, factors });
 
 impl DirectSeries {
     pub(crate) fn new(q: f64) -> Self {
-        let (q2, q4, q6, q9) = (q * q, q.powi(4), q.powi(6), q.powi(9));
+        let (q2, q4, q6, q9) = (q * q, powi(q, 4), powi(q, 6), powi(q, 9));
         let q12 = q6 * q6;
         let outer = [1.0 - 2.0 * q4, 4.0 * q4, 2.0 * q - 6.0 * q9, 8.0 * q9];
         let inner = [1.0 - q2 - q6 + q12, 4.0 * q6 - 4.0 * q12, 2.0 * q2 - 2.0 * q6 - 4.0 * q12, 8.0 * q12];

@@ -2,7 +2,7 @@
 
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 /// Sine and cosine of `turns` whole turns.
 ///

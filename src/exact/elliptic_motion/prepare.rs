@@ -11,8 +11,11 @@ use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO
 use crate::exact::period::quarter_period;
 use crate::inertia::Axis;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::{atan2, exp, sin_cos};
 use crate::number::power_of_two::times_power_of_two;
-use std::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_PI_2, PI};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Up to this power of two the spin's components come out in one product with their amplitudes, with all digits: the rest of
 /// the exponent's range is room for what is small relative to the largest.
@@ -220,7 +223,7 @@ impl<'a> Preparation<'a> {
     fn direct(&self, shares: [f64; 3]) -> Prepared {
         let quarter = self.quarter.hi();
         let exponent = -PI * (self.other / quarter);
-        let nome = exponent.exp();
+        let nome = exp(exponent);
         let series = DirectSeries::new(nome);
         let pair = DirectPair::new(nome, &self.shape(shares, quarter));
         let turns = self.rate / (self.quarter * 4.0);
@@ -239,7 +242,7 @@ impl<'a> Preparation<'a> {
         let spin = DirectSpin { series, start, turns, amplitudes: amplitudes_in_series, axes };
         let attitude = DirectAttitude { pair, start: of_length_one(pair.raw(sin, cos)), drift };
         // From the nearest flip, where it has all its digits.
-        let angle = sin.atan2(cos.abs());
+        let angle = atan2(sin, cos.abs());
         let argument = DoubleDouble::from(angle.copysign(sin * cos) / (2.0 * PI * turns_per_argument));
         Prepared { form: Form::Direct { spin, attitude }, argument, amplitudes }
     }
@@ -248,7 +251,7 @@ impl<'a> Preparation<'a> {
     fn complementary(&self, shares: [f64; 3]) -> Prepared {
         let Self { motion, rate, quarter, other, .. } = *self;
         let exponent = -FRAC_PI_2 / (other / quarter.hi());
-        let nome_root = if motion.separatrix { 0.0 } else { exponent.exp() };
+        let nome_root = if motion.separatrix { 0.0 } else { exp(exponent) };
         let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, self.shift);
         let pair = ComplementaryPair::new(nome_root, &self.shape(shares, 4.0 * other));
         let stretch = PI / (2.0 * other);
@@ -327,10 +330,10 @@ fn of_length_one(pair: Pair) -> Pair {
 fn phase_at_start([sn, cn, dn]: [f64; 3], complement: f64, quarter: f64) -> [f64; 2] {
     let (sin, cos) = if sn.abs() <= cn.abs() {
         let u = sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, 1.0);
-        (FRAC_PI_2 * u / quarter).sin_cos()
+        sin_cos(FRAC_PI_2 * u / quarter)
     } else {
         let u = cn.abs() * elliptic::rf_of_roots(complement * sn.abs(), complement, dn);
-        let (cos, sin) = (FRAC_PI_2 * u / quarter).sin_cos();
+        let (cos, sin) = sin_cos(FRAC_PI_2 * u / quarter);
         (sin, cos)
     };
     [sin.copysign(sn), cos.copysign(cn)]

@@ -13,10 +13,12 @@ use crate::error::{Error, Refusal};
 use crate::exact::elliptic::rd;
 use crate::exact::kernel::Kernel;
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
+use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::atan2;
 use crate::number::power_of_two::times_power_of_two;
+use core::f64::consts::TAU;
 use nalgebra::Matrix3;
-use std::f64::consts::TAU;
 
 /// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
 const REST: f64 = 700.0;
@@ -221,10 +223,10 @@ impl EllipticMotion {
             Form::Direct { spin, .. } => {
                 let [sin, cos] = spin.phase(time);
                 let values = Values::of(spin.series.values(sin, cos));
-                let angle = spin.start[0].atan2(spin.start[1]);
+                let angle = atan2(spin.start[0], spin.start[1]);
                 let (whole, left) = ((spin.turns * time + DoubleDouble::from(angle / TAU)) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
-                let even = whole - 2.0 * (0.5 * whole).round_ties_even() == 0.0;
+                let even = whole - 2.0 * Lane::round_ties_even(0.5 * whole) == 0.0;
                 let halves =
                     if even == values.cn.is_sign_positive() { whole } else { whole + 1_f64.copysign(left) };
                 (values, halves)
@@ -300,7 +302,7 @@ impl EllipticMotion {
         let parameter = self.constants.modulus * self.constants.modulus;
         let complement2 = self.constants.scaled_complement * self.constants.scaled_complement;
         let true_cn2 = (cn * down) * (cn * down);
-        let root_r = r.sqrt();
+        let root_r = Lane::sqrt(r);
         let all = |spins: [f64; 3], moment: &dyn Fn(usize) -> f64| {
             [spins[0], spins[1], spins[2], moment(0), moment(1), moment(2)]
         };

@@ -5,8 +5,9 @@ use super::series::{Forcing, factors};
 use super::{ByTensor, SpinDerivatives};
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::{cosh, sinh};
+use core::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector3};
-use std::f64::consts::TAU;
 
 /// About the principal axis number `axis`: that component's error stays, the other two grow or turn together.
 /// The moments have no effect; a product of inertia acts on them as a constant torque.
@@ -30,10 +31,10 @@ pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -
         (cos, sin / rate.hi(), 2.0 * quotient * quotient)
     } else {
         let (main, rest) = (phase.hi(), phase.lo());
-        let quotient = half.sinh() / rate.hi();
+        let quotient = sinh(half) / rate.hi();
         (
-            main.cosh() + main.sinh() * rest,
-            (main.sinh() + main.cosh() * rest) / rate.hi(),
+            cosh(main) + sinh(main) * rest,
+            (sinh(main) + cosh(main) * rest) / rate.hi(),
             2.0 * quotient * quotient,
         )
     };

@@ -8,6 +8,8 @@ use super::series::{Request, span};
 use super::{Derivatives, FreeMotion, Law};
 use crate::error::Error;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better
 /// way.

@@ -10,6 +10,8 @@
 use super::ByTensor;
 use super::quadrature::{NODE_COUNT, NODES, REMAINING, WEIGHTS};
 use nalgebra::{Matrix3, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Terms of the longest series.
 const TERMS: usize = 36;

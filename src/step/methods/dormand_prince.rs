@@ -58,7 +58,7 @@ pub(crate) struct Stages<T: nalgebra::Scalar> {
 impl<T: Analytic> Stages<T> {
     /// The step from `start` to `h` seconds later, given the slope at `start`; `time` seconds have gone by since the system's time.
     pub(crate) fn new(system: &System<T>, start: &State<T>, first: Rate<T>, time: &T, h: &T) -> Self {
-        let mut slopes: [Rate<T>; 6] = std::array::from_fn(|_| first.clone());
+        let mut slopes: [Rate<T>; 6] = core::array::from_fn(|_| first.clone());
         let mut near = start.clone();
         let [inner @ .., last] = &STAGES;
         for (k, weights) in inner.iter().enumerate() {

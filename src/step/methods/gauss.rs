@@ -153,7 +153,7 @@ fn collocated<T: Analytic, const N: usize>(
         size => size,
     };
     let next = |slopes: &[Rate<T>; N]| {
-        let better = std::array::from_fn(|i| system.rate_after(&along(slopes, &stages[i]), &times[i]));
+        let better = core::array::from_fn(|i| system.rate_after(&along(slopes, &stages[i]), &times[i]));
         let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
             let turn = after.attitude.coords.clone() - &before.attitude.coords;
             let turn = turn.iter().map(Analytic::size).sum::<f64>();
@@ -161,7 +161,7 @@ fn collocated<T: Analytic, const N: usize>(
         });
         (better, moved)
     };
-    let guess: [Rate<T>; N] = std::array::from_fn(|_| first.clone());
+    let guess: [Rate<T>; N] = core::array::from_fn(|_| first.clone());
     let slopes = fixed_point("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
     Ok(along(&slopes, weights))
 }

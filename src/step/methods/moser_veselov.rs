@@ -18,10 +18,13 @@
 use crate::body::State;
 use crate::body::attitude;
 use crate::error::{Error, Refusal};
+use crate::number::functions::{atan2, powi};
 use crate::number::{Analytic, Ring};
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 const ALL: Conserved =
     Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true };
@@ -56,7 +59,7 @@ pub(crate) fn step<T: Analytic>(
 /// The equation has several solutions. With `D = tr(K)/2 - K`, the turn `R` and `W = R D` it is `W - W^T = M` with `W^T W = D^2`; two solutions
 /// `V` and `W` then obey `V^T (V - W) + (V - W) W = 0`, which leaves no difference where the eigenvalues of both have positive real parts.
 /// Below a quarter turn they do, since then `R + R^T` is positive definite. So no other solution is taken for this one, forth or back.
-const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
+const LONGEST: f64 = core::f64::consts::FRAC_PI_2;
 
 /// The greatest relative change of an inverse moment by preprocessing: beyond it the powers of the step no longer converge, and the altered
 /// moments may be those of no body.
@@ -116,7 +119,7 @@ impl<T: Analytic> Prepared<T> {
         let c = tangents(&self.moments, &self.inverse, &half)?;
         let square = c.dot(&c);
         if square.size() >= 1.0 {
-            let turn = 2.0 * square.size().sqrt().atan();
+            let turn = 2.0 * atan2(square.size().sqrt(), 1.0);
             return Err(Refusal::NotBelow {
                 what: "the turn of a Moser-Veselov step, rad",
                 value: turn,
@@ -149,7 +152,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
     // An error e leaves one of the order of e^2: below this it leaves less than rounding.
     let enough = T::rounding().sqrt() / 8.0;
     // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to find.
-    let least = T::rounding().powi(4);
+    let least = powi(T::rounding(), 4);
     let mut moved = f64::NAN;
     for _ in 0..ROUNDS {
         let kc = k.component_mul(&c);

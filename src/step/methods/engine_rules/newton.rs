@@ -33,7 +33,7 @@ fn solved<T: Analytic>(
     drag: &Vector3<T>,
 ) -> Vector3<T> {
     let omega = system.omega(&start.momentum);
-    let columns: [Vector3<T>; 3] = std::array::from_fn(|k| {
+    let columns: [Vector3<T>; 3] = core::array::from_fn(|k| {
         let axis = Vector3::from_fn(|i, _| if i == k { T::one() } else { T::zero() });
         let moment = axis.map(|x| x * system.moments()[k].clone());
         let slope = omega.cross(&moment) - start.momentum.cross(&axis) + axis.map(|x| x * drag[k].clone());
