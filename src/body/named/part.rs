@@ -1,7 +1,7 @@
 //! A part of a named body: a straight bar.
 
 use crate::error::Error;
-use crate::number::functions::{atan2, hypot};
+use crate::number::functions::{atan2, hypot, sin_cos};
 use crate::solid::{Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
