@@ -15,7 +15,7 @@ use ratios::Work;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Carried, rk4};
-use tumbling::{PrincipalMoments, body::attitude, dynamics::euler};
+use tumbling::{PrincipalMoments, attitude, dynamics::euler};
 
 fn works() -> Vec<Work> {
     let moments = Vector3::new(0.8333, 1.0833, 0.4167);

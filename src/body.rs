@@ -1,12 +1,14 @@
 //! A body in flight: its inertia, its attitude, its angular momentum. Spin is derived.
 
-pub mod attitude;
 pub mod named;
+#[cfg(feature = "serde")]
+mod serial;
 mod state;
 
 pub(crate) use state::along;
 pub use state::{Rate, State};
 
+use crate::attitude;
 use crate::error::{Error, Refusal, finite_vector};
 use crate::inertia::{Inertia, InverseInertia, omega_world};
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -30,7 +32,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "crate::serial::Flight", into = "crate::serial::Flight"))]
+#[cfg_attr(feature = "serde", serde(try_from = "serial::Flight", into = "serial::Flight"))]
 pub struct Body {
     inertia: Inertia,
     inverse: InverseInertia,

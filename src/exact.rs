@@ -193,7 +193,7 @@ impl FreeMotion {
     /// # Errors
     /// An attitude whose length is not 1 to a billionth, or that is not finite.
     pub fn with_attitude(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let attitude = crate::body::attitude::checked(attitude)?;
+        let attitude = crate::attitude::checked(attitude)?;
         let (frame, omega) = match &self.mount {
             Some(mount) => (mount.frame, mount.omega),
             // As it is already.

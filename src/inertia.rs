@@ -9,6 +9,8 @@ mod moments;
 mod nearest;
 mod possible;
 mod principal;
+#[cfg(feature = "serde")]
+mod serial;
 
 use crate::number::functions::atan2;
 use alloc::boxed::Box;
@@ -105,7 +107,7 @@ pub fn omega_world<T: Ring>(
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "crate::serial::Tensor", into = "crate::serial::Tensor"))]
+#[cfg_attr(feature = "serde", serde(try_from = "serial::Tensor", into = "serial::Tensor"))]
 pub struct Inertia {
     tensor: Matrix3<f64>,
 }
@@ -225,7 +227,7 @@ impl Inertia {
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?;
+        let rotation = crate::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range("a turned moment", &tensor)?;

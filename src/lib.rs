@@ -39,7 +39,7 @@
 //!
 //! # Many kinds of number
 //!
-//! The laws ([`dynamics::euler`], [`inertia::turned`], [`body::attitude::rate`], [`step::rk4`], the moments in [`solid`]) are generic
+//! The laws ([`dynamics::euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in [`solid`]) are generic
 //! over [`number::Ring`] or [`number::Field`]: the same functions run on `f64`, on exact rationals, on dual numbers, or on
 //! numbers that [count](number::counted) what a formula costs.
 //!
@@ -56,6 +56,7 @@
 
 extern crate alloc;
 
+pub mod attitude;
 pub mod body;
 pub mod dynamics;
 pub mod exact;
@@ -66,8 +67,6 @@ pub mod solid;
 pub mod step;
 
 mod error;
-#[cfg(feature = "serde")]
-mod serial;
 
 pub use body::{Body, Rate, State};
 pub use error::{Error, ErrorKind};

@@ -28,6 +28,8 @@ mod plate;
 mod point_masses;
 mod properties;
 mod rod;
+#[cfg(feature = "serde")]
+mod serial;
 mod shells;
 mod tetrahedron;
 mod topology;

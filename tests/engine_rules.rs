@@ -5,7 +5,7 @@ mod common;
 use common::{attitude, generic_spin};
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::body::attitude::rotation_matrix;
+use tumbling::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System, Torque};
 

@@ -108,7 +108,7 @@ proptest! {
         let sign = if before.attitude.coords.dot(&after.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
         let turn = (after.attitude.coords * sign - before.attitude.coords) / (2.0 * h);
         let sign = if sign * before.attitude.coords.dot(&at.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
-        let rate: Quaternion<f64> = tumbling::body::attitude::rate(at.attitude.quaternion(), &at.omega);
+        let rate: Quaternion<f64> = tumbling::attitude::rate(at.attitude.quaternion(), &at.omega);
         let off = (turn - rate.coords * sign).norm().min((turn + rate.coords * sign).norm());
         prop_assert!(off < 1e-5 * fast, "{off:e}");
     }

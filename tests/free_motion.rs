@@ -6,7 +6,7 @@ use common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::step::{Carried, Engine, rk4};
-use tumbling::{Body, Inertia, body::attitude, dynamics::euler, dynamics::observe};
+use tumbling::{Body, Inertia, attitude, dynamics::euler, dynamics::observe};
 
 proptest! {
     #[test]

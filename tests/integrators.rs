@@ -19,7 +19,7 @@ fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: u
 }
 
 fn in_world(motion: &State<f64>) -> Vector3<f64> {
-    tumbling::body::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.momentum
+    tumbling::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.momentum
 }
 
 /// Errors of spin (relative) and attitude at `t`.

@@ -27,7 +27,7 @@ const GEOMETRIC: [Method; 12] = [
 ];
 
 fn in_world(motion: &State<f64>) -> Vector3<f64> {
-    tumbling::body::attitude::rotation_matrix(&motion.attitude) * motion.momentum
+    tumbling::attitude::rotation_matrix(&motion.attitude) * motion.momentum
 }
 
 /// How far apart two motions are, attitude and momentum each by its own size.

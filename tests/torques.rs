@@ -104,7 +104,7 @@ fn a_torque_that_stands_in_the_world_adds_evenly_to_the_momentum_there() {
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.4, 3.0, -0.8) };
     for (name, _, step) in steppers() {
         let end = run(&*step, &system, &from, 4.0, 4000);
-        let world = tumbling::body::attitude::rotation_matrix(&end.attitude.normalize()) * end.momentum;
+        let world = tumbling::attitude::rotation_matrix(&end.attitude.normalize()) * end.momentum;
         let off = (world - from.momentum - push * 4.0).norm();
         assert!(off < 1e-2, "{name}: {off}");
     }
@@ -269,7 +269,7 @@ fn a_controlled_run_takes_back_steps_that_were_too_long() {
     let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 1e-3).into_inner();
     let from = State { attitude, momentum: Vector3::zeros() };
     let energy = |m: &State<f64>| {
-        let arm = tumbling::body::attitude::rotation_matrix(&m.attitude).column(0).x;
+        let arm = tumbling::attitude::rotation_matrix(&m.attitude).column(0).x;
         system.energy(m) + pull * arm
     };
     let run = tumbling::step::adaptive(&system, &from, 40.0, 1e-9).unwrap();

@@ -7,7 +7,7 @@ use crate::state::{Pair, Row, middle_and_most};
 use crate::suspects::{Rule, Spin, Steps, Subject, simple, straight};
 use nalgebra::Vector3;
 use tumbling::step::Method;
-use tumbling::{body::attitude, dynamics::euler};
+use tumbling::{attitude, dynamics::euler};
 
 /// How much of the record is tried, at most, evenly through it.
 const PAIRS: usize = 2048;

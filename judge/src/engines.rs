@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::FRAC_PI_4;
 use tumbling::Error;
-use tumbling::body::attitude;
+use tumbling::attitude;
 use tumbling::step::{Method, State, System};
 
 /// A physics engine, in one setting: what it does to a body that touches nothing.

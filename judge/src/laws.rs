@@ -6,7 +6,7 @@ use crate::state::{Pair, Row};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{Axis, body::attitude, dynamics::observe};
+use tumbling::{Axis, attitude, dynamics::observe};
 
 /// What is held against the record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

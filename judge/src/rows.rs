@@ -327,7 +327,7 @@ impl Raw {
             && let Some(attitude) = self.attitude
         {
             let square = attitude.coords.norm_squared();
-            let rotation = tumbling::body::attitude::rotation_matrix(&attitude);
+            let rotation = tumbling::attitude::rotation_matrix(&attitude);
             vector = if square > 0.0 { rotation.tr_mul(&vector) / square } else { vector };
         }
         if kind.is_momentum() { vector.component_div(moments) } else { vector }

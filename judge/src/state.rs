@@ -1,7 +1,7 @@
 //! A body at one instant, as the judge takes it, and two of them one step apart.
 
 use nalgebra::{Quaternion, Vector3};
-use tumbling::body::attitude;
+use tumbling::attitude;
 
 /// One row, understood.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@ use crate::state::{Pair, Row};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Engine, Method, State, System, Torque};
-use tumbling::{Body, Inertia, body::attitude, dynamics::euler};
+use tumbling::{Body, Inertia, attitude, dynamics::euler};
 
 /// A rule, as a diagnosis names it.
 #[derive(Debug, Clone, Copy, PartialEq)]

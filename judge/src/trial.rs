@@ -146,7 +146,7 @@ impl Trial {
     fn torque(&self, pair: &Pair) -> Vector3<f64> {
         match (self.torque, pair.from.attitude) {
             (Some(torque), Some(q)) => {
-                tumbling::body::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
+                tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
             }
             _ => Vector3::zeros(),
         }

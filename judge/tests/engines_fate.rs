@@ -4,7 +4,7 @@ mod common;
 
 use common::record::{H, Record};
 use nalgebra::Vector3;
-use tumbling::body::attitude::rotation_matrix;
+use tumbling::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::PHYSICS_ENGINES;

@@ -31,7 +31,7 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
         assert_eq!(right.misread, []);
         let rule = right.diagnosis.unwrap().best.rule.method();
         let conj = |q: &Quaternion<f64>| q.conjugate();
-        let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::body::attitude::rotation_matrix(q) * w;
+        let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * w;
         type Mistake<'a> = (Misread, Box<dyn Fn(&Row) -> Row + 'a>);
         let mistakes: [Mistake<'_>; 12] = [
             (Misread::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
@@ -112,7 +112,7 @@ fn units_that_the_names_tell_are_no_mistake() {
 fn spin_in_world_axes_and_momentum_in_either_are_judged_alike() {
     let rows = stepped(Method::SemiImplicitEuler, SPIN, 0.01, 300);
     let expected = judged(&csv(&rows)).diagnosis.unwrap().best.rule;
-    let world = |q: &Quaternion<f64>, v: &Vector3<f64>| tumbling::body::attitude::rotation_matrix(q) * v;
+    let world = |q: &Quaternion<f64>, v: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * v;
     for (names, how) in [
         ("wxw,wyw,wzw", &(|(t, q, w): &Row| (*t, *q, world(q, w))) as &dyn Fn(&Row) -> Row),
         ("lx,ly,lz", &|(t, q, w)| (*t, *q, w.component_mul(&MOMENTS))),

@@ -5,7 +5,7 @@ mod common;
 use common::{exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
-use tumbling::body::attitude::rotation_matrix;
+use tumbling::attitude::rotation_matrix;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::{Options, Outcome, judge};
 

@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
-use tumbling::{body::attitude, dynamics::observe};
+use tumbling::{attitude, dynamics::observe};
 
 struct Answer {
     t: f64,

@@ -4,7 +4,7 @@ mod common;
 
 use common::{MOMENTS, Row, csv, exact, judged, stepped_by};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::body::attitude::turn;
+use tumbling::attitude::turn;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::{Diagnosis, Outcome, Rule, Sure};
 

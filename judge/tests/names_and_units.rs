@@ -4,7 +4,7 @@ mod common;
 
 use common::{MOMENTS, Row, csv, exact, judged};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::body::attitude::rotation_matrix;
+use tumbling::attitude::rotation_matrix;
 use tumbling_judge::{Misread, Options, Outcome, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);

@@ -150,7 +150,7 @@ fn a_cap_on_the_spin_is_named() {
         let end = Method::SemiImplicitEuler.step(&system, motion, 0.02).unwrap();
         let omega = system.omega(&end.momentum);
         let omega = omega * (2.6 / omega.norm()).min(1.0);
-        let q = motion.attitude * tumbling::body::attitude::turn(&(omega * 0.02));
+        let q = motion.attitude * tumbling::attitude::turn(&(omega * 0.02));
         State { attitude: q, momentum: system.momentum(&omega) }
     });
     let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();

@@ -5,7 +5,7 @@ mod common;
 use common::{Row, stepped_by};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
-use tumbling::body::attitude::product;
+use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::{LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};

@@ -149,13 +149,13 @@ pub fn all() -> Result<Vec<Story>, Wrong> {
 
 /// A world vector in the axes of a body with this attitude, of whatever length.
 fn in_body(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    tumbling::body::attitude::rotation_matrix(attitude).tr_mul(v) / attitude.norm_squared()
+    tumbling::attitude::rotation_matrix(attitude).tr_mul(v) / attitude.norm_squared()
 }
 
 /// A body vector in the axes of the world.
 #[must_use]
 pub fn in_world(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    tumbling::body::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
+    tumbling::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
 }
 
 fn number(value: &Value) -> Result<f64, Wrong> {

@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use tumbling::number::Field;
 use tumbling::step::{Rate, State, rk4};
-use tumbling::{body::attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia};
+use tumbling::{attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia};
 use tumbling_proofs::{Fraction, Rational, Series};
 use wide::f64x4;
 

@@ -5,7 +5,7 @@
 //! a weak one. Each step prepares a new [`FreeMotion`].
 
 use crate::error::{Error, finite};
-use tumbling::body::attitude;
+use tumbling::attitude;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, System};
 

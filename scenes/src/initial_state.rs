@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Field, finite_vector};
 use nalgebra::{UnitQuaternion, Vector3};
-use tumbling::body::attitude;
+use tumbling::attitude;
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia, PrincipalMoments};
 

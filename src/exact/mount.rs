@@ -1,7 +1,7 @@
 //! How principal axes are mounted in a body, and the body in the world.
 
 use super::kernel::unit;
-use crate::body::attitude::{product, rotate_inverse};
+use crate::attitude::{product, rotate_inverse};
 use crate::number::Lane;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 

@@ -37,7 +37,7 @@ impl InverseInertia {
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?;
+        let rotation = crate::attitude::matrix(attitude)?;
         let matrix = symmetrized(&turned(&rotation, &self.matrix));
         in_range("an inverse moment", &matrix)?;
         Ok(Self { matrix })

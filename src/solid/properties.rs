@@ -115,7 +115,7 @@ impl From<MassProperties> for MassMoments<f64> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
-    serde(try_from = "crate::serial::Properties", into = "crate::serial::Properties")
+    serde(try_from = "super::serial::Properties", into = "super::serial::Properties")
 )]
 pub struct MassProperties {
     mass: f64,
@@ -181,7 +181,7 @@ impl MassProperties {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::body::attitude::matrix(attitude)?.map(Extended::from);
+        let rotation = crate::attitude::matrix(attitude)?.map(Extended::from);
         let wide = MassMoments::from(*self).map(|x| Extended::from(*x));
         let m = turned(&rotation, &wide.inertia);
         // Mirrored entries differ by rounding: keep their mean.

@@ -2,7 +2,8 @@
 //! pitfalls.
 
 use super::methods::rk4::rk4;
-use crate::body::{Body, along, attitude};
+use crate::attitude;
+use crate::body::{Body, along};
 use crate::error::{Error, Refusal, finite};
 use crate::number::Field;
 use alloc::vec::Vec;

@@ -1,7 +1,8 @@
 //! A body of any tensor, stepped in its own axes.
 
 use super::fixed_rate::fixed_rate;
-use crate::body::{Body, State, attitude};
+use crate::attitude;
+use crate::body::{Body, State};
 use crate::error::{Error, Refusal, finite};
 use crate::number::{Analytic, Ring};
 use crate::step::method::Method;

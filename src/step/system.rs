@@ -1,6 +1,6 @@
 //! What a stepper steps: a rigid body in its principal axes, and the torques on it.
 
-use crate::body::attitude;
+use crate::attitude;
 use crate::body::{Rate, State};
 use crate::dynamics::{euler, observe};
 use crate::error::{Error, Refusal};

@@ -1,6 +1,6 @@
 //! Torques on a body: each with its value, and with its own exact flow while the attitude stands still.
 
-use crate::body::attitude;
+use crate::attitude;
 use crate::error::{Error, Refusal, finite_vector, not_negative};
 use crate::number::{Analytic, Field};
 use alloc::sync::Arc;

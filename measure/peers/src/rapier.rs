@@ -59,7 +59,7 @@ impl Contestant for Rapier {
             let body = &world.bodies[handle];
             let (q, w) = (body.rotation(), body.angvel());
             let attitude = Quaternion::new(q.w, q.x, q.y, q.z);
-            let omega = tumbling::body::attitude::rotation_matrix(&attitude).tr_mul(&Vector3::new(w.x, w.y, w.z));
+            let omega = tumbling::attitude::rotation_matrix(&attitude).tr_mul(&Vector3::new(w.x, w.y, w.z));
             State { attitude, momentum: moments.component_mul(&omega) }
         };
         for k in 1..=steps {

@@ -5,7 +5,7 @@ use crate::symbols::{Matrix, Vector, adjugate, diagonal, ordered_moments, symmet
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
-use tumbling::body::attitude::{product, rate, rotation_matrix};
+use tumbling::attitude::{product, rate, rotation_matrix};
 use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
 use tumbling::dynamics::stability::rate_squared;
 use tumbling::inertia::{omega_world, point_mass, turned};

@@ -5,7 +5,7 @@ use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same_vectors_under, 
 use crate::symbols::{Matrix, Vector, attitude, diagonal, vector};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use tumbling::body::attitude::rotation_matrix;
+use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::euler::tensor_times_acceleration;
 use tumbling::inertia::turned;
 use tumbling::step::{Carried, Engine};

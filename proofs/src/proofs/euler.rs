@@ -4,7 +4,7 @@ use crate::number::{Derivation, Fraction};
 use crate::proof::{Mutant, Outcome, Proof, same_vectors, same_vectors_under};
 use crate::symbols::{Matrix, Vector, adjugate, attitude, diagonal, symmetric, vector};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::body::attitude::{rate, rotation_matrix};
+use tumbling::attitude::{rate, rotation_matrix};
 use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
 
 pub(super) const PROOFS: &[Proof] = &[

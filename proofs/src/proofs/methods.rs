@@ -9,7 +9,7 @@ use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
 use crate::proofs::order::exact;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Zero;
-use tumbling::body::attitude;
+use tumbling::attitude;
 use tumbling::step::{Method, State, System};
 
 type Number = Series<Rational>;

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
 use tumbling::number::Field;
 use tumbling::step::{Carried, Engine, Rate, State, rk4};
-use tumbling::{body::attitude, dynamics::euler};
+use tumbling::{attitude, dynamics::euler};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {

@@ -7,7 +7,7 @@ use crate::proof::{
 use crate::symbols::{Matrix, Vector, adjugate, attitude, scalar, symmetric, vector};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
-use tumbling::body::attitude::{product, rate, rotation_matrix};
+use tumbling::attitude::{product, rate, rotation_matrix};
 use tumbling::dynamics::observe::energy;
 use tumbling::inertia::{omega_world, turned};
 

@@ -5,7 +5,7 @@ use crate::body::State;
 use crate::number::Analytic;
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
-use crate::{body::attitude, dynamics::euler};
+use crate::{attitude, dynamics::euler};
 use nalgebra::Vector3;
 
 pub(crate) const INFO: MethodInfo = MethodInfo {

@@ -7,7 +7,7 @@ use crate::error::{Error, Refusal};
 use crate::number::Analytic;
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;
-use crate::{body::attitude, dynamics::euler};
+use crate::{attitude, dynamics::euler};
 use nalgebra::{Quaternion, Vector3};
 
 pub(crate) const MIDPOINT: MethodInfo = MethodInfo {

@@ -1,8 +1,8 @@
 //! Runge-Kutta in the turn itself, after Munthe-Kaas [MK98](crate::references): the attitude stays a rotation, and the momentum stays where it
 //! was in the world.
 
+use crate::attitude;
 use crate::body::State;
-use crate::body::attitude;
 use crate::number::Analytic;
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;

@@ -15,8 +15,8 @@
 //! `proofs/programs/moser_veselov.py` expands this in exact fractions and prints the sums below. The order of the result is proven of this
 //! very code, on power series.
 
+use crate::attitude;
 use crate::body::State;
-use crate::body::attitude;
 use crate::error::{Error, Refusal};
 use crate::number::functions::{atan2, powi};
 use crate::number::{Analytic, Ring};

@@ -2,8 +2,8 @@
 //! that make up for what the body is not one.
 
 use super::splitting::spun;
+use crate::attitude;
 use crate::body::State;
-use crate::body::attitude;
 use crate::number::Analytic;
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;

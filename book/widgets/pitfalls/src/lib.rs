@@ -5,7 +5,7 @@
 
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use tumbling::body::attitude::rotation_matrix;
+use tumbling::attitude::rotation_matrix;
 use tumbling::body::named;
 use tumbling::dynamics::observe::energy;
 use tumbling::solid::ball_moment;

@@ -2,8 +2,8 @@
 //! corrected, or not.
 
 use super::turn::turned;
+use crate::attitude;
 use crate::body::State;
-use crate::body::attitude;
 use crate::number::Analytic;
 use crate::step::method::{Conserved, MethodInfo};
 use crate::step::system::System;

@@ -1,6 +1,6 @@
 //! Turning an attitude by a spin.
 
-use crate::body::attitude;
+use crate::attitude;
 use crate::number::Analytic;
 use nalgebra::{Quaternion, Vector3};
 

@@ -1,57 +1,12 @@
-//! The forms in which checked types are written and read with serde, feature `serde`. What is read goes through the same
-//! constructors as everything else.
+//! The forms in which bodies and states are written and read with serde, feature `serde`. What is read goes through the
+//! checks of the constructors.
 
-use crate::body::attitude;
+use super::{Body, State};
+use crate::attitude;
 use crate::error::{Error, finite_vector};
-use crate::{Body, Inertia, MassProperties, State};
+use crate::inertia::Inertia;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
-
-/// Moments `[ixx, iyy, izz]` and products `[ixy, ixz, iyz]`, kg m², with the sign that makes `L = I w` hold.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Tensor {
-    moments: [f64; 3],
-    products: [f64; 3],
-}
-
-impl From<Inertia> for Tensor {
-    fn from(inertia: Inertia) -> Self {
-        let m = inertia.matrix();
-        Self { moments: m.diagonal().into(), products: [m.m12, m.m13, m.m23] }
-    }
-}
-
-impl TryFrom<Tensor> for Inertia {
-    type Error = Error;
-
-    fn try_from(tensor: Tensor) -> Result<Self, Error> {
-        Self::new(tensor.moments, tensor.products)
-    }
-}
-
-/// Mass in kg, centre in m, inertia about the centre.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Properties {
-    mass: f64,
-    centre: [f64; 3],
-    inertia: Inertia,
-}
-
-impl From<MassProperties> for Properties {
-    fn from(p: MassProperties) -> Self {
-        Self { mass: p.mass(), centre: p.centre().into(), inertia: p.inertia() }
-    }
-}
-
-impl TryFrom<Properties> for MassProperties {
-    type Error = Error;
-
-    fn try_from(p: Properties) -> Result<Self, Error> {
-        Self::new(p.mass, p.centre.into(), p.inertia)
-    }
-}
 
 /// A quaternion, by the names of its components so that no order can be mistaken.
 #[derive(Serialize, Deserialize)]
@@ -78,7 +33,7 @@ impl Turn {
 /// Tensor in body axes, attitude body to world, momentum in world axes in kg m²/s.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Flight {
+pub(super) struct Flight {
     inertia: Inertia,
     attitude: Turn,
     momentum_world: [f64; 3],
@@ -105,7 +60,7 @@ impl TryFrom<Flight> for Body {
 /// Attitude body to world, of length 1; momentum in body axes in kg m²/s.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Instant {
+pub(super) struct Instant {
     attitude: Turn,
     momentum: [f64; 3],
 }

@@ -12,7 +12,7 @@ const UNIT_TOLERANCE: f64 = 1e-9;
 ///
 /// ```
 /// use nalgebra::Quaternion;
-/// use tumbling::body::attitude::product;
+/// use tumbling::attitude::product;
 /// let (i, j, k) = (Quaternion::new(0, 1, 0, 0), Quaternion::new(0, 0, 1, 0), Quaternion::new(0, 0, 0, 1));
 /// assert_eq!(product(&i, &j), k);
 /// assert_eq!(product(&j, &i), Quaternion::new(0, 0, 0, -1));
@@ -37,7 +37,7 @@ pub fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
 ///
 /// ```
 /// use nalgebra::{Matrix3, Quaternion};
-/// let half_turn_about_x = tumbling::body::attitude::rotation_matrix(&Quaternion::new(0, 1, 0, 0));
+/// let half_turn_about_x = tumbling::attitude::rotation_matrix(&Quaternion::new(0, 1, 0, 0));
 /// assert_eq!(half_turn_about_x, Matrix3::new(1, 0, 0, 0, -1, 0, 0, 0, -1));
 /// ```
 #[must_use]
@@ -65,7 +65,7 @@ pub fn rotation_matrix<T: Ring>(q: &Quaternion<T>) -> Matrix3<T> {
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// let rate = tumbling::body::attitude::rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
+/// let rate = tumbling::attitude::rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
 /// assert_eq!(rate, Quaternion::new(0.0, 0.0, 0.0, 1.5));
 /// ```
 #[must_use]
@@ -82,7 +82,7 @@ pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quat
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// let turn = tumbling::body::attitude::turn(&Vector3::new(0.0, 0.0, 3.0));
+/// let turn = tumbling::attitude::turn(&Vector3::new(0.0, 0.0, 3.0));
 /// assert!((turn - Quaternion::new(1.5_f64.cos(), 0.0, 0.0, 1.5_f64.sin())).norm() < 1e-15);
 /// ```
 #[must_use]
@@ -97,7 +97,7 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::body::attitude::{rotate_inverse, turn};
+/// use tumbling::attitude::{rotate_inverse, turn};
 /// let quarter = turn(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
 /// let seen = rotate_inverse(&quarter, &Vector3::new(1.0, 0.0, 0.0));
 /// assert!((seen - Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-15);
