@@ -1,0 +1,118 @@
+//! The rooms of `src/` use each other as DESIGN.md draws it: these arrows and no others.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+type Arrows = BTreeMap<String, BTreeSet<String>>;
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The lines `room -> room room ...` of DESIGN.md.
+fn drawn() -> Arrows {
+    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
+    let arrow = |line: &str| {
+        let (from, to) = line.strip_prefix("    ")?.split_once("->")?;
+        let single = !from.trim().contains(char::is_whitespace);
+        single.then(|| (from.trim().to_owned(), to.split_whitespace().map(str::to_owned).collect()))
+    };
+    design.lines().filter_map(arrow).collect()
+}
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Every room that a text names after `crate::`, alone or first in a group. Comments and unit tests do not count.
+fn named(text: &str) -> BTreeSet<String> {
+    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let code =
+        text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n");
+    let word = |text: &str| -> String {
+        text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+    };
+    let mut rooms = BTreeSet::new();
+    for rest in code.split("crate::").skip(1) {
+        let Some(group) = rest.strip_prefix('{') else {
+            rooms.insert(word(rest));
+            continue;
+        };
+        let mut depth = 1;
+        rooms.insert(word(group));
+        for (at, c) in group.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                ',' if depth == 1 => {
+                    rooms.insert(word(&group[at + 1..]));
+                }
+                _ => {}
+            }
+            if depth == 0 {
+                break;
+            }
+        }
+    }
+    rooms.remove("");
+    rooms
+}
+
+/// The arrows that the sources really have.
+fn built() -> Arrows {
+    let src = root().join("src");
+    let mut files = Vec::new();
+    sources(&src, &mut files);
+    let mut arrows = Arrows::new();
+    for file in files {
+        let inside = file.strip_prefix(&src).unwrap();
+        let room = inside.iter().next().unwrap().to_str().unwrap().trim_end_matches(".rs").to_owned();
+        if matches!(room.as_str(), "lib" | "references") {
+            continue;
+        }
+        let mut used = named(&fs::read_to_string(&file).unwrap());
+        used.remove(&room);
+        arrows.entry(room).or_default().extend(used);
+    }
+    arrows
+}
+
+#[test]
+fn the_rooms_of_the_library_use_each_other_as_the_design_draws_it() {
+    assert_eq!(built(), drawn());
+}
+
+#[test]
+fn no_arrow_runs_back_and_the_exact_motion_and_the_steppers_do_not_know_each_other() {
+    let arrows = drawn();
+    let order: Vec<&String> = {
+        // A room may stand once all that it uses stands.
+        let mut standing: Vec<&String> = Vec::new();
+        while standing.len() < arrows.len() {
+            let next = arrows.iter().find(|(room, used)| {
+                !standing.contains(room) && used.iter().all(|other| standing.contains(&other))
+            });
+            let Some((room, _)) = next else { panic!("a circle among {arrows:?} beyond {standing:?}") };
+            standing.push(room);
+        }
+        standing
+    };
+    assert!(order.len() > 5);
+    assert!(!arrows["exact"].contains("step") && !arrows["step"].contains("exact"));
+}
+
+#[test]
+fn an_arrow_is_seen_wherever_a_room_is_named() {
+    let text =
+        "use crate::{body::{Body, State}, error::Error};\n// crate::exact\nfn f() { crate::solid::x() }";
+    let rooms: Vec<String> = named(text).into_iter().collect();
+    assert_eq!(rooms, ["body", "error", "solid"]);
+}
