@@ -32,6 +32,14 @@ fn a_herpolhode_runs_from_the_start_to_the_end_of_its_time() {
 }
 
 #[test]
+fn a_curve_of_more_points_than_memory_holds_is_refused() {
+    let motion = motion([1.0, 2.0, 3.0], [0.1, 1.0, 0.3]);
+    let kind = |points: Result<Vec<_>, tumbling::Error>| points.unwrap_err().kind();
+    assert_eq!(kind(motion.polhode(usize::MAX)), tumbling::ErrorKind::TooMany);
+    assert_eq!(kind(motion.herpolhode(9.0, usize::MAX)), tumbling::ErrorKind::TooMany);
+}
+
+#[test]
 fn a_polhode_goes_round_once_in_even_steps() {
     let motion = motion([1.0, 2.0, 2.5], [0.3, 1.0, -0.4]);
     let period = motion.period().unwrap().unwrap();

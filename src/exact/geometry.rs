@@ -145,15 +145,15 @@ impl FreeMotion {
 
     /// `count` points of the polhode, the curve that the spin's tip draws in the body: evenly spaced in time
     /// over one period from the start (rad/s, in the axes of [`omega`](Self::omega)). One point where the
-    /// spin is constant, none on the separatrix, which has no period: there take [`omega`](Self::omega).
+    /// spin is constant, none on the separatrix, which has no period: use [`omega`](Self::omega) there.
     ///
     /// # Errors
-    /// A period beyond `f64`.
+    /// A period beyond `f64`, or more points than there is memory for.
     pub fn polhode(&self, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
         match (self.period()?, self.regime()) {
             (Some(period), _) => {
                 let step = period / (count.max(1) as f64);
-                (0..count).map(|k| self.omega(step * k as f64)).collect()
+                points(count, |k| self.omega(step * k as f64))
             }
             (None, Regime::Separatrix { .. }) => Ok(Vec::new()),
             (None, _) => Ok(vec![self.omega(0.0)?]),
@@ -161,13 +161,27 @@ impl FreeMotion {
     }
 
     /// `count` points of the herpolhode, the curve that the spin's tip draws in the world, on the plane across
-    /// the angular momentum: evenly spaced in time from the start over `duration` seconds (rad/s, world axes).
+    /// the angular momentum: evenly spaced in time from the start over `duration` seconds, before it if negative, both ends
+    /// included (rad/s, world axes).
     ///
     /// # Errors
-    /// A duration that is not finite.
+    /// A duration that is not finite, or more points than there is memory for.
     pub fn herpolhode(&self, duration: f64, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
         finite("the duration", duration)?;
         let step = duration / (count.saturating_sub(1).max(1) as f64);
-        (0..count).map(|k| self.at(step * k as f64).map(|at| at.omega_world())).collect()
+        points(count, |k| self.at(step * k as f64).map(|at| at.omega_world()))
     }
+}
+
+/// Requests the memory at once, so that more points than it holds are refused before the first is computed.
+fn points(
+    count: usize,
+    point: impl Fn(usize) -> Result<Vector3<f64>, Error>,
+) -> Result<Vec<Vector3<f64>>, Error> {
+    let mut points = Vec::new();
+    points.try_reserve_exact(count).map_err(|_| Refusal::TooMany { what: "points", count })?;
+    for k in 0..count {
+        points.push(point(k)?);
+    }
+    Ok(points)
 }
