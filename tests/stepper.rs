@@ -316,6 +316,29 @@ fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused_and_bad_torques
     assert!(stepper.with_torques([Torque::InBody(Vector3::x() * f64::NAN)]).is_err());
 }
 
+#[test]
+fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(0.1, 2.0, 0.3),
+    )
+    .unwrap();
+    // A thruster whose law ends at 0.25 s.
+    let law = |time: f64, _: &Matrix3<f64>, _: &Vector3<f64>| Vector3::y() * (0.25 - time).sqrt();
+    for method in all() {
+        let stepper = match method {
+            Some(method) => Stepper::<f64>::new(&body, method),
+            None => Stepper::fixed_rate(&body),
+        };
+        let mut stepper = stepper.unwrap().with_torques([Torque::function(law)]).unwrap();
+        let error = stepper.run(0.1, 4).find_map(Result::err).unwrap();
+        assert_eq!(error.kind(), ErrorKind::NotFinite, "{method:?}: {error}");
+        assert_eq!(error.subject(), "the torque", "{method:?}");
+        assert!(stepper.time() < 0.35 && finite(&stepper.state()), "{method:?}");
+    }
+}
+
 fn finite(state: &State<f64>) -> bool {
     state.attitude.coords.iter().chain(&state.momentum).all(|x| x.is_finite())
 }

@@ -107,7 +107,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         })
     }
 
-    /// The same under these torques as well, given in the body's and the world's axes. Damping is along principal axes: it must be the
+    /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along principal axes: it must be the
     /// same about all three where the tensor has products of inertia.
     ///
     /// # Errors
@@ -130,15 +130,25 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// it was.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`fixed_rate`].
+    /// As [`Method::step`] or [`fixed_rate`]; a torque, such as that of a [`Torque::Function`], that is not finite at the start or the end.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         let after = self.time + finite("the step", number(h))?;
         self.state = match self.rule {
-            Rule::Method(method) => method.step(&self.system, &self.state, h)?,
-            Rule::FixedRate => fixed_rate(&self.system, &self.state, h)?,
-        };
+            Rule::Method(method) => method.step(&self.system, &self.state, h),
+            Rule::FixedRate => fixed_rate(&self.system, &self.state, h),
+        }
+        .map_err(|error| self.torque_not_finite(after).unwrap_or(error))?;
         self.set_time(after);
         Ok(self.state())
+    }
+
+    /// The cause of a step that failed on a torque that is not finite where it began or at the time where it would have ended.
+    fn torque_not_finite(&self, after: f64) -> Option<Error> {
+        let mut system = self.system.clone();
+        [self.time, after].into_iter().find_map(|time| {
+            system.set_time(T::from_f64(time)?);
+            system.torque(&self.state).iter().find_map(|x| finite("the torque", number(x.clone())).err())
+        })
     }
 
     fn set_time(&mut self, time: f64) {
@@ -203,7 +213,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.step(if left > 0.0 { h } else { -h })
     }
 
-    /// Seconds since the start.
+    /// Seconds since the start: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6 us in two minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time
