@@ -33,13 +33,13 @@ pub struct Compound {
 }
 
 impl Compound {
-    /// Without parts.
+    /// A compound without parts, to which [`at`](Self::at) and [`with`](Self::with) add them.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// And a part, turned by `attitude` (part to compound) about its own origin, which is then put at
+    /// Adds a part, turned by `attitude` (part to compound) about its own origin, which is then put at
     /// `position` (m).
     #[must_use]
     pub fn with(
@@ -52,7 +52,7 @@ impl Compound {
         self
     }
 
-    /// And a part that is not turned, with its own origin at `position` (m).
+    /// Adds a part that is not turned, with its own origin at `position` (m).
     #[must_use]
     pub fn at(self, part: MassProperties, position: Vector3<f64>) -> Self {
         self.with(part, position, UnitQuaternion::identity())

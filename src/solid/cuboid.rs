@@ -6,7 +6,7 @@ use crate::number::Field;
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
 
-/// The moments of a box about its centre: `m/12 (b² + c²)` and so on round. Source:
+/// The moments of a box about its centre: `m/12 (b² + c²)` and cyclically. Source:
 /// [LL76](crate::references), section 32, problem 2d.
 ///
 /// ```

@@ -7,7 +7,7 @@ use crate::number::extended::Extended;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 
-/// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and so on round. Source:
+/// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and cyclically. Source:
 /// [LL76](crate::references), section 32, problem 2f.
 ///
 /// ```

@@ -122,7 +122,7 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 ///
 /// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]).unwrap_err();
 /// assert_eq!(open.kind(), ErrorKind::BadMesh);
-/// assert!(open.to_string().contains("belongs to 1 face(s)"), "{open}");
+/// assert!(open.to_string().contains("from vertex 0 to vertex 1 belongs to 3 face(s)"), "{open}");
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
