@@ -32,6 +32,16 @@
 //! - [`dynamics`]: Euler's equations, stability, what to read off a motion.
 //! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong.
 //!
+//! # Where to start
+//!
+//! | to | use |
+//! |---|---|
+//! | get the free motion of a body at any instant, its flips, its period | [`exact::FreeMotion`] |
+//! | propagate the covariance of its attitude and spin | [`FreeMotion::state_transition`](exact::FreeMotion::state_transition) |
+//! | step a body in a loop of your own, free or under torques | [`step::Stepper`]; [`step::Method`] says which method for what |
+//! | answer many free bodies at once | [`exact::Batch`] |
+//! | use a tensor or moments that were printed with few digits | [`Inertia::within`] |
+//!
 //! # Conventions
 //!
 //! SI units and radians. Attitudes take body coordinates to world. Products of inertia carry the sign that

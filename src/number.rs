@@ -87,7 +87,7 @@ pub trait Analytic: Field {
     #[must_use]
     fn size(&self) -> f64;
 
-    /// A size beside which a change is rounding: the type's machine epsilon, 0 for exact numbers.
+    /// Changes below this, relative to the size, are rounding: the type's machine epsilon, 0 for exact numbers.
     #[must_use]
     fn rounding() -> f64;
 }

@@ -76,16 +76,16 @@ pub struct Progress {
 /// Answers of one tile at some of the times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chunk<'a, S> {
-    /// The numbers of the bodies.
+    /// The indices of the bodies, from 0.
     pub bodies: Range<usize>,
-    /// The numbers of the times.
+    /// The indices of the times, from 0.
     pub times: Range<usize>,
     /// All bodies at the first of the times, then all at the next. A body that was refused has NaN throughout.
     pub answers: &'a [S],
 }
 
 impl<S: Copy> Chunk<'_, S> {
-    /// Each answer with the number of its time and that of its body.
+    /// Each answer with the index of its time and that of its body.
     pub fn states(&self) -> impl Iterator<Item = (usize, usize, S)> + '_ {
         let bodies = self.bodies.len().max(1);
         let place = move |(n, &state): (usize, &S)| {
@@ -113,7 +113,8 @@ struct Tile<W> {
 }
 
 impl Ensemble<Batch<FourLanes>> {
-    /// Prepares bodies for spin and attitude: `body` gives the one of each number below `bodies`.
+    /// Prepares bodies for spin and attitude: as many as `bodies`, the one of index `k` being `body(k)`; a
+    /// [`Body`](tumbling::Body) converts by `into`. `tell` is called with the progress; `|_| {}` ignores it.
     pub fn instants(
         bodies: usize,
         body: impl Fn(usize) -> InitialState + Sync,
@@ -124,7 +125,7 @@ impl Ensemble<Batch<FourLanes>> {
 }
 
 impl Ensemble<Spins<FourLanes>> {
-    /// Prepares bodies for their spin alone, which takes about half the memory and the time.
+    /// As [`instants`](Self::instants), for their spin alone, which takes about half the memory and the time.
     pub fn spins(
         bodies: usize,
         body: impl Fn(usize) -> InitialState + Sync,
@@ -135,7 +136,7 @@ impl Ensemble<Spins<FourLanes>> {
 }
 
 impl<W: Solver> Ensemble<W> {
-    /// Prepares bodies for any solver, in any lanes.
+    /// As [`instants`](Ensemble::instants), for any solver, in any lanes.
     pub fn prepare(
         bodies: usize,
         body: impl Fn(usize) -> InitialState + Sync,

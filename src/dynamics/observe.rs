@@ -1,4 +1,4 @@
-//! What can be read off a motion: energy, length of momentum, flips, closeness to the separatrix.
+//! What can be read off a motion: its kinetic energy, and its flips.
 
 use crate::number::Field;
 use alloc::vec::Vec;

@@ -30,7 +30,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 ///     .into_iter()
 ///     .map(|omega| FreeMotion::new(moments, &omega.into()))
 ///     .collect::<Result<Vec<_>, _>>()?;
-/// // One lane here; several with a type that has them.
+/// // `f64` is one lane. A vector type that implements `number::Lane` answers several bodies at once, with the same bits.
 /// let batch = Batch::<f64>::new(&motions);
 /// let times = [1.0, 1e6];
 /// batch.each(&times, |time, body, instant| {
@@ -61,19 +61,19 @@ pub struct Spins<T> {
 }
 
 impl<T: Lane> Batch<T> {
-    /// Of these motions.
+    /// Prepares these motions; the index of a body is its place among them.
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
         Self { kinds: Kinds::new(motions, true) }
     }
 
-    /// How many bodies.
+    /// The number of bodies.
     #[must_use]
     pub fn len(&self) -> usize {
         self.kinds.starts.len()
     }
 
-    /// Whether there are none.
+    /// Whether it has no bodies.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -109,19 +109,19 @@ impl<T: Lane> Batch<T> {
 }
 
 impl<T: Lane> Spins<T> {
-    /// Of these motions.
+    /// Prepares these motions; the index of a body is its place among them.
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
         Self { kinds: Kinds::new(motions, false) }
     }
 
-    /// How many bodies.
+    /// The number of bodies.
     #[must_use]
     pub fn len(&self) -> usize {
         self.kinds.starts.len()
     }
 
-    /// Whether there are none.
+    /// Whether it has no bodies.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

@@ -51,7 +51,8 @@ const NEEDLE: f64 = 1e-3;
 
 impl FreeMotion {
     /// The state transition matrix from the start to time `t`, of attitude error (rad) and spin error
-    /// (rad/s), both in body axes.
+    /// (rad/s), both in body axes: of a covariance `P` at the start, `F P F^T` is that at `t`. It is linear, so good for as
+    /// long as the attitude error stays well below 1 rad: an error of the spin adds to it in proportion to time.
     ///
     /// The attitude error is the small rotation vector `e` of `R exp(e)` relative to the attitude `R`, in the
     /// axes of the body at the same time: the local error that multiplicative attitude filters estimate. `F`

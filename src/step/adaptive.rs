@@ -24,7 +24,7 @@ pub struct AdaptiveRun {
 /// Below this tolerance a step's error is rounding, and no step meets it.
 pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// The most steps, taken or rejected, of one run of [`adaptive`]: about a second.
+/// The most steps, taken or rejected, of one run of [`adaptive`].
 pub const MOST_STEPS: usize = 1_000_000;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error of each, relative to
@@ -59,7 +59,7 @@ pub fn adaptive(
     adaptive_within(system, start, duration, tolerance, &mut { MOST_STEPS })
 }
 
-/// The same run in at most `budget` steps, taken or rejected; they are subtracted from it, also where the run fails.
+/// As [`adaptive`], in at most `budget` steps, taken or rejected; those used are subtracted from it, also where the run fails.
 ///
 /// # Errors
 /// As [`adaptive`], with this budget for [`MOST_STEPS`].

@@ -15,6 +15,15 @@ use nalgebra::Vector3;
 ///
 /// One step takes a [`State`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
 /// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may change at will.
+///
+/// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
+/// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth torques,
+/// [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step, [`adaptive`](fn@crate::step::adaptive). Free motion needs no
+/// steps: see [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be
+/// compared with.
+///
+/// [Order](MethodInfo::order) and conserved quantities are those of free motion. Under a torque, the methods that apply it as
+/// half kicks before and after the free step (Buss, SPIRAL, rotation splitting, symmetric top, Moser-Veselov) are of order 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Method {
@@ -40,9 +49,9 @@ pub enum Method {
     Gauss6,
     /// An exact turn about each principal axis, there and back.
     RotationSplitting2,
-    /// Seven of those in one step.
+    /// Seven steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
     RotationSplitting4,
-    /// Nine of those in one step.
+    /// Nine steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
     RotationSplitting6,
     /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first two moments are the nearest.
     SymmetricTop,
@@ -68,7 +77,7 @@ pub enum Method {
     Rescaled,
     /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier, in four parts a step.
     RescaledLinearAttitude,
-    /// One Newton step of implicit Euler for the gyroscopic term, with the torques beside it [Cat15](crate::references): Bullet's rigid
+    /// One Newton step of implicit Euler for the gyroscopic term, the torques applied apart from it [Cat15](crate::references): Bullet's rigid
     /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
     /// multiply the energy.
     ImplicitOneNewton,
@@ -88,7 +97,7 @@ pub enum Method {
 pub struct MethodInfo {
     /// Its usual name.
     pub name: &'static str,
-    /// Errors at a given time fall as this power of the step.
+    /// Errors of free motion at a given time fall as this power of the step. Under a torque a [`Method`] may be of lower order.
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
@@ -185,7 +194,10 @@ impl Method {
         }
     }
 
-    /// One step of `h` seconds. It may be negative: back in time.
+    /// One step of `h` seconds: back in time if negative, the start again, to rounding, if zero.
+    ///
+    /// The attitude should be of length 1, which is not checked: a torque that depends on the attitude grows with the square of
+    /// the length.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};

@@ -21,7 +21,7 @@ pub enum Engine {
     /// Pitfall 1: carries `w` by the world's own equation `I w' = (I w) x w`, but with the body's tensor in
     /// it, as if the body had never turned.
     Frozen,
-    /// Pitfall 2: carries `L`, constant, and takes it for the spin but for a number: `w = L / m` with `m`
+    /// Pitfall 2: carries `L`, constant, and takes it for the spin up to a constant factor: `w = L / m` with `m`
     /// the mean of the moments. Right for a sphere.
     MomentumForSpin,
     /// Pitfall 3: carries `w` as if it were conserved: no gyroscopic term, so it never flips.

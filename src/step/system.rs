@@ -56,7 +56,7 @@ impl System<f64> {
 }
 
 impl<T: Field> System<T> {
-    /// The same for any number type, unchecked: what the numbers do, it does.
+    /// The same for any number type, unchecked: a moment of zero is divided by as the number type does.
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
@@ -98,13 +98,13 @@ impl<T: Field> System<T> {
         self.torques.is_empty()
     }
 
-    /// The spin (rad/s) that belongs to a momentum, both in body axes.
+    /// The spin (rad/s) of a momentum (kg m²/s), both along the principal axes.
     #[must_use]
     pub fn omega(&self, momentum: &Vector3<T>) -> Vector3<T> {
         momentum.component_mul(&self.inverse)
     }
 
-    /// The momentum that belongs to a spin, both in body axes.
+    /// The momentum (kg m²/s) of a spin (rad/s), both along the principal axes.
     #[must_use]
     pub fn momentum(&self, omega: &Vector3<T>) -> Vector3<T> {
         omega.component_mul(&self.moments)

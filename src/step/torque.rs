@@ -78,8 +78,27 @@ impl<T: nalgebra::Scalar> Torque<T> {
 }
 
 impl<T: Field> Torque<T> {
-    /// Gravity on a top whose centre of mass is `arm` (m) from the fixed point, in body axes, and whose weight (N) pulls
-    /// along the world's -z.
+    /// Gravity on a top whose centre of mass is at `arm` (m) from the fixed point, in body axes, and whose weight (mass times
+    /// gravitational acceleration, N) pulls along the world's -z. The top's inertia tensor must be that about the fixed point.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::Body;
+    /// use tumbling::solid::{Ellipsoid, Solid};
+    /// use tumbling::step::{Method, Stepper, Torque};
+    /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as work.
+    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?.moved(&Vector3::new(0.0, 0.0, 0.03))?;
+    /// let (arm, weight) = (egg.centre(), egg.mass() * 9.81);
+    /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);
+    /// let body = Body::spinning(egg.about(&Vector3::zeros())?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
+    /// let mut stepper = Stepper::new(&body, Method::Gauss6)?.with_torques([Torque::gravity(arm, weight)])?;
+    /// stepper.run(1e-3, 1000).try_for_each(|state| state.map(drop))?;
+    /// let height = |body: &Body| (body.attitude() * arm).z;
+    /// let end = stepper.body()?;
+    /// let work = weight * (height(&body) - height(&end));
+    /// assert!((end.energy() - body.energy() - work).abs() < 1e-12 * body.energy());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
     #[must_use]
     pub fn gravity(arm: Vector3<T>, weight: T) -> Self {
         Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
