@@ -127,17 +127,11 @@ impl FreeMotion {
             Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
             Kind::Asymmetric(motion) => Law::Elliptic(EllipticMotion::new(&motion, &w)?),
         };
-        let greatest = match &law {
-            Law::AtRest | Law::Steady(_) => 0.0,
-            Law::Symmetric(top) => top.greatest_spin(),
-            Law::Elliptic(motion) => motion.greatest_spin(),
-        };
-        // With room for the roundings on the way.
-        if !(greatest * (1.0 + 1e-12)).is_finite() {
-            return Err(Refusal::OutOfRange { what: "the greatest spin", value: greatest }.into());
-        }
         let clock = times_power_of_two(1.0, exponent);
-        Ok(Self { moments, start: *omega, exponent, clock, law, mount: None })
+        let motion = Self { moments, start: *omega, exponent, clock, law, mount: None };
+        // With room for the roundings on the way.
+        motion.has_room_for(1.0 + 1e-12)?;
+        Ok(motion)
     }
 
     /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they are.
@@ -171,8 +165,10 @@ impl FreeMotion {
             let principal = body.inertia().principal();
             (principal.principal_moments()?, principal.rotation())
         };
-        let along = frame.inverse() * omega;
-        let motion = Self::new(moments, &along)?;
+        let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
+        if frame != UnitQuaternion::identity() {
+            motion.has_room_for(mount::ROOM_TO_TURN)?;
+        }
         let attitude = body.attitude();
         Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..motion })
     }

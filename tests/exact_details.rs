@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use std::f64::consts::PI;
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{Axis, Body, Inertia, PrincipalMoments};
+use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
     FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
@@ -253,5 +253,40 @@ fn the_modulus_next_to_the_separatrix_is_not_above_one() {
         let regime = motion(moments, omega).regime();
         let Regime::Elliptic { modulus, complement, .. } = regime else { panic!("{regime:?}") };
         assert!(modulus == 1.0 && complement > 0.0, "{modulus:?} {complement:e}");
+    }
+}
+
+#[test]
+fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
+    // Along its principal axes a motion may reach the largest numbers; a turn of its axes needs room for a sum of products.
+    let principal = Vector3::new(1.1, 0.46, 1.05);
+    let fast = Vector3::new(0.3, 1.1, -0.2) * 1e308;
+    let along = motion(principal.into(), fast.into());
+    assert!(along.omega(1e-309).unwrap().iter().all(|x| x.is_finite()));
+    let axes = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    let leaning =
+        Inertia::from_moments(principal.x, principal.y, principal.z).unwrap().turned(&axes).unwrap();
+    let body = Body::spinning(leaning, UnitQuaternion::identity(), &fast).unwrap();
+    refused(FreeMotion::of(&body), ErrorKind::Unrepresentable, "the greatest spin");
+    let slower = Body::spinning(leaning, UnitQuaternion::identity(), &(fast * 0.05)).unwrap();
+    assert!(FreeMotion::of(&slower).unwrap().omega(1e-307).unwrap().iter().all(|x| x.is_finite()));
+    // In the world.
+    for moments in [[1.1, 0.46, 1.05], [1.0, 1.0, 1.0]] {
+        let motion = motion(moments, [1.5e308, 0.0, 0.2e308]);
+        if let Ok(points) = motion.herpolhode(1e-300, 5) {
+            assert!(points.iter().flatten().all(|x| x.is_finite()), "{points:?}");
+        }
+    }
+    let sphere = PrincipalMoments::new(1.0, 1.0, 1.0).unwrap();
+    let speed = FreeMotion::new(sphere, &Vector3::new(-1.4e308, 1.5e308, 0.0));
+    refused(speed, ErrorKind::Unrepresentable, "the greatest spin");
+}
+
+#[test]
+fn a_top_that_hardly_leaves_its_plane_turns_too_far_in_a_period_to_say() {
+    // It turns 1e459 times while the spin goes round once.
+    for omega in [[-3.8e-159, 1e300, 0.0], [5e-324, 0.3, 0.7]] {
+        let top = motion([0.66, 1.0, 1.0], omega);
+        assert_eq!((top.twist_of_half_period(), top.rotation_number()), (None, None));
     }
 }

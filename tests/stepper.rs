@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{any_vector, anything, attitude, generic_spin, moments};
+use common::{any_vector, anything, attitude, generic_spin, moments, refused};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
@@ -432,4 +432,30 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn a_step_to_a_spin_or_a_time_beyond_its_numbers_fails_and_leaves_the_body_where_it_was() {
+    let inertia = Inertia::from_moments(1e-30, 1.2e-30, 0.9e-30).unwrap();
+    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.2, 1.0, -0.3)).unwrap();
+    // The momentum stays far within single precision, the spin does not.
+    let push = Torque::InBody(Vector3::new(1e12_f32, 2e12, 3e12));
+    let mut stepper =
+        Stepper::<f32>::new(&body, Method::ExplicitEuler).unwrap().with_torques([push]).unwrap();
+    let before = stepper.clone();
+    refused(stepper.step(0.01), ErrorKind::Unrepresentable, "the spin");
+    assert_eq!(stepper, before);
+
+    let resting = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let mut stepper = Stepper::<f64>::new(&resting, Method::ExplicitEuler).unwrap();
+    stepper.step(1e308).unwrap();
+    refused(stepper.step(1e308), ErrorKind::Unrepresentable, "the time after a step");
+    assert_eq!(stepper.time(), 1e308);
+
+    // A spin whose turn to the body's axes leaves the range.
+    let axes = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    let leaning = in_axes(Vector3::new(1.1, 0.46, 1.05), &axes);
+    let fast = Body::spinning(leaning, UnitQuaternion::identity(), &Vector3::new(0.3e308, 1.1e308, -0.2e308))
+        .unwrap();
+    refused(Stepper::<f64>::new(&fast, Method::Buss), ErrorKind::Unrepresentable, "comes out as inf");
 }

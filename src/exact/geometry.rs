@@ -6,6 +6,7 @@ use crate::error::{Error, Refusal, finite};
 use crate::inertia::Axis;
 use crate::inertia::unit;
 use crate::number::functions::{atan2, hypot};
+use crate::number::power_of_two::times_power_of_two;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -15,6 +16,20 @@ use nalgebra::Vector3;
 const CLOSE: f64 = 0.1;
 
 impl FreeMotion {
+    /// Refuses a motion whose greatest spin times `room` is beyond `f64`.
+    pub(super) fn has_room_for(&self, room: f64) -> Result<(), Error> {
+        let greatest = match &self.law {
+            Law::AtRest => 0.0,
+            Law::Steady(turn) => times_power_of_two(turn.rate(), self.exponent),
+            Law::Symmetric(top) => top.greatest_spin(),
+            Law::Elliptic(motion) => motion.greatest_spin(),
+        };
+        if (greatest * room).is_finite() {
+            return Ok(());
+        }
+        Err(Refusal::OutOfRange { what: "the greatest spin", value: greatest }.into())
+    }
+
     /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is
     /// constant, and on the separatrix, where it never returns.
     ///
@@ -121,7 +136,8 @@ impl FreeMotion {
     }
 
     /// How far the body turns about its angular momentum while the spin goes half round its period, radians:
-    /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no period.
+    /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no period, or where it is
+    /// beyond `f64`.
     ///
     /// The turn is measured against the shortest way from the circled axis (of two equal moments, the third) to
     /// the momentum, which is never undefined. After half a period the two small components of the spin have
@@ -131,7 +147,7 @@ impl FreeMotion {
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {
             Law::AtRest | Law::Steady(_) => None,
-            Law::Symmetric(top) => Some(top.twist_of_half_period()),
+            Law::Symmetric(top) => Some(top.twist_of_half_period()).filter(|twist| twist.is_finite()),
             Law::Elliptic(motion) => motion.twist_of_half_period(),
         }
     }
@@ -165,11 +181,17 @@ impl FreeMotion {
     /// included (rad/s, world axes).
     ///
     /// # Errors
-    /// A duration that is not finite, or more points than there is memory for.
+    /// A duration that is not finite, a point beyond `f64`, or more points than there is memory for.
     pub fn herpolhode(&self, duration: f64, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
         finite("the duration", duration)?;
         let step = duration / (count.saturating_sub(1).max(1) as f64);
-        points(count, |k| self.at(step * k as f64).map(|at| at.omega_world()))
+        points(count, |k| {
+            let point = self.at(step * k as f64)?.omega_world();
+            match point.iter().find(|x| !x.is_finite()) {
+                Some(&value) => Err(Refusal::OutOfRange { what: "a point of the herpolhode", value }.into()),
+                None => Ok(point),
+            }
+        })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::kernel::unit;
 use crate::attitude::{product, rotate_inverse};
+use crate::error::{Error, Refusal};
 use crate::number::Lane;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -18,6 +19,18 @@ pub(super) struct Mount {
     pub(super) attitude: UnitQuaternion<f64>,
     /// The spin at the start in body axes, rad/s.
     pub(super) omega: Vector3<f64>,
+}
+
+/// A vector is turned without overflow if this times its largest component is finite.
+pub(super) const ROOM_TO_TURN: f64 = 8.0;
+
+/// The spin along principal axes that `frame` takes to the body's.
+pub(super) fn along(frame: &UnitQuaternion<f64>, omega: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
+    let along = frame.inverse() * omega;
+    match along.iter().find(|x| !x.is_finite()) {
+        Some(&value) => Err(Refusal::OutOfRange { what: "the greatest spin", value }.into()),
+        None => Ok(along),
+    }
 }
 
 impl Mount {

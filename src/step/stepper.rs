@@ -58,7 +58,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// A free body, to be stepped by `method`.
     ///
     /// # Errors
-    /// A moment of zero, or a number that `T` does not hold to its own rounding.
+    /// A moment of zero, a number that `T` does not hold to its own rounding, or a spin beyond `T`.
     pub fn new(body: &Body, method: Method) -> Result<Self, Error> {
         Self::by(body, Rule::Method(method))
     }
@@ -97,14 +97,10 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let state =
             State { attitude: quaternion(&start.attitude), momentum: cast("the momentum", &start.momentum)? };
         let frame = frame.map(|frame| quaternion(&frame));
-        Ok(Self {
-            body: *body,
-            rule,
-            system: System::of_numbers(moments, Vec::new()),
-            state,
-            frame,
-            time: 0.0,
-        })
+        let system = System::of_numbers(moments, Vec::new());
+        let stepper = Self { body: *body, rule, system, state, frame, time: 0.0 };
+        stepper.checked()?;
+        Ok(stepper)
     }
 
     /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along principal axes: it must be the
@@ -130,16 +126,39 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// it was.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`fixed_rate`]; a torque, such as that of a [`Torque::Function`], that is not finite at the start or the end.
+    /// As [`Method::step`] or [`fixed_rate`]; a torque, such as that of a [`Torque::Function`], that is not finite at the start or the end;
+    /// a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         let after = self.time + finite("the step", number(h))?;
-        self.state = match self.rule {
+        if !after.is_finite() {
+            return Err(Refusal::OutOfRange { what: "the time after a step", value: after }.into());
+        }
+        let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
             Rule::FixedRate => fixed_rate(&self.system, &self.state, h),
         }
         .map_err(|error| self.torque_not_finite(after).unwrap_or(error))?;
-        self.set_time(after);
-        Ok(self.state())
+        let start = core::mem::replace(&mut self.state, end);
+        match self.checked() {
+            Ok(state) => {
+                self.set_time(after);
+                Ok(state)
+            }
+            Err(error) => {
+                self.state = start;
+                Err(error)
+            }
+        }
+    }
+
+    /// The state, if it and the spin are finite along the body's axes.
+    fn checked(&self) -> Result<State<T>, Error> {
+        let value = self.omega().iter().map(Analytic::size).sum::<f64>();
+        if value.is_finite() {
+            self.state().checked()
+        } else {
+            Err(Refusal::OutOfRange { what: "the spin", value }.into())
+        }
     }
 
     /// The cause of a step that failed on a torque that is not finite where it began or at the time where it would have ended.
