@@ -1,5 +1,5 @@
-//! How a rigid body moves: Euler's equations, what becomes of a small push, which regime a free motion is in, and what to read
-//! off a motion.
+//! How a rigid body moves: Euler's equations, what becomes of a small push, which regime a free motion is in,
+//! and what to read off a motion.
 
 pub mod euler;
 pub mod observe;

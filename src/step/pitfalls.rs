@@ -1,5 +1,5 @@
-//! Four engines that differ in what they carry and how they read the spin from it. One is right; three are the
-//! pitfalls.
+//! Four engines that differ in what they carry and how they read the spin from it. One is right; three are
+//! the pitfalls.
 
 use super::methods::rk4::rk4;
 use crate::attitude;
@@ -114,8 +114,8 @@ impl Engine {
         }
     }
 
-    /// The rates of attitude and carried vector while no torque acts, for the body's tensor and its inverse: the law that
-    /// [`run`](Self::run) integrates.
+    /// The rates of attitude and carried vector while no torque acts, for the body's tensor and its inverse:
+    /// the law that [`run`](Self::run) integrates.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Quaternion, Vector3};
@@ -173,8 +173,8 @@ impl Engine {
     /// ```
     ///
     /// # Errors
-    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds; more steps than there is
-    /// memory for.
+    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds; more steps than there
+    /// is memory for.
     pub fn run(self, body: &Body, h: f64, count: usize) -> Result<Vec<Body>, Error> {
         finite("the step", h)?;
         let carried = self.carried(body);
