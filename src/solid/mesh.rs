@@ -122,7 +122,8 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 ///
 /// let open = Mesh::new(&corner, &[faces[0], faces[1], faces[2], [0, 3, 1]]).unwrap_err();
 /// assert_eq!(open.kind(), ErrorKind::BadMesh);
-/// assert!(open.to_string().contains("belongs to 1 face(s)"), "{open}");
+/// // The last face shares the edge from 0 to 1, which two others have already.
+/// assert!(open.to_string().contains("belongs to 3 face(s)"), "{open}");
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
