@@ -106,7 +106,8 @@ impl Run {
         let mut found = self.measured(&motion);
         let [mut low, mut high] = [found.energy; 2];
         while taken < (count as usize).min(MOST) {
-            let mut next = rk4(&motion, step, |m| self.engine.rate(&self.tensor, &self.inverse, m), Carried::plus);
+            let mut next =
+                rk4(&motion, step, |m| self.engine.rate(&self.tensor, &self.inverse, m), Carried::plus);
             let length = next.attitude.norm();
             next.attitude /= length;
             let now = self.measured(&next);

@@ -4,9 +4,9 @@
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::sync::{Mutex, PoisonError};
-use tumbling::{Error, ErrorKind};
 use tumbling::body::named;
 use tumbling::step::{Method, State, System};
+use tumbling::{Error, ErrorKind};
 
 /// What a method is called, or of what the library says that it cannot be had.
 pub static WORDS: Words = Words(Mutex::new(""));
@@ -138,8 +138,10 @@ mod tests {
     /// A run of ten seconds of the box, gently spun about all axes.
     fn ran(method: Method, count: f64) -> (usize, Numbers) {
         let place = Method::ALL.iter().position(|&m| m == method).unwrap();
-        let truth =
-            FreeMotion::new(body(0.0).try_into().unwrap(), &Vector3::new(1.0, 1.0, 1.0)).unwrap().attitude(10.0).unwrap();
+        let truth = FreeMotion::new(body(0.0).try_into().unwrap(), &Vector3::new(1.0, 1.0, 1.0))
+            .unwrap()
+            .attitude(10.0)
+            .unwrap();
         let row = Numbers::new();
         row.fill(&[0.0, 1.0, 1.0, 1.0, 10.0, count, place as f64, truth.w, truth.i, truth.j, truth.k]);
         let places = answer(1, &row);

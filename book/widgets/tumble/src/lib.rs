@@ -84,7 +84,9 @@ impl From<Error> for Why {
     fn from(error: Error) -> Self {
         let rule = match error.kind() {
             ErrorKind::NotFinite => ": it must be a finite number",
-            ErrorKind::Unrepresentable => ": its true value is beyond what a finite, nonzero f64 holds in full",
+            ErrorKind::Unrepresentable => {
+                ": its true value is beyond what a finite, nonzero f64 holds in full"
+            }
             ErrorKind::OutOfBounds => ": it must not be",
             _ => ": there is no answer to this",
         };

@@ -2,8 +2,8 @@
 
 use exchange::{Numbers, Text};
 use nalgebra::Vector3;
-use tumbling::{Error, ErrorKind, Inertia};
 use tumbling::solid::{Cuboid, Solid};
+use tumbling::{Error, ErrorKind, Inertia};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as all the rest.
 pub static WHY: Text = Text::new();
@@ -14,11 +14,12 @@ pub static WHY: Text = Text::new();
 /// becomes of the spin, left alone, as [`fate`] numbers it.
 pub fn answer(_what: u32, row: &Numbers) -> usize {
     let omega = Vector3::from(row.take(4));
-    let momentum_and_gap = found(row.take(0), &omega).map_err(|why| words(&why)).and_then(|(inertia, gap)| {
-        let momentum = inertia.momentum(&omega);
-        let finite = momentum.iter().all(|x| x.is_finite());
-        if finite { Ok((inertia, momentum, gap)) } else { Err(["the momentum", BEYOND]) }
-    });
+    let momentum_and_gap =
+        found(row.take(0), &omega).map_err(|why| words(&why)).and_then(|(inertia, gap)| {
+            let momentum = inertia.momentum(&omega);
+            let finite = momentum.iter().all(|x| x.is_finite());
+            if finite { Ok((inertia, momentum, gap)) } else { Err(["the momentum", BEYOND]) }
+        });
     match momentum_and_gap {
         Ok((inertia, momentum, gap)) => {
             let [x, y, z] = inertia.matrix().diagonal().into();
