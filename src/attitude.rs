@@ -4,8 +4,8 @@ use crate::error::{Error, Refusal, finite};
 use crate::number::{Analytic, Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
-/// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far below
-/// what a mistake would make it.
+/// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far
+/// below what a mistake would make it.
 const UNIT_TOLERANCE: f64 = 1e-9;
 
 /// The quaternion product `p q`, for any number type: first turn by `q`, then by `p`.
@@ -93,7 +93,8 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
     Quaternion::new(cosine, x, y, z)
 }
 
-/// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an attitude.
+/// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an
+/// attitude.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -116,8 +117,8 @@ pub(crate) fn matrix(attitude: &UnitQuaternion<f64>) -> Result<Matrix3<f64>, Err
     Ok(rotation_matrix(checked(attitude)?.quaternion()))
 }
 
-/// An attitude of length 1 to rounding: a quaternion stands for a turn by its direction alone, so a length that has
-/// drifted a little is divided out; one that is far off is refused.
+/// An attitude of length 1 to rounding: a quaternion stands for a turn by its direction alone, so a length
+/// that has drifted a little is divided out; one that is far off is refused.
 ///
 /// # Errors
 /// A length that is not finite, or not 1 to a billionth.

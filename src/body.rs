@@ -14,11 +14,12 @@ use crate::inertia::{Inertia, InverseInertia, omega_world};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-/// A rigid body turning about its centre of mass, or a top about a fixed point: the constant inertia tensor about that
-/// point in the body's own axes, an attitude that takes body coordinates to world, and the angular momentum in the world.
+/// A rigid body turning about its centre of mass, or a top about a fixed point: the constant inertia tensor
+/// about that point in the body's own axes, an attitude that takes body coordinates to world, and the angular
+/// momentum in the world.
 ///
-/// The momentum is stored, since a free body conserves it; the spin follows from it by the inverse tensor, computed once
-/// and turned to the current attitude.
+/// The momentum is stored, since a free body conserves it; the spin follows from it by the inverse tensor,
+/// computed once and turned to the current attitude.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -45,8 +46,9 @@ impl Body {
     /// A body with the given angular momentum in world axes, kg m²/s.
     ///
     /// # Errors
-    /// An inertia without inverse, an attitude whose length is not 1 to a billionth, a value that is not finite, or a
-    /// spin beyond `f64`. (A length that is nearly 1 is made 1: a quaternion's direction alone says the attitude.)
+    /// An inertia without inverse, an attitude whose length is not 1 to a billionth, a value that is not
+    /// finite, or a spin beyond `f64`. (A length that is nearly 1 is made 1: a quaternion's direction alone
+    /// is the attitude.)
     pub fn new(
         inertia: Inertia,
         attitude: UnitQuaternion<f64>,
@@ -163,7 +165,8 @@ impl Body {
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use tumbling::{Body, Inertia};
     /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 1.0);
-    /// let body = Body::spinning(Inertia::from_moments(1.0, 2.0, 2.5)?, turned, &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let body = Body::spinning(inertia, turned, &Vector3::new(0.1, 2.0, 0.3))?;
     /// let same = body.with_state(&body.state())?;
     /// let moved = (same.momentum_world() - body.momentum_world()).norm();
     /// assert!(moved < 1e-15 * body.momentum_world().norm());
@@ -177,8 +180,8 @@ impl Body {
         self.with(attitude, &(attitude::rotation_matrix(attitude.quaternion()) * state.momentum))
     }
 
-    /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or short of
-    /// digits if it falls below.
+    /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or
+    /// short of digits if it falls below.
     #[must_use]
     pub fn energy(&self) -> f64 {
         let (omega, momentum) = (self.omega_body(), self.momentum_body());

@@ -7,8 +7,8 @@ pub(crate) use refusal::Refusal;
 use alloc::boxed::Box;
 use core::fmt;
 
-/// Why a value was refused: its sentence names the value, the rule it broke, and by how much. Programs decide by the
-/// [kind](Self::kind).
+/// Why a value was refused: its sentence names the value, the rule it broke, and by how much. Programs decide
+/// by the [kind](Self::kind).
 ///
 /// ```
 /// use tumbling::{ErrorKind, Inertia};
@@ -35,7 +35,7 @@ pub enum ErrorKind {
     NotInvertible,
     /// The result is beyond what a finite, nonzero `f64` holds with all its digits.
     Unrepresentable,
-    /// The input leaves open what is requested: the direction of a vector of length zero, say.
+    /// The input leaves open what is requested: such as the direction of a vector of length zero.
     Undefined,
     /// An iteration did not converge.
     NotConverged,
@@ -52,8 +52,8 @@ impl Error {
         self.refusal.kind()
     }
 
-    /// What was refused, as its sentence names it: "the mass", "the edge along x". For programs that find words of their
-    /// own.
+    /// What was refused, as its sentence names it: "the mass", "the edge along x". For programs that find
+    /// words of their own.
     #[must_use]
     pub fn subject(&self) -> &'static str {
         self.refusal.subject()
@@ -65,7 +65,8 @@ impl Error {
         Refusal::NotFinite { what, value }.into()
     }
 
-    /// For what builds on the library: a result that came out as `value`, since its true value is beyond `f64`.
+    /// For what builds on the library: a result that came out as `value`, since its true value is beyond
+    /// `f64`.
     #[must_use]
     pub fn unrepresentable(what: &'static str, value: f64) -> Self {
         Refusal::OutOfRange { what, value }.into()

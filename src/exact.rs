@@ -1,11 +1,11 @@
 //! Free motion in closed form: the spin and the attitude of a torque-free body at any instant, to rounding.
 //!
 //! Prepare a [`FreeMotion`] once from the moments and the spin at time 0; each later (or earlier) instant
-//! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by theta
-//! functions of the phase; the attitude two more theta functions, which are its Cayley-Klein parameters ([KS97](crate::references); by
-//! theta functions too, but of the rotation matrix: [vZS07](crate::references)). Nothing is integrated in time, so
-//! nothing drifts: an error is what the rounding of the inputs already makes of the answer, a few
-//! units of it.
+//! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by
+//! theta functions of the phase; the attitude two more theta functions, which are its Cayley-Klein parameters
+//! ([KS97](crate::references); by theta functions too, but of the rotation matrix:
+//! [vZS07](crate::references)). Nothing is integrated in time, so nothing drifts: an error is what the
+//! rounding of the inputs already makes of the answer, a few units of it.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -55,11 +55,11 @@ use flips::Clock;
 use mount::Mount;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// The free motion of one body from one start, ready to be asked for any instant.
+/// The free motion of one body from one start, prepared for any instant.
 ///
-/// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the bit.
-/// Where a time is so long that not even the first digit of the phase is determined by the inputs, the answer
-/// is still a spin and an attitude that the motion passes through.
+/// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the
+/// bit. Where a time is so long that not even the first digit of the phase is determined by the inputs, the
+/// answer is still a spin and an attitude that the motion passes through.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeMotion {
     moments: PrincipalMoments,
@@ -104,9 +104,9 @@ impl FreeMotion {
     /// is taken along the body's axes at that time: the attitude starts as the identity.
     ///
     /// # Errors
-    /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the motion passes
-    /// through a spin beyond `f64`, or one so close to the separatrix (a push of less than 1e-570 of the spin) that the two
-    /// cannot be told apart.
+    /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
+    /// motion passes through a spin beyond `f64`, or one so close to the separatrix (a push of less than
+    /// 1e-570 of the spin) that the two cannot be told apart.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
@@ -134,12 +134,14 @@ impl FreeMotion {
         Ok(motion)
     }
 
-    /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they are.
+    /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they
+    /// are.
     ///
     /// The principal axes of a tensor that is not diagonal come rounded: the motion is then that of a tensor
-    /// some units in the last place of its largest entry away. To a needle whose smallest moment is `e` times its largest
-    /// that is much: the moment is good to `4/e` units of 2^-53, and spin and attitude in the first few radians to
-    /// `8/e`, 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12. Given along its principal axes it costs nothing.
+    /// some units in the last place of its largest entry away. To a needle whose smallest moment is `e` times
+    /// its largest that is much: the moment is good to `4/e` units of 2^-53, and spin and attitude in the
+    /// first few radians to `8/e`, 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12. Given along its principal axes
+    /// it costs nothing.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -266,8 +268,8 @@ impl FreeMotion {
     /// Spin and attitude at each of `times`: to the bit those of [`at`](Self::at), at the same cost for each.
     ///
     /// What the instants of one motion have in common is in the preparation already. What is left to share is
-    /// to ask once what kind of motion it is, which saves less than a twentieth; a recurrence from one time to the
-    /// next would save more, and lose digits.
+    /// to ask once what kind of motion it is, which saves less than a twentieth; a recurrence from one time
+    /// to the next would save more, and lose digits.
     ///
     /// # Errors
     /// A time that is not finite.
@@ -321,13 +323,15 @@ impl FreeMotion {
         }
     }
 
-    /// The first instant after `t` at which the spin along the middle axis changes sign, s. `None` if there is
-    /// none: a steady spin, two equal moments, or the separatrix once it has flipped.
+    /// The first instant after `t` at which the spin along the middle axis changes sign, s. `None` if there
+    /// is none: a steady spin, two equal moments, or the separatrix once it has flipped.
     ///
-    /// Where that spin is exactly zero at the start, the flip there is at time 0 exactly, so that it is not after 0.
+    /// Where that spin is exactly zero at the start, the flip there is at time 0 exactly, so that it is not
+    /// after 0.
     ///
     /// # Errors
-    /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond `f64`.
+    /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond
+    /// `f64`.
     pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
         finite("the time", t)?;
         let Some((clock, exponent)) = self.clock_of_flips() else { return Ok(None) };
@@ -339,12 +343,12 @@ impl FreeMotion {
         }
     }
 
-    /// All instants after `from` and up to `to` at which the spin along the middle axis changes sign, in order,
-    /// one at a time: an interval with a billion flips takes no more room than one with two, and how many
-    /// they are is known without a visit to each ([`Flips::remaining`]).
+    /// All instants after `from` and up to `to` at which the spin along the middle axis changes sign, in
+    /// order, one at a time: an interval with a billion flips takes no more room than one with two, and how
+    /// many they are is known without a visit to each ([`Flips::remaining`]).
     ///
-    /// A flip at `from` is none of them and one at `to` is, so that adjacent intervals count each flip once. Where the spin along
-    /// the middle axis is exactly zero at the start, that flip is at time 0 exactly.
+    /// A flip at `from` is none of them and one at `to` is, so that adjacent intervals count each flip once.
+    /// Where the spin along the middle axis is exactly zero at the start, that flip is at time 0 exactly.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -352,15 +356,16 @@ impl FreeMotion {
     /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 10.0, 0.001))?;
     /// let times: Vec<String> = motion.flips(0.0, 10.0)?.map(|t| format!("{t:.4}")).collect();
     /// assert_eq!(times, ["1.7402", "5.2207", "8.7012"]);
-    /// let from_a_flip = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(-1.0, 0.0, 0.2))?;
+    /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+    /// let from_a_flip = FreeMotion::new(moments, &Vector3::new(-1.0, 0.0, 0.2))?;
     /// assert_eq!(from_a_flip.flips(-0.1, 0.0)?.collect::<Vec<_>>(), [0.0]);
     /// assert_eq!(from_a_flip.flips(0.0, 0.1)?.count(), 0);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A time that is not finite, or one with more than 2.2e15 flips between it and the start: further out some come
-    /// at the same `f64`.
+    /// A time that is not finite, or one with more than 2.2e15 flips between it and the start: further out
+    /// some come at the same `f64`.
     pub fn flips(&self, from: f64, to: f64) -> Result<Flips, Error> {
         finite("the start of the interval", from)?;
         finite("the end of the interval", to)?;

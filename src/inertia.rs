@@ -209,9 +209,9 @@ impl Inertia {
     /// `offset` (m) away: the parallel-axis theorem backwards.
     ///
     /// # Errors
-    /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that body's
-    /// about that point, since what remains about the centre is zero or impossible by more than the rounding of the
-    /// tensor given.
+    /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that
+    /// body's about that point, since what remains about the centre is zero or impossible by more than the
+    /// rounding of the tensor given.
     pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
         positive("the mass", mass)?;
         finite_vector("the offset", offset)?;
@@ -251,7 +251,8 @@ impl TryFrom<Matrix3<f64>> for Inertia {
 }
 
 /// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
-/// do not overflow, and left alone where they agree, so that small ones keep their last bit. Zeros come out without a sign.
+/// do not overflow, and left alone where they agree, so that small ones keep their last bit. Zeros come out
+/// without a sign.
 fn symmetrized(m: &Matrix3<f64>) -> Matrix3<f64> {
     m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b } + 0.0)
 }

@@ -17,20 +17,30 @@
 //! // Near its middle axis, it flips for the first time after 15.1 s.
 //! let start = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 0.01, 0.01))?;
 //! let flight = Engine::Turned.run(&start, 0.01, 2000)?;
-//! let flips = sign_changes(flight.iter().enumerate().map(|(i, body)| (0.01 * i as f64, body.omega_body().x)));
+//! let samples = flight.iter().enumerate().map(|(i, body)| (0.01 * i as f64, body.omega_body().x));
+//! let flips = sign_changes(samples);
 //! assert_eq!(format!("{:.1} s", flips[0]), "15.1 s");
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 //!
 //! # The way through
 //!
-//! Data flows one way, and each stop is a module or a type:
+//! Data flows one way; each module uses only those before it, and [`exact`] and [`step`] never each other:
 //!
+//! - [`number`]: what the laws run on.
+//! - [`attitude`]: rotations as quaternions.
+//! - [`inertia`]: the tensor: apply, invert once, shift, turn to the world. [`PrincipalAxes`] and
+//!   [`PrincipalMoments`] follow from it.
 //! - [`solid`]: a shape and a mass give [`MassProperties`]: mass, centre, tensor.
-//! - [`inertia`]: the tensor: apply, invert once, shift, turn to the world. [`PrincipalAxes`] follow from it.
-//! - [`body`]: inertia, attitude and angular momentum; the spin is derived. [`body::named`] has ready ones.
+//! - [`body`]: a [`Body`] has inertia, attitude and angular momentum; its spin is derived. [`body::named`]
+//!   has ready ones.
 //! - [`dynamics`]: Euler's equations, stability, what to read off a motion.
-//! - [`exact`]: free motion in closed form. [`step`]: stepping through time, right and wrong.
+//! - [`exact`]: free motion in closed form: [`exact::FreeMotion`] of one body, [`exact::Batch`] of many.
+//! - [`step`]: stepping through time, right and wrong: a [`step::Stepper`] runs any body by any method, under
+//!   torques.
+//!
+//! A `Body` of any tensor goes into `FreeMotion::of` and `Stepper::new` as it is, and comes back in its own
+//! axes.
 //!
 //! # Where to start
 //!
@@ -45,19 +55,28 @@
 //! # Conventions
 //!
 //! SI units and radians. Attitudes take body coordinates to world. Products of inertia carry the sign that
-//! makes `L = I w` hold. Names end in `_body` or `_world` where it matters.
+//! makes `L = I w` hold. Names end in `_body` or `_world` where it matters. What is given or returned along
+//! principal axes says so.
 //!
 //! # Many kinds of number
 //!
-//! The laws ([`dynamics::euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in [`solid`]) are generic
-//! over [`number::Ring`] or [`number::Field`]: the same functions run on `f64`, on exact rationals, on dual numbers, or on
-//! numbers that [count](number::counted) what a formula costs.
+//! The laws ([`dynamics::euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in
+//! [`solid`]) are generic over [`number::Ring`] or [`number::Field`]: the same functions run on `f64`, on
+//! exact rationals, on dual numbers, or on numbers that [count](number::counted) what a formula costs.
 //!
 //! # Errors
 //!
-//! Constructors check and return an [`Error`] that names the value, the rule and the margin; what has been
-//! constructed works everywhere. No public function panics on any `f64`. The generic laws do what their numbers do: whole
-//! numbers, say, overflow and divide by zero in their own way.
+//! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
+//! [kind](ErrorKind) for programs. No public function panics on any `f64`. The generic laws do what their
+//! numbers do: integers, say, overflow and divide by zero in their own way.
+//!
+//! # Features
+//!
+//! - `std`, on by default: without it the library needs only `core` and `alloc`; [`number::counted`] is left
+//!   out.
+//! - `serde`: reads and writes tensors, mass properties, bodies and states; what is read is checked.
+//!
+//! The library computes the same bits on every machine: its elementary functions are its own.
 //!
 //! Sources are given by keys, which stand in [`references`].
 #![cfg_attr(not(feature = "std"), no_std)]

@@ -1,10 +1,10 @@
 //! What a number must be able to do for the laws of rotation to run on it.
 //!
-//! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials
-//! and over [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64`
-//! and `f32`, exact rationals, dual numbers, or the counting number [`Counted`](crate::number::counted::Counted).
-//! Whatever branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64` side
-//! by side.
+//! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
+//! [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64` and `f32`, exact
+//! rationals, dual numbers, or the counting number [`Counted`](crate::number::counted::Counted). Whatever
+//! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64`
+//! at once.
 
 #[cfg(feature = "std")]
 pub mod counted;
@@ -55,8 +55,9 @@ pub trait Field: Ring + ClosedDivAssign {}
 
 impl<T: Ring + ClosedDivAssign> Field for T {}
 
-/// A field with the functions that steppers need beside arithmetic. Implemented for `f64` and `f32`, with the same bits on
-/// every machine; other crates may implement it for theirs, as power series do, which so prove a method's order.
+/// A field with the functions that steppers need besides arithmetic. Implemented for `f64` and `f32`, with
+/// the same bits on every machine; other crates may implement it for theirs, as power series do, which so
+/// prove a method's order.
 pub trait Analytic: Field {
     /// The square root; whatever the type has for "undefined" where there is none.
     #[must_use]
@@ -70,8 +71,8 @@ pub trait Analytic: Field {
     #[must_use]
     fn exp(&self) -> Self;
 
-    /// `cos(r)` and `sin(r)/r` of the root `r` of this number, both smooth where it is zero: what the exponential map from
-    /// turns to quaternions needs.
+    /// `cos(r)` and `sin(r)/r` of the root `r` of this number, both smooth where it is zero: what the
+    /// exponential map from turns to quaternions needs.
     ///
     /// ```
     /// use tumbling::number::Analytic;
@@ -82,12 +83,13 @@ pub trait Analytic: Field {
     #[must_use]
     fn cos_sinc_of_root(&self) -> (Self, Self);
 
-    /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a power series
-    /// anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
+    /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a
+    /// power series anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
     #[must_use]
     fn size(&self) -> f64;
 
-    /// Changes below this, relative to the size, are rounding: the type's machine epsilon, 0 for exact numbers.
+    /// Changes below this, relative to the size, are rounding: the type's machine epsilon, 0 for exact
+    /// numbers.
     #[must_use]
     fn rounding() -> f64;
 }

@@ -1,9 +1,10 @@
 //! Stepping through time: methods good and bad under one contract, and whole engines right and wrong.
 //!
-//! A [`Method`] takes a [`State`] of a [`System`] (a body and the [torques](Torque) on it) one step further. Each family is a file
-//! of its own, generic over the number type; on power series the same code proves its own order.
+//! A [`Method`] takes a [`State`] of a [`System`] (a body and the [torques](Torque) on it) one step further.
+//! Each family is a file of its own, generic over the number type; on power series the same code proves its
+//! own order.
 //!
-//! Nothing here knows the [exact motion](crate::exact): the two judge each other.
+//! Nothing here uses the [exact motion](crate::exact): the tests hold the two to each other.
 
 mod adaptive;
 mod fixed_rate;

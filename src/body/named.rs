@@ -1,10 +1,10 @@
 //! The bodies of the book's stories, each with where its sizes come from.
 //!
-//! All lie alike: the long way along z, so that z is the axis with the smallest moment, y the one with the
-//! largest, and **x the middle one**, the one that flips, as in the book's box.
+//! All lie in the same way: the long way along z, so that z is the axis with the smallest moment, y the one
+//! with the largest, and **x the middle one**, the one that flips, as in the book's box.
 //!
-//! Each is a list of straight [parts](NamedBody::parts), from which its mass properties are computed; drawings are made
-//! of the same parts.
+//! Each is a list of straight [parts](NamedBody::parts), from which its mass properties are computed;
+//! drawings are made of the same parts.
 //!
 //! ```
 //! use tumbling::Axis;
@@ -156,8 +156,8 @@ pub fn hammer() -> Result<MassProperties, Error> {
 /// A tennis racket, 685 mm long and 0.327 kg: an oval hoop with 16 by 19 strings, two throat bars and a
 /// handle, with the handle along z and the strings in the xz plane.
 ///
-/// The sizes are typical and chosen by us, within the rules of tennis (at most 737 mm by 317 mm,
-/// ITF Rules of Tennis, appendix II). A real racket to compare it with: the Wilson T-2000 that Brody measured had 0.00121,
+/// The sizes are typical and chosen by us, within the rules of tennis (at most 737 mm by 317 mm, ITF Rules of
+/// Tennis, appendix II). A real racket to compare it with: the Wilson T-2000 that Brody measured had 0.00121,
 /// 0.01638 and 0.01748 kg m² ([Bro85](crate::references) as quoted in [Ash91](crate::references)).
 ///
 /// # Errors
@@ -170,9 +170,9 @@ pub fn tennis_racket() -> Result<MassProperties, Error> {
 /// screw spinning about x, the middle axis.
 ///
 /// Boss and span are those that UNI 5448 lists for M10 (boss 16.5 mm wide and 6.8 mm high, 36.2 mm over the
-/// wings, whose edges are 3.3 mm thick and reach 17.7 mm high; about 13.5 g), as quoted in dealers' tables: likely,
-/// not checked against the standard itself. The wings slant; ours are upright plates as high as two thirds of
-/// theirs, the hole is 9 mm wide. Nobody published the sizes of the nut that flipped in orbit.
+/// wings, whose edges are 3.3 mm thick and reach 17.7 mm high; about 13.5 g), as quoted in dealers' tables:
+/// likely, not checked against the standard itself. The wings slant; ours are upright plates as high as two
+/// thirds of theirs, the hole is 9 mm wide. Nobody published the sizes of the nut that flipped in orbit.
 ///
 /// # Errors
 /// None: the sizes are constants.

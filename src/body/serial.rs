@@ -1,5 +1,5 @@
-//! The forms in which bodies and states are written and read with serde, feature `serde`. What is read goes through the
-//! checks of the constructors.
+//! The forms in which bodies and states are written and read with serde, feature `serde`. What is read goes
+//! through the checks of the constructors.
 
 use super::{Body, State};
 use crate::attitude;

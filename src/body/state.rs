@@ -7,7 +7,7 @@ use nalgebra::{Quaternion, SVector, Vector3};
 /// A body's attitude and angular momentum at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State<T: nalgebra::Scalar> {
-    /// Body to world; of length 1 where a body stands, of any length inside a step.
+    /// Body to world; of length 1 for a body, of any length inside a step.
     pub attitude: Quaternion<T>,
     /// In body axes, kg m²/s.
     pub momentum: Vector3<T>,

@@ -1,7 +1,8 @@
-//! Euler's equations: how spin and momentum change, seen from the turning body.
+//! Euler's equations: how spin and momentum change in body axes.
 //!
-//! Written component by component, as they are printed, and without a division, for any number type. All vectors here are
-//! in the body frame. Source: [Eul65](crate::references); the momentum form is [Arn66](crate::references)'s.
+//! Written component by component, as they are printed, and without a division, for any number type. All
+//! vectors here are in the body frame. Source: [Eul65](crate::references); the momentum form is
+//! [Arn66](crate::references)'s.
 
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
@@ -30,7 +31,8 @@ pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T>
 /// let (moments, omega) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 1.0, 2.0));
 /// let free = tumbling::dynamics::euler::angular_acceleration(&moments, &omega, &Vector3::zeros());
 /// assert_eq!(free, Vector3::new(-2.0, 0.0, 0.0));
-/// let pushed = tumbling::dynamics::euler::angular_acceleration(&moments, &omega, &Vector3::new(2.0, 0.0, 3.0));
+/// let torque = Vector3::new(2.0, 0.0, 3.0);
+/// let pushed = tumbling::dynamics::euler::angular_acceleration(&moments, &omega, &torque);
 /// assert_eq!(pushed, Vector3::new(0.0, 0.0, 1.0));
 /// ```
 #[must_use]
@@ -65,7 +67,8 @@ pub fn momentum_rate<T: Ring>(
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
 /// let tensor = Matrix3::from_diagonal(&Vector3::new(2, 3, 4));
-/// let rate = tumbling::dynamics::euler::tensor_times_acceleration(&tensor, &Vector3::new(1, 10, 100), &Vector3::zeros());
+/// let omega = Vector3::new(1, 10, 100);
+/// let rate = tumbling::dynamics::euler::tensor_times_acceleration(&tensor, &omega, &Vector3::zeros());
 /// assert_eq!(rate, Vector3::new(-1000, 200, -10));
 /// ```
 #[must_use]

@@ -8,7 +8,8 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// let energy = tumbling::dynamics::observe::energy(&Vector3::new(1.0, 1.0, 0.0), &Vector3::new(2.0, 4.0, 0.0));
+/// let (omega, momentum) = (Vector3::new(1.0, 1.0, 0.0), Vector3::new(2.0, 4.0, 0.0));
+/// let energy = tumbling::dynamics::observe::energy(&omega, &momentum);
 /// assert_eq!(energy, 3.0);
 /// ```
 #[must_use]
@@ -20,9 +21,10 @@ pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
 /// change of sign of the spin along the middle axis.
 ///
 /// `samples` are pairs of time and value, in order of time. A value of exactly zero belongs to the sign
-/// before it, so where a sample is zero and the next has the other sign, the change is at the zero. A zero in the first sample has no
-/// sign before it and is no change, as a flip at the start of an interval is none of its flips; of a zero in the last sample
-/// it is not known whether the sign changes. Pairs that are not finite are passed over.
+/// before it, so where a sample is zero and the next has the other sign, the change is at the zero. A zero in
+/// the first sample has no sign before it and is no change, as a flip at the start of an interval is none of
+/// its flips; of a zero in the last sample it is not known whether the sign changes. Pairs that are not
+/// finite are passed over.
 ///
 /// ```
 /// use tumbling::dynamics::observe::sign_changes;

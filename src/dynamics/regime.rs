@@ -134,7 +134,8 @@ impl Asymmetric {
         self.scaled_complement.sqrt().scaled(self.small / 2)
     }
 
-    /// The largest values of the spin along the across and the middle axis, times `2^lift`, and the around axis.
+    /// The largest values of the spin along the across and the middle axis, times `2^lift`, and the around
+    /// axis.
     pub(crate) fn amplitudes(&self, lift: i32) -> [DoubleDouble; 3] {
         let off = |axis: usize, d: DoubleDouble| {
             (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis + lift)
@@ -155,7 +156,8 @@ fn even(n: i32) -> i32 {
     n & !1
 }
 
-/// `I_hi (I_hi - I_M) w_hi² - I_lo (I_M - I_lo) w_lo²`, with the spins times `2^-scale`: this is `L² - 2 E I_M`.
+/// `I_hi (I_hi - I_M) w_hi² - I_lo (I_M - I_lo) w_lo²`, with the spins times `2^-scale`: this is `L² - 2 E
+/// I_M`.
 fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) -> DoubleDouble {
     let [low, middle, high] = *order;
     let term = |axis: usize| {

@@ -4,7 +4,8 @@ use super::{Error, ErrorKind};
 use alloc::boxed::Box;
 use core::fmt;
 
-/// What was wrong, one variant for each sentence. Behind [`Error`], so that a sentence can gain a number without breaking anyone.
+/// What was wrong, one variant for each sentence. Behind [`Error`], so that a sentence can gain a number
+/// without breaking anyone.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Refusal {
     NotFinite {
@@ -19,8 +20,8 @@ pub(crate) enum Refusal {
         what: &'static str,
         value: f64,
     },
-    /// A finite input gives a result that a finite nonzero `f64` cannot hold with all its digits: an infinity, zero, a
-    /// subnormal number, or NaN from infinities.
+    /// A finite input gives a result that a finite nonzero `f64` cannot hold with all its digits: an
+    /// infinity, zero, a subnormal number, or NaN from infinities.
     OutOfRange {
         what: &'static str,
         value: f64,
@@ -58,7 +59,8 @@ pub(crate) enum Refusal {
         tolerance: f64,
         printed: bool,
     },
-    /// The nearest possible tensor or moments lie farther away than the stated tolerance, both relative to the largest moment.
+    /// The nearest possible tensor or moments lie farther away than the stated tolerance, both relative to
+    /// the largest moment.
     TooFar {
         moved: f64,
         tolerance: f64,

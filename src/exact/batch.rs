@@ -1,4 +1,4 @@
-//! Many free motions at once, bodies of the same kind of motion side by side.
+//! Many free motions at once, bodies of the same kind of motion in the lanes of one number.
 
 mod group;
 
@@ -13,15 +13,14 @@ use alloc::vec::Vec;
 use group::Group;
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// Many bodies in free motion, prepared to be asked together: as many side by side as the number type has
-/// [lanes](Lane).
+/// Many bodies in free motion, answered together: as many at once as the number type has [lanes](Lane).
 ///
-/// Every answer is to the bit that of [`FreeMotion::at`], whatever other bodies there are and in whichever order: bodies are
-/// sorted by their kind of motion, the same functions run on several numbers at once, and what is left over
-/// of a kind is filled up with copies. A body on the separatrix itself, or whose spin is beyond 1e±180 rad/s, is asked
-/// alone.
+/// Every answer is to the bit that of [`FreeMotion::at`], whatever the other bodies and their order: bodies
+/// are sorted by their kind of motion, the same functions run on several numbers at once, and the last lanes
+/// of a kind are filled with copies. A body on the separatrix itself, or whose spin is beyond 1e±180 rad/s,
+/// is answered alone.
 ///
-/// A batch of some hundred bodies fits a processor's second cache; of many more make several.
+/// A batch of some hundred bodies fits a processor's second cache; make several batches of more.
 ///
 /// ```
 /// use tumbling::{PrincipalMoments, exact::{Batch, FreeMotion}};
@@ -43,7 +42,8 @@ pub struct Batch<T> {
     kinds: Kinds<T>,
 }
 
-/// The spins alone of many bodies in free motion: what attitudes need is left out, from the memory and from the work.
+/// The spins alone of many bodies in free motion: what attitudes need is left out, from the memory and from
+/// the work.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -85,8 +85,8 @@ impl<T: Lane> Batch<T> {
         self.kinds.bytes()
     }
 
-    /// Spin and attitude of every body at each of `times`: `put` gets the index of the time, that of the body, and the
-    /// answer, in no particular order.
+    /// Spin and attitude of every body at each of `times`: `put` gets the index of the time, that of the
+    /// body, and the answer, in no particular order.
     ///
     /// # Errors
     /// A time that is not finite, before any answer is put.
@@ -133,8 +133,8 @@ impl<T: Lane> Spins<T> {
         self.kinds.bytes()
     }
 
-    /// The spin of every body at each of `times`: `put` gets the index of the time, that of the body, and the spin in
-    /// body axes, rad/s, in no particular order.
+    /// The spin of every body at each of `times`: `put` gets the index of the time, that of the body, and the
+    /// spin in body axes, rad/s, in no particular order.
     ///
     /// # Errors
     /// A time that is not finite, before any answer is put.
@@ -171,7 +171,7 @@ struct Kinds<T> {
 }
 
 impl<T: Lane> Kinds<T> {
-    /// `attitudes` if they are wanted.
+    /// `attitudes` if they are requested.
     fn new(motions: &[FreeMotion], attitudes: bool) -> Self {
         fn elliptic(motion: &FreeMotion) -> Option<&EllipticMotion> {
             if let Law::Elliptic(elliptic) = &motion.law { Some(elliptic) } else { None }

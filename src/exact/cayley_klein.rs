@@ -1,17 +1,18 @@
 //! The attitude of an asymmetric body: two complex numbers that are theta functions of the phase.
 //!
-//! With the circled axis as `i` and the next two in cyclic order as `j` and `k = i j`, write the quaternion that
-//! takes the body to axes with `i` along the momentum as `a + b j`. Both complex numbers are, up to one
-//! common length and one common phase that grows evenly with time, single theta functions of the nome squared:
+//! With the circled axis as `i` and the next two in cyclic order as `j` and `k = i j`, write the quaternion
+//! that takes the body to axes with `i` along the momentum as `a + b j`. Both complex numbers are, up to one
+//! common length and one common phase that grows evenly with time, single theta functions of the nome
+//! squared:
 //!
 //! ```text
 //! a ~ theta_4(z - i s B),   b ~ theta_1(z - i s B)
 //! ```
 //!
-//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) have the rotation
-//! matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 - n)/2`, with `n`
-//! the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The length is found by making the
-//! quaternion one of length 1; nothing has to be integrated, no angle unwound.
+//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) have the
+//! rotation matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 -
+//! n)/2`, with `n` the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The
+//! length is found by making the quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, exp, exp_m1, hypot, powi, sin_cos};
@@ -52,7 +53,8 @@ impl<T: Lane> Pair<T> {
         Self { a: self.a.map(|x| factor * x), b: self.b.map(|x| factor * x) }
     }
 
-    /// `conj(start) self` as a quaternion of length 1 to a few roundings: the real part, and those along `i`, `j`, `k`.
+    /// `conj(start) self` as a quaternion of length 1 to a few roundings: the real part, and those along `i`,
+    /// `j`, `k`.
     #[inline(always)]
     pub(crate) fn since(&self, start: &Self) -> [T; 4] {
         let (a0, b0) = (start.a, start.b);
@@ -232,12 +234,13 @@ impl ComplementaryPair {
 }
 
 impl<T: Lane> ComplementaryPair<T> {
-    /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half turns.
+    /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half
+    /// turns.
     #[inline(always)]
     pub(crate) fn raw(&self, e: T, rise: T, side: T, turn: T) -> Pair<T> {
         let r = self.nome * rise;
         let r2 = r * r;
-        // Sums with all signs alike, and alternating.
+        // Sums with equal signs, and alternating.
         let up = |p: &[T; 5]| {
             let even = p[0] + r2 * (p[2] + r2 * p[4]);
             let odd = r * (p[1] + r2 * p[3]);

@@ -120,7 +120,8 @@ impl<T: Lane> Kernel<T> for TopSpin<T> {
     }
 }
 
-/// The motion of a body with two equal moments: its spin circles its axis, and the body turns evenly about its momentum.
+/// The motion of a body with two equal moments: its spin circles its axis, and the body turns evenly about
+/// its momentum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Precession {
     axis: usize,

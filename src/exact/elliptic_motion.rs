@@ -1,4 +1,5 @@
-//! The motion of a body with three different moments, about its largest or smallest axis or between: Jacobi's elliptic functions.
+//! The motion of a body with three different moments, about its largest or smallest axis or between: Jacobi's
+//! elliptic functions.
 
 mod axes;
 mod complementary;
@@ -26,8 +27,8 @@ pub(crate) struct EllipticMotion {
     axes: [usize; 3],
     /// Amplitudes of the spin along them, with their signs.
     amplitudes: [f64; 3],
-    /// Two powers of two for each component of the body that take it to rad/s, where the spin is not well within the range of
-    /// `f64`; together one would not do.
+    /// Two powers of two for each component of the body that take it to rad/s, where the spin is not well
+    /// within the range of `f64`; together one would not do.
     unscale: Option<[[f64; 2]; 3]>,
     /// The largest component that the spin ever has, rad/s.
     greatest: f64,

@@ -10,8 +10,8 @@ use num_traits::Float as _;
 /// Beyond this many flips from the start an `f64` cannot number them one by one.
 const LAST: f64 = 9_007_199_254_740_992.0;
 
-/// Up to this many the instants, as they are rounded, are all different: half a period is then two units in the last
-/// place of the time, or more.
+/// Up to this many the instants, as they are rounded, are all different: half a period is then two units in
+/// the last place of the time, or more.
 const LAST_APART: f64 = LAST / 4.0;
 
 /// The instants when the spin along the middle axis vanishes: one, or one at each half turn of the phase.
@@ -19,19 +19,21 @@ const LAST_APART: f64 = LAST / 4.0;
 pub(crate) enum Clock {
     /// At this scaled time alone.
     Once(DoubleDouble),
-    /// At all whole numbers of `offset + rate t`.
+    /// Where `offset + rate t` is an integer.
     Evenly { offset: DoubleDouble, rate: DoubleDouble },
 }
 
-/// The flips in an interval, in order of time from either end; see [`FreeMotion::flips`](super::FreeMotion::flips).
+/// The flips in an interval, in order of time from either end; see
+/// [`FreeMotion::flips`](super::FreeMotion::flips).
 ///
-/// How many there are, and any one of them, costs the same however many that is: [`remaining`](Self::remaining) (which
-/// [`count`](Iterator::count) and [`size_hint`](Iterator::size_hint) give as a `usize`, where it is one),
-/// [`nth`](Iterator::nth), [`last`](Iterator::last).
+/// Their number and any one of them cost the same, however many there are: [`remaining`](Self::remaining)
+/// (which [`count`](Iterator::count) and [`size_hint`](Iterator::size_hint) give as a `usize`, where it is
+/// one), [`nth`](Iterator::nth), [`last`](Iterator::last).
 #[derive(Debug, Clone)]
 pub struct Flips {
     source: Option<(Clock, i32)>,
-    /// Number of the next flip, and of the first that is none of these; the step from one to the next, forward in time.
+    /// Number of the next flip, and of the first that is none of these; the step from one to the next,
+    /// forward in time.
     next: f64,
     end: f64,
     step: f64,
@@ -97,7 +99,7 @@ impl Flips {
         Ok(Self { source, next: number(from)?, end: number(to)?, step: clock.step() })
     }
 
-    /// How many are still to come. Counts them without visiting them.
+    /// The number still to come, counted without visiting them.
     ///
     /// ```
     /// use nalgebra::Vector3;

@@ -52,14 +52,15 @@ impl FreeMotion {
         scaled.map(|time| self.seconds("the period", time)).transpose()
     }
 
-    /// The rate at which a small push off the middle axis grows, 1/s, where this motion has such growth: a steady spin about
-    /// that axis, the separatrix, and every motion that passes the axis so closely that its complementary modulus `k'` is
-    /// 0.1 or less. `None` for all others: a wobble about a stable axis, or a tumbling too wide to have an exponential
-    /// stretch.
+    /// The rate at which a small push off the middle axis grows, 1/s, where this motion has such growth: a
+    /// steady spin about that axis, the separatrix, and every motion that passes the axis so closely that its
+    /// complementary modulus `k'` is 0.1 or less. `None` for all others: a libration about a stable axis, or
+    /// a tumbling too wide to have an exponential stretch.
     ///
-    /// The spin along the circled axis is least as the motion passes the middle axis, and from there to the flip it grows
-    /// by the factor `1/k'`, at first as `cosh(rate t)`. The rate is that of the motion, at most `0.6 k'²` (relative) above the
-    /// rate of the steady spin about the middle axis with the same momentum: half a percent where `k'` is 0.1.
+    /// The spin along the circled axis is least as the motion passes the middle axis, and from there to the
+    /// flip it grows by the factor `1/k'`, at first as `cosh(rate t)`. The rate is that of the motion, at
+    /// most `0.6 k'²` (relative) above the rate of the steady spin about the middle axis with the same
+    /// momentum: half a percent where `k'` is 0.1.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -100,10 +101,12 @@ impl FreeMotion {
     /// ```
     /// use nalgebra::Vector3;
     /// use tumbling::{PrincipalMoments, exact::FreeMotion};
-    /// // A wobble about the largest moment. By hand: with the spin (0.03, 0, 1) a quarter period later, that
+    /// // A libration about the axis of the largest moment. By hand: with the spin (0.03, 0, 1) a quarter
+    /// // period later, that
     /// // axis is 1/100 off the momentum, at the start 2/100.
     /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 0.03, 1.0))?;
-    /// let degrees = |axis| motion.angles_to_momentum(axis).map(|a| a.map(|x| format!("{:.2}", x.to_degrees())));
+    /// let text = |x: f64| format!("{:.2}", x.to_degrees());
+    /// let degrees = |axis| motion.angles_to_momentum(axis).map(|angles| angles.map(text));
     /// assert_eq!(degrees(2)?, ["0.57", "1.15"]);
     /// assert_eq!(degrees(1)?, ["88.85", "91.15"]);
     /// # Ok::<(), tumbling::Error>(())
@@ -136,13 +139,14 @@ impl FreeMotion {
     }
 
     /// How far the body turns about its angular momentum while the spin goes half round its period, radians:
-    /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no period, or where it is
-    /// beyond `f64`.
+    /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no
+    /// period, or where it is beyond `f64`.
     ///
-    /// The turn is measured against the shortest way from the circled axis (of two equal moments, the third) to
-    /// the momentum, which is never undefined. After half a period the two small components of the spin have
-    /// changed sign, so the body stands as at first but turned by half a turn about the circled axis, and then
-    /// by the twist and half a turn about the momentum; after a whole period, by two twists about the momentum.
+    /// The turn is measured against the shortest way from the circled axis (of two equal moments, the third)
+    /// to the momentum, which is never undefined. After half a period the two small components of the spin
+    /// have changed sign, so the body stands as at first but turned by half a turn about the circled axis,
+    /// and then by the twist and half a turn about the momentum; after a whole period, by two twists about
+    /// the momentum.
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {
@@ -153,7 +157,7 @@ impl FreeMotion {
     }
 
     /// The rotation number: turns about the angular momentum in one whole period of the spin. Where it is a
-    /// ratio of whole numbers, the motion in the world closes.
+    /// ratio of integers, the motion in the world closes.
     #[must_use]
     pub fn rotation_number(&self) -> Option<f64> {
         self.twist_of_half_period().map(|twist| twist / PI)
@@ -176,9 +180,9 @@ impl FreeMotion {
         }
     }
 
-    /// `count` points of the herpolhode, the curve that the spin's tip draws in the world, on the plane across
-    /// the angular momentum: evenly spaced in time from the start over `duration` seconds, before it if negative, both ends
-    /// included (rad/s, world axes).
+    /// `count` points of the herpolhode, the curve that the spin's tip draws in the world, on the plane
+    /// across the angular momentum: evenly spaced in time from the start over `duration` seconds, before it
+    /// if negative, both ends included (rad/s, world axes).
     ///
     /// # Errors
     /// A duration that is not finite, a point beyond `f64`, or more points than there is memory for.

@@ -3,8 +3,8 @@
 use crate::number::{Gather, Lane, gather_fields};
 use nalgebra::{Quaternion, Vector3};
 
-/// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart, since spins are also
-/// asked for alone.
+/// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart,
+/// since spins are also requested alone.
 pub(super) trait Kernel<T: Lane> {
     /// The further constants of the attitude.
     type Attitude;
@@ -21,7 +21,8 @@ pub(super) trait Kernel<T: Lane> {
     fn turn(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Quaternion<T>;
 }
 
-/// Which principal axis is taken first, which differs from body to body: the other two follow in cyclic order.
+/// Which principal axis is taken first, which differs from body to body: the other two follow in cyclic
+/// order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FirstAxis<T = f64> {
     index: T,

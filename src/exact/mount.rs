@@ -56,14 +56,15 @@ impl Mount {
     }
 }
 
-/// The spin in body axes, from that along the principal axes and the quaternion that takes body axes to those.
+/// The spin in body axes, from that along the principal axes and the quaternion that takes body axes to
+/// those.
 #[inline(always)]
 pub(super) fn in_body<T: Lane>(to_principal: Option<&Quaternion<T>>, omega: Vector3<T>) -> Vector3<T> {
     to_principal.map_or(omega, |to_principal| rotate_inverse(to_principal, &omega))
 }
 
-/// The body's attitude in the world, from the turn of its principal axes since the start, where these stand in the world at the
-/// start, and the quaternion that takes body axes to them.
+/// The body's attitude in the world, from the turn of its principal axes since the start, where these stand
+/// in the world at the start, and the quaternion that takes body axes to them.
 #[inline(always)]
 pub(super) fn in_world<T: Lane>(
     world: &Quaternion<T>,

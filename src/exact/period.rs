@@ -16,17 +16,17 @@ pub(super) fn quarter_period(motion: &Asymmetric) -> DoubleDouble {
     quarter_period_from_root(motion.complement(0), motion.root_of_complement())
 }
 
-/// The time between two flips of a free body, s: half the period of its spin as seen from the body.
+/// The time between two flips of a free body, s: half the period of its spin in body axes.
 /// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
 ///
-/// The spin (rad/s) is along the principal axes. A flip is when the spin
-/// component along the middle axis changes sign; every free motion but those named does that, a stable
-/// libration too, where it is small and quick. From a start with that component exactly zero, which is a flip at time 0, it is the time
-/// of the first flip after the start.
+/// The spin (rad/s) is along the principal axes. A flip is when the spin component along the middle axis
+/// changes sign; every free motion but those named does that, a stable libration too, where it is small and
+/// quick. From a start with that component exactly zero, which is a flip at time 0, it is the time of the
+/// first flip after the start.
 ///
-/// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the arithmetic-geometric mean
-/// [Gau99](crate::references). The small differences on which it hangs are taken between the given moments, never between
-/// squares, so that it is right for a push of 1e-300 too.
+/// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the
+/// arithmetic-geometric mean [Gau99](crate::references). The small differences on which it depends are taken
+/// between the given moments, never between squares, so that it is right for a push of 1e-300 too.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -8,7 +8,7 @@ use crate::number::functions::hypot;
 use crate::number::power_of_two::times_power_of_two;
 use nalgebra::Vector3;
 
-/// The extent of the closed curve that the spin of a free body runs along, seen from the body.
+/// The extent of the closed curve that the spin of a free body runs along in body axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Polhode {
     /// The smallest magnitude of the spin's component along each principal axis, rad/s.

@@ -25,18 +25,19 @@ use core::fmt;
 pub enum Regime {
     /// No spin at all.
     AtRest,
-    /// The spin is constant: about a principal axis, or any axis of a sphere, or one in the plane of two equal
-    /// moments.
+    /// The spin is constant: about a principal axis, or any axis of a sphere, or one in the plane of two
+    /// equal moments.
     Steady {
         /// Angular speed, rad/s.
         speed: f64,
     },
-    /// Two moments are equal and the spin is oblique: it circles the axis of symmetry at a constant rate, while that axis
-    /// precesses about the angular momentum.
+    /// Two moments are equal and the spin is oblique: it circles the axis of symmetry at a constant rate,
+    /// while that axis precesses about the angular momentum.
     SymmetricTop {
         /// Index of the body's axis of symmetry, from 0, among the principal axes in the order given.
         axis: usize,
-        /// Rate at which the spin circles that axis in the body (the free nutation), rad/s; positive is counter-clockwise.
+        /// Rate at which the spin circles that axis in the body (the free nutation), rad/s; positive is
+        /// counter-clockwise.
         nutation: f64,
         /// Rate at which that axis circles the angular momentum in the world, rad/s: `L / I`.
         precession: f64,

@@ -51,8 +51,9 @@ const NEEDLE: f64 = 1e-3;
 
 impl FreeMotion {
     /// The state transition matrix from the start to time `t`, of attitude error (rad) and spin error
-    /// (rad/s), both in body axes: of a covariance `P` at the start, `F P F^T` is that at `t`. It is linear, so good for as
-    /// long as the attitude error stays well below 1 rad: an error of the spin adds to it in proportion to time.
+    /// (rad/s), both in body axes: of a covariance `P` at the start, `F P F^T` is that at `t`. It is linear,
+    /// so good for as long as the attitude error stays well below 1 rad: an error of the spin adds to it in
+    /// proportion to time.
     ///
     /// The attitude error is the small rotation vector `e` of `R exp(e)` relative to the attitude `R`, in the
     /// axes of the body at the same time: the local error that multiplicative attitude filters estimate. `F`
@@ -68,13 +69,16 @@ impl FreeMotion {
     /// use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
     /// use tumbling::{Body, Inertia, exact::FreeMotion};
     /// // A CubeSat whose attitude is known to 1 mrad and whose spin is known to 0.1 mrad/s.
-    /// let inertia = Inertia::from_moments(0.05, 0.03, 0.07)?.turned(&UnitQuaternion::from_euler_angles(0.0, 0.1, 0.02))?;
+    /// let frame = UnitQuaternion::from_euler_angles(0.0, 0.1, 0.02);
+    /// let inertia = Inertia::from_moments(0.05, 0.03, 0.07)?.turned(&frame)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.01, -0.02, 0.03))?;
     /// let motion = FreeMotion::of(&body)?;
-    /// let before = Matrix6::from_diagonal(&Vector6::new(1e-3, 1e-3, 1e-3, 1e-4, 1e-4, 1e-4).map(|sigma| sigma * sigma));
+    /// let sigma = Vector6::new(1e-3, 1e-3, 1e-3, 1e-4, 1e-4, 1e-4);
+    /// let before = Matrix6::from_diagonal(&sigma.map(|sigma| sigma * sigma));
     /// let f = motion.state_transition(60.0)?;
     /// let after = f * before * f.transpose();
-    /// // At rest 0.1 mrad/s would make 6 mrad of a minute; the spin turns the error away from where it began.
+    /// // At rest 0.1 mrad/s would make 6 mrad of a minute; the spin turns the error away from where it
+    /// // began.
     /// let sigma = (after.fixed_view::<3, 3>(0, 0).trace() / 3.0).sqrt();
     /// assert!((sigma - 4.951e-3).abs() < 1e-6);
     /// // A start that is off by that much comes out as far off as the matrix says.
@@ -115,13 +119,14 @@ impl FreeMotion {
     /// `Ixy` is the entry of the tensor's matrix and its mirror together; it turns the principal axes, and
     /// where two moments agree the derivatives are the limit, since the motion is smooth in the tensor.
     /// Accuracy is that of the state transition; of needles, below a thousandth of the largest moment, a
-    /// thousand roundings have been seen.
+    /// thousand roundings have been observed.
     ///
     /// ```
     /// use nalgebra::{Vector3, Vector6};
     /// use tumbling::{PrincipalMoments, exact::FreeMotion};
-    /// // A heavier body moves alike: along the tensor itself nothing changes.
-    /// let motion = FreeMotion::new(PrincipalMoments::new(0.05, 0.03, 0.07)?, &Vector3::new(0.1, -0.2, 0.3))?;
+    /// // A heavier body moves in the same way: along the tensor itself nothing changes.
+    /// let moments = PrincipalMoments::new(0.05, 0.03, 0.07)?;
+    /// let motion = FreeMotion::new(moments, &Vector3::new(0.1, -0.2, 0.3))?;
     /// let by_tensor = motion.tensor_sensitivity(20.0)?;
     /// let change = by_tensor * Vector6::new(0.05, 0.03, 0.07, 0.0, 0.0, 0.0);
     /// assert!(change.norm() < 1e-14 * by_tensor.norm());
@@ -319,9 +324,9 @@ impl From<series::Span> for Derivatives {
     }
 }
 
-/// The derivatives near a whole number of half periods, after each of which the spin is that before it with
-/// the signs across the circled axis changed: a series over the rest, and by how much earlier or later the
-/// half periods end.
+/// The derivatives near an integer number of half periods, after each of which the spin is that before it
+/// with the signs across the circled axis changed: a series over the rest, and by how much earlier or later
+/// the half periods end.
 fn near_return(
     motion: &EllipticMotion,
     moments: &[f64; 3],

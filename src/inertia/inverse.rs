@@ -69,7 +69,8 @@ impl Inertia {
 }
 
 /// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
-/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows. Zeros come out without a sign.
+/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows. Zeros come out
+/// without a sign.
 fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
     let scale = exponent(m.amax());
     let a = m.map(|x| times_power_of_two(x, -scale));

@@ -8,8 +8,8 @@ use core::fmt;
 use core::ops::Index;
 use nalgebra::{Matrix3, Vector3};
 
-/// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two by more than
-/// rounding (4 units in the last place of the largest).
+/// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two
+/// by more than rounding (4 units in the last place of the largest).
 ///
 /// Vectors that go with them, such as a spin, are along the same three axes in the same order.
 ///
@@ -35,7 +35,8 @@ impl PrincipalMoments {
     /// The moments about the first, second and third principal axis.
     ///
     /// # Errors
-    /// A moment that is not finite and positive, or a largest above the sum of the others by more than rounding.
+    /// A moment that is not finite and positive, or a largest above the sum of the others by more than
+    /// rounding.
     pub fn new(first: f64, second: f64, third: f64) -> Result<Self, Error> {
         let moments = Self::of_tensor(Vector3::new(first, second, third))?;
         let sorted = moments.sorted();
@@ -43,7 +44,8 @@ impl PrincipalMoments {
         Ok(moments)
     }
 
-    /// The nearest moments to those whose digits were rounded, as [`Inertia::within`] finds them for a tensor.
+    /// The nearest moments to those whose digits were rounded, as [`Inertia::within`] finds them for a
+    /// tensor.
     ///
     /// ```
     /// use tumbling::PrincipalMoments;
@@ -83,8 +85,8 @@ impl PrincipalMoments {
         self[self.axis(Axis::Largest)]
     }
 
-    /// Index (0, 1 or 2) of the axis with the smallest, middle or largest moment; of equal moments, the one given first is
-    /// the smaller.
+    /// Index (0, 1 or 2) of the axis with the smallest, middle or largest moment; of equal moments, the one
+    /// given first is the smaller.
     #[must_use]
     pub fn axis(&self, axis: Axis) -> usize {
         usize::from(self.order[axis.index()])

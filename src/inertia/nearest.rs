@@ -9,20 +9,21 @@ use nalgebra::Vector3;
 pub struct Adjusted<T> {
     /// What was given if it is possible, else the nearest that is.
     pub value: T,
-    /// How far it lies from what was given, relative to the largest principal moment given: the Frobenius norm of the
-    /// difference of the tensors, for principal moments the root of the sum of the squares of the differences.
+    /// How far it lies from what was given, relative to the largest principal moment given: the Frobenius
+    /// norm of the difference of the tensors, for principal moments the root of the sum of the squares of the
+    /// differences.
     pub moved: f64,
 }
 
-/// The moments nearest to `moments`, in any order, that a body can have: none below zero, none above the sum of the
-/// other two.
+/// The moments nearest to `moments`, in any order, that a body can have: none below zero, none above the sum
+/// of the other two.
 ///
-/// Possible moments form a cone whose edges are the rods, (0, 1, 1) and its like, and whose faces are the flat bodies.
-/// What lies outside is projected onto the flat bodies; if that leaves a moment below zero, onto the rods; and if they
-/// are all on the far side, onto zero.
+/// Possible moments form a cone whose edges are the rods, (0, 1, 1) and its like, and whose faces are the
+/// flat bodies. What lies outside is projected onto the flat bodies; if that leaves a moment below zero, onto
+/// the rods; and if they are all on the far side, onto zero.
 ///
-/// They also give the nearest tensor in the Frobenius norm, with the principal axes of the one given: no two symmetric
-/// matrices are nearer than their sorted eigenvalues are [HW53](crate::references).
+/// They also give the nearest tensor in the Frobenius norm, with the principal axes of the one given: no two
+/// symmetric matrices are nearer than their sorted eigenvalues are [HW53](crate::references).
 pub(super) fn possible(moments: &Vector3<f64>) -> Vector3<f64> {
     let order = ascending(moments);
     let [a, b, c] = order.map(|i| moments[i]);
@@ -55,7 +56,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// The nearest point `p` of a cone is the one in it with `(x - p) . p = 0` and `(x - p) . r <= 0` along each edge `r`.
+        /// The nearest point `p` of a cone is the one in it with `(x - p) . p = 0` and `(x - p) . r <= 0`
+        /// along each edge `r`.
         #[test]
         fn the_nearest_moments_meet_the_conditions_of_a_projection_onto_the_cone_of_bodies(
             x in prop::array::uniform3(-2.0..3.0_f64),
@@ -80,7 +82,8 @@ mod tests {
 
     #[test]
     fn each_way_out_of_the_cone_leads_to_the_nearest_flat_body_or_rod() {
-        // Excess 0.3: a third of it on each moment. A negative moment: the rod with the mean of the other two.
+        // Excess 0.3: a third of it on each moment. A negative moment: the rod with the mean of the other
+        // two.
         let flat = possible(&Vector3::new(1.0, 3.3, 2.0));
         assert!((flat - Vector3::new(1.1, 3.2, 2.1)).amax() < 1e-15, "{flat:?}");
         assert_eq!(possible(&Vector3::new(1.0, -0.25, 1.25)), Vector3::new(1.125, 0.0, 1.125));

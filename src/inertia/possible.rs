@@ -5,8 +5,8 @@ use crate::error::{Error, ErrorKind, Refusal, finite, not_negative, positive};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
-/// How many units in the last place of the largest moment count as rounding: twice what was seen when
-/// flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
+/// The number of units in the last place of the largest moment that count as rounding: twice what was
+/// observed when flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
 const ROUNDING_ULPS: f64 = 32.0;
 
 /// The same for a diagonal tensor, whose moments come from a sum or two.
@@ -48,8 +48,8 @@ impl Inertia {
         Self::rounded(tensor, 0.0)
     }
 
-    /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`, whose
-    /// rounding it carries.
+    /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`,
+    /// whose rounding it carries.
     pub(super) fn rounded(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
         tensor.iter().zip(ENTRIES).try_for_each(|(&entry, what)| finite(what, entry).map(drop))?;
         let tolerance = ROUNDING_ULPS * ulp(tensor.amax().max(origin));
@@ -62,7 +62,8 @@ impl Inertia {
             }
         }
         let tensor = symmetrized(tensor);
-        // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of a turn.
+        // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of
+        // a turn.
         let exact = is_diagonal(&tensor) && origin == 0.0;
         for axis in 0..3 {
             not_below_zero(
@@ -80,15 +81,16 @@ impl Inertia {
         Ok(Self { tensor })
     }
 
-    /// The tensor nearest to one whose digits were rounded, as printed tables, files in single precision and other
-    /// programs give it: symmetric, without a negative moment, and within the triangle inequality.
+    /// The tensor nearest to one whose digits were rounded, as printed tables, files in single precision and
+    /// other programs give it: symmetric, without a negative moment, and within the triangle inequality.
     ///
-    /// What [`from_matrix`](Self::from_matrix) takes is taken as there. Otherwise it is the tensor with the least
-    /// distance in the Frobenius norm: mirrored entries get their mean, the principal axes stay, and the principal
-    /// moments go to the nearest that a body can have. A flat body or a rod comes out where the given one was impossible.
+    /// What [`from_matrix`](Self::from_matrix) takes is taken as there. Otherwise it is the tensor with the
+    /// least distance in the Frobenius norm: mirrored entries get their mean, the principal axes stay, and
+    /// the principal moments go to the nearest that a body can have. A flat body or a rod comes out where the
+    /// given one was impossible.
     ///
-    /// `relative_tolerance` is the greatest distance allowed, relative to the largest principal moment; four digits
-    /// want about 1e-3.
+    /// `relative_tolerance` is the greatest distance allowed, relative to the largest principal moment; four
+    /// digits want about 1e-3.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
@@ -104,8 +106,8 @@ impl Inertia {
     /// ```
     ///
     /// # Errors
-    /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is farther away
-    /// than the tolerance or zero, or moments beyond `f64`.
+    /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is
+    /// farther away than the tolerance or zero, or moments beyond `f64`.
     pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
         not_negative("the relative tolerance", relative_tolerance)?;
         let strict = Self::from_matrix(tensor);

@@ -34,12 +34,14 @@ impl Axis {
     }
 }
 
-/// The principal moments and axes of an inertia tensor, from [`Inertia::principal`](crate::Inertia::principal).
+/// The principal moments and axes of an inertia tensor, from
+/// [`Inertia::principal`](crate::Inertia::principal).
 ///
-/// The frame is right-handed and reproducible. With three different moments, each of the first two axes points so
-/// that its first large component (above 0.57) is positive, and the third completes them. Where two moments agree to
-/// rounding, the axis of the lone third points that way; any direction across it is principal, and the first taken
-/// is the one nearest the body axis that leans least on it. Where all three agree, it is the body's own axes.
+/// The frame is right-handed and reproducible. With three different moments, each of the first two axes
+/// points so that its first large component (above 0.57) is positive, and the third completes them. Where two
+/// moments agree to rounding, the axis of the lone third points that way; any direction across it is
+/// principal, and the first taken is the one nearest the body axis that leans least on it. Where all three
+/// agree, it is the body's own axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
     moments: Vector3<f64>,
@@ -87,9 +89,10 @@ impl PrincipalAxes {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }
 
-    /// Of a symmetric, finite, nonzero matrix. Jacobi's method [Jac46](crate::references): each rotation clears one
-    /// product; it leaves a diagonal tensor untouched, and keeps the small moment of a needle to the
-    /// relative accuracy that the entries allow [DV92](crate::references), which the usual reduction does not.
+    /// Of a symmetric, finite, nonzero matrix. Jacobi's method [Jac46](crate::references): each rotation
+    /// clears one product; it leaves a diagonal tensor untouched, and keeps the small moment of a needle to
+    /// the relative accuracy that the entries allow [DV92](crate::references), which the usual reduction does
+    /// not.
     pub(crate) fn of(tensor: &Matrix3<f64>) -> Self {
         let scale = exponent(tensor.amax());
         let mut a = tensor.map(|x| times_power_of_two(x, -scale));
@@ -172,7 +175,7 @@ fn canonical_frame(moments: &Vector3<f64>, axes: &[Vector3<f64>; 3]) -> Matrix3<
             [first, second, first.cross(&second)]
         }
     };
-    // Adding zero turns -0 into 0, so that equal frames also print alike.
+    // Adding zero turns -0 into 0, so that equal frames also print the same.
     Matrix3::from_columns(&[a, b, c]).map(|x| x + 0.0)
 }
 

@@ -1,4 +1,5 @@
-//! The form in which a tensor is written and read with serde, feature `serde`. What is read goes through the constructor.
+//! The form in which a tensor is written and read with serde, feature `serde`. What is read goes through the
+//! constructor.
 
 use super::Inertia;
 use crate::error::Error;

@@ -17,7 +17,7 @@ use num_traits::{One, Zero};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// How many operations of each kind were done. A subtraction counts as an addition; a change of
+/// The number of operations of each kind. A subtraction counts as an addition; a change of
 /// sign is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Cost {
@@ -33,8 +33,8 @@ thread_local! {
     static COST: Cell<Cost> = const { Cell::new(Cost { multiplications: 0, additions: 0, divisions: 0 }) };
 }
 
-/// Runs `work` and returns its result with what it cost in [`Counted`] operations on this thread. What an inner count
-/// finds counts for the outer one too.
+/// Runs `work` and returns its result with what it cost in [`Counted`] operations on this thread. What an
+/// inner count finds counts for the outer one too.
 ///
 /// ```
 /// use tumbling::number::counted::{Counted, count};

@@ -74,7 +74,8 @@ impl<T: Lane> DoubleDouble<T> {
         Self { hi, lo: a.two_product_error(b, hi) }
     }
 
-    /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the work.
+    /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the
+    /// work.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let sum = two_sum(self.hi, other.hi);
@@ -87,7 +88,7 @@ impl<T: Lane> DoubleDouble<T> {
         Self { hi: self.hi * sign, lo: self.lo * sign }
     }
 
-    /// `yes` where the mask says so, `no` elsewhere.
+    /// `yes` where the mask holds, `no` elsewhere.
     #[inline(always)]
     pub(crate) fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }

@@ -1,12 +1,13 @@
 //! Elementary functions that give the same bits on every machine.
 //!
-//! The sine, exponential and arctangent of `f64` are the platform's: they differ in last bits from one C library to the
-//! next, and between processors within one. What prepares, moves or reads off a body takes these instead. They are made of
-//! `+ - * /`, the square root, the fused product sum and roundings to integers, each of which IEEE 754 defines to the
-//! last bit, and of integers.
+//! The sine, exponential and arctangent of `f64` are the platform's: they differ in last bits from one C
+//! library to the next, and between processors within one. What prepares, moves or reads off a body uses
+//! these instead. They are made of `+ - * /`, the square root, the fused product sum and roundings to
+//! integers, each of which IEEE 754 defines to the last bit, and of integers.
 //!
-//! Each is within its bound in `tests`, 0.51 to 0.75 units in the last place, for every `f64` and down to the smallest result;
-//! `cos(r)` and `sin(r)/r` of a root within 1.3. Heads of sums are double-double numbers, tails are Taylor series.
+//! Each is within its bound in `tests`, 0.51 to 0.75 units in the last place, for every `f64` and down to the
+//! smallest result; `cos(r)` and `sin(r)/r` of a root within 1.3. Heads of sums are double-double numbers,
+//! tails are Taylor series.
 
 mod arc;
 mod exponential;

@@ -1,4 +1,4 @@
-//! Several numbers side by side, worked on at once.
+//! Several numbers worked on at once.
 
 use super::Field;
 use core::fmt::Debug;
@@ -10,12 +10,12 @@ use num_traits::Float;
 #[cfg(not(feature = "std"))]
 const LARGE: f64 = 4_503_599_627_370_496.0;
 
-/// Several `f64` side by side that go through the same arithmetic at once, each for itself: a processor's vector register.
+/// Several `f64` that go through the same arithmetic at once, each for itself: a processor's vector register.
 /// `f64` is the case of one lane.
 ///
-/// The closed form of [free motion](crate::exact) is written over this trait. Every operation rounds as that of `f64` does, so
-/// a lane's answer is to the bit what the same `f64` would have got alone, whatever stands in the other lanes. A
-/// type that keeps its promises keeps that one too:
+/// The closed form of [free motion](crate::exact) is written over this trait. Every operation rounds as that
+/// of `f64` does, so a lane's answer is to the bit what the same `f64` would have got alone, whatever stands
+/// in the other lanes. A type that keeps its promises keeps that one too:
 ///
 /// - `+ - * /` and [`sqrt`](Self::sqrt) of each lane are those of `f64`, rounded once and nothing fused;
 /// - arithmetic with an `f64` on the right is arithmetic with that number in every lane;
@@ -25,7 +25,7 @@ const LARGE: f64 = 4_503_599_627_370_496.0;
 ///
 /// ```
 /// use tumbling::number::Lane;
-/// // Written once, for any number of bodies side by side.
+/// // Written once, for any number of bodies at once.
 /// fn swapped<T: Lane>(low: T, high: T) -> [T; 2] {
 ///     let wrong = high.lt(low);
 ///     [T::select(wrong, high, low), T::select(wrong, low, high)]
@@ -38,7 +38,7 @@ pub trait Lane:
     /// Yes or no in each lane.
     type Mask: Copy + Debug;
 
-    /// How many lanes there are.
+    /// The number of lanes.
     const WIDTH: usize;
 
     /// The number that `of` gives for each lane.
@@ -53,11 +53,11 @@ pub trait Lane:
     #[must_use]
     fn lt(self, other: Self) -> Self::Mask;
 
-    /// Whether any lane says yes.
+    /// Whether the mask holds in any lane.
     #[must_use]
     fn any(mask: Self::Mask) -> bool;
 
-    /// `yes` where the mask says so, `no` elsewhere.
+    /// `yes` where the mask holds, `no` elsewhere.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
@@ -73,15 +73,16 @@ pub trait Lane:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// The nearest whole number, the even one of two equally near.
+    /// The nearest integer, the even one of two equally near.
     #[must_use]
     fn round_ties_even(self) -> Self;
 
-    /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding left off.
+    /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding
+    /// left off.
     #[must_use]
     fn two_product_error(self, other: Self, product: Self) -> Self;
 
-    /// Two to this power: a whole number from -1022 to 1023.
+    /// Two to this power: an integer from -1022 to 1023.
     #[must_use]
     fn power_of_two(self) -> Self;
 
@@ -163,8 +164,8 @@ pub(crate) trait Gather {
     /// What each lane is taken from.
     type One;
 
-    /// The parts `of` each of `from`, side by side. Where there are fewer of these than lanes the last is repeated: no lane
-    /// depends on the others.
+    /// The parts `of` each of `from`, one a lane. Where there are fewer of these than lanes the last is
+    /// repeated: no lane depends on the others.
     fn gather<S>(from: &[S], of: impl Fn(&S) -> &Self::One) -> Self;
 }
 

@@ -29,7 +29,8 @@ pub(crate) fn exponent(x: f64) -> i32 {
     }
 }
 
-/// One unit in the last place of a finite `x`: the distance between its neighbours, also at the ends of the range.
+/// One unit in the last place of a finite `x`: the distance between its neighbours, also at the ends of the
+/// range.
 pub(crate) fn ulp(x: f64) -> f64 {
     let x = x.abs();
     // The largest number has no finite one above it; the step below it is as long.

@@ -61,7 +61,8 @@ impl Compound {
     /// The whole's mass, centre and inertia.
     ///
     /// # Errors
-    /// No parts; a position that is not finite or an attitude not of length 1, with the part's number; or a result that `f64` does not hold.
+    /// No parts; a position that is not finite or an attitude not of length 1, with the part's number; or a
+    /// result that `f64` does not hold.
     pub fn properties(&self) -> Result<MassProperties, Error> {
         let mut placed = Vec::with_capacity(self.parts.len());
         for (index, (part, position, attitude)) in self.parts.iter().enumerate() {

@@ -101,13 +101,13 @@ pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) ->
 
 /// A solid bounded by triangles.
 ///
-/// The faces must close, and run counter-clockwise seen from outside. Several separate surfaces are fine,
-/// and so are cavities (surfaces inside another, their faces seen counter-clockwise from the cavity), and
-/// parts that touch along an edge. Vertices that no face uses are ignored. Two vertices at the same place
-/// are two vertices: a soup of loose triangles is open until they are welded. A shell that is turned or nested
-/// wrongly is refused, such as a cavity outside; that takes one look along all faces for each shell. A surface
-/// that passes through itself or another is not looked for; it is refused only if that look happens on it, or
-/// if no body can have the tensor it leads to.
+/// The faces must close, and run counter-clockwise seen from outside. Several separate surfaces are fine, and
+/// so are cavities (surfaces inside another, their faces seen counter-clockwise from the cavity), and parts
+/// that touch along an edge. Vertices that no face uses are ignored. Two vertices at the same place are two
+/// vertices: a soup of loose triangles is open until they are welded. A shell that is turned or nested
+/// wrongly is refused, such as a cavity outside; that takes one look along all faces for each shell. A
+/// surface that passes through itself or another is not looked for; it is refused only if that look happens
+/// on it, or if no body can have the tensor it leads to.
 ///
 /// ```
 /// use nalgebra::Vector3;

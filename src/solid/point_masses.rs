@@ -8,8 +8,8 @@ use crate::number::extended::Extended;
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 
-/// Mass, centre and inertia of point masses at given positions: the definition itself, `sum m (|d|² 1 - d d^T)`
-/// about the common centre. The masses must not add up to zero.
+/// Mass, centre and inertia of point masses at given positions: the definition itself, `sum m (|d|² 1 - d
+/// d^T)` about the common centre. The masses must not add up to zero.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};

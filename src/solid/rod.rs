@@ -19,8 +19,8 @@ pub fn rod_moments<T: Field>(mass: &T, length: &T) -> Vector3<T> {
     Vector3::new(across.clone(), across, T::zero())
 }
 
-/// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so
-/// that alone it has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
+/// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so that alone it
+/// has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -1,4 +1,5 @@
-//! The form in which mass properties are written and read with serde, feature `serde`. What is read goes through the constructor.
+//! The form in which mass properties are written and read with serde, feature `serde`. What is read goes
+//! through the constructor.
 
 use super::MassProperties;
 use crate::error::Error;

@@ -1,9 +1,9 @@
 //! Whether the shells of a surface are turned and nested so that they bound a solid.
 //!
-//! The winding number of a point is how many times the shells together enclose it, cavities counted
-//! negative: the solid angles of all faces seen from it, over a full sphere. In a solid it is 1, elsewhere 0.
-//! It is the same all along a shell that no other crosses, so one place at each shell tells. The solid angle
-//! of a triangle: [OS83](crate::references).
+//! The winding number of a point is how many times the shells together enclose it, cavities counted negative:
+//! the solid angles of all faces at it, over a full sphere. In a solid it is 1, elsewhere 0. It is the same
+//! all along a shell that no other crosses, so one point at each shell decides. The solid angle of a
+//! triangle: [OS83](crate::references).
 
 use super::mesh::triple;
 use crate::error::{Error, Refusal};
@@ -137,8 +137,8 @@ impl Point {
     }
 }
 
-/// A vector off the face, outwards, about as long as the face is high above its longest edge, and that length,
-/// both to a factor of two. Zero for a face without area.
+/// A vector off the face, outwards, about as long as the face is high above its longest edge, and that
+/// length, both to a factor of two. Zero for a face without area.
 fn steepness(vertices: &[Vector3<Extended>], face: &[usize; 3]) -> (Vector3<Extended>, Extended) {
     let [a, b, c] = face.map(|v| vertices[v]);
     let edges = [b - a, c - b, a - c];

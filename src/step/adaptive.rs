@@ -27,11 +27,11 @@ pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 /// The most steps, taken or rejected, of one run of [`adaptive`].
 pub const MOST_STEPS: usize = 1_000_000;
 
-/// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error of each, relative to
-/// the attitude's length and the momentum's size, below `tolerance`.
+/// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
+/// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
 ///
-/// The first step follows from how fast the body turns; each of the others from the error of the one before. The tolerance is of a
-/// step, not of the run: errors add up.
+/// The first step follows from how fast the body turns; each of the others from the error of the one before.
+/// The tolerance is of a step, not of the run: errors add up.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -48,8 +48,9 @@ pub const MOST_STEPS: usize = 1_000_000;
 /// ```
 ///
 /// # Errors
-/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error that stays too large
-/// however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after [`MOST_STEPS`], or as soon as stiff losses would need more.
+/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error
+/// that stays too large however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after
+/// [`MOST_STEPS`], or as soon as stiff losses would need more.
 pub fn adaptive(
     system: &System<f64>,
     start: &State<f64>,
@@ -59,7 +60,8 @@ pub fn adaptive(
     adaptive_within(system, start, duration, tolerance, &mut { MOST_STEPS })
 }
 
-/// As [`adaptive`], in at most `budget` steps, taken or rejected; those used are subtracted from it, also where the run fails.
+/// As [`adaptive`], in at most `budget` steps, taken or rejected; those used are subtracted from it, also
+/// where the run fails.
 ///
 /// # Errors
 /// As [`adaptive`], with this budget for [`MOST_STEPS`].
@@ -96,11 +98,11 @@ pub fn adaptive_within(
     Ok(AdaptiveRun { end: run.state.checked()?, steps: run.steps, rejected: run.rejected })
 }
 
-/// A step of more than this many decay times is held back by stability, not by its error: the bound of [HW96](crate::references), IV.2, for
-/// this pair.
+/// A step of more than this many decay times is held back by stability, not by its error: the bound of
+/// [HW96](crate::references), IV.2, for this pair.
 const STIFF: f64 = 3.25;
 
-/// After so many such steps in a row the law is taken to be stiff.
+/// After this number of such steps in a row the law is taken to be stiff.
 const STIFF_STEPS: u32 = 15;
 
 /// A run on its way.
@@ -136,7 +138,8 @@ impl<'a> Run<'a> {
         if !size.is_finite() {
             return Err(Refusal::OutOfRange { what: "the rate at the start", value: size }.into());
         }
-        // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its error will say so.
+        // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
+        // error will say so.
         let torque = largest(system.torque(start).as_slice());
         let turning =
             over(largest(slope.attitude.coords.as_slice()), largest(start.attitude.coords.as_slice()));
@@ -181,7 +184,8 @@ impl<'a> Run<'a> {
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
     fn error(&self, off: &State<f64>, h: &f64) -> f64 {
-        // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will do.
+        // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will
+        // do.
         let gained = largest(self.slope.momentum.as_slice()) * h.abs();
         // Nor does one that drag brought to rest: below this its momentum has no digits to the tolerance.
         let least = f64::MIN_POSITIVE / self.tolerance;
@@ -192,8 +196,8 @@ impl<'a> Run<'a> {
         largest(&[attitude, momentum])
     }
 
-    /// Counts steps that are long relative to the fastest decay: of two states near the end of the step, how much faster the rates differ
-    /// than the states.
+    /// Counts steps that are long relative to the fastest decay: of two states near the end of the step, how
+    /// much faster the rates differ than the states.
     fn watch(&mut self, stages: &Stages<f64>, end_slope: &Rate<f64>, h: f64) {
         let apart = |a: &Vector3<f64>, b: &Vector3<f64>| largest((a - b).as_slice());
         let [.., near_slope] = &stages.slopes;
@@ -225,7 +229,8 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The size of the largest number, without a square, which would leave the range before the number does; NaN if one is.
+/// The size of the largest number, without a square, which would leave the range before the number does; NaN
+/// if one is.
 fn largest(parts: &[f64]) -> f64 {
     parts.iter().fold(0.0, |most: f64, x| if x.abs() > most || x.is_nan() { x.abs() } else { most })
 }

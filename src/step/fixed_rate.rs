@@ -19,18 +19,20 @@ const LONGEST: f64 = 0.5;
 /// The most parts of one step.
 const MOST_PARTS: f64 = 1000.0;
 
-/// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as keep the turn of each below half a
-/// radian; with a torque, all of it between two half kicks. At 60 Hz a steady spin has 30 rad/s before a second part is needed.
+/// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as
+/// keep the turn of each below half a radian; with a torque, all of it between two half kicks. At 60 Hz a
+/// steady spin has 30 rad/s before a second part is needed.
 ///
-/// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable spin stays stable for ever; the
-/// attitude comes back with length 1.
+/// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable
+/// spin stays stable for ever; the attitude comes back with length 1.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
 /// use tumbling::PrincipalMoments;
 /// use tumbling::step::{State, System, fixed_rate};
 /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
-/// // Ten minutes about the axis of the largest moment, with a nutation: at 60 Hz a naive engine turns it about the middle one.
+/// // Ten minutes about the axis of the largest moment, with a nutation: at 60 Hz a naive engine turns it
+/// // about the middle one.
 /// let mut motion = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 0.2, 30.0) };
 /// let start = motion.clone();
 /// for _ in 0..36_000 {
@@ -42,8 +44,8 @@ const MOST_PARTS: f64 = 1000.0;
 /// ```
 ///
 /// # Errors
-/// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of its moments do, or an attitude of
-/// no length.
+/// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of
+/// its moments do, or an attitude of no length.
 pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     if system.is_free() {
         return drifted(system, start, &h);
@@ -53,14 +55,16 @@ pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Re
     system.adjoint_kick(&end, half).checked()
 }
 
-/// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis' largest component.
+/// A spin that the motion never passes, in squares: of the curve that energy and momentum leave, each axis'
+/// largest component.
 #[inline]
 fn fastest<T: Analytic>(system: &System<T>, omega: &Vector3<T>) -> f64 {
     let (moments, omega) = (system.moments().map(|x| x.size()), omega.map(|x| x.size()));
     let order = ascending(&moments);
     let [a, b, c] = order.map(|i| moments[i]);
     let [x, y, z] = order.map(|i| omega[i] * omega[i]);
-    // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows. Of a sphere nothing is given.
+    // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows.
+    // Of a sphere nothing is given.
     let share = |from: f64, [weight, over]: [f64; 2], [apart, beside]: [f64; 2]| {
         if from == 0.0 || apart == 0.0 { 0.0 } else { from * (weight / over) * (apart / beside) }
     };

@@ -1,4 +1,4 @@
-//! The contract of a stepper: motion in, motion out, and what it says of itself.
+//! The contract of a stepper: motion in, motion out, and the method's order and laws.
 
 use super::methods::engine_rules::{explicit as simple, newton, runge_kutta};
 use super::methods::{
@@ -14,16 +14,18 @@ use nalgebra::Vector3;
 /// A way to step a body through time.
 ///
 /// One step takes a [`State`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
-/// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may change at will.
+/// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may
+/// change at will.
 ///
 /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
-/// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth torques,
-/// [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step, [`adaptive`](fn@crate::step::adaptive). Free motion needs no
-/// steps: see [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be
-/// compared with.
+/// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth
+/// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
+/// [`adaptive`](fn@crate::step::adaptive). Free motion needs no steps: see [`exact`](crate::exact). The rules
+/// of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be compared with.
 ///
-/// [Order](MethodInfo::order) and conserved quantities are those of free motion. Under a torque, the methods that apply it as
-/// half kicks before and after the free step (Buss, SPIRAL, rotation splitting, symmetric top, Moser-Veselov) are of order 2.
+/// [Order](MethodInfo::order) and conserved quantities are those of free motion. Under a torque, the methods
+/// that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting, symmetric
+/// top, Moser-Veselov) are of order 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Method {
@@ -31,11 +33,11 @@ pub enum Method {
     ExplicitEuler,
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
-    /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its error controlled it is
-    /// [`adaptive`](crate::step::adaptive).
+    /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its
+    /// error controlled it is [`adaptive`](crate::step::adaptive).
     DormandPrince5,
-    /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free body's momentum stays
-    /// where it is in the world.
+    /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free
+    /// body's momentum stays where it is in the world.
     MuntheKaas4,
     /// Buss's augmented method: one turn by an averaged spin, the momentum kept in the world.
     Buss,
@@ -53,9 +55,11 @@ pub enum Method {
     RotationSplitting4,
     /// Nine steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
     RotationSplitting6,
-    /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first two moments are the nearest.
+    /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first
+    /// two moments are the nearest.
     SymmetricTop,
-    /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a quarter turn or more.
+    /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a
+    /// quarter turn or more.
     MoserVeselov2,
     /// The same with the moments preprocessed to order 4.
     MoserVeselov4,
@@ -65,30 +69,34 @@ pub enum Method {
     MoserVeselov8,
     /// The same with the moments preprocessed to order 10.
     MoserVeselov10,
-    /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with it Unity by default, Jolt
-    /// with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin never flips or precesses, and the momentum
-    /// wanders in the world with the body; at any step, so that its order is 0.
+    /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with
+    /// it Unity by default, Jolt with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin
+    /// never flips or precesses, and the momentum wanders in the world with the body; at any step, so that
+    /// its order is 0.
     ConstantSpin,
     /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo's Euler, Bullet's
     /// multibody. It gains energy, in time without bound: a stable spin is lost.
     SemiImplicitEuler,
-    /// The same, with the momentum brought back to its length before the turn: Jolt with its flag on, Avian. It keeps `|L|` and
-    /// turns a body that spins stably about its largest moment toward the middle one.
+    /// The same, with the momentum brought back to its length before the turn: Jolt with its flag on, Avian.
+    /// It keeps `|L|` and turns a body that spins stably about its largest moment toward the middle one.
     Rescaled,
-    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier, in four parts a step.
+    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier, in
+    /// four parts a step.
     RescaledLinearAttitude,
-    /// One Newton step of implicit Euler for the gyroscopic term, the torques applied apart from it [Cat15](crate::references): Bullet's rigid
-    /// body, Box3D. It takes energy and momentum from most bodies that tumble; of a step that turns by a radian or more it can
-    /// multiply the energy.
+    /// One Newton step of implicit Euler for the gyroscopic term, the torques applied apart from it
+    /// [Cat15](crate::references): Bullet's rigid body, Box3D. It takes energy and momentum from most bodies
+    /// that tumble; of a step that turns by a radian or more it can multiply the energy.
     ImplicitOneNewton,
-    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the damping: MuJoCo's implicit
-    /// and implicitfast. For a free body the same as [`ImplicitOneNewton`](Self::ImplicitOneNewton).
+    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the
+    /// damping: MuJoCo's implicit and implicitfast. For a free body the same as
+    /// [`ImplicitOneNewton`](Self::ImplicitOneNewton).
     LinearisedImplicit,
-    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's former RK4. The spin is right
-    /// to the fourth order, the attitude to the second.
+    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's former RK4. The spin is
+    /// right to the fourth order, the attitude to the second.
     MeanSpinRungeKutta4,
     /// The same, each of the four spins corrected to the rate of the turn since the start of the step, as
-    /// [MK98](crate::references): MuJoCo's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body axes.
+    /// [MK98](crate::references): MuJoCo's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the
+    /// momentum in body axes.
     TurnedRungeKutta4,
 }
 
@@ -97,12 +105,13 @@ pub enum Method {
 pub struct MethodInfo {
     /// Its usual name.
     pub name: &'static str,
-    /// Errors of free motion at a given time fall as this power of the step. Under a torque a [`Method`] may be of lower order.
+    /// Errors of free motion at a given time fall as this power of the step. Under a torque a [`Method`] may
+    /// be of lower order.
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
-    /// The quantities of a free motion that it conserves to rounding in every step that it takes: the implicit methods refuse steps that
-    /// turn the body too far.
+    /// The quantities of a free motion that it conserves to rounding in every step that it takes: the
+    /// implicit methods refuse steps that turn the body too far.
     pub conserved: Conserved,
     /// Where it comes from: a key into the [references](crate::references), or a word.
     pub source: &'static str,
@@ -119,8 +128,8 @@ pub struct Conserved {
     pub direction: bool,
     /// The length of the attitude quaternion.
     pub unit: bool,
-    /// A step back undoes every step that is taken, or is refused where the iteration of the midpoint rule or of Gauss's stages
-    /// hardly converges.
+    /// A step back undoes every step that is taken, or is refused where the iteration of the midpoint rule or
+    /// of Gauss's stages hardly converges.
     pub reversible: bool,
 }
 
@@ -196,8 +205,8 @@ impl Method {
 
     /// One step of `h` seconds: back in time if negative, the start again, to rounding, if zero.
     ///
-    /// The attitude should be of length 1, which is not checked: a torque that depends on the attitude grows with the square of
-    /// the length.
+    /// The attitude should be of length 1, which is not checked: a torque that depends on the attitude grows
+    /// with the square of the length.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -215,8 +224,9 @@ impl Method {
     /// ```
     ///
     /// # Errors
-    /// A step so long that an implicit method does not find its end or might find another, or that the motion leaves what the
-    /// number type holds. A step of which the method makes nonsense that is finite is no error: see [`MethodInfo`].
+    /// A step so long that an implicit method does not find its end or might find another, or that the motion
+    /// leaves what the number type holds. A step of which the method makes nonsense that is finite is no
+    /// error: see [`MethodInfo`].
     pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
         let h = &h;
         check_square_underflow(&system.omega(&start.momentum), h)?;
@@ -259,7 +269,8 @@ impl fmt::Display for Method {
     }
 }
 
-/// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without them nothing would gyrate.
+/// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without them
+/// nothing would gyrate.
 pub(crate) fn check_square_underflow<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
     let largest = &omega[omega.map(|x| x.size()).imax()];
     let (size, rounding) = (largest.size(), T::rounding());

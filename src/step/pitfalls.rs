@@ -1,5 +1,5 @@
-//! Four engines that differ in what they carry and how they read the spin from it. One is right; three are the
-//! pitfalls.
+//! Four engines that differ in what they carry and how they read the spin from it. One is right; three are
+//! the pitfalls.
 
 use super::methods::rk4::rk4;
 use crate::attitude;
@@ -21,8 +21,8 @@ pub enum Engine {
     /// Pitfall 1: carries `w` by the world's own equation `I w' = (I w) x w`, but with the body's tensor in
     /// it, as if the body had never turned.
     Frozen,
-    /// Pitfall 2: carries `L`, constant, and takes it for the spin up to a constant factor: `w = L / m` with `m`
-    /// the mean of the moments. Right for a sphere.
+    /// Pitfall 2: carries `L`, constant, and takes it for the spin up to a constant factor: `w = L / m` with
+    /// `m` the mean of the moments. Right for a sphere.
     MomentumForSpin,
     /// Pitfall 3: carries `w` as if it were conserved: no gyroscopic term, so it never flips.
     NoGyroscopicTerm,
@@ -114,8 +114,8 @@ impl Engine {
         }
     }
 
-    /// The rates of attitude and carried vector while no torque acts, for the body's tensor and its inverse: the law that
-    /// [`run`](Self::run) integrates.
+    /// The rates of attitude and carried vector while no torque acts, for the body's tensor and its inverse:
+    /// the law that [`run`](Self::run) integrates.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Quaternion, Vector3};
@@ -173,8 +173,8 @@ impl Engine {
     /// ```
     ///
     /// # Errors
-    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds; more steps than there is
-    /// memory for.
+    /// A step that is not finite, or so coarse that the motion leaves what `f64` holds; more steps than there
+    /// is memory for.
     pub fn run(self, body: &Body, h: f64, count: usize) -> Result<Vec<Body>, Error> {
         finite("the step", h)?;
         let carried = self.carried(body);

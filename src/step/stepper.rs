@@ -14,9 +14,10 @@ use num_traits::{FromPrimitive, ToPrimitive};
 
 /// A body on its way through time by a method, under torques.
 ///
-/// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's own axes and the
-/// world's. The principal axes are found once; what is stepped is never turned back and forth, so that a reversible method stays
-/// reversible. In `f32` the body is converted once and all steps are taken in `f32`.
+/// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
+/// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
+/// forth, so that a reversible method stays reversible. In `f32` the body is converted once and all steps are
+/// taken in `f32`.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -79,7 +80,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             let principal = body.inertia().principal();
             (principal.moments(), Some(principal.rotation()))
         };
-        // Checks the moments; those of a tensor are possible to its own rounding, which is more than that of three numbers.
+        // Checks the moments; those of a tensor are possible to its own rounding, which is more than that of
+        // three numbers.
         for &moment in &moments {
             crate::error::positive("a principal moment", moment)?;
         }
@@ -103,12 +105,12 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Ok(stepper)
     }
 
-    /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along principal axes: it must be the
-    /// same about all three where the tensor has products of inertia.
+    /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along
+    /// principal axes: it must be the same about all three where the tensor has products of inertia.
     ///
     /// # Errors
-    /// A torque whose numbers are not finite, a coefficient of loss below zero, or damping that differs from axis to axis of a body with
-    /// products of inertia.
+    /// A torque whose numbers are not finite, a coefficient of loss below zero, or damping that differs from
+    /// axis to axis of a body with products of inertia.
     pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();
         for torque in torques {
@@ -122,12 +124,12 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Ok(self)
     }
 
-    /// One step of `h` seconds, back in time if negative, and the [`state`](Self::state) after it. A step that fails leaves the body where
-    /// it was.
+    /// One step of `h` seconds, back in time if negative, and the [`state`](Self::state) after it. A step
+    /// that fails leaves the body where it was.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`fixed_rate`]; a torque, such as that of a [`Torque::Function`], that is not finite at the start or the end;
-    /// a spin or a time beyond its numbers.
+    /// As [`Method::step`] or [`fixed_rate`]; a torque, such as that of a [`Torque::Function`], that is not
+    /// finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         let after = self.time + finite("the step", number(h))?;
         if !after.is_finite() {
@@ -161,7 +163,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         }
     }
 
-    /// The cause of a step that failed on a torque that is not finite where it began or at the time where it would have ended.
+    /// The cause of a step that failed on a torque that is not finite where it began or at the time where it
+    /// would have ended.
     fn torque_not_finite(&self, after: f64) -> Option<Error> {
         let mut system = self.system.clone();
         [self.time, after].into_iter().find_map(|time| {
@@ -175,7 +178,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.system.set_time(T::from_f64(time).unwrap_or_else(T::zero));
     }
 
-    /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends after the first error.
+    /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends
+    /// after the first error.
     ///
     /// # Errors
     /// Of each as [`step`](Self::step).
@@ -188,14 +192,16 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         })
     }
 
-    /// Steps of `h` seconds to the time `end` (s), forth or back, the last shortened to meet it (or longer by a billionth): the state
-    /// after each. Nothing moves before the iterator is used; it ends after the first error.
+    /// Steps of `h` seconds to the time `end` (s), forth or back, the last shortened to meet it (or longer by
+    /// a billionth): the state after each. Nothing moves before the iterator is used; it ends after the first
+    /// error.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use tumbling::step::{Method, Stepper};
     /// use tumbling::{Body, Inertia};
-    /// let body = Body::spinning(Inertia::from_moments(1.0, 2.0, 2.5)?, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
     /// let mut stepper = Stepper::<f64>::new(&body, Method::Gauss6)?;
     /// assert_eq!(stepper.run_until(0.1, 1.05).count(), 11);
     /// assert_eq!(stepper.time(), 1.05);
@@ -232,14 +238,15 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.step(if left > 0.0 { h } else { -h })
     }
 
-    /// Seconds since the start: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6 us in two minutes.
+    /// Seconds since the start: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6 us in
+    /// two minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    /// Attitude (body to world) and angular momentum along the body's axes. A method that does not keep the attitude's length
-    /// shows it here.
+    /// Attitude (body to world) and angular momentum along the body's axes. A method that does not keep the
+    /// attitude's length shows it here.
     #[must_use]
     pub fn state(&self) -> State<T> {
         let State { attitude, momentum } = &self.state;

@@ -81,7 +81,8 @@ impl<T: Field> System<T> {
         &self.torques
     }
 
-    /// The time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it is set.
+    /// The time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it
+    /// is set.
     #[must_use]
     pub fn time(&self) -> &T {
         &self.time
@@ -140,8 +141,8 @@ impl<T: Analytic> System<T> {
 
     /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
     ///
-    /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of momentum and spin two
-    /// nearly cancel.
+    /// The cross product is taken as Euler wrote it, by differences of moments: of a needle's products of
+    /// momentum and spin two nearly cancel.
     #[must_use]
     pub fn rate(&self, state: &State<T>) -> Rate<T> {
         self.rate_after(state, &T::zero())
@@ -165,8 +166,8 @@ impl<T: Analytic> System<T> {
         })
     }
 
-    /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of a
-    /// kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
+    /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of
+    /// a kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
     ///
     /// The torques act one after another, in their order; the second kick of a step must be
     /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.

@@ -16,9 +16,9 @@ pub enum Torque<T: nalgebra::Scalar> {
     InBody(Vector3<T>),
     /// Constant along the world's axes, N m.
     InWorld(Vector3<T>),
-    /// `arm x field`, with the arm fixed in the body and the field in the world. A compass needle has its magnetic
-    /// moment (A m²) for an arm in the field's tesla; a heavy top has the way from its point to its centre of mass
-    /// (m) for an arm, and its weight (N) for a field. Near rest it is a spring.
+    /// `arm x field`, with the arm fixed in the body and the field in the world. A compass needle has its
+    /// magnetic moment (A m²) for an arm in the field's tesla; a heavy top has the way from its point to its
+    /// centre of mass (m) for an arm, and its weight (N) for a field. Near rest it is a spring.
     Aligning {
         /// In body axes.
         arm: Vector3<T>,
@@ -27,8 +27,8 @@ pub enum Torque<T: nalgebra::Scalar> {
     },
     /// `-c_i w_i` along each principal axis, `c` in N m s: viscous drag.
     Damping(Vector3<T>),
-    /// `k L x (L x w)`, `k` in s/(kg m²): loss inside a body that is not quite rigid. It keeps `|L|` and takes energy,
-    /// until the body turns about the axis of its largest moment [BKMR96](crate::references).
+    /// `k L x (L x w)`, `k` in s/(kg m²): loss inside a body that is not quite rigid. It keeps `|L|` and
+    /// takes energy, until the body turns about the axis of its largest moment [BKMR96](crate::references).
     Dissipation(T),
     /// A function of time, attitude and spin, from [`Torque::function`].
     Function(TorqueFunction<T>),
@@ -53,19 +53,22 @@ impl<T: nalgebra::Scalar> PartialEq for TorqueFunction<T> {
 }
 
 impl<T: nalgebra::Scalar> Torque<T> {
-    /// A torque by a law of its own: from the time (s), the rotation matrix of the attitude (body to world) and the spin in body axes
-    /// (rad/s) to the torque in body axes (N m). `rotation.tr_mul(&v)` is the world's vector `v` in body axes.
+    /// A torque by a law of its own: from the time (s), the rotation matrix of the attitude (body to world)
+    /// and the spin in body axes (rad/s) to the torque in body axes (N m). `rotation.tr_mul(&v)` is the
+    /// world's vector `v` in body axes.
     ///
     /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it, or the system's own
-    /// ([`System::set_time`](crate::step::System::set_time)). Methods with kicks hold time and attitude for each half kick and take the
-    /// spin on the way by the explicit midpoint rule: of the second order, and reversible where the law does not depend on the spin.
+    /// ([`System::set_time`](crate::step::System::set_time)). Methods with kicks hold time and attitude for
+    /// each half kick and take the spin on the way by the explicit midpoint rule: of the second order, and
+    /// reversible where the law does not depend on the spin.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use tumbling::step::{Method, Stepper, Torque};
     /// use tumbling::{Body, Inertia};
     /// // A motor that swings to and fro about z: 2 N m cos(3 t) on 4 kg m².
-    /// let body = Body::spinning(Inertia::from_moments(2.0, 3.0, 4.0)?, UnitQuaternion::identity(), &Vector3::zeros())?;
+    /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
     /// let motor = Torque::function(|time: f64, _, _| Vector3::z() * (2.0 * (3.0 * time).cos()));
     /// let mut stepper = Stepper::new(&body, Method::RungeKutta4)?.with_torques([motor])?;
     /// stepper.run(0.01, 100).try_for_each(|state| state.map(drop))?;
@@ -78,8 +81,9 @@ impl<T: nalgebra::Scalar> Torque<T> {
 }
 
 impl<T: Field> Torque<T> {
-    /// Gravity on a top whose centre of mass is at `arm` (m) from the fixed point, in body axes, and whose weight (mass times
-    /// gravitational acceleration, N) pulls along the world's -z. The top's inertia tensor must be that about the fixed point.
+    /// Gravity on a top whose centre of mass is at `arm` (m) from the fixed point, in body axes, and whose
+    /// weight (mass times gravitational acceleration, N) pulls along the world's -z. The top's inertia tensor
+    /// must be that about the fixed point.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -104,8 +108,8 @@ impl<T: Field> Torque<T> {
         Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
 
-    /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to world), with the momentum
-    /// and spin in body axes.
+    /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to
+    /// world), with the momentum and spin in body axes.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
@@ -137,9 +141,9 @@ impl<T: Field> Torque<T> {
 }
 
 impl<T: Analytic> Torque<T> {
-    /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments at a standing
-    /// attitude and time. Damping decays and dissipation turns by their own exact laws, so that neither overshoots however long the
-    /// step; a function acts by the explicit midpoint rule.
+    /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments
+    /// at a standing attitude and time. Damping decays and dissipation turns by their own exact laws, so that
+    /// neither overshoots however long the step; a function acts by the explicit midpoint rule.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
@@ -178,9 +182,9 @@ impl<T: Analytic> Torque<T> {
     }
 }
 
-/// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and the whole is brought back to
-/// its length. Rates are taken from the slowest, so that one component always stays; lengths in parts of the largest component, so
-/// that no square leaves the range.
+/// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and the whole
+/// is brought back to its length. Rates are taken from the slowest, so that one component always stays;
+/// lengths in parts of the largest component, so that no square leaves the range.
 fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T) -> Vector3<T> {
     let present = |i: &usize| momentum[*i].size() > 0.0;
     let slowest = (0..3).filter(present).min_by(|&i, &j| inverse[i].size().total_cmp(&inverse[j].size()));
@@ -222,7 +226,8 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
 }
 
 impl<T: Analytic + Send + Sync> Torque<T> {
-    /// The same torque on a body whose axes are others: `frame` takes coordinates along the new axes to those along the old.
+    /// The same torque on a body whose axes are others: `frame` takes coordinates along the new axes to those
+    /// along the old.
     ///
     /// # Errors
     /// Damping that differs from axis to axis: it is given along the principal axes.

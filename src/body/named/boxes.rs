@@ -1,4 +1,5 @@
-//! The named bodies that are evenly filled boxes. Where their sizes come from stands at the functions in [`super`].
+//! The named bodies that are evenly filled boxes. Where their sizes come from stands at the functions in
+//! [`super`].
 
 use super::{Fill, Part, Section};
 use crate::solid::cuboid_moments;

@@ -11,8 +11,8 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// In the lanes that are only copies.
 const NOBODY: usize = usize::MAX;
 
-/// Bodies of one kind: those without a mount first, then those that are turned in the world alone, then those whose principal axes
-/// are turned in the body too.
+/// Bodies of one kind: those without a mount first, then those that are turned in the world alone, then those
+/// whose principal axes are turned in the body too.
 #[derive(Debug, Clone)]
 pub(super) struct Group<T, K, A> {
     /// Which body is in each lane of each block.
@@ -172,8 +172,8 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
     }
 }
 
-/// Calls `put` for each lane with a body: with the lane, the body, and whether no time has passed for it at all, where the start
-/// itself is the answer.
+/// Calls `put` for each lane with a body: with the lane, the body, and whether no time has passed for it at
+/// all, where the start itself is the answer.
 #[inline(always)]
 fn each_lane<T: Lane>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usize, bool)) {
     let any_starts = T::any(time.abs().lt(T::splat(f64::from_bits(1))));

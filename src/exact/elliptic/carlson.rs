@@ -34,8 +34,8 @@ pub(crate) fn rf_of_roots(x: f64, y: f64, z: f64) -> f64 {
     (1.0 + series) / mean.sqrt()
 }
 
-/// `R_D(x, y, z)`, three halves of the integral of `1/((t+z) sqrt((t+x)(t+y)(t+z)))` over positive `t`, for three
-/// positive numbers.
+/// `R_D(x, y, z)`, three halves of the integral of `1/((t+z) sqrt((t+x)(t+y)(t+z)))` over positive `t`, for
+/// three positive numbers.
 pub(crate) fn rd(numbers: [f64; 3]) -> f64 {
     let mut v = numbers;
     let (mut sum, mut part) = (0.0, 1.0);

@@ -3,7 +3,7 @@
 
 use crate::number::{Gather, Lane, gather_fields};
 
-/// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the root of `E` beside it.
+/// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the square root of `E`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Decay<T = f64> {
     /// `exp(-x)`.
@@ -20,7 +20,8 @@ impl<T: Lane> Decay<T> {
     /// Of `x = main + rest >= 0`, with the root of the complementary nome.
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
-        // Beyond 700 the exponential is nothing beside any f64; so far out the rest can be large, and says nothing.
+        // Beyond 700 the exponential is negligible relative to any f64; the rest can be large there and has
+        // no effect.
         let within = main.lt(T::splat(700.0));
         let (main, rest) = (T::select(within, main, T::splat(700.0)), T::select(within, rest, T::splat(0.0)));
         let (power, change) = exp_parts(-main, -rest);
@@ -108,8 +109,8 @@ impl<T: Lane> ComplementarySeries<T> {
         [sine, cosine, even - odd, even + odd]
     }
 
-    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if `far`, what is left of it
-    /// to the quarter period, so that the small ones keep their digits there.
+    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if
+    /// `far`, what is left of it to the quarter period, so that the small ones keep their digits there.
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, far: T::Mask) -> [T; 3] {
         let [sine, cosine, alternating, plain] = self.sums(x);

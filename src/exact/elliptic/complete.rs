@@ -7,7 +7,7 @@ use num_traits::Float as _;
 
 /// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.
 ///
-/// The root is asked for by itself since it has all its digits where the complement is subnormal.
+/// The root is a parameter of its own since it has all its digits where the complement is subnormal.
 pub(crate) fn quarter_period_from_root(complement: DoubleDouble, root: DoubleDouble) -> DoubleDouble {
     let (mut a, mut g) = ((DoubleDouble::ONE + complement) * 0.5, root);
     // Each step doubles the digits, once the first ten at most have brought 1e-162 up to where that sets in.
@@ -45,8 +45,8 @@ pub(crate) fn quarter_period(complement: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Against mpmath (`ellipk(1 - k'^2)` with 60 digits, as an `f64` and what it leaves out). In the first three the mean's
-    /// last step is as long as it may be, and what it takes off largest.
+    /// Against mpmath (`ellipk(1 - k'^2)` with 60 digits, as an `f64` and what it leaves out). In the first
+    /// three the mean's last step is as long as it may be, and what it takes off largest.
     #[test]
     fn the_quarter_period_has_twice_the_digits() {
         for (complement, high, low) in [

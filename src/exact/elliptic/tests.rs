@@ -1,4 +1,5 @@
-//! Elliptic functions against their definitions, an independent library and a table computed with 1400 digits.
+//! Elliptic functions against their definitions, an independent library and a table computed with 1400
+//! digits.
 
 use super::*;
 use crate::number::double_double::DoubleDouble;
@@ -93,8 +94,8 @@ fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     times_power_of_two(rf_of_roots(root(x), root(y), root(z)), -half)
 }
 
-/// Each is right to 8 roundings of itself and of the argument, whatever it does to it: so the small ones next to
-/// the saddle keep their digits, down to 1e-300.
+/// Each is right to 8 roundings of itself and of the argument, whatever it does to it: so the small ones next
+/// to the saddle keep their digits, down to 1e-300.
 #[test]
 fn the_three_functions_agree_with_the_table_from_the_circle_to_the_separatrix() {
     for row in table("jacobi") {
@@ -127,8 +128,8 @@ fn carlsons_integral_agrees_with_the_table() {
 }
 
 proptest! {
-    // The definition: u is the integral of 1/sqrt(1 - m sin²) up to the angle whose sine and cosine sn and cn are.
-    // Independent: the `ellip` crate, which takes m and so reaches as far as 1 - m keeps its digits.
+    // The definition: u is the integral of 1/sqrt(1 - m sin²) up to the angle whose sine and cosine sn and cn
+    // are. Independent: the `ellip` crate, which takes m and so reaches as far as 1 - m keeps its digits.
     #[test]
     fn sn_and_cn_invert_the_incomplete_integral(complement in 0.3..1.0_f64, angle in -1.55..1.55_f64) {
         let m = (1.0 - complement) * (1.0 + complement);

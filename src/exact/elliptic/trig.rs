@@ -14,7 +14,8 @@ pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let quarters = (part * 4.0).round_ties_even();
     let angle = (part - quarters * 0.25) * TAU;
     let (sin, cos) = near_zero(angle);
-    // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below zero.
+    // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below
+    // zero.
     let size = quarters.abs();
     let odd = (size - 1.0).abs().lt(T::splat(0.5));
     let (s, c) = (T::select(odd, cos, sin), T::select(odd, sin, cos));
@@ -59,7 +60,7 @@ fn near_zero<T: Lane>(x: T) -> (T, T) {
     ];
     let y = x * x;
     let (y2, y4) = (y * y, (y * y) * (y * y));
-    // Pairs, then pairs of pairs: the processor works on them side by side.
+    // Pairs, then pairs of pairs: the processor works on them at once.
     let series = |a: &[f64; 8]| {
         let low = (y * a[1] + a[0]) + y2 * (y * a[3] + a[2]);
         let high = (y * a[5] + a[4]) + y2 * (y * a[7] + a[6]);

@@ -23,8 +23,8 @@ pub(crate) struct Spin<T = f64> {
 pub(crate) struct Attitude<T = f64> {
     pub(super) pair: ComplementaryPair<T>,
     pub(super) start: Pair<T>,
-    /// Turns of the common phase, which is half the angle about the momentum, per unit of time, and what each half period of
-    /// Jacobi's argument adds.
+    /// Turns of the common phase, which is half the angle about the momentum, per unit of time, and what each
+    /// half period of Jacobi's argument adds.
     pub(super) drift: DoubleDouble<T>,
     pub(super) step: T,
 }

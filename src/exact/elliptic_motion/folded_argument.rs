@@ -1,7 +1,8 @@
 //! Jacobi's argument, folded onto one passage between two saddles.
 //!
-//! A saddle is where the motion passes the middle axis, a flip where its spin along that axis vanishes; the two alternate every
-//! quarter period `K`. Near the separatrix a passage is long, and what counts is the distance from the nearest of the two.
+//! A saddle is where the motion passes the middle axis, a flip where its spin along that axis vanishes; the
+//! two alternate every quarter period `K`. Near the separatrix a passage is long, and what counts is the
+//! distance from the nearest of the two.
 
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
@@ -44,7 +45,8 @@ impl Fold {
     /// On the separatrix, where there is no half period to take off.
     #[inline(always)]
     pub(super) fn without_return(&self, time: f64) -> FoldedArgument {
-        // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that large will do.
+        // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
+        // large will do.
         let run = self.rate * time;
         let end = DoubleDouble::from(1e300_f64.copysign(self.rate.hi()) * 1_f64.copysign(time));
         self.folded(0.0, if run.hi().abs() < 1e300 { run.plus(self.start) } else { end })

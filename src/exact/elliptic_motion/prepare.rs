@@ -17,11 +17,12 @@ use core::f64::consts::{FRAC_PI_2, PI};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Up to this power of two the spin's components come out in one product with their amplitudes, with all digits: the rest of
-/// the exponent's range is room for what is small relative to the largest.
+/// Up to this power of two the spin's components come out in one product with their amplitudes, with all
+/// digits: the rest of the exponent's range is room for what is small relative to the largest.
 const ONE_PRODUCT: i32 = 600;
 
-/// The motion in scaled units: everything that both series are prepared from. Triples go across, middle, circled.
+/// The motion in scaled units: everything that both series are prepared from. Triples go across, middle,
+/// circled.
 struct Preparation<'a> {
     motion: &'a Asymmetric,
     modulus: f64,
@@ -49,7 +50,7 @@ struct Preparation<'a> {
     momentum: DoubleDouble,
 }
 
-/// What both series give alike.
+/// What both series have in common.
 struct Prepared {
     form: Form,
     argument: DoubleDouble,
@@ -58,7 +59,8 @@ struct Prepared {
 }
 
 impl EllipticMotion {
-    /// Refuses a push so small relative to the spin that no `f64` holds their ratio even when it is scaled up: 1e-570.
+    /// Refuses a push so small relative to the spin that no `f64` holds their ratio even when it is scaled
+    /// up: 1e-570.
     pub(crate) fn new(motion: &Asymmetric, omega: &[f64; 3]) -> Result<Self, Error> {
         let preparation = Preparation::new(motion, omega)?;
         let Preparation { modulus, complement, scaled_complement, quarter, rate, .. } = preparation;
@@ -99,8 +101,9 @@ impl<'a> Preparation<'a> {
         let quarter = quarter_period(motion);
         let other = elliptic::quarter_period(modulus);
         let direct = !motion.separatrix && other / quarter.hi() >= NOME_RATIO;
-        // What is small may be out of range relative to what is not: near the saddle the across and the circled
-        // component (with cn, dn and the complement), in a small wobble the across and the middle one.
+        // What is small may be out of range relative to what is not: near the saddle the across and the
+        // circled component (with cn, dn and the complement), in a small libration the across and the middle
+        // one.
         let shift = if direct || motion.small > -200 { 0 } else { (-motion.small).min(1000) };
         let lift = if direct && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
@@ -174,7 +177,8 @@ impl<'a> Preparation<'a> {
         self.lifts() == [0; 3] && self.motion.clock.abs() <= ONE_PRODUCT
     }
 
-    /// The powers of two that take the three components, in the order of the body, to rad/s if the amplitudes are not.
+    /// The powers of two that take the three components, in the order of the body, to rad/s if the amplitudes
+    /// are not.
     fn unscale(&self) -> Option<[[f64; 2]; 3]> {
         if self.within_range() {
             return None;
@@ -284,8 +288,8 @@ impl<'a> Preparation<'a> {
         Prepared { form, argument: fold.start, amplitudes }
     }
 
-    /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish with the
-    /// complement.
+    /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish
+    /// with the complement.
     fn rate_about_momentum(&self) -> DoubleDouble {
         let [_, i_m, i_c] = self.moments();
         let slow = self.amplitudes[2].hi() * self.complement;
@@ -297,11 +301,11 @@ impl<'a> Preparation<'a> {
         (lead + DoubleDouble::from(rest)) * self.sign
     }
 
-    /// The amplitudes scaled, and Jacobi's argument at the start shifted back, by roundings, so that the start comes out as it
-    /// was given; from the functions as the series give them there.
+    /// The amplitudes scaled, and Jacobi's argument at the start shifted back, by roundings, so that the
+    /// start comes out as it was given; from the functions as the series give them there.
     ///
-    /// Of the relative errors of the across and middle components, what they differ by is the phase's; what they
-    /// share, weighed so that the one near zero does not count, is the amplitude's.
+    /// Of the relative errors of the across and middle components, what they differ by is the phase's; what
+    /// they share, weighed so that the one near zero does not count, is the amplitude's.
     fn meeting_the_start(&self, [sn, cn, dn]: [f64; 3]) -> ([f64; 3], f64) {
         let [across, middle, circled] = self.amplitudes.map(DoubleDouble::hi);
         let mut amplitudes = [across, middle, self.sign * circled];

@@ -20,7 +20,7 @@ use crate::number::power_of_two::times_power_of_two;
 use core::f64::consts::TAU;
 use nalgebra::Matrix3;
 
-/// Beyond this argument of the separatrix the motion no longer knows how far it is from its end.
+/// Beyond this argument of the separatrix `f64` no longer holds how far the motion is from its end.
 const REST: f64 = 700.0;
 
 /// Jacobi's three functions at one argument.

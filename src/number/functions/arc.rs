@@ -19,10 +19,12 @@ const EIGHTHS: [[f64; 2]; 9] = [
     [FRAC_PI_4, 3.061_616_997_868_383e-17],
 ];
 
-/// `(atan u - u) / u³ = -1/3 + u²/5 - ...` as a series in `u²`. Up to 1/16 the first term left out is below 2^-59.
+/// `(atan u - u) / u³ = -1/3 + u²/5 - ...` as a series in `u²`. Up to 1/16 the first term left out is below
+/// 2^-59.
 const TAIL: [f64; 6] = [-1.0 / 3.0, 1.0 / 5.0, -1.0 / 7.0, 1.0 / 9.0, -1.0 / 11.0, 1.0 / 13.0];
 
-/// The angle from the x axis to the point `(x, y)`, from -pi to pi, with the signs of zeros as IEEE 754 has them.
+/// The angle from the x axis to the point `(x, y)`, from -pi to pi, with the signs of zeros as IEEE 754 has
+/// them.
 pub(crate) fn atan2(y: f64, x: f64) -> f64 {
     if x.is_nan() || y.is_nan() {
         return f64::NAN;

@@ -9,7 +9,8 @@ use core::f64::consts::LOG2_E;
 /// The logarithm of 2 in two parts; the first has 42 bits, so that an exponent times it is exact.
 const LN_2: [f64; 2] = [0.693_147_180_559_890_3, 5.497_923_018_708_371e-14];
 
-/// `(e^x - 1 - x - x²/2) / x³` as a series: where the exponential takes it, the first term left out is below 2^-63 of the sum.
+/// `(e^x - 1 - x - x²/2) / x³` as a series: where the exponential takes it, the first term left out is below
+/// 2^-63 of the sum.
 const TAIL: [f64; 12] = inverse_factorials(3, 1, 1.0);
 
 /// `(sinh x / x - 1) / x²` as a series in `x²`, likewise.

@@ -28,11 +28,12 @@ const TWO_OVER_PI: [u64; 21] = [
     0xf0cf_bc20_9af4_361d,
 ];
 
-/// The nearest number of quarter turns (modulo 4) of a finite angle of at least a quarter radian, and the angle that is
-/// left: at most an eighth of a turn.
+/// The nearest number of quarter turns (modulo 4) of a finite angle of at least a quarter radian, and the
+/// angle that is left: at most an eighth of a turn.
 ///
-/// The angle is an integer times a power of two. Of `2/pi` times that power only 192 bits matter: those before make whole
-/// turns, those after less than 2^-137 quarter turns, and no `f64` is nearer to a multiple than 2^-62.
+/// The angle is an integer times a power of two. Of `2/pi` times that power only 192 bits matter: those
+/// before make whole turns, those after less than 2^-137 quarter turns, and no `f64` is nearer to a multiple
+/// than 2^-62.
 pub(super) fn quarters(angle: f64) -> (u64, DoubleDouble) {
     const INTEGER: u64 = 1 << 52;
     let power = exponent(angle) - 52;
@@ -67,7 +68,8 @@ fn negated([high, middle, low]: [u64; 3]) -> [u64; 3] {
     [(!high).wrapping_add(u64::from(carry)), middle, low]
 }
 
-/// An integer of 192 bits, the highest first, in parts of 2^190: its first 117 bits from the first one that is set.
+/// An integer of 192 bits, the highest first, in parts of 2^190: its first 117 bits from the first one that
+/// is set.
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // the head has 53 bits; the tail may round
 fn from_bits([high, middle, low]: [u64; 3]) -> DoubleDouble {
     let first = u128::from(high) << 64 | u128::from(middle);

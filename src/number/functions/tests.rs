@@ -2,13 +2,14 @@ use super::*;
 use crate::number::power_of_two::ulp;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// Values computed with 600 digits by `tests/data/elementary-functions.py`: `function,arguments,value,rest` with bits in hexadecimal,
-/// and in units in the last place what the value's rounding left off.
+/// Values computed with 600 digits by `tests/data/elementary-functions.py`: `function,arguments,value,rest`
+/// with bits in hexadecimal, and in units in the last place what the value's rounding left off.
 const TABLE: &str = include_str!("../../../tests/data/elementary-functions.csv");
 
 type Function = fn(f64, f64) -> f64;
 
-/// By how many units in the last place each function may be off: what 100,000 random arguments found, and a little.
+/// By how many units in the last place each function may be off: what 100,000 random arguments found, and a
+/// little.
 const BOUNDS: [(&str, f64, Function); 11] = [
     ("sin", 0.74, |x, _| sin_cos(x).0),
     ("cos", 0.70, |x, _| sin_cos(x).1),

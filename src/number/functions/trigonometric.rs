@@ -6,7 +6,8 @@ use core::f64::consts::FRAC_PI_4;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// `(1 - sin x / x) / x²` as a series in `x²`. Up to an eighth of a turn the first term left out is below 2^-66.
+/// `(1 - sin x / x) / x²` as a series in `x²`. Up to an eighth of a turn the first term left out is below
+/// 2^-66.
 const SINE: [f64; 8] = inverse_factorials(3, 2, -1.0);
 
 /// `(cos x - 1 + x²/2) / x⁴` as one.

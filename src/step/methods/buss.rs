@@ -1,5 +1,5 @@
-//! Buss's augmented method of second order [Bus00](crate::references): one turn a step by an averaged spin, with the term by which turns do
-//! not commute.
+//! Buss's augmented method of second order [Bus00](crate::references): one turn a step by an averaged spin,
+//! with the term by which turns do not commute.
 
 use crate::body::State;
 use crate::number::Analytic;

@@ -1,4 +1,5 @@
-//! Constants that are no fractions, as exact decimals of 27 digits, so that one definition serves every number type.
+//! Constants that are no fractions, as exact decimals of 27 digits, so that one definition serves every
+//! number type.
 
 use crate::number::Field;
 

@@ -14,7 +14,7 @@ pub(crate) const INFO: MethodInfo = MethodInfo {
     source: "DP80",
 };
 
-/// A whole number over another.
+/// An integer over another.
 type Ratio = (i32, u32);
 
 /// Each stage's weights of the slopes before it. The last row is the step of order 5.
@@ -56,7 +56,8 @@ pub(crate) struct Stages<T: nalgebra::Scalar> {
 }
 
 impl<T: Analytic> Stages<T> {
-    /// The step from `start` to `h` seconds later, given the slope at `start`; `time` seconds have gone by since the system's time.
+    /// The step from `start` to `h` seconds later, given the slope at `start`; `time` seconds have gone by
+    /// since the system's time.
     pub(crate) fn new(system: &System<T>, start: &State<T>, first: Rate<T>, time: &T, h: &T) -> Self {
         let mut slopes: [Rate<T>; 6] = core::array::from_fn(|_| first.clone());
         let mut near = start.clone();

@@ -31,8 +31,8 @@ pub(crate) const GAUSS_6: MethodInfo =
 /// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
 const ROUNDS: usize = 200;
 
-/// The fixed point of `next`, iterated until it moves by no more than rounding. On power series each round settles one power, until nothing
-/// moves at all.
+/// The fixed point of `next`, iterated until it moves by no more than rounding. On power series each round
+/// settles one power, until nothing moves at all.
 fn fixed_point<S>(
     what: &'static str,
     mut guess: S,
@@ -59,9 +59,10 @@ fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
     v.iter().map(Analytic::size).sum()
 }
 
-/// `L' - L = h (M x w + torque)` with `M` the mean of the momenta and `w = J M`, and a turn by half-angle tangents `h w / 2`. That
-/// turn, without a torque, is what the rule itself makes of the momentum; so attitude and momentum move as one, and the
-/// momentum stays in the world. The torque is taken at the mean of the attitudes.
+/// `L' - L = h (M x w + torque)` with `M` the mean of the momenta and `w = J M`, and a turn by half-angle
+/// tangents `h w / 2`. That turn, without a torque, is what the rule itself makes of the momentum; so
+/// attitude and momentum move as one, and the momentum stays in the world. The torque is taken at the mean of
+/// the attitudes.
 pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
     let turn = |mean: &Vector3<T>| {
@@ -82,7 +83,8 @@ pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T)
         system.torque_after(&here, &half).map(|x| x * half.clone())
     };
     let next = |mean: &Vector3<T>| {
-        // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two nearly cancel.
+        // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two
+        // nearly cancel.
         let turned = euler::coupling(system.moments(), &system.omega(mean));
         let better = &start.momentum + turned.map(|x| x * half.clone()) + kick(mean);
         let moved = size(&(&better - mean));

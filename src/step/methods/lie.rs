@@ -1,5 +1,5 @@
-//! Runge-Kutta in the turn itself, after Munthe-Kaas [MK98](crate::references): the attitude stays a rotation, and the momentum stays where it
-//! was in the world.
+//! Runge-Kutta in the turn itself, after Munthe-Kaas [MK98](crate::references): the attitude stays a
+//! rotation, and the momentum stays where it was in the world.
 
 use crate::attitude;
 use crate::body::State;
@@ -29,8 +29,8 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
         let momentum = attitude::rotate_inverse(&turned, momentum);
         State { attitude: attitude::product(&start.attitude, &turned), momentum }
     };
-    // The rate of a rotation momentum v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12 and terms that the fourth
-    // order does not see.
+    // The rate of a rotation momentum v for a spin w in the turning axes: w + v x w / 2 + v x (v x w) / 12
+    // and terms that the fourth order does not see.
     let rate = |turn: &Vector3<T>, momentum: &Vector3<T>, time: &T| {
         let here = at(turn, momentum);
         let omega = system.omega(&here.momentum);

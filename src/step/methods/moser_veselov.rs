@@ -1,19 +1,22 @@
-//! The discrete Moser-Veselov algorithm [MV91](crate::references), and the same given such moments that its step is the body's own
-//! motion to order 4, 6, 8 or 10 ([MZ05](crate::references), [HV06](crate::references)).
+//! The discrete Moser-Veselov algorithm [MV91](crate::references), and the same given such moments that its
+//! step is the body's own motion to order 4, 6, 8 or 10 ([MZ05](crate::references),
+//! [HV06](crate::references)).
 //!
-//! One step turns the body by the half-angle tangents `c` (the axis times the tangent of half the angle) that solve
+//! One step turns the body by the half-angle tangents `c` (the axis times the tangent of half the angle) that
+//! solve
 //!
 //! ```text
 //! K c + c x K c = (1 + |c|^2) h L / 2
 //! ```
 //!
-//! with `K` the moments. Energy, momentum in the world and the length of the attitude are kept by every step that turns the body by less
-//! than a quarter turn (longer ones are refused), and so by any `K` with `1/K_j = a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. All that such a step can be wrong by is
-//! the rates of its two angles, and the two numbers `a` and `b` put those right.
+//! with `K` the moments. Energy, momentum in the world and the length of the attitude are kept by every step
+//! that turns the body by less than a quarter turn (longer ones are refused), and so by any `K` with `1/K_j =
+//! a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. All that such a
+//! step can be wrong by is the rates of its two angles, and the two numbers `a` and `b` put those right.
 //!
-//! Their powers in `h` come from the exact motion: seen from it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)` the turn of one step.
-//! `proofs/programs/moser_veselov.py` expands this in exact fractions and prints the sums below. The order of the result is proven of this
-//! very code, on power series.
+//! Their powers in `h` come from the exact motion: for it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)`
+//! the turn of one step. `proofs/programs/moser_veselov.py` expands this in exact fractions and prints the
+//! sums below. The order of the result is proven of this very code, on power series.
 
 use crate::attitude;
 use crate::body::State;
@@ -56,13 +59,14 @@ pub(crate) fn step<T: Analytic>(
 
 /// The longest turn of a step, rad: there `|c| = 1`.
 ///
-/// The equation has several solutions. With `D = tr(K)/2 - K`, the turn `R` and `W = R D` it is `W - W^T = M` with `W^T W = D^2`; two solutions
-/// `V` and `W` then obey `V^T (V - W) + (V - W) W = 0`, which leaves no difference where the eigenvalues of both have positive real parts.
-/// Below a quarter turn they do, since then `R + R^T` is positive definite. So no other solution is taken for this one, forth or back.
+/// The equation has several solutions. With `D = tr(K)/2 - K`, the turn `R` and `W = R D` it is `W - W^T = M`
+/// with `W^T W = D^2`; two solutions `V` and `W` then obey `V^T (V - W) + (V - W) W = 0`, which leaves no
+/// difference where the eigenvalues of both have positive real parts. Below a quarter turn they do, since
+/// then `R + R^T` is positive definite. So no other solution is taken for this one, forth or back.
 const LONGEST: f64 = core::f64::consts::FRAC_PI_2;
 
-/// The greatest relative change of an inverse moment by preprocessing: beyond it the powers of the step no longer converge, and the altered
-/// moments may be those of no body.
+/// The greatest relative change of an inverse moment by preprocessing: beyond it the powers of the step no
+/// longer converge, and the altered moments may be those of no body.
 const MOST_ALTERED: f64 = 0.5;
 
 const ALTERED: &str =
@@ -85,7 +89,8 @@ impl<T: Analytic> Prepared<T> {
     /// # Errors
     /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
     pub(crate) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
-        // In units of the first moment and of the step everything is a pure number, and small where the step is.
+        // In units of the first moment and of the step everything is a pure number, and small where the step
+        // is.
         let unit = &inverse.x;
         let [one, j, k] = [T::one(), inverse.y.clone() / unit.clone(), inverse.z.clone() / unit.clone()];
         let inverse = Vector3::new(one, j, k);
@@ -151,7 +156,8 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
     let mut c = u.map(|x| x * grown.clone()) - bend(&nearer);
     // An error e leaves one of the order of e^2: below this it leaves less than rounding.
     let enough = T::rounding().sqrt() / 8.0;
-    // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to find.
+    // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to
+    // find.
     let least = powi(T::rounding(), 4);
     let mut moved = f64::NAN;
     for _ in 0..ROUNDS {
@@ -188,7 +194,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
     .into())
 }
 
-/// A whole number.
+/// An integer.
 #[inline(always)]
 fn whole<T: Ring>(n: i32) -> T {
     let size = T::integer(n.unsigned_abs());
@@ -204,7 +210,7 @@ fn corrections<T: Analytic>(inverse: &Vector3<T>, momentum: &Vector3<T>, order: 
     let e1 = x.clone() + y.clone() + z.clone();
     let e2 = p(x, y) + p(y, z) + p(z, x);
     let e3 = p(&p(x, y), z);
-    // Sums of whole numbers times products of the elementary symmetric functions.
+    // Sums of integers times products of the elementary symmetric functions.
     macro_rules! sum {
         ($($n:literal $first:ident $($rest:ident)*),*) => {
             T::zero() $(+ whole::<T>($n) * $first.clone() $(* $rest.clone())*)*

@@ -13,7 +13,8 @@ pub(crate) const INFO: MethodInfo = MethodInfo {
     source: "Kut01",
 };
 
-/// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors fall as `h^4`.
+/// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors
+/// fall as `h^4`.
 ///
 /// The attitude's length is not restored: it drifts at the rate of the error, and shows it.
 ///

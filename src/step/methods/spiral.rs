@@ -1,5 +1,5 @@
-//! SPIRAL in its synchronous form [Val24](crate::references): a turn by the spin, then one by how it changes; the spin by a Runge-Kutta method of
-//! third order.
+//! SPIRAL in its synchronous form [Val24](crate::references): a turn by the spin, then one by how it changes;
+//! the spin by a Runge-Kutta method of third order.
 
 use crate::body::State;
 use crate::number::Analytic;
@@ -8,8 +8,8 @@ use crate::step::system::System;
 use crate::{attitude, dynamics::euler};
 use nalgebra::Vector3;
 
-/// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of the step, as the proofs
-/// show. The order of a method is that of the worst.
+/// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of
+/// the step, as the proofs show. The order of a method is that of the worst.
 pub(crate) const INFO: MethodInfo = MethodInfo {
     name: "SPIRAL",
     order: 2,

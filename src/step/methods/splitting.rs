@@ -1,5 +1,6 @@
-//! The three-rotation splitting: the energy's three terms one after another, each an exact turn about a principal axis
-//! ([McL93](crate::references), [Rei93](crate::references), [TW94](crate::references)); and compositions of it to orders 4 and 6.
+//! The three-rotation splitting: the energy's three terms one after another, each an exact turn about a
+//! principal axis ([McL93](crate::references), [Rei93](crate::references), [TW94](crate::references)); and
+//! compositions of it to orders 4 and 6.
 
 use super::decimal::Decimal;
 use crate::body::State;
@@ -19,14 +20,16 @@ pub(crate) const ORDER_2: MethodInfo = info("three rotations", 2, "McL93");
 pub(crate) const ORDER_4: MethodInfo = info("three rotations, 7 in 1", 4, "our own weights");
 pub(crate) const ORDER_6: MethodInfo = info("three rotations, 9 in 1", 6, "KL97");
 
-/// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition of a symmetric method of
-/// order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are too few for that in fractions, since 2 has no
-/// cube root among them, and so are five, since 4 is no sum of two of their cubes. Of seven, these are by far the smallest with whole numbers up to 60
-/// over a common one: 2 (12^3 + 17^3 + 19^3) = 30^3.
+/// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition
+/// of a symmetric method of order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are
+/// too few for that in fractions, since 2 has no cube root among them, and so are five, since 4 is no sum of
+/// two of their cubes. Of seven, these are by far the smallest with integers up to 60 over a common one: 2
+/// (12^3 + 17^3 + 19^3) = 30^3.
 const SEVEN: [(i32, u32); 4] = [(19, 66), (17, 66), (12, 66), (-30, 66)];
 
-/// Shares of the step for order 6: also their fifth powers sum to 0, and so does one more polynomial. The first is a free number, taken as it was
-/// published [KL97](crate::references) with 26 digits; the others solve the four equations.
+/// Shares of the step for order 6: also their fifth powers sum to 0, and so does one more polynomial. The
+/// first is a free number, taken as it was published [KL97](crate::references) with 26 digits; the others
+/// solve the four equations.
 const NINE: [Decimal; 5] = [
     decimal(false, [392_161_444, 7_314_139, 279_250_560]),
     decimal(false, [332_599_136, 789_359_438, 599_748_634]),

@@ -1,5 +1,5 @@
-//! The splitting of Dullweber, Leimkuhler and McLachlan [DLM97](crate::references): the exact motion of a symmetric top between two half turns
-//! that make up for what the body is not one.
+//! The splitting of Dullweber, Leimkuhler and McLachlan [DLM97](crate::references): the exact motion of a
+//! symmetric top between two half turns that make up for what the body is not one.
 
 use super::splitting::spun;
 use crate::attitude;
@@ -16,8 +16,9 @@ pub(crate) const INFO: MethodInfo = MethodInfo {
     source: "DLM97",
 };
 
-/// The top is symmetric about z, with the moment about x for its two equal ones; the difference is a turn about y. A body is best given
-/// with the two moments first that are nearest to each other. With a torque, all of it between two half kicks.
+/// The top is symmetric about z, with the moment about x for its two equal ones; the difference is a turn
+/// about y. A body is best given with the two moments first that are nearest to each other. With a torque,
+/// all of it between two half kicks.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
     let quarter = half.clone() / T::integer(2);

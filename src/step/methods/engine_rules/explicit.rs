@@ -41,7 +41,8 @@ fn pushed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T
 }
 
 pub(crate) fn constant_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    // A turn about the spin leaves the spin's body components alone: constant in the world, it is constant in the body.
+    // A turn about the spin leaves the spin's body components alone: constant in the world, it is constant in
+    // the body.
     let momentum = pushed(system, start, h);
     State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }

@@ -1,4 +1,4 @@
-//! Implicit Euler, cut short after one Newton step: with a torque beside it, and with the torque inside.
+//! Implicit Euler, cut short after one Newton step: with a torque outside it, and with the torque inside.
 
 use super::turn::turned;
 use crate::body::State;
@@ -23,8 +23,8 @@ pub(crate) const LINEARISED: MethodInfo = MethodInfo {
     source: "a rule of physics engines",
 };
 
-/// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative of `w x I w` and `C` the
-/// drag along each axis.
+/// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative
+/// of `w x I w` and `C` the drag along each axis.
 fn solved<T: Analytic>(
     system: &System<T>,
     start: &State<T>,

@@ -1,5 +1,5 @@
-//! The classical Runge-Kutta method for the spin, with the attitude turned and not added to; with the rates of the turn
-//! corrected, or not.
+//! The classical Runge-Kutta method for the spin, with the attitude turned and not added to; with the rates
+//! of the turn corrected, or not.
 
 use super::turn::turned;
 use crate::attitude;
@@ -33,7 +33,8 @@ pub(crate) fn corrected<T: Analytic>(system: &System<T>, start: &State<T>, h: &T
     stepped(system, start, h, turn_rate)
 }
 
-/// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is `slope(turn, spin)`.
+/// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is `slope(turn,
+/// spin)`.
 fn stepped<T: Analytic>(
     system: &System<T>,
     start: &State<T>,
@@ -69,8 +70,8 @@ fn stepped<T: Analytic>(
     State { attitude: turned(&start.attitude, &mean(&k1.0, &k2.0, &k3.0, &k4.0), h), momentum }
 }
 
-/// The rate of the rotation momentum `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x (v x w)`, with
-/// `c = (1 - (|v|/2) cot(|v|/2)) / |v|^2`. It is infinite at whole turns.
+/// The rate of the rotation momentum `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x
+/// (v x w)`, with `c = (1 - (|v|/2) cot(|v|/2)) / |v|^2`. It is infinite at whole turns.
 fn turn_rate<T: Analytic>(turn: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
     let once = turn.cross(omega);
     let half = turn.map(|x| x / T::integer(2));

@@ -15,8 +15,8 @@ pub(crate) fn turned<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: 
     unit(&attitude::product(start, &attitude::turn(&omega.map(|x| x * h.clone()))))
 }
 
-/// `start` moved straight along its rate for the time `h` and brought back to length 1. It turns about the right axis,
-/// by `2 atan(|w| h / 2)` instead of `|w| h`.
+/// `start` moved straight along its rate for the time `h` and brought back to length 1. It turns about the
+/// right axis, by `2 atan(|w| h / 2)` instead of `|w| h`.
 pub(crate) fn turned_straight<T: Analytic>(
     start: &Quaternion<T>,
     omega: &Vector3<T>,
