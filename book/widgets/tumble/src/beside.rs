@@ -25,7 +25,8 @@ fn found(what: u32, row: &Numbers) -> Option<usize> {
     let [time, parts] = row.take(6);
     let motion = FreeMotion::new(moments.try_into().ok()?, &omega).ok()?;
     if what == 0 {
-        let ([x, y, z], q) = (motion.omega(time).ok()?.into(), motion.attitude(time).ok()?);
+        let now = motion.at(time).ok()?;
+        let ([x, y, z], q) = (now.omega.into(), now.attitude);
         return Some(row.fill(&[x, y, z, q.w, q.i, q.j, q.k]));
     }
     let parts = (parts as usize).clamp(1, MOST);
@@ -36,7 +37,7 @@ fn found(what: u32, row: &Numbers) -> Option<usize> {
     }
     row.set(0, (place - 1) as f64);
     for part in 0..=parts {
-        row.set(place, motion.omega(time * (part as f64 / parts as f64)).ok()?.x);
+        row.set(place, motion.at(time * (part as f64 / parts as f64)).ok()?.omega.x);
         place += 1;
     }
     Some(place)

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use std::sync::{Mutex, PoisonError};
 use tumbling::body::named;
 use tumbling::exact::{FreeMotion, Regime, time_between_flips};
+use tumbling::number::Analytic;
 use tumbling::{Axis, Error, ErrorKind};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as half of the rest.
@@ -186,7 +187,7 @@ fn polhode([around, depth, points]: [f64; 3], row: &Numbers) -> usize {
     let (wide, high) = (amplitude(first), amplitude(second));
     let points = points.clamp(2.0, MOST_SAMPLES) as u32;
     for i in 0..points {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(points)).sin_cos();
+        let (sin, cos) = Analytic::sin_cos(&(std::f64::consts::TAU * f64::from(i) / f64::from(points)));
         let (x, y) = (wide * cos, high * sin);
         let along = (1.0 - x * x - y * y).max(0.0).sqrt();
         for ((axis, value), moment) in axes.into_iter().zip([along, x, y]).zip([about, first, second]) {

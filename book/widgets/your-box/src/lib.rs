@@ -1,12 +1,12 @@
 //! Your box: three sides, a mass and a spin, and what follows from them.
 
-use exchange::{Numbers, Text};
+use exchange::{Line, Numbers};
 use nalgebra::Vector3;
 use tumbling::solid::{Cuboid, Solid};
 use tumbling::{Error, ErrorKind, Inertia};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as all the rest.
-pub static WHY: Text = Text::new();
+pub static WHY: Line = Line::new();
 
 /// Of the row it takes: the edges along x, y and z, m; the mass, kg; and the spin along them, rad/s.
 ///
@@ -27,7 +27,7 @@ pub fn answer(_what: u32, row: &Numbers) -> usize {
             row.fill(&[x, y, z, momentum.x, momentum.y, momentum.z, gap.to_degrees(), fate])
         }
         Err(why) => {
-            WHY.say(why.concat());
+            WHY.say(&why);
             0
         }
     }
