@@ -82,7 +82,8 @@ fn a_plan_expects_what_was_counted() {
 fn each_part_of_the_workspace_brings_its_own_crates_and_the_library_few() {
     let rows = record::scenes().unwrap().rows;
     let of = |row: &str, what: &str| value(&rows, "compiled", row, what).unwrap();
-    assert!(of("the library", CRATES) <= 15.0);
+    // Its two dependencies and theirs: 15, and libm for the roots and products that round alike everywhere.
+    assert!(of("the library", CRATES) <= 16.0);
     assert!(of("scenes", MORE) <= 1.0 + f64::EPSILON);
     assert!(of("scenes from files", MORE) > of("scenes", MORE));
     assert!(of("the book", CRATES) > 5.0 * of("the library", CRATES));

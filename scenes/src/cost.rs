@@ -28,7 +28,7 @@ pub(crate) const LINEARISED: f64 = 860.0;
 pub(crate) const DRIFT: f64 = 11_000.0;
 
 /// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where that is in question.
-const ELLIPTIC: f64 = 28_000.0;
+const ELLIPTIC: f64 = 46_000.0;
 
 impl Plan<'_> {
     /// The expected cost.
@@ -45,7 +45,7 @@ impl Plan<'_> {
         match &self.strategy {
             Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 150.0 },
             Strategy::Nothing | Strategy::Constant { .. } => Cost { once: 1900.0, state: 120.0 },
-            Strategy::Rotation(_) => Cost { once: 2500.0, state: 400.0 },
+            Strategy::Rotation(_) => Cost { once: 2500.0, state: 490.0 },
             Strategy::SymmetricTop(_) if outputs.attitude => Cost { once: 3100.0, state: 1000.0 },
             Strategy::SymmetricTop(_) => Cost { once: 3100.0, state: 430.0 },
             Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 720.0 },
