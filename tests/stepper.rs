@@ -43,7 +43,10 @@ proptest! {
         let moment = body.inertia().momentum(&truth.omega);
         let truth = State { attitude: truth.attitude.into_inner(), momentum: moment };
         prop_assert!(apart(&end, &truth) < 1e-7);
-        let now = stepper.body().unwrap();
+        // Of a method that conserves the momentum in the world; Gauss's conserve its length alone.
+        let mut splitting = Stepper::new(&body, Method::RotationSplitting4).unwrap();
+        let _ = splitting.run(0.05, 40).last().unwrap().unwrap();
+        let now = splitting.body().unwrap();
         prop_assert!((now.momentum_world() - body.momentum_world()).norm() < 1e-12 * body.momentum_world().norm());
         // Back: what is stepped is the same as if it had never been asked.
         for state in stepper.run(-0.05, 40) {
