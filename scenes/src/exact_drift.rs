@@ -15,7 +15,6 @@ use tumbling::step::{State, System};
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
 /// use tumbling::PrincipalMoments;
-/// use tumbling::PrincipalMoments;
 /// use tumbling::step::{State, System, Torque};
 /// use tumbling_scenes::exact_drift;
 /// // A free body, an hour in one step.
