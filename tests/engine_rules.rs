@@ -55,7 +55,7 @@ fn body() -> impl Strategy<Value = (System<f64>, State<f64>)> {
 fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] {
     let h = 0.3;
     let mut most = [0.0_f64; 5];
-    let mut motion = start.clone();
+    let mut motion = *start;
     for _ in 0..50 {
         let next = method.step(system, &motion, h).unwrap();
         let back = method.step(system, &next, -h).unwrap();
@@ -109,7 +109,7 @@ proptest! {
     fn a_body_without_gyroscopic_term_never_flips(q in attitude(), push in 1e-3..0.1_f64) {
         let system = System::free(tumbling::PrincipalMoments::new(1.0, 2.0, 3.0).unwrap()).unwrap();
         let start = State { attitude: q.into_inner(), momentum: system.momentum(&Vector3::new(push, 10.0, push)) };
-        let mut motion = start.clone();
+        let mut motion = start;
         for _ in 0..600 {
             motion = Method::ConstantSpin.step(&system, &motion, 1.0 / 60.0).unwrap();
         }

@@ -448,7 +448,7 @@ fn answer_alike(
     if one.flips.len() == other.flips.len() {
         off.extend(one.flips.iter().zip(&other.flips).map(|(a, b)| ("flip", (a - b).abs(), answer * 1e2)));
     }
-    match off.into_iter().find(|(_, off, bound)| !(off <= bound)) {
+    match off.into_iter().find(|(_, off, bound)| off.is_nan() || off > bound) {
         Some((what, off, bound)) => Err(format!("{what}: {off:e}, allowed {bound:e}")),
         None => Ok(()),
     }

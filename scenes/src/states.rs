@@ -155,7 +155,7 @@ fn stepped(
     driven: &Driven,
     time: f64,
 ) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
-    let (mut now, mut state) = reached.take().unwrap_or_else(|| (0.0, driven.start));
+    let (mut now, mut state) = reached.take().unwrap_or((0.0, driven.start));
     if time > now {
         state = driven.control.to_the_end(&driven.system, &state, time - now)?;
         now = time;

@@ -355,8 +355,8 @@ fn near_return(
             let later = &column + rate * earlier[3 + k];
             column.copy_from(&later.component_mul(&signs));
         }
-        for k in 0..3 {
-            found.energy[k] += squares[k];
+        for (sum, square) in found.energy.iter_mut().zip(squares) {
+            *sum += square;
         }
         let end = Vector3::from(end).component_mul(&signs);
         let times = [time - halves.time, halves.time];

@@ -83,7 +83,7 @@ pub fn adaptive_within(
         }
         .into());
     }
-    start.clone().checked()?;
+    (*start).checked()?;
     let mut run = Run::new(system, start, duration, tolerance)?;
     while run.time != duration {
         if *budget == 0 {
@@ -146,7 +146,7 @@ impl<'a> Run<'a> {
         let pace = (2.0 * turning).max((torque * system.inverse().max()).sqrt());
         let guess = fifth_root(tolerance) / pace;
         let h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
-        let state = start.clone();
+        let state = *start;
         let (steps, rejected, stiff, mild) = (0, 0, 0, 0);
         Ok(Self { system, duration, tolerance, time: 0.0, state, slope, h, steps, rejected, stiff, mild })
     }
@@ -163,7 +163,7 @@ impl<'a> Run<'a> {
             }
             .into());
         }
-        let stages = Stages::new(self.system, &self.state, self.slope.clone(), &self.time, &h);
+        let stages = Stages::new(self.system, &self.state, self.slope, &self.time, &h);
         let end_slope = self.system.rate_after(&stages.end, &(self.time + h));
         let error = self.error(&stages.error(&end_slope, &h), &h) / self.tolerance;
         // A stage that left the range: the step was far too long.

@@ -90,7 +90,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             attitude: start.attitude * frame.into_inner(),
             momentum: frame.inverse() * start.momentum,
         };
-        let start = frame.map_or(start.clone(), turned);
+        let start = frame.map_or(start, turned);
         let moments = cast_exactly("a principal moment", &moments)?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
         if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
@@ -169,7 +169,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let mut system = self.system.clone();
         [self.time, after].into_iter().find_map(|time| {
             system.set_time(T::from_f64(time)?);
-            system.torque(&self.state).iter().find_map(|x| finite("the torque", number(x.clone())).err())
+            system.torque(&self.state).iter().find_map(|x| finite("the torque", number(*x)).err())
         })
     }
 
@@ -250,7 +250,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     #[must_use]
     pub fn state(&self) -> State<T> {
         let State { attitude, momentum } = &self.state;
-        let Some(frame) = &self.frame else { return self.state.clone() };
+        let Some(frame) = &self.frame else { return self.state };
         let back = conjugate(frame);
         State {
             attitude: attitude::product(attitude, &back),

@@ -79,7 +79,7 @@ impl Random {
 
     /// Moments that a body can have, some of them equal or nearly.
     fn moments(&mut self) -> PrincipalMoments {
-        let [x, mut y, mut z] = [0, 1, 2].map(|_| self.size(if self.0 % 4 == 0 { 30 } else { 3 }));
+        let [x, mut y, mut z] = [0, 1, 2].map(|_| self.size(if self.0.is_multiple_of(4) { 30 } else { 3 }));
         match self.bits() % 8 {
             0 => (y, z) = (x, x),
             1 => y = x,
