@@ -115,7 +115,7 @@ proptest! {
                         prop_assert!(apart(&back, &start) < bound, "{method:?} {h}: {:e}", apart(&back, &start));
                     }
                 }
-                // Found in so many rounds forth and in a few more back.
+                // Found in this number of rounds forward, and in a few more backward.
                 Err(error) if error.to_string().contains("was not found in 200 rounds") => (),
                 Err(error) => prop_assert!(false, "{method:?} {h}: {error}"),
             }

@@ -184,7 +184,7 @@ impl<T: Analytic> Torque<T> {
 
 /// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and the whole
 /// is brought back to its length. Rates are taken from the slowest, so that one component always stays;
-/// lengths in parts of the largest component, so that no square leaves the range.
+/// lengths relative to the largest component, so that no square leaves the range.
 fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T) -> Vector3<T> {
     let present = |i: &usize| momentum[*i].size() > 0.0;
     let slowest = (0..3).filter(present).min_by(|&i, &j| inverse[i].size().total_cmp(&inverse[j].size()));

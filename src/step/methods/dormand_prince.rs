@@ -44,7 +44,7 @@ fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio]
         .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, h.clone() * number::<T>(weight)))
 }
 
-/// The times of the stages after the first, in parts of the step: the sums of their weights.
+/// The times of the stages after the first as fractions of the step: the sums of their weights.
 const NODES: [Ratio; 6] = [(1, 5), (3, 10), (4, 5), (8, 9), (1, 1), (1, 1)];
 
 /// A step with its first six slopes.
