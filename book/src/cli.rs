@@ -70,9 +70,9 @@ enum Command {
     },
     /// Compare an engine's record of a free body with the exact motion, and name the rule that made it
     Judge(judge::Arguments),
-    /// Run every method against the exact motion, some minutes; renews measure/record/
+    /// Run every method against the exact motion, some minutes; renews crates/measure/record/
     Measure(measure::Arguments),
-    /// Run every method on every hard case, some seconds; renews measure/record/atlas.tsv
+    /// Run every method on every hard case, some seconds; renews crates/measure/record/atlas.tsv
     Atlas,
     /// Print a script that completes commands in your shell, for target/release/tumbling-book
     Completions { shell: Shell },

@@ -17,12 +17,12 @@ use tumbling_measure::{atlas as places, contestant, savings, story};
 #[derive(Debug, Args)]
 #[command(
     args_conflicts_with_subcommands = true,
-    after_help = "`git checkout measure/record` brings the book's own record back."
+    after_help = "`git checkout crates/measure/record` brings the book's own record back."
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     what: Option<What>,
-    /// Coarser, in less than a minute, into measure/quick/
+    /// Coarser, in less than a minute, into crates/measure/quick/
     #[arg(long)]
     quick: bool,
     /// Also published solvers and an engine in the same run; compiles some two hundred crates first
@@ -37,7 +37,7 @@ pub(crate) struct Arguments {
 enum What {
     /// Count what scenes cost by what is requested, and what crates each part brings; needs valgrind
     ///
-    /// Renews measure/record/scenes.csv.
+    /// Renews crates/measure/record/scenes.csv.
     Scenes {
         /// Write nothing; fail where the record says otherwise
         #[arg(long)]
@@ -48,9 +48,9 @@ enum What {
     },
     /// Move a hundred to ten million bodies, and an engine's too, some minutes
     ///
-    /// Renews measure/record/scale.csv.
+    /// Renews crates/measure/record/scale.csv.
     Scale {
-        /// Up to a hundred thousand bodies, into measure/quick/
+        /// Up to a hundred thousand bodies, into crates/measure/quick/
         #[arg(long)]
         quick: bool,
     },
@@ -73,7 +73,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             Ok(())
         }
         (None, Some(method)) => {
-            let folder = paths::repository().join("measure/record");
+            let folder = paths::repository().join("crates/measure/record");
             say!("{}", campaign::longest(method, campaign::LONGEST, &folder)?);
             Ok(())
         }
@@ -83,7 +83,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
 fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
-    let folder = paths::repository().join("measure").join(if quick { "quick" } else { "record" });
+    let folder = paths::repository().join("crates/measure").join(if quick { "quick" } else { "record" });
     let start = Instant::now();
     if peers {
         let mut cargo = peers_program();
@@ -104,7 +104,7 @@ fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     say!("{}", folder.display());
     if !quick {
         say!(
-            "Draw its figures with `cargo run --release`. The book's own record: `git checkout measure/record`."
+            "Draw its figures with `cargo run --release`. The book's own record: `git checkout crates/measure/record`."
         );
     }
     Ok(())
@@ -113,7 +113,7 @@ fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
 /// How the program of the peers is run.
 fn peers_program() -> Command {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    let manifest = paths::repository().join("measure/peers/Cargo.toml");
+    let manifest = paths::repository().join("crates/measure/peers/Cargo.toml");
     cargo.args(["run", "--release", "--manifest-path"]).arg(manifest);
     cargo
 }
@@ -128,7 +128,7 @@ fn through(mut cargo: Command) -> Result<(), Box<dyn Error>> {
 
 /// Many bodies, beside Rapier: by a build for any machine, then by one for this machine.
 fn scale(quick: bool) -> Result<(), Box<dyn Error>> {
-    let measure = paths::repository().join("measure");
+    let measure = paths::repository().join("crates/measure");
     let folder = measure.join(if quick { "quick" } else { "record" });
     let start = Instant::now();
     let asked = |build: &str, native: bool| {
@@ -158,7 +158,7 @@ fn scale(quick: bool) -> Result<(), Box<dyn Error>> {
 pub(crate) fn atlas() -> Result<(), Box<dyn Error>> {
     let places = places::atlas()?;
     say!("{}", places::table(&places));
-    let file = paths::repository().join("measure/record/atlas.tsv");
+    let file = paths::repository().join("crates/measure/record/atlas.tsv");
     std::fs::write(&file, places::written(&places))
         .map_err(|error| format!("{}: {error}", file.display()))?;
     say!("The record is in {}", file.display());
@@ -193,7 +193,7 @@ fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
     let folder = builds.then(TempDir::new).transpose()?;
     let folder = folder.as_ref().map(TempDir::path);
     rows.extend(savings::compiled(paths::repository(), folder, &mut progress())?);
-    let file = paths::repository().join("measure/record/scenes.csv");
+    let file = paths::repository().join("crates/measure/record/scenes.csv");
     // The record as it is now, not as it was when this program was compiled.
     let now = std::fs::read_to_string(&file).ok().and_then(|text| Record::read(&text).ok());
     std::fs::write(&file, savings::renewed(now.unwrap_or(old), rows).write())

@@ -19,7 +19,7 @@ const OPENING: &str = "{{#widget";
 /// Files that a widget takes along besides its module: the widget, the file's name for it, and where it
 /// stands.
 const CARRIED: [(&str, &str, &str); 1] =
-    [("judge", "example", "tests/data/engines/rapier3d-f64-0.36.1--major.csv")];
+    [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// Modules that a widget asks besides its own: the widget, and the module.
 const BESIDE: [(&str, &str); 2] = [("pitfalls", "tumble"), ("steps", "tumble")];

@@ -21,7 +21,7 @@ pub struct PhysicsEngine {
     pub parts: u32,
     /// What it adds to the rule.
     pub limits: Limits,
-    /// The name of its recorded motions in `tests/data/engines`.
+    /// The name of its recorded motions in `crates/judge/data`.
     pub record: Option<&'static str>,
 }
 

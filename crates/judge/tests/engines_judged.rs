@@ -6,7 +6,7 @@ use tumbling::step::Method;
 use tumbling_judge::{LawName, Options, Outcome, PHYSICS_ENGINES, Sure, Verdict, judge};
 
 fn records() -> Vec<(String, Verdict)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data");
     let mut names: Vec<String> = std::fs::read_dir(&folder)
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -59,7 +59,7 @@ fn the_file_of_no_engine_is_misread_and_only_the_four_resets_are_seen() {
 
 /// Energy and momentum squared in a record's first row and in its last, and `2 E I2 / L^2` in both, straight from its text.
 fn by_hand(name: &str) -> [f64; 3] {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data");
     let text = std::fs::read_to_string(folder.join(format!("{name}.csv"))).unwrap();
     let moments: Vec<f64> =
         text.split("moments ").nth(1).unwrap().split(' ').take(3).map(|x| x.parse().unwrap()).collect();
@@ -154,7 +154,7 @@ fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
         }),
         (Misread::LeftHandedSpin, |[t, w, x, y, z, a, b, c]| [t, w, x, y, z, -a, -b, -c]),
     ];
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data");
     let mut tried = 0;
     for (name, right) in records() {
         let (engine, story) = name.split_once("--").unwrap();
@@ -202,7 +202,7 @@ fn table() -> String {
 
 #[test]
 fn the_verdicts_that_the_figures_read_are_those_of_the_judge() {
-    let (committed, now) = (include_str!("../../tests/data/engines/judged.tsv"), table());
+    let (committed, now) = (include_str!("../data/judged.tsv"), table());
     // Errors of a rounding or so are a machine's own.
     let of = |text: &str| -> Vec<String> {
         let lines = text.lines().map(|line| {
@@ -214,5 +214,5 @@ fn the_verdicts_that_the_figures_read_are_those_of_the_judge() {
         });
         lines.collect()
     };
-    assert!(of(committed) == of(&now), "tests/data/engines/judged.tsv should be:\n{now}");
+    assert!(of(committed) == of(&now), "crates/judge/data/judged.tsv should be:\n{now}");
 }

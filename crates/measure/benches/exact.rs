@@ -1,7 +1,7 @@
 //! What the exact motion costs, in steps of the plain Runge-Kutta method: ratios within one run.
 //!
 //! ```text
-//! cargo bench -p tumbling --bench exact
+//! cargo bench -p tumbling-measure --bench exact
 //! valgrind --tool=callgrind --toggle-collect='*counted_here*' target/release/deps/exact-... count NAME
 //! ```
 //!

@@ -2,7 +2,7 @@
 //! one run.
 //!
 //! ```text
-//! cargo bench -p tumbling --bench step
+//! cargo bench -p tumbling-measure --bench step
 //! valgrind --tool=callgrind --toggle-collect='*counted_here*' target/release/deps/step-... count NAME
 //! ```
 //!

@@ -16,7 +16,7 @@ from fractions import Fraction
 
 from mpmath import mp, mpf
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tests/data"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../tests/data"))
 import oracle
 
 mp.dps = 60

@@ -163,7 +163,7 @@ const BUILDS: [(&str, &[&str]); 10] = [
     ("the proofs", &["-p", "tumbling-proofs"]),
     ("the figures", &["-p", "tumbling-figures"]),
     ("the book", &["-p", "tumbling-book"]),
-    ("the peers (in no default build)", &["--manifest-path", "measure/peers/Cargo.toml"]),
+    ("the peers (in no default build)", &["--manifest-path", "crates/measure/peers/Cargo.toml"]),
 ];
 
 /// Crates of the table `compiled`.

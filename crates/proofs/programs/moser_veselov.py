@@ -11,7 +11,7 @@ all three axes (it checks the third), and solves for the coefficients of a and b
 checking them on bodies beyond those that settle them. It prints the sums that src/step/moser_veselov.rs holds.
 Found first by McLachlan and Zanna (2005) and Hairer and Vilmart (2006); derived here afresh.
 
-    python3 proofs/programs/moser_veselov.py
+    python3 crates/proofs/programs/moser_veselov.py
 """
 
 import math

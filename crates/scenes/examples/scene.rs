@@ -47,7 +47,7 @@ FILE.toml has the bodies, the torques and what is requested:
                                  #   arm = [..] (m, body axes) with field = [..] (N, world axes): a weight
                                  #   dissipation = 0.1: turns spin into heat and keeps the momentum
 
-Files to begin with are in scenes/files.";
+Files to begin with are in crates/scenes/files.";
 
 #[derive(Clone, Copy, PartialEq)]
 enum Show {

@@ -5,7 +5,7 @@ use crate::strategy::{Driven, Strategy};
 
 /// Processor instructions that an answer is expected to take.
 ///
-/// Counted by valgrind (`cargo run --release -- measure scenes`; the record is `measure/record/scenes.csv`) on one machine, an x86-64,
+/// Counted by valgrind (`cargo run --release -- measure scenes`; the record is `crates/measure/record/scenes.csv`) on one machine, an x86-64,
 /// and rounded; on another they differ, their ratios less. The steps of a driven body are those of its trial run, or more where states
 /// are requested more often.
 #[derive(Debug, Clone, Copy, PartialEq)]

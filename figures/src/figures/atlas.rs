@@ -4,7 +4,7 @@ use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, Pen};
 use crate::ink::Ink;
 
-const RECORD: &str = include_str!("../../../measure/record/atlas.tsv");
+const RECORD: &str = include_str!("../../../crates/measure/record/atlas.tsv");
 
 /// How each fate is drawn: its word, a sign that says it without colour, and how dark.
 const FATES: [(&str, &str, f64); 9] = [

@@ -5,7 +5,7 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 
-const VERDICTS: &str = include_str!("../../../tests/data/engines/judged.tsv");
+const VERDICTS: &str = include_str!("../../../crates/judge/data/judged.tsv");
 
 /// Records, and what the figure calls them, in the order of the chapter's tables.
 const ENGINES: [(&str, &str); 6] = [
@@ -145,10 +145,10 @@ fn seen(text: &str, middle: usize) -> Result<Vec<[f64; 3]>, Box<dyn std::error::
 macro_rules! records {
     ($story:literal) => {
         [
-            include_str!(concat!("../../../tests/data/engines/mujoco-4.0.0-euler--", $story, ".csv")),
-            include_str!(concat!("../../../tests/data/engines/rapier3d-f64-0.36.1--", $story, ".csv")),
-            include_str!(concat!("../../../tests/data/engines/bullet-3.2.7-rigid--", $story, ".csv")),
-            include_str!(concat!("../../../tests/data/engines/mujoco-4.0.0-rk4--", $story, ".csv")),
+            include_str!(concat!("../../../crates/judge/data/mujoco-4.0.0-euler--", $story, ".csv")),
+            include_str!(concat!("../../../crates/judge/data/rapier3d-f64-0.36.1--", $story, ".csv")),
+            include_str!(concat!("../../../crates/judge/data/bullet-3.2.7-rigid--", $story, ".csv")),
+            include_str!(concat!("../../../crates/judge/data/mujoco-4.0.0-rk4--", $story, ".csv")),
         ]
     };
 }

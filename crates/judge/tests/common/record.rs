@@ -1,4 +1,4 @@
-//! What engines did to a body, as recorded in `tests/data/engines`.
+//! What engines did to a body, as recorded in `crates/judge/data`.
 
 use nalgebra::{Quaternion, Vector3};
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ pub struct Record {
 impl Record {
     pub fn read(engine: &str, story: &str) -> Self {
         let name = format!("{engine}--{story}.csv");
-        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data/engines").join(&name);
+        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data").join(&name);
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let after = |word: &str| -> Vector3<f64> {
             let rest = text.lines().next().unwrap().split(word).nth(1).unwrap();

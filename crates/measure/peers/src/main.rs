@@ -1,7 +1,7 @@
 //! Measures published integrators and a whole engine beside the tumbling library, in one run.
 //!
 //! ```text
-//! cargo run --release --manifest-path measure/peers/Cargo.toml -- [--quick] --into FOLDER
+//! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- [--quick] --into FOLDER
 //! ```
 
 #[cfg(feature = "solvers")]

@@ -6,7 +6,7 @@ use tumbling_proofs::equations::Equation;
 
 /// Each chapter by the name of its file, with its maths.
 pub fn chapters() -> Vec<(String, Vec<Equation>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../book/chapters");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/chapters");
     let mut chapters = Vec::new();
     for entry in std::fs::read_dir(folder).expect("the book's chapters") {
         let path = entry.expect("an entry").path();
