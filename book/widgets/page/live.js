@@ -125,7 +125,11 @@ globalThis.tumblingLive ??= (() => {
         let later = 0;
         return (text) => {
             clearTimeout(later);
-            later = setTimeout(() => { place.textContent = text; }, 700);
+            place.dataset.next = text;
+            later = setTimeout(() => {
+                place.textContent = text;
+                delete place.dataset.next;
+            }, 700);
         };
     }
 
