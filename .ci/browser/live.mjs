@@ -3,7 +3,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawn.moving.mjs";
+import { byHand, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawn.moving.mjs";
 import { arrowsDrawn, boxDrawn, read, stepsDrawn } from "./drawn.flat.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -101,6 +101,78 @@ async function twoArrows(page, wants) {
   await page.mouse.move(drawing.x + drawing.width, drawing.y + drawing.height);
   wants("let go, it stays", String(await numbers()) === after);
   await set(page, spin, 30);
+
+  // By a finger, in many small moves: the arrow follows to the end, and the page stays.
+  const ring = await page.locator("#live-two-arrows .live-handle").boundingBox();
+  const origin = await page.locator("#live-two-arrows .live-point").first().boundingBox();
+  const [cx, cy] = [origin.x + origin.width / 2, origin.y + origin.height / 2];
+  const start = [ring.x + ring.width / 2, ring.y + ring.height / 2];
+  const far = Math.hypot(start[0] - cx, start[1] - cy);
+  const along = (degrees) => [cx + far * Math.cos(degrees * Math.PI / 180), cy - far * Math.sin(degrees * Math.PI / 180)];
+  const scrolled = await finger(page, start, Array.from({ length: 30 }, (_, i) => along(30 + i + 1)));
+  wants(`dragged by a finger to 60° the spin stands at ${await numbers()}`, Math.abs(parseFloat((await numbers())[0]) - 60) < 1);
+  wants(`and the page has scrolled by ${scrolled} px`, scrolled === 0);
+  await set(page, spin, 30);
+}
+
+/** The finger goes from one place to others, as a phone reports it; returns how far the page has scrolled meanwhile. */
+async function finger(page, from, others) {
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const scrolled = () => page.evaluate(() => scrollY);
+  const before = await scrolled();
+  await client.send("Emulation.setTouchEmulationEnabled", { enabled: true });
+  await touch("touchStart", [from]);
+  for (const place of others) await touch("touchMove", [place]);
+  await touch("touchEnd", []);
+  await client.send("Emulation.setTouchEmulationEnabled", { enabled: false });
+  await client.detach();
+  return (await scrolled()) - before;
+}
+
+/** The book of the first screen: it flips about its middle axis and about no other, goes on by itself only where it may, and turns under a finger. */
+async function toss(page, wants) {
+  const canvas = page.locator("#live-toss canvas");
+  const shows = () => canvas.evaluate((canvas) => canvas.shows);
+  const play = "#toss-play";
+  wants("less motion preferred, it begins at rest", (await page.textContent(play)) === "Play" && (await shows()).t === 0);
+  await byHand(page);
+  await page.click(play);
+  wants("asked to, it plays", (await page.textContent(play)) === "Pause");
+  for (const [which, axis, flips] of [["across", 0, true], ["spine", 2, false], ["through", 1, false]]) {
+    await page.click(`[data-toss=${which}]`);
+    let [least, most] = [1, -1];
+    for (let i = 0; i < 60; i += 1) {
+      await pass(page, 10, 70);
+      const { turned } = await shows();
+      [least, most] = [Math.min(least, turned[axis][axis]), Math.max(most, turned[axis][axis])];
+      const size = Math.hypot(...turned[axis]);
+      wants(`${which}: what is drawn is turned, not stretched: ${size}`, Math.abs(size - 1) < 1e-9);
+    }
+    wants(`tossed ${which} its axis points along itself from ${least} to ${most}`, flips ? least < -0.95 && most > 0.95 : least > 0.95);
+  }
+  await page.click(play);
+  const { t } = await shows();
+  await pass(page, 3, 50);
+  wants("paused, it rests", (await shows()).t === t && (await page.textContent(play)) === "Play");
+  await page.evaluate(() => window.byHand.end());
+  const box = await canvas.boundingBox();
+  const at = (x, y) => [box.x + x * box.width, box.y + y * box.height];
+  const before = await canvas.evaluate((canvas) => canvas.toDataURL());
+  const scrolled = await finger(page, at(0.5, 0.5), Array.from({ length: 20 }, (_, i) => at(0.5 + 0.01 * i, 0.5 - 0.02 * i)));
+  wants(`under a finger the page does not scroll: ${scrolled} px`, scrolled === 0);
+  wants("and the book is seen from elsewhere", (await canvas.evaluate((canvas) => canvas.toDataURL())) !== before);
+}
+
+/** Where motion is welcome the book tumbles as soon as it is seen, and stops when told to. */
+async function tossPlay(page, wants) {
+  const t = () => page.locator("#live-toss canvas").evaluate((canvas) => canvas.shows.t);
+  await page.waitForFunction(() => document.querySelector("#live-toss canvas").shows.t > 0.05)
+    .catch(() => wants("it tumbles by itself", false));
+  await page.click("#toss-play");
+  const stood = await t();
+  await page.waitForTimeout(300);
+  wants("paused, it rests", (await t()) === stood);
 }
 
 async function yourBox(page, wants) {
@@ -563,9 +635,6 @@ async function steps(page, wants) {
   wants(...await said(page, "steps", /Runge-Kutta 4, step 0.050 s/));
 }
 
-/** Modules that a widget asks besides its own. */
-const BESIDE = { pitfalls: ["tumble"], steps: ["tumble"] };
-
 /** What a drawing shows, summed up: another picture has another sum. */
 const tumblePicture = (page, what) => page.locator(`#live-tumble [data-draws=${what}]`).evaluate((canvas) => {
   let sum = 0;
@@ -850,8 +919,8 @@ async function tumble(page, wants) {
   await set(page, "#tumble-time", "1.3");
 }
 
-const TESTS = { "two-arrows": twoArrows, "your-box": yourBox, tumble, judge, pitfalls, steps };
-const PLAYS = { tumble: tumblePlay, pitfalls: pitfallsPlay };
+const TESTS = { toss, "two-arrows": twoArrows, "your-box": yourBox, tumble, judge, pitfalls, steps };
+const PLAYS = { toss: tossPlay, tumble: tumblePlay, pitfalls: pitfallsPlay };
 
 /** What hangs out of its drawing or its frame. */
 function cutOff(widget) {
@@ -872,7 +941,10 @@ function cutOff(widget) {
 
 /** A module that came damaged: the page says so, and neither asks for scripts, which run, nor lets anything be tried. */
 async function damaged(page, address, widget, wants) {
-  await page.route(`**/${widget}.wasm.js`, (route) => route.fulfill({ contentType: "text/javascript", body: `tumblingLive.carry("${widget}", "${btoa("\0asm\x01\0\0\0damaged")}");` }));
+  await page.route("**/*.wasm.js", (route) => {
+    const module = path.basename(route.request().url(), ".wasm.js");
+    return route.fulfill({ contentType: "text/javascript", body: `tumblingLive.carry("${module}", "${btoa("\0asm\x01\0\0\0damaged")}");` });
+  });
   await page.goto(address);
   const box = page.locator(`#live-${widget}`);
   await box.scrollIntoViewIfNeeded();
@@ -926,7 +998,8 @@ async function enlivened({ open }, base, name, widget, widgets, reducedMotion, w
   await page.goto(base + name);
   const box = page.locator(`#live-${widget}`);
   const far = await box.evaluate((e) => e.getBoundingClientRect().top > innerHeight + 300);
-  wants("it waits until it comes into view", !far || !asked.includes(`${widget}.wasm.js`));
+  const modules = (await box.getAttribute("data-modules")).split(" ");
+  wants("it waits until it comes into view", !far || !modules.some((module) => asked.includes(`${module}.wasm.js`)));
   await box.scrollIntoViewIfNeeded();
   try {
     await page.waitForFunction((w) => document.querySelector(`#live-${w}`).dataset.state === "live", widget, { timeout: 60000 });
@@ -934,7 +1007,7 @@ async function enlivened({ open }, base, name, widget, widgets, reducedMotion, w
     wants(`it comes to life, not: ${await box.getAttribute("data-state")}`, false);
     return null;
   }
-  const others = asked.filter((file) => file.endsWith(".wasm.js") && ![...widgets, ...(BESIDE[widget] ?? [])].some((w) => file === `${w}.wasm.js`));
+  const others = asked.filter((file) => file.endsWith(".wasm.js") && ![...widgets, ...modules].some((w) => file === `${w}.wasm.js`));
   wants(`it loads no other module than the page's: ${others}`, others.length === 0);
   const before = await box.innerHTML();
   await page.waitForTimeout(200);
@@ -979,7 +1052,7 @@ async function looks({ axe, fault, shots }, page, widget, where) {
 export async function liveJobs(tools) {
   const { open, bases, folder, pages, fault } = tools;
   const jobs = [];
-  for (const { name, widgets } of await placed(folder, pages)) {
+  for (const { name, widgets } of await placed(folder, pages.filter((name) => name !== "index.html"))) { // that one is the introduction again
     if (name === "print.html") {
       jobs.push({ name: "live print", run: () => printed(tools, name) });
       continue;

@@ -141,10 +141,10 @@ globalThis.tumblingLive ??= (() => {
     }
 
     async function begin(box) {
-        const { live: name, from } = box.dataset;
+        const { live: name, modules, from } = box.dataset;
         const stage = box.querySelector(".live-stage");
         try {
-            await Promise.all([load(`${from}${name}.js`), load(`${from}${name}.wasm.js`)]);
+            await Promise.all([`${name}.js`, ...modules.split(" ").map((module) => `${module}.wasm.js`)].map((file) => load(from + file)));
             await makers.get(name)(stage, from);
             stage.inert = false;
             box.dataset.state = "live";
