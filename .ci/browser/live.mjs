@@ -207,6 +207,36 @@ async function yourBox(page, wants) {
   await page.keyboard.press("ArrowLeft");
   wants("arrow keys change a number and turn no page", (await page.inputValue("#your-box-a")) === "2.1" && page.url() === address);
   await set(page, "#your-box-a", 2);
+
+  // The spin's tip follows a finger, its size stays, and onto an axis the gap closes without a leap.
+  const values = () => Promise.all(["x", "y", "z"].map(async (axis) => Number(await page.inputValue(`#your-box-${axis}`))));
+  const gap = async () => parseFloat(await shown(page, "your-box", "gap"));
+  for (const [axis, value] of [["x", 1], ["y", 1], ["z", 0]]) await set(page, `#your-box-${axis}`, value);
+  const drawing = page.locator("#live-your-box svg");
+  await drawing.scrollIntoViewIfNeeded();
+  const middle = async (selector) => {
+    const box = await drawing.locator(selector).boundingBox();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  const frame = await drawing.boundingBox();
+  const centre = [frame.x + frame.width / 2, frame.y + frame.height / 2];
+  const x = await drawing.locator("text", { hasText: /^x$/ }).evaluate((text) => [Number(text.getAttribute("x")), Number(text.getAttribute("y")) - 5]);
+  const far = Math.hypot(x[0] - frame.width / 2, x[1] - frame.height / 2);
+  const leads = [(x[0] - frame.width / 2) / far, (x[1] - frame.height / 2) / far];
+  const begin = await middle(".live-handle");
+  const gaps = [];
+  for (let part = 0.1; part < 1.01; part += 0.1) {
+    const tip = await middle(".live-handle");
+    const to = [0, 1].map((k) => begin[k] + part * (centre[k] + 0.97 * far * leads[k] - begin[k]));
+    const scrolled = await finger(page, tip, [to]);
+    wants(`under a finger the page does not scroll: ${scrolled} px`, scrolled === 0);
+    wants(`the size of the spin stays: ${await values()}`, Math.abs(Math.hypot(...await values()) - Math.SQRT2) < 0.01);
+    gaps.push(await gap());
+  }
+  wants(`dragged from between the axes the gap closes without a leap: ${gaps}`, gaps[0] > 5 && gaps.every((gap, i) => i === 0 || Math.abs(gap - gaps[i - 1]) < 4));
+  const before = await drawing.evaluate((svg) => svg.innerHTML);
+  await finger(page, [frame.x + 15, frame.y + 15], [[frame.x + 60, frame.y + 40]]);
+  wants("dragged elsewhere the box turns", (await drawing.evaluate((svg) => svg.innerHTML)) !== before);
 }
 
 async function judge(page, wants) {
