@@ -1,8 +1,4 @@
-//! Shared by the tests: exact arithmetic, what to draw bodies and motions from, and ([`cloud`]) mass sampled
-//! point by point.
-#![allow(dead_code)] // each test program uses its own part
-
-pub mod cloud;
+//! Shared by the tests: exact arithmetic, and what bodies and motions are drawn from.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;

@@ -1,8 +1,6 @@
 //! The three wrong engines must be wrong in the way their pitfall says, and right where it says.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::step::Engine;

@@ -1,8 +1,6 @@
 //! The exact motion against 40 digits, against mathematics, and against itself across every border.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use serde_json::Value;
@@ -59,13 +57,13 @@ fn judge(table: &str) -> [(f64, String); 4] {
 
 #[test]
 fn the_table_of_40_digits_is_met_to_what_the_rounding_of_the_inputs_allows() {
-    let worst = judge(include_str!("data/free-motion.json"));
+    let worst = judge(include_str!("../data/free-motion.json"));
     assert!(worst.iter().all(|(units, _)| *units <= 8.0), "{worst:#?}");
 }
 
 #[test]
 fn random_hard_motions_are_met_as_well() {
-    let worst = judge(include_str!("data/sweep.json"));
+    let worst = judge(include_str!("../data/sweep.json"));
     assert!(worst.iter().all(|(units, _)| *units <= 8.0), "{worst:#?}");
 }
 

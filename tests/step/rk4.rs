@@ -1,8 +1,6 @@
 //! Free motion by the plain stepper: what it must keep, and where it must be.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::step::{Carried, Engine, rk4};

@@ -1,9 +1,7 @@
 //! Solids bounded by triangles: the divergence theorem against closed forms, and surfaces that are none.
 
-mod common;
-
-use common::cloud::{assert_same, size, vector};
-use common::{number_after, refused};
+use super::cloud::{assert_same, size, vector};
+use crate::common::{number_after, refused};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -167,7 +165,7 @@ proptest! {
     #[test]
     fn any_faces_at_all_are_a_solid_or_a_typed_error(
         faces in proptest::collection::vec(proptest::array::uniform3(0_usize..6), 0..12),
-        corners in proptest::collection::vec(vector(common::cloud::anything()), 0..7),
+        corners in proptest::collection::vec(vector(super::cloud::anything()), 0..7),
     ) {
         if let Ok(mesh) = Mesh::new(&corners, &faces) {
             let _ = mesh.with_mass(1.0);

@@ -1,9 +1,7 @@
 //! Parts, places and axes: the parallel-axis theorem, turning, and what is refused.
 
-mod common;
-
-use common::cloud::{anything, assert_same, size, vector};
-use common::{number_after, refused};
+use super::cloud::{anything, assert_same, size, vector};
+use crate::common::{number_after, refused};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;

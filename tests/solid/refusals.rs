@@ -1,9 +1,7 @@
 //! Bad sizes: each shape answers with an error that names the value and the rule, and never panics.
 
-mod common;
-
-use common::cloud::{anything, vector};
-use common::{number_after, refused};
+use super::cloud::{anything, vector};
+use crate::common::{number_after, refused};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use tumbling::solid::*;

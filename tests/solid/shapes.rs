@@ -1,9 +1,7 @@
 //! Each shape against its integral by the definition, against other shapes, and against exact arithmetic.
 
-mod common;
-
-use common::cloud::{Cloud, assert_integrates, assert_same, decades, gauss, size, slices};
-use common::refused;
+use super::cloud::{Cloud, assert_integrates, assert_same, decades, gauss, size, slices};
+use crate::common::refused;
 use nalgebra::{UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -68,7 +66,7 @@ proptest! {
 
     // Gauss on a cube folded onto the tetrahedron: u, (1-u) v, (1-u)(1-v) w.
     #[test]
-    fn a_tetrahedron_has_the_moments_of_its_integral(corners in proptest::array::uniform4(common::cloud::vector(-2.0..2.0))) {
+    fn a_tetrahedron_has_the_moments_of_its_integral(corners in proptest::array::uniform4(super::cloud::vector(-2.0..2.0))) {
         let [a, b, c, d] = corners;
         let six_volume = (b - a).dot(&(c - a).cross(&(d - a))).abs();
         prop_assume!(six_volume > 1e-2);

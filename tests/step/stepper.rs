@@ -1,8 +1,6 @@
 //! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin; and adaptive runs.
 
-mod common;
-
-use common::{any_vector, anything, attitude, generic_spin, moments, refused};
+use crate::common::{any_vector, anything, attitude, generic_spin, moments, refused};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
@@ -58,7 +56,7 @@ proptest! {
 
     #[test]
     fn a_turn_of_the_bodys_axes_turns_the_answer_and_nothing_else(
-        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(), force in common::vector(1.0),
+        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(), force in crate::common::vector(1.0),
     ) {
         // Every kind of torque, in the axes of the body.
         let torques = |turn: UnitQuaternion<f64>| {

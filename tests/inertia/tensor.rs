@@ -1,8 +1,6 @@
 //! The tensor against exact arithmetic, and what it refuses.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_traits::Signed;
 use proptest::prelude::*;

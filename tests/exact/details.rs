@@ -1,8 +1,6 @@
 //! What is read off a motion, and its corners: the end of a herpolhode, two equal moments, the smallest numbers.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;

@@ -1,8 +1,6 @@
 //! The rules by which physics engines turn a free body: the laws that each keeps and breaks.
 
-mod common;
-
-use common::{attitude, generic_spin};
+use crate::common::{attitude, generic_spin};
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::attitude::rotation_matrix;

@@ -1,7 +1,5 @@
 //! Bodies under torques, against motions that are known exactly.
 
-mod common;
-
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;

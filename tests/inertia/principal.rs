@@ -1,8 +1,6 @@
 //! Principal axes against exact arithmetic, against nalgebra's decomposition, and against their own laws.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::{Axis, Inertia};
@@ -43,7 +41,7 @@ proptest! {
             let margin = 6.0 * ulp(found[2]);
             let below = characteristic(&matrix, &exact(moment - margin));
             let above = characteristic(&matrix, &exact(moment + margin));
-            prop_assert!(below * above < common::exact(0.0), "no eigenvalue near {moment}");
+            prop_assert!(below * above < crate::common::exact(0.0), "no eigenvalue near {moment}");
         }
     }
 

@@ -1,8 +1,6 @@
 //! Principal moments: their order, what a body can have, and the nearest moments to printed ones.
 
-mod common;
-
-use common::{anything, moments, refused};
+use crate::common::{anything, moments, refused};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use tumbling::{Axis, ErrorKind, Inertia, PrincipalMoments};

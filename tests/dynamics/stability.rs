@@ -1,8 +1,6 @@
 //! Growth, wobble and the time between flips, against numbers computed elsewhere and against runs.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::dynamics::stability::{Stability, of_spin};

@@ -1,9 +1,7 @@
 //! Derivatives of the exact motion against differences taken with hundreds of digits, and against what must
 //! hold.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{Matrix3, Matrix6, SMatrix, UnitQuaternion, Vector3, Vector6};
 use proptest::prelude::*;
 use serde_json::Value;
@@ -104,7 +102,7 @@ fn judge(table: &str) -> [(f64, String); 4] {
 
 #[test]
 fn the_derivatives_agree_with_differences_of_many_digits_in_every_regime() {
-    for (name, (units, at)) in NAMES.iter().zip(judge(include_str!("data/sensitivity.json"))) {
+    for (name, (units, at)) in NAMES.iter().zip(judge(include_str!("../data/sensitivity.json"))) {
         println!("{name}: {units:.2} {at}");
         assert!(units <= 8.0, "{name}: {units} {at}");
     }

@@ -1,8 +1,6 @@
 //! When a free body flips, how often, and how fast the push grows that makes it: to the ends of the number range.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;

@@ -1,5 +1,4 @@
 //! Shared by the tests of solids: mass sampled point by point, and summed by the definition.
-#![allow(dead_code, unreachable_pub)] // each test file uses its own part
 
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;

@@ -1,9 +1,7 @@
 //! Methods that keep the laws of motion, and the step at a fixed rate. Their orders and laws are proven on power series in the proofs' crate; here the
 //! same is held against rounding, long runs, torques and nonsense.
 
-mod common;
-
-use common::{any_vector, anything, attitude, generic_spin, moments, refused};
+use crate::common::{any_vector, anything, attitude, generic_spin, moments, refused};
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::body::named;
@@ -91,7 +89,7 @@ proptest! {
     fn a_reversible_step_that_is_taken_is_undone_by_the_step_back(
         halves in [0.0..1.0_f64, 0.0..1.0, 0.0..1.0],
         thin in prop::sample::select(vec![1.0, 1e-3, 1e-6]),
-        momentum in common::vector(3.0),
+        momentum in crate::common::vector(3.0),
         turn in -2.0..1.0_f64,
     ) {
         let [x, y, z] = [halves[0], halves[1], halves[2] * thin];

@@ -1,9 +1,7 @@
 //! Every stepping method against the exact motion, and against what it says of itself. Orders are proven on power series elsewhere; here they
 //! are seen in `f64`.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;

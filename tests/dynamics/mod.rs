@@ -1,0 +1,2 @@
+mod observe;
+mod stability;

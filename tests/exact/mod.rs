@@ -1,0 +1,4 @@
+mod details;
+mod flips;
+mod motion;
+mod sensitivity;

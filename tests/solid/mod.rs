@@ -1,0 +1,5 @@
+mod cloud;
+mod mesh;
+mod properties;
+mod refusals;
+mod shapes;
