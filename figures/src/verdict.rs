@@ -1,4 +1,5 @@
-//! The picture of a verdict: how a record of an engine runs beside the exact motion, and how the laws are kept.
+//! The picture of a verdict: how a record of an engine runs beside the exact motion, and how the laws are
+//! kept.
 
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::figures::power_of_ten;
@@ -24,18 +25,16 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 /// A picture of a verdict: a complete SVG document without an XML header, as the book's figures are.
 ///
-/// Above is the spin about the axis that the body is spun about, as recorded and as the exact motion has it, with its flips; below are the
-/// errors of energy, `|L|` and direction, where a free body is judged.
+/// Above is the spin about the axis that the body is spun about, as recorded and as the exact motion has it,
+/// with its flips; below are the errors of energy, `|L|` and direction, where a free body is judged.
 ///
 /// # Errors
 /// What the drawing backend reported.
 pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> {
     let said = growths(verdict);
     let lines = said.iter().map(|(.., lines)| lines.len()).sum::<usize>();
-    #[allow(clippy::cast_precision_loss)]
     let upper = SPIN[1] + LINE * (2 + lines) as f64 + 24.0;
     let height = upper + HIGH + 64.0;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some hundreds
     let canvas = Canvas::sized(WIDTH, height.ceil() as u32);
     // A ground of its own: a viewer's may be white where the letters are those for the night.
     let (w, h) = (f64::from(WIDTH), height.ceil());
@@ -145,7 +144,6 @@ fn ticks(from: f64, to: f64) -> Vec<(f64, String)> {
     let rough = (to - from) / 5.0;
     let power = 10_f64.powf(rough.log10().floor());
     let step = power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|x| x * power >= rough).unwrap_or(10.0);
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let digits = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
     let mut all = Vec::new();
     let mut number = (from / step).ceil();
@@ -191,7 +189,6 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         canvas.area(&points, fill, None);
     };
     // Where a point stands for many rows, what they reach shows as a band.
-    #[allow(clippy::cast_precision_loss)]
     let many = verdict.rows as f64 > 1.5 * verdict.curve.len() as f64;
     if many {
         band(|p| &p.exact_range, Fill::new(Ink::Text).opacity(0.16));
@@ -225,7 +222,6 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
     let y = SPIN[0] - 14.0;
     let mut x = RIGHT;
     let mut key = |text: String, ink: Ink, width: f64| {
-        #[allow(clippy::cast_precision_loss)]
         let wide = 8.6 * text.chars().filter(|c| !"$_".contains(*c)).count() as f64;
         canvas.label((x, y), &Label::new(text).size(15.5).end().ink(ink));
         x -= wide + 8.0;
@@ -274,7 +270,6 @@ fn growths(verdict: &Verdict) -> Vec<Said<'_>> {
 
 fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Said<'_>]) -> Drawn {
     let largest = drawn.iter().map(|(law, ..)| law.most).filter(|x| x.is_finite()).fold(1e-14, f64::max);
-    #[allow(clippy::cast_possible_truncation)]
     let top = (largest.log10().ceil() as i32).clamp(-12, 300);
     let ceiling = 10_f64.powi(top);
     let lower = upper + HIGH;

@@ -84,8 +84,9 @@ fn box_moments(mass: f64, [a, b, c]: [f64; 3]) -> Vector3<f64> {
     Vector3::new(b * b + c * c, c * c + a * a, a * a + b * b) * (mass / 12.0 * 1e-9)
 }
 
-// Makers' pages: iPhone 15, 71.6 x 7.80 x 147.6 mm, 171 g; Siri Remote (2nd generation), 35 x 9.25 x 136 mm, 63 g.
-// A B-format paperback is 129 x 198 mm; 160 leaves of 80 g/m² and two covers of 250 g/m², each leaf 0.125 mm.
+// Makers' pages: iPhone 15, 71.6 x 7.80 x 147.6 mm, 171 g; Siri Remote (2nd generation), 35 x 9.25 x 136 mm,
+// 63 g. A B-format paperback is 129 x 198 mm; 160 leaves of 80 g/m² and two covers of 250 g/m², each leaf
+// 0.125 mm.
 #[test]
 fn the_book_the_phone_and_the_remote_control_are_boxes_of_their_published_sizes() {
     let leaf: f64 = 0.129 * 0.198;

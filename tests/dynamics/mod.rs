@@ -1,2 +1,3 @@
+mod euler;
 mod observe;
 mod stability;

@@ -26,8 +26,8 @@ fn the_time_between_flips_is_right_from_a_rough_push_to_one_of_1e_minus_12() {
     }
 }
 
-/// Where the push is tiny the time is (2/rate) ln(4/k') with k' = push sqrt(3/2) (1/10) sqrt((3-1)/(3-2)): mathematics,
-/// exact but for terms of the order of the push squared.
+/// Where the push is tiny the time is (2/rate) ln(4/k') with k' = push sqrt(3/2) (1/10) sqrt((3-1)/(3-2)):
+/// mathematics, exact but for terms of the order of the push squared.
 #[test]
 fn a_push_of_1e_minus_300_and_the_smallest_number_there_is_still_flip() {
     let rate = 10.0 / 3_f64.sqrt();
@@ -122,7 +122,6 @@ proptest! {
         let h = beat / 1000.0;
         let flight = Engine::Turned.run(&start, h, 2100).unwrap();
         let middle = (0..3).find(|&i| m[i] == sorted[1]).unwrap();
-        #[allow(clippy::cast_precision_loss)]
         let flips = sign_changes(flight.iter().enumerate().map(|(i, body)| (h * i as f64, body.omega_body()[middle])));
         prop_assert!(flips.len() >= 2);
         prop_assert!(((flips[1] - flips[0]) / beat - 1.0).abs() < 1e-4, "{:?} {}", flips, beat);

@@ -1,5 +1,6 @@
-//! When a free body flips, how often, and how fast the push grows that makes it: to the ends of the number range.
+//! When a free body flips, and how often: to the ends of the number range.
 
+use super::{distinct, motion};
 use crate::common::*;
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -7,16 +8,29 @@ use tumbling::PrincipalMoments;
 use tumbling::dynamics::observe::sign_changes;
 use tumbling::exact::{FreeMotion, Regime, time_between_flips};
 
-fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
-    FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
+proptest! {
+    #[test]
+    fn flips_are_where_the_middle_spin_vanishes_one_beat_apart(m in moments(), omega in generic_spin(), from in -50.0..50.0_f64) {
+        prop_assume!(distinct(&m));
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let beat = time_between_flips(m.try_into().unwrap(), &omega).unwrap().unwrap();
+        prop_assert!((motion.period().unwrap().unwrap() / beat - 2.0).abs() < 1e-15);
+        let times: Vec<f64> = motion.flips(from, from + 5.5 * beat).unwrap().collect();
+        prop_assert!(times.len() == 5 || times.len() == 6);
+        prop_assert_eq!(motion.next_flip(from).unwrap(), Some(times[0]));
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
+        for pair in times.windows(2) {
+            prop_assert!(((pair[1] - pair[0]) / beat - 1.0).abs() < 1e-11);
+        }
+        for &t in &times {
+            prop_assert!(t > from && motion.omega(t).unwrap()[order[1]].abs() < 1e-11, "{t}");
+        }
+    }
 }
 
-fn motion_near_the_middle(push: f64) -> FreeMotion {
-    motion([1.0, 2.0, 3.0], [0.0, 10.0, push])
-}
-
-/// Time goes as one over the spin: so slow a body's first flip is the ordinary one's, scaled, and within the range
-/// of numbers although three half periods are not.
+/// Time goes as one over the spin: so slow a body's first flip is the ordinary one's, scaled, and within the
+/// range of numbers although three half periods are not.
 #[test]
 fn the_slowest_spin_there_is_has_its_next_flip() {
     let ordinary = motion([1.0, 2.0, 3.0], [0.3125, 1.0, -0.1875]).next_flip(0.0).unwrap().unwrap();
@@ -58,43 +72,94 @@ fn no_two_flips_come_at_the_same_instant_however_late() {
     assert!(motion.next_flip(1e17 * half).unwrap_err().to_string().contains("the number of flips"));
 }
 
-/// A wobble about the axis of the largest or smallest moment does not grow; next to the middle axis a push does, at
-/// the rate of the linear law, sqrt((I3-I2)(I2-I1)/(I1 I3)) w2, but for what the finite push changes.
+/// A push of the smallest number there is: after the saddle has been left, cn = 1/cosh of the time to the
+/// flip, and the flip comes ln(4/k')/rate after the start (mathematics, to terms of the order of the push).
 #[test]
-fn only_a_push_off_the_middle_axis_has_a_rate_of_growth() {
-    for wobble in [[0.01, 0.02, 1.0], [1.0, 0.01, -0.02], [0.3, 0.4, 1.0], [1.0, 0.4, 0.3], [1.0, 1.0, 1.0]] {
-        assert_eq!(motion([1.0, 2.0, 3.0], wobble).growth_rate().unwrap(), None, "{wobble:?}");
-    }
-    let saddle = 10.0 / 3_f64.sqrt();
-    for push in [0.5, 1e-3, 1e-9, 1e-300, 5e-324] {
-        let rate = motion_near_the_middle(push).growth_rate().unwrap().unwrap();
-        // rate² = (I3-I2)(L² - 2 E I1)/(I1 I2 I3), with L² - 2 E I1 = 200 + 6 push² here.
-        let rate_by_law = saddle * (1.0 + 0.03 * push * push).sqrt();
-        assert!((rate / rate_by_law - 1.0).abs() <= 1e-15, "{push:e}: {rate}");
+fn a_subnormal_push_flips_when_the_logarithm_says() {
+    let motion = motion([1.0, 2.0, 3.0], [0.0, 10.0, 5e-324]);
+    let rate = 10.0 / 3_f64.sqrt();
+    // k'² = 2 (3 push²)/(200), see tests/stability.rs; the spin starts in the middle between two flips.
+    let expected = (4_f64.ln() - 0.5 * 0.03_f64.ln() - f64::ln(5e-324)) / rate;
+    let flip = motion.next_flip(0.0).unwrap().unwrap();
+    assert!((flip / expected - 1.0).abs() < 1e-14, "{flip} {expected}");
+    // As it passes, the spin is all across and around: on the separatrix, w1² = 3 w3² and energy is shared.
+    let across = motion.omega(flip).unwrap();
+    assert!(across.y.abs() < 1e-9 && (across.x.abs() / (3_f64.sqrt() * across.z.abs()) - 1.0).abs() < 1e-12);
+    assert!((motion.omega(2.0 * flip).unwrap().y + 10.0).abs() < 1e-13);
+    // Before it is felt, the push grows as cosh of the rate.
+    let early = motion.omega(3.0).unwrap().z;
+    assert!((early / ((rate * 3.0).cosh() * 5e-324) - 1.0).abs() < 1e-7, "{early:e}");
+}
+
+/// With I1 (I2 - I1) next to I3 (I3 - I2) and two pushes alike, the motion is nearer to the separatrix by far
+/// than the push is to nothing: the least spin it passes is below all numbers, and the scale that undoes it
+/// has to come in two parts.
+#[test]
+fn the_least_push_beside_a_slow_spin_grows_to_a_whole_flip() {
+    // 0.7 · 0.3 = c (c - 1) for c = (1 + sqrt(1.84))/2.
+    let c = 0.5 * (1.0 + 1.84_f64.sqrt());
+    for (push, power) in [(5e-324, -99), (-5e-324, -100), (5e-324, -101), (5e-324, -102)] {
+        let slow = 2_f64.powi(power);
+        let motion = motion([0.7, 1.0, c], [5e-324, slow, push]);
+        let Regime::Elliptic { complement, .. } = motion.regime() else { panic!("{:?}", motion.regime()) };
+        assert!(complement < 1e-298, "{complement:e}");
+        let flip = motion.next_flip(0.0).unwrap().unwrap();
+        let w = motion.omega(flip).unwrap() / slow;
+        // All of energy and momentum is across and around: I1 w1² + I3 w3² = 1 and I1² w1² + I3² w3² = 1.
+        let [x, z] = [(c - 1.0) / (0.7 * (c - 0.7)), 0.3 / (c * (c - 0.7))].map(f64::sqrt);
+        assert!(
+            w.y.abs() < 1e-12 && (w.x.abs() / x - 1.0).abs() < 1e-13 && (w.z.abs() / z - 1.0).abs() < 1e-13,
+            "{w:?}"
+        );
     }
 }
 
-proptest! {
-    #[test]
-    fn a_rate_of_growth_is_that_of_the_middle_axis_and_only_of_motions_close_by(
-        m in moments(), omega in generic_spin(), push in 0.0..0.5_f64,
-    ) {
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
-        let [a, b, c] = order;
-        let mut omega = omega * push;
-        omega[b] = 1.0;
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        let Regime::Elliptic { complement, .. } = motion.regime() else { return Ok(()) };
-        let rate = motion.growth_rate().unwrap();
-        prop_assert_eq!(rate.is_some(), complement <= 0.1);
-        let Some(rate) = rate else { return Ok(()) };
-        // Of the steady spin about the middle axis with the same momentum (the linear law).
-        let spin = m.component_mul(&omega).norm() / m[b];
-        let saddle = spin * ((m[c] - m[b]) * (m[b] - m[a]) / (m[a] * m[c])).sqrt();
-        let above = rate / saddle - 1.0;
-        prop_assert!(above > -1e-12 && above <= 0.6 * complement * complement + 1e-12, "{above:e} {complement}");
-    }
+/// After a billion flips the phase is as good as the rate: half a unit in each input, times the phase.
+#[test]
+fn after_a_billion_flips_the_spin_is_where_the_count_of_flips_says() {
+    let motion = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]);
+    let half = motion.period().unwrap().unwrap() / 2.0;
+    let far = motion.next_flip(1e9 * half).unwrap().unwrap();
+    let spin = motion.omega(far).unwrap();
+    // The time itself is rounded to 2e-7 of a second, which turns the phase by as much.
+    assert!(spin.y.abs() < 4.0 * ulp(far), "{}", spin.y);
+    let near = motion.next_flip(0.0).unwrap().unwrap();
+    assert!((motion.omega(near).unwrap().x.abs() - spin.x.abs()).abs() < 1e-6);
+}
+
+#[test]
+fn a_billion_flips_take_no_room_and_the_last_can_be_asked_for() {
+    let motion = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]);
+    let half = motion.period().unwrap().unwrap() / 2.0;
+    let from = 1e9 * half;
+    let late: Vec<f64> = motion.flips(from, from + 3.2 * half).unwrap().collect();
+    assert_eq!(late.len(), 3);
+    let all = motion.flips(-from, from).unwrap();
+    assert!(all.take(1000).is_sorted());
+    assert!(motion.flips(0.0, 1e300).is_err());
+}
+
+#[test]
+fn the_separatrix_flips_once() {
+    let motion = motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]);
+    assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
+    assert_eq!(motion.period().unwrap(), None);
+    let times: Vec<f64> = motion.flips(-1e6, 1e6).unwrap().collect();
+    assert_eq!(times.len(), 1);
+    assert!(motion.omega(times[0]).unwrap().y.abs() < 1e-15);
+    assert_eq!(motion.next_flip(times[0]).unwrap(), None);
+    // It ends along the middle axis, with all the momentum it had: |L|² = 6² + 4² + 6².
+    let late = motion.omega(300.0).unwrap();
+    assert!((late.y.abs() - 88_f64.sqrt() / 4.0).abs() < 1e-15 && late.x.abs() < 1e-100);
+    let early = motion.omega(-300.0).unwrap();
+    assert!((early.y + late.y).abs() < 1e-15);
+    assert_eq!(
+        motion.growth_rate().unwrap(),
+        Some(match motion.regime() {
+            Regime::Separatrix { rate } => rate,
+            _ => panic!("not the separatrix"),
+        })
+    );
 }
 
 /// Counting by arithmetic, and by going through them one by one.
@@ -147,17 +212,11 @@ fn flips_are_counted_without_being_visited() {
     assert_eq!((steady.flips(0.0, 1e300).unwrap().remaining(), steady.next_flip(0.0).unwrap()), (0, None));
 }
 
-#[test]
-fn an_axis_that_is_none_is_named_by_its_number() {
-    let error = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]).angles_to_momentum(7).unwrap_err();
-    assert_eq!(error.to_string(), "there is no principal axis number 7: they are numbered 0, 1 and 2");
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
-    // A spin whose middle component is exactly 0 at the start flips at time 0 exactly, and from there at every half period:
-    // whichever way it is asked.
+    // A spin whose middle component is exactly 0 at the start flips at time 0 exactly, and from there at
+    // every half period: whichever way it is asked.
     #[test]
     fn a_flip_at_the_start_is_at_zero_exactly(
         m in moments(), x in -3.0..3.0_f64, z in -3.0..3.0_f64, zero in prop_oneof![Just(0.0), Just(-0.0)],
@@ -168,7 +227,8 @@ proptest! {
         (omega[order[0]], omega[order[1]], omega[order[2]]) = (x, zero, z);
         let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let Some(half) = time_between_flips(m.try_into().unwrap(), &omega).unwrap() else { return Ok(()) };
-        // The first after the start is a half period later, the last before it one earlier; at the start is one of its own.
+        // The first after the start is a half period later, the last before it one earlier; at the start is
+        // one of its own.
         let near = |t: f64, expected: f64| (t / expected - 1.0).abs() <= 4.0 * f64::EPSILON;
         let next = motion.next_flip(0.0).unwrap().unwrap();
         prop_assert!(near(next, half), "{next:e} {half:e}");
@@ -186,8 +246,8 @@ proptest! {
         prop_assert_eq!(changes, [0.0]);
     }
 
-    // So does a flip just before or just after the start: with the middle component at 1e-9 of the others the flip is where the
-    // component at its rate at the start vanishes.
+    // So does a flip just before or just after the start: with the middle component at 1e-9 of the others the
+    // flip is where the component at its rate at the start vanishes.
     #[test]
     fn a_flip_next_to_the_start_keeps_its_digits(m in moments(), x in 0.1..3.0_f64, z in -3.0..-0.1_f64, power in -300.0..-9.0_f64) {
         let mut order = [0, 1, 2];
@@ -203,7 +263,8 @@ proptest! {
             let expected = -omega[middle] / rate;
             let half = time_between_flips(m.try_into().unwrap(), &omega).unwrap().unwrap();
             let found = motion.next_flip(-0.25 * half).unwrap().unwrap();
-            // The complementary series drops, so close to a flip, a term of 5 p^6 = 1.4e-10 at most, with p its nome.
+            // The complementary series drops, so close to a flip, a term of 5 p^6 = 1.4e-10 at most, with p
+            // its nome.
             prop_assert!((found / expected - 1.0).abs() <= 1.4e-10, "{found:e} {expected:e}");
         }
     }

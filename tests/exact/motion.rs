@@ -1,14 +1,13 @@
-//! The exact motion against 40 digits, against mathematics, and against itself across every border.
+//! The exact motion against 40 digits, against mathematics, and to the ends of the number range.
 
+use super::{ROUNDING, apart, distinct, motion};
 use crate::common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
+use proptest::strategy::ValueTree as _;
 use serde_json::Value;
-use tumbling::exact::{FreeMotion, Instant, Regime, time_between_flips};
-use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
-
-/// The rounding of one input, relative.
-const ROUNDING: f64 = f64::EPSILON / 2.0;
+use tumbling::exact::{FreeMotion, Instant};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 /// Numbers of the table, to what `f64` sees of their 40 digits.
 fn numbers(value: &Value) -> Vec<f64> {
@@ -21,8 +20,9 @@ fn length(v: &[f64]) -> f64 {
     scale * v.iter().map(|x| (x / scale) * (x / scale)).sum::<f64>().sqrt()
 }
 
-/// The worst errors of spin and attitude over a table, in roundings times what the motion makes of them: `plain`
-/// and `tight` as the table's condition numbers. Comparing to the table's `f64` costs at most half a unit.
+/// The worst errors of spin and attitude over a table, in roundings times what the motion makes of them:
+/// `plain` and `tight` as the table's condition numbers. Comparing to the table's `f64` costs at most half a
+/// unit.
 fn judge(table: &str) -> [(f64, String); 4] {
     let file: Value = serde_json::from_str(table).unwrap();
     let mut worst = [(); 4].map(|()| (0.0, String::new()));
@@ -65,20 +65,6 @@ fn the_table_of_40_digits_is_met_to_what_the_rounding_of_the_inputs_allows() {
 fn random_hard_motions_are_met_as_well() {
     let worst = judge(include_str!("../data/sweep.json"));
     assert!(worst.iter().all(|(units, _)| *units <= 8.0), "{worst:#?}");
-}
-
-fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
-    FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
-}
-
-/// The angle between two attitudes is at most twice this.
-fn apart(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
-    let (a, b) = (a.coords, b.coords);
-    (a - b).norm().min((a + b).norm())
-}
-
-fn distinct(m: &Vector3<f64>) -> bool {
-    (0..3).all(|i| (m[i] / m[(i + 1) % 3] - 1.0).abs() > 0.02)
 }
 
 proptest! {
@@ -180,124 +166,6 @@ proptest! {
     }
 
     #[test]
-    fn flips_are_where_the_middle_spin_vanishes_one_beat_apart(m in moments(), omega in generic_spin(), from in -50.0..50.0_f64) {
-        prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        let beat = time_between_flips(m.try_into().unwrap(), &omega).unwrap().unwrap();
-        prop_assert!((motion.period().unwrap().unwrap() / beat - 2.0).abs() < 1e-15);
-        let times: Vec<f64> = motion.flips(from, from + 5.5 * beat).unwrap().collect();
-        prop_assert!(times.len() == 5 || times.len() == 6);
-        prop_assert_eq!(motion.next_flip(from).unwrap(), Some(times[0]));
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
-        for pair in times.windows(2) {
-            prop_assert!(((pair[1] - pair[0]) / beat - 1.0).abs() < 1e-11);
-        }
-        for &t in &times {
-            prop_assert!(t > from && motion.omega(t).unwrap()[order[1]].abs() < 1e-11, "{t}");
-        }
-    }
-
-    // Independent: the smooth rate about the momentum (mathematics of the frame in the documentation), summed by
-    // the midpoint rule, which for a periodic function converges faster than any power.
-    #[test]
-    fn the_twist_is_the_integral_of_the_rate_about_the_momentum(m in moments(), omega in generic_spin()) {
-        prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        let Regime::Elliptic { about, complement, .. } = motion.regime() else { panic!("not circulating") };
-        prop_assume!(complement > 1e-3);
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
-        let c = order[about.index()];
-        let half = motion.period().unwrap().unwrap() / 2.0;
-        let momentum = m.component_mul(&omega).norm();
-        let twice_energy = m.component_mul(&omega).dot(&omega);
-        let rate = |t: f64| {
-            let w = motion.omega(t).unwrap()[c].abs();
-            (twice_energy + momentum * w) / (momentum + m[c] * w)
-        };
-        let count = 400;
-        let sum: f64 = (0..count).map(|k| rate((f64::from(k) + 0.5) * half / f64::from(count))).sum();
-        let twist = motion.twist_of_half_period().unwrap();
-        prop_assert!((sum * half / f64::from(count) / twist - 1.0).abs() < 1e-11, "{twist}");
-        // And what it means: the attitude after half a period.
-        let mut axis = Vector3::zeros();
-        axis[c] = std::f64::consts::PI;
-        let start = m.component_mul(&omega);
-        let expected = UnitQuaternion::from_scaled_axis(start.normalize() * (twist + std::f64::consts::PI)) * UnitQuaternion::from_scaled_axis(axis);
-        let ours = motion.attitude(half).unwrap();
-        prop_assert!(apart(&ours, &expected) < 1e-12, "{ours} {expected}");
-        prop_assert!((motion.rotation_number().unwrap() * std::f64::consts::PI - twist).abs() < 1e-13 * twist);
-    }
-
-    #[test]
-    fn the_angles_to_the_momentum_bound_the_whole_motion_and_are_reached(m in moments(), omega in generic_spin()) {
-        prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        angles_bound_the_motion(&m, &motion)?;
-    }
-
-    #[test]
-    fn the_herpolhode_lies_in_the_invariable_plane(m in moments(), omega in generic_spin()) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        let momentum = m.component_mul(&omega);
-        let height = momentum.dot(&omega);
-        for point in motion.herpolhode(30.0, 50).unwrap() {
-            prop_assert!((point.dot(&momentum) / height - 1.0).abs() < 1e-13);
-        }
-    }
-
-    // Neighbours on the two sides of every border: a motion and one whose inputs differ by roundings.
-    #[test]
-    fn a_nearly_symmetric_body_moves_as_a_symmetric_one(
-        c in 0.3..1.9_f64, omega in generic_spin(), t in -30.0..30.0_f64, power in 13..16_i32, axis in 0..3_usize,
-    ) {
-        let mut m = Vector3::repeat(1.0);
-        m[axis] = c;
-        let exact = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
-        m[(axis + 1) % 3] += 10_f64.powi(-power);
-        let near = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
-        let bound = 1e3 * 10_f64.powi(-power);
-        prop_assert!((near.omega - exact.omega).norm() < bound && apart(&near.attitude, &exact.attitude) < bound);
-    }
-
-    #[test]
-    fn a_nearly_spherical_body_spins_as_a_sphere(omega in generic_spin(), t in -30.0..30.0_f64, a in 0..40_u32, b in 0..40_u32) {
-        let step = |n: u32| 1.0 + f64::from(n) * f64::EPSILON;
-        let at = FreeMotion::new(PrincipalMoments::new(1.0, step(a), step(b)).unwrap(), &omega).unwrap().at(t).unwrap();
-        prop_assert!((at.omega - omega).norm() < 1e-11);
-        prop_assert!(apart(&at.attitude, &UnitQuaternion::from_scaled_axis(omega * t)) < 1e-11);
-    }
-
-    #[test]
-    fn a_nearly_steady_spin_about_a_stable_axis_stays(m in moments(), push in 1e-300..1e-14_f64, t in -30.0..30.0_f64) {
-        prop_assume!(distinct(&m));
-        let largest = m.imax();
-        let mut omega = Vector3::repeat(push);
-        omega[largest] = -1.0;
-        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
-        let steady = UnitQuaternion::from_scaled_axis(Vector3::from_fn(|i, _| if i == largest { -t } else { 0.0 }));
-        prop_assert!(apart(&at.attitude, &steady) < 1e-12 && (at.omega[largest] + 1.0).abs() < 1e-14);
-    }
-
-    #[test]
-    fn both_sides_of_the_separatrix_agree_until_the_saddle_parts_them(scale in 0.5..2.0_f64, t in -8.0..8.0_f64) {
-        let exact = motion([3.0, 4.0, 6.0], [2.0 * scale, scale, scale]);
-        let on = matches!(exact.regime(), Regime::Separatrix { .. });
-        let at = exact.at(t).unwrap();
-        for step in [f64::next_up as fn(f64) -> f64, f64::next_down] {
-            let near = motion([3.0, 4.0, 6.0], [step(2.0 * scale), scale, scale]);
-            let off = !matches!(near.regime(), Regime::Separatrix { .. });
-            prop_assert!(on && off);
-            let near = near.at(t).unwrap();
-            // The difference grows from one rounding as every push does.
-            let bound = 1e-14 * (exact.growth_rate().unwrap().unwrap() * t.abs()).exp();
-            prop_assert!((near.omega - at.omega).norm() < bound);
-            prop_assert!(apart(&near.attitude, &at.attitude) < bound);
-        }
-    }
-
-    #[test]
     fn no_input_at_all_makes_it_panic_and_what_is_accepted_gives_numbers(
         m in prop_oneof![any_vector(), moments()], omega in any_vector(), t in anything(), u in anything(),
     ) {
@@ -328,114 +196,6 @@ fn the_start_comes_back_to_the_bit() {
     assert_eq!(at, Instant { omega, attitude: UnitQuaternion::identity() });
 }
 
-/// A push of the smallest number there is: after the saddle has been left, cn = 1/cosh of the time to the flip, and the
-/// flip comes ln(4/k')/rate after the start (mathematics, to terms of the order of the push).
-#[test]
-fn a_subnormal_push_flips_when_the_logarithm_says() {
-    let motion = motion([1.0, 2.0, 3.0], [0.0, 10.0, 5e-324]);
-    let rate = 10.0 / 3_f64.sqrt();
-    // k'² = 2 (3 push²)/(200), see tests/stability.rs; the spin starts in the middle between two flips.
-    let expected = (4_f64.ln() - 0.5 * 0.03_f64.ln() - f64::ln(5e-324)) / rate;
-    let flip = motion.next_flip(0.0).unwrap().unwrap();
-    assert!((flip / expected - 1.0).abs() < 1e-14, "{flip} {expected}");
-    // As it passes, the spin is all across and around: on the separatrix, w1² = 3 w3² and energy is shared.
-    let across = motion.omega(flip).unwrap();
-    assert!(across.y.abs() < 1e-9 && (across.x.abs() / (3_f64.sqrt() * across.z.abs()) - 1.0).abs() < 1e-12);
-    assert!((motion.omega(2.0 * flip).unwrap().y + 10.0).abs() < 1e-13);
-    // Before it is felt, the push grows as cosh of the rate.
-    let early = motion.omega(3.0).unwrap().z;
-    assert!((early / ((rate * 3.0).cosh() * 5e-324) - 1.0).abs() < 1e-7, "{early:e}");
-}
-
-/// After a billion flips the phase is as good as the rate: half a unit in each input, times the phase.
-#[test]
-fn after_a_billion_flips_the_spin_is_where_the_count_of_flips_says() {
-    let motion = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]);
-    let half = motion.period().unwrap().unwrap() / 2.0;
-    let far = motion.next_flip(1e9 * half).unwrap().unwrap();
-    let spin = motion.omega(far).unwrap();
-    // The time itself is rounded to 2e-7 of a second, which turns the phase by as much.
-    assert!(spin.y.abs() < 4.0 * ulp(far), "{}", spin.y);
-    let near = motion.next_flip(0.0).unwrap().unwrap();
-    assert!((motion.omega(near).unwrap().x.abs() - spin.x.abs()).abs() < 1e-6);
-}
-
-#[test]
-fn a_billion_flips_take_no_room_and_the_last_can_be_asked_for() {
-    let motion = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]);
-    let half = motion.period().unwrap().unwrap() / 2.0;
-    let from = 1e9 * half;
-    let late: Vec<f64> = motion.flips(from, from + 3.2 * half).unwrap().collect();
-    assert_eq!(late.len(), 3);
-    let all = motion.flips(-from, from).unwrap();
-    assert!(all.take(1000).is_sorted());
-    assert!(motion.flips(0.0, 1e300).is_err());
-}
-
-#[test]
-fn the_separatrix_flips_once() {
-    let motion = motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]);
-    assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
-    assert_eq!(motion.period().unwrap(), None);
-    let times: Vec<f64> = motion.flips(-1e6, 1e6).unwrap().collect();
-    assert_eq!(times.len(), 1);
-    assert!(motion.omega(times[0]).unwrap().y.abs() < 1e-15);
-    assert_eq!(motion.next_flip(times[0]).unwrap(), None);
-    // It ends along the middle axis, with all the momentum it had: |L|² = 6² + 4² + 6².
-    let late = motion.omega(300.0).unwrap();
-    assert!((late.y.abs() - 88_f64.sqrt() / 4.0).abs() < 1e-15 && late.x.abs() < 1e-100);
-    let early = motion.omega(-300.0).unwrap();
-    assert!((early.y + late.y).abs() < 1e-15);
-    assert_eq!(
-        motion.growth_rate().unwrap(),
-        Some(match motion.regime() {
-            Regime::Separatrix { rate } => rate,
-            _ => panic!("not the separatrix"),
-        })
-    );
-}
-
-/// With moments 2, 3, 4 the distance from the separatrix is L² - 2 E I_M = 4 w3² - 2 w1², and for Pell's numbers
-/// w1² - 2 w3² is 1 and -1 in turn: two terms of 32 digits that differ by 2. With moments that have more digits (the
-/// same ratios) the terms have 56, and differ further down than twice the precision sees.
-#[test]
-fn the_side_of_the_separatrix_is_decided_without_rounding() {
-    let (mut w3, mut w1) = (1_u64, 1_u64);
-    let mut sides = Vec::new();
-    let heavy = 1.0 + 2_f64.powi(-37) + 2_f64.powi(-20) + 2_f64.powi(-9);
-    while w3 + w1 < 1 << 53 && 2 * w3 + w1 < 1 << 53 {
-        (w3, w1) = (w3 + w1, 2 * w3 + w1);
-        let above = i128::from(w1).pow(2) - 2 * i128::from(w3).pow(2);
-        #[allow(clippy::cast_precision_loss)]
-        let (x, z) = (w1 as f64, w3 as f64);
-        let Regime::Elliptic { about, complement, .. } =
-            motion([2.0, 3.0, 4.0].map(|i| heavy * i), [x, x, z]).regime()
-        else {
-            panic!("on the separatrix")
-        };
-        assert_eq!(about, if above > 0 { Axis::Smallest } else { Axis::Largest }, "{w1} {w3}");
-        // k'² = d_CX |D|/(d_CM Q²) with |D| = 2, d_CX = 2, d_CM = 1 and Q² = I_M d_MX w_M² + I_C d_CX w_C².
-        let round = if above > 0 { 3.0 * x * x + 4.0 * x * x } else { 3.0 * x * x + 8.0 * z * z };
-        assert!((complement / (4.0 / round).sqrt() - 1.0).abs() < 1e-15, "{w1} {w3} {complement:e}");
-        sides.push(about);
-    }
-    assert!(sides.len() > 38 && w1 > 1 << 51);
-}
-
-#[test]
-fn a_sphere_and_a_symmetric_top_move_as_their_elementary_formulas_say() {
-    let sphere = motion([2.0, 2.0, 2.0], [0.3, -0.4, 1.2]);
-    assert!(matches!(sphere.regime(), Regime::Steady { speed } if (speed - 1.3).abs() < 1e-15));
-    let half_turn = sphere.attitude(std::f64::consts::PI / 1.3).unwrap();
-    assert!(half_turn.w.abs() < 1e-15 && (half_turn.k - 12.0 / 13.0).abs() < 1e-15);
-    // (I3 - I1) w3/I1 = 0.5 * 2 = 1 rad/s: a quarter turn of the spin in pi/2 s; L/I1 = |(1, 0, 3)|.
-    let top = motion([1.0, 1.0, 1.5], [1.0, 0.0, 2.0]);
-    let Regime::SymmetricTop { axis: 2, nutation, precession } = top.regime() else { panic!("not a top") };
-    assert!((nutation - 1.0).abs() < 1e-15 && (precession - 10_f64.sqrt()).abs() < 1e-15);
-    let at = top.omega(std::f64::consts::FRAC_PI_2).unwrap();
-    assert!((at - Vector3::new(0.0, 1.0, 2.0)).norm() < 1e-15, "{at}");
-}
-
 #[test]
 fn what_no_body_can_do_is_named() {
     let new = |m: [f64; 3], w: [f64; 3]| FreeMotion::new(m.try_into()?, &w.into());
@@ -449,26 +209,110 @@ fn what_no_body_can_do_is_named() {
     assert!(error([1.0, 2.0, 2.5], [0.0, 1.7e308, 1.7e308]).contains("the greatest spin"));
 }
 
-/// Exactly on the separatrix of (3, 4, 6) the spin comes to rest on the middle axis, at L/I2 = sqrt(88)/4.
+/// A tensor given askew has each entry rounded beside the largest moment, and the smallest moment of a needle
+/// with it: what the documentation of `FreeMotion::of` says.
 #[test]
-fn on_the_separatrix_the_spin_is_on_the_middle_axis_however_late_one_asks() {
-    let end = 88_f64.sqrt() / 4.0;
-    for spin in [1.0, -1.0, 1e100] {
-        let motion = FreeMotion::new(
-            PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(),
-            &(Vector3::new(2.0, 1.0, 1.0) * spin),
-        )
-        .unwrap();
-        assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
-        for power in [3, 16, 17, 38, 39, 40, 42, 43, 59, 100, 200, 300, 307, 308] {
-            for t in [10_f64.powi(power), -(10_f64.powi(power))] {
-                let at = motion.at(t).unwrap();
-                let spun = at.omega / spin.abs();
-                assert_eq!(at.omega, motion.omega(t).unwrap());
-                assert!(spun.x.abs() < 1e-100 && spun.z.abs() < 1e-100, "{t:e}: {spun:?}");
-                assert!((spun.y.abs() - end).abs() < 1e-14, "{t:e}: {spun:?}");
-                assert!((at.attitude.norm() - 1.0).abs() < 1e-15, "{t:e}");
-            }
+fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
+    let mut random = proptest::test_runner::TestRunner::deterministic();
+    let mut value = |range: std::ops::Range<f64>| range.new_tree(&mut random).unwrap().current();
+    for thin in [1e-6, 1e-12] {
+        let mut worst = [0.0_f64; 2];
+        for _ in 0..200 {
+            let m = Vector3::new(thin, 1.0, 1.0 + 0.4 * thin);
+            let turned =
+                UnitQuaternion::from_euler_angles(value(0.0..6.0), value(-1.5..1.5), value(0.0..6.0));
+            let omega = Vector3::from_fn(|_, _| value(-0.5..0.5));
+            let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&turned).unwrap();
+            let body = Body::spinning(inertia, turned.inverse(), &(turned * omega)).unwrap();
+            let askew = FreeMotion::of(&body).unwrap();
+            let t = value(0.0..3.0);
+            let (at, plain) = (
+                askew.at(t).unwrap(),
+                FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap(),
+            );
+            let spin = (at.omega - turned * plain.omega).norm() / omega.norm();
+            let attitude = apart(&at.attitude, &(plain.attitude * turned.inverse()));
+            worst = [
+                worst[0].max((askew.moments().smallest() / thin - 1.0).abs()),
+                worst[1].max(spin.max(attitude)),
+            ];
+        }
+        let unit = 0.5 * f64::EPSILON / thin;
+        assert!(worst[0] < 4.0 * unit && worst[1] < 8.0 * unit, "{thin:e}: {worst:?}");
+        // And not better: the sentence is no bound out of the air.
+        assert!(worst[0] > unit && worst[1] > unit, "{thin:e}: {worst:?}");
+    }
+}
+
+#[test]
+fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
+    let new =
+        |thin: f64| FreeMotion::new(PrincipalMoments::new(thin, 1.0, 1.0)?, &Vector3::new(1.0, 0.5, 0.25));
+    assert!(new(1.001e-100).is_ok());
+    assert!(new(0.999e-100).unwrap_err().to_string().contains("1e-100 of the largest moment"));
+}
+
+proptest! {
+    // Continuity: the motion is prepared so that it starts where it was told to, to the few roundings that
+    // any answer may have.
+    #[test]
+    fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let soon = motion.omega(1e-300).unwrap();
+        let off = (soon - omega).norm() / (omega.norm() * 0.5 * f64::EPSILON);
+        prop_assert!(off <= 8.0, "{off}");
+    }
+}
+
+#[test]
+fn several_instants_at_once_are_each_to_the_bit_what_they_are_alone() {
+    let times = [0.0, -0.0, 1.5, -3.25, 1e9, 1e-300, 0.75];
+    let askew = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let askew = askew.turned(&UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9)).unwrap();
+    let body = Body::spinning(
+        askew,
+        UnitQuaternion::from_euler_angles(1.0, 0.2, -0.5),
+        &Vector3::new(0.5, -1.0, 0.2),
+    );
+    let motions = [
+        FreeMotion::of(&body.unwrap()).unwrap(),
+        motion([1.0, 2.0, 2.5], [0.3, 0.2, 1.0]),
+        motion([1.0, 2.0, 2.5], [1e-9, 1.0, 0.0]),
+        motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]),
+        motion([1.0, 1.0, 1.5], [0.5, 0.2, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 0.0]),
+    ];
+    for motion in motions {
+        let alone: Vec<_> = times.iter().map(|&t| motion.at(t).unwrap()).collect();
+        assert_eq!(motion.at_each(&times).unwrap(), alone);
+        assert!(motion.at_each(&[1.0, f64::NAN]).is_err() && motion.at_each(&[]).unwrap().is_empty());
+    }
+}
+
+#[test]
+fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
+    // Along its principal axes a motion may reach the largest numbers; a turn of its axes needs room for a
+    // sum of products.
+    let principal = Vector3::new(1.1, 0.46, 1.05);
+    let fast = Vector3::new(0.3, 1.1, -0.2) * 1e308;
+    let along = motion(principal.into(), fast.into());
+    assert!(along.omega(1e-309).unwrap().iter().all(|x| x.is_finite()));
+    let axes = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    let leaning =
+        Inertia::from_moments(principal.x, principal.y, principal.z).unwrap().turned(&axes).unwrap();
+    let body = Body::spinning(leaning, UnitQuaternion::identity(), &fast).unwrap();
+    refused(FreeMotion::of(&body), ErrorKind::Unrepresentable, "the greatest spin");
+    let slower = Body::spinning(leaning, UnitQuaternion::identity(), &(fast * 0.05)).unwrap();
+    assert!(FreeMotion::of(&slower).unwrap().omega(1e-307).unwrap().iter().all(|x| x.is_finite()));
+    // In the world.
+    for moments in [[1.1, 0.46, 1.05], [1.0, 1.0, 1.0]] {
+        let motion = motion(moments, [1.5e308, 0.0, 0.2e308]);
+        if let Ok(points) = motion.herpolhode(1e-300, 5) {
+            assert!(points.iter().flatten().all(|x| x.is_finite()), "{points:?}");
         }
     }
+    let sphere = PrincipalMoments::new(1.0, 1.0, 1.0).unwrap();
+    let speed = FreeMotion::new(sphere, &Vector3::new(-1.4e308, 1.5e308, 0.0));
+    refused(speed, ErrorKind::Unrepresentable, "the greatest spin");
 }

@@ -73,7 +73,8 @@ proptest! {
         let change = nearest.value.vector() - Vector3::from(given);
         let largest = nearest.value.axis(Axis::Largest);
         let (a, b) = ((largest + 1) % 3, (largest + 2) % 3);
-        // A third of the excess to each of the smaller two, and off the largest: at right angles to the plates' face of the cone.
+        // A third of the excess to each of the smaller two, and off the largest: at right angles to the
+        // plates' face of the cone.
         let third = (first + second) * excess / 3.0;
         let expected = Vector3::from_fn(|i, _| if i == largest { -third } else { third });
         prop_assert!((change - expected).amax() < 1e-15, "{change:?} {expected:?}");

@@ -120,8 +120,8 @@ proptest! {
     fn a_needles_small_moment_keeps_its_relative_accuracy(
         small in -12.0..-1.0_f64, xy in -0.4..0.4_f64, xz in -0.4..0.4_f64, yz in -0.4..0.4_f64,
     ) {
-        // D A D with D = diag(1, 1, thin): a needle leaning a little from z, its two large moments apart by no
-        // more than the small one, as the triangle inequality demands.
+        // D A D with D = diag(1, 1, thin): a needle leaning a little from z, its two large moments apart by
+        // no more than the small one, as the triangle inequality demands.
         let thin = 10_f64.powf(small / 2.0);
         let xy = 0.2 * xy * thin * thin;
         let tensor = Matrix3::new(1.0, xy, xz * thin, xy, 1.0, yz * thin, xz * thin, yz * thin, thin * thin);
@@ -207,7 +207,8 @@ fn each_axis_points_so_that_its_first_large_component_is_positive() {
     }
 }
 
-// The body axis that leans least on the lone one, with what leans taken off, and the third to make a right hand.
+// The body axis that leans least on the lone one, with what leans taken off, and the third to make a right
+// hand.
 #[test]
 fn two_equal_moments_take_the_direction_nearest_the_axis_that_leans_least() {
     // The lone axis (6, 2, -3)/7 leans least on y; it comes first beside two larger, last beside two smaller.

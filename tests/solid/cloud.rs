@@ -56,9 +56,9 @@ pub fn gauss(from: f64, to: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// A solid cut into elliptic slices across z: `semi(z)` are the squares of the semi-axes and `hole` is the part
-/// of them that is empty. Round the ellipse by equal steps, outward and along z by Gauss: exact where the
-/// squares of the semi-axes are polynomials.
+/// A solid cut into elliptic slices across z: `semi(z)` are the squares of the semi-axes and `hole` is the
+/// part of them that is empty. Round the ellipse by equal steps, outward and along z by Gauss: exact where
+/// the squares of the semi-axes are polynomials.
 pub fn slices(along: [f64; 2], hole: f64, semi: impl Fn(f64) -> [f64; 2]) -> Cloud {
     let mut cloud = Cloud::default();
     for (z, dz) in gauss(along[0], along[1]) {

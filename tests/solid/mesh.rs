@@ -1,42 +1,13 @@
-//! Solids bounded by triangles: the divergence theorem against closed forms, and surfaces that are none.
+//! Solids bounded by triangles: the divergence theorem against closed forms, to rounding at every size.
 
 use super::cloud::{assert_same, size, vector};
+use super::surface::{Surface, both, brick, inside_out, solid, turned_and_carried};
 use crate::common::{number_after, refused};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
+use tumbling::ErrorKind;
 use tumbling::solid::*;
-use tumbling::{Error, ErrorKind};
-
-type Surface = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
-
-/// A box from `low` to `low + edges`, two triangles a side.
-fn brick(low: Vector3<f64>, edges: Vector3<f64>) -> Surface {
-    let corner = |i: usize| {
-        let bit = |k: usize| if i >> k & 1 == 1 { edges[k] } else { 0.0 };
-        low + Vector3::new(bit(0), bit(1), bit(2))
-    };
-    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let faces = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-    ((0..8).map(corner).collect(), faces)
-}
-
-/// Both surfaces as one.
-fn both(mut a: Surface, b: Surface) -> Surface {
-    let start = a.0.len();
-    a.0.extend(b.0);
-    a.1.extend(b.1.iter().map(|face| face.map(|v| v + start)));
-    a
-}
-
-fn inside_out(mut a: Surface) -> Surface {
-    a.1.iter_mut().for_each(|face| face.swap(1, 2));
-    a
-}
-
-fn solid(surface: &Surface) -> Result<Mesh, Error> {
-    Mesh::new(&surface.0, &surface.1)
-}
 
 /// A regular icosahedron with corners on the unit sphere.
 fn icosahedron() -> Surface {
@@ -137,7 +108,6 @@ proptest! {
     ) {
         let n = |x: i32| Ratio::from_integer(i128::from(x));
         let (corners, faces) = brick(Vector3::from(low).map(f64::from), Vector3::from(edges).map(f64::from));
-        #[allow(clippy::cast_possible_truncation)] // small integers
         let corners: Vec<_> = corners.iter().map(|v| v.map(|x| n(x as i32))).collect();
         let reference = Vector3::from(reference).map(n);
         let sums = mesh_sums(faces.iter().map(|face| face.map(|v| &corners[v])), &reference);
@@ -160,20 +130,6 @@ proptest! {
         let full = solid(&brick(low, edges)).unwrap().with_density(3.0).unwrap();
         let parts = [hollow.with_density(3.0).unwrap(), filling.with_density(3.0).unwrap()];
         assert_same("filled", &MassProperties::combine(&parts).unwrap(), &full, 1e-13, 3.0);
-    }
-
-    #[test]
-    fn any_faces_at_all_are_a_solid_or_a_typed_error(
-        faces in proptest::collection::vec(proptest::array::uniform3(0_usize..6), 0..12),
-        corners in proptest::collection::vec(vector(super::cloud::anything()), 0..7),
-    ) {
-        if let Ok(mesh) = Mesh::new(&corners, &faces) {
-            let _ = mesh.with_mass(1.0);
-        }
-        let turned = Mesh::new(&[Vector3::x(), Vector3::y(), Vector3::z(), Vector3::repeat(1.0)], &faces);
-        if let Ok(mesh) = turned {
-            prop_assert!(mesh.measure().unwrap() > 0.0);
-        }
     }
 }
 
@@ -295,216 +251,8 @@ fn two_bricks_apart_or_touching_along_an_edge_are_one_solid() {
     assert_same("welded", &welded.with_density(1.0).unwrap(), &whole(beside), 1e-14, 5.0);
 }
 
-#[test]
-fn a_surface_that_is_none_is_refused_for_what_is_wrong_with_it() {
-    let (corners, faces) = brick(Vector3::zeros(), Vector3::new(1.0, 2.0, 3.0));
-    let refuse = |faces: &[[usize; 3]], words| refused(Mesh::new(&corners, faces), ErrorKind::BadMesh, words);
-
-    refused(Mesh::new(&corners, &faces[..3]), ErrorKind::OutOfBounds, "3 faces given: at least 4 needed");
-    refused(Mesh::new(&corners[..3], &faces), ErrorKind::OutOfBounds, "3 vertices given: at least 4 needed");
-
-    let mut bad = faces.clone();
-    bad[5] = [0, 8, 1];
-    refuse(&bad, "face 5 is (0, 8, 1): it must name three different vertices below 8");
-    bad[5] = [usize::MAX, 0, 1];
-    refuse(&bad, "face 5 is (18446744073709551615, 0, 1)");
-    bad[5] = [4, 0, 4];
-    refuse(&bad, "face 5 is (4, 0, 4): it must name three different vertices below 8");
-
-    // A hole: the face missing is (0, 2, 3), so its three edges have one face each.
-    let open = refuse(&faces[1..], "belongs to 1 face(s)");
-    for end in ["from vertex ", "to vertex "] {
-        assert!([0.0, 2.0, 3.0].contains(&number_after(&open, end)), "{open}");
-    }
-    // A fin: one face more on three edges.
-    let mut fin = faces.clone();
-    fin.push([0, 1, 6]);
-    assert!([1.0, 3.0].contains(&number_after(&refuse(&fin, "the edge from vertex"), "belongs to ")));
-
-    let mut flipped = faces.clone();
-    flipped[4].swap(0, 1);
-    let inside_out_face = refuse(&flipped, "one of them is turned inside out");
-    for end in ["from vertex ", "to vertex "] {
-        let vertex = number_after(&inside_out_face, end) as usize;
-        assert!(faces[4].contains(&vertex), "{inside_out_face}");
-    }
-
-    let turned = inside_out((corners.clone(), faces.clone()));
-    let error = refused(solid(&turned), ErrorKind::BadMesh, "not above zero");
-    let (volume, tolerance) = (number_after(&error, "comes out as "), number_after(&error, "rounding ("));
-    assert!((volume + 6.0).abs() < 1e-14 && tolerance < 1e-13, "{volume} {tolerance}");
-    let squashed: Vec<_> = corners.iter().map(|v| Vector3::new(v.x, v.y, v.x + 0.1 * v.y)).collect();
-    refused(Mesh::new(&squashed, &faces), ErrorKind::BadMesh, "the volume comes out as");
-
-    let mut unfinite = corners.clone();
-    unfinite[6].y = f64::NAN;
-    refused(Mesh::new(&unfinite, &faces), ErrorKind::NotFinite, "part 6: the vertex is NaN");
-}
-
-#[test]
-fn a_corner_that_no_face_uses_changes_nothing() {
-    let (mut corners, faces) = brick(Vector3::zeros(), Vector3::new(1.0, 2.0, 3.0));
-    let plain = Mesh::new(&corners, &faces).unwrap().with_mass(1.0).unwrap();
-    corners.push(Vector3::new(1e9, 1e9, 1e9));
-    assert_eq!(Mesh::new(&corners, &faces).unwrap().with_mass(1.0).unwrap(), plain);
-}
-
-fn cube(low: [f64; 3], edge: f64) -> Surface {
-    brick(Vector3::from(low), Vector3::repeat(edge))
-}
-
-/// The same surface with one vertex at each place.
-fn welded((corners, mut faces): Surface) -> Surface {
-    for vertex in faces.iter_mut().flatten() {
-        *vertex = corners.iter().position(|v| *v == corners[*vertex]).unwrap();
-    }
-    (corners, faces)
-}
-
-/// The shells' first face, volume and the winding number found beside it.
-fn misplaced(surface: &Surface) -> (usize, f64, f64) {
-    let error = refused(solid(surface), ErrorKind::BadMesh, "is turned or placed wrongly");
-    let number = |words| number_after(&error, words);
-    (number("shell that face ") as usize, number("of volume "), number("enclose a point "))
-}
-
-fn turned_and_carried((mut corners, faces): Surface, angles: [f64; 3], by: Vector3<f64>) -> Surface {
-    let turn = UnitQuaternion::from_euler_angles(angles[0], angles[1], angles[2]);
-    corners.iter_mut().for_each(|v| *v = turn * *v + by);
-    (corners, faces)
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
-
-    // Shells within shells, their turns drawn: a solid only if they alternate, beginning with a solid one.
-    #[test]
-    fn nested_shells_are_a_solid_only_if_solid_and_cavity_alternate(
-        inward in proptest::collection::vec(any::<bool>(), 2..5), apart in any::<bool>(),
-        angles in proptest::array::uniform3(-3.0..3.0_f64), by in vector(-50.0..50.0),
-    ) {
-        let mut surface = Surface::default();
-        let mut volume = 0.0;
-        for (depth, &inward) in inward.iter().enumerate() {
-            let edge = [4.0, 2.5, 1.5, 0.3][depth];
-            let shell = cube([-0.5 * edge - 0.1, -0.5 * edge, -0.5 * edge + 0.05], edge);
-            volume += if inward { -edge.powi(3) } else { edge.powi(3) };
-            surface = both(surface, if inward { inside_out(shell) } else { shell });
-        }
-        if apart {
-            surface = both(surface, cube([9.0, 0.5, 0.3], 1.0));
-            volume += 1.0;
-        }
-        let alternate = inward.iter().enumerate().all(|(depth, &inward)| inward == (depth % 2 == 1));
-        match solid(&turned_and_carried(surface, angles, by)) {
-            Ok(mesh) => {
-                prop_assert!(alternate);
-                prop_assert!((mesh.measure().unwrap() - volume).abs() < 1e-10);
-            }
-            Err(error) if error.to_string().starts_with("the volume comes out as") => prop_assert!(volume < 1e-9),
-            Err(error) => {
-                prop_assert_eq!(error.kind(), ErrorKind::BadMesh);
-                let winding = number_after(&error, "enclose a point ");
-                prop_assert!(!alternate && !(0.0..=1.0).contains(&winding));
-            }
-        }
-    }
-
-    #[test]
-    fn an_inside_out_cube_outside_a_solid_is_refused_wherever_it_is(
-        away in vector(-3.0..3.0), edge in 0.1..0.9_f64, angles in proptest::array::uniform3(-3.0..3.0_f64),
-    ) {
-        prop_assume!(away.amax() > 1.01);
-        // Its middle is outside by more than half its edge, in one direction at least.
-        let low = away.map(|x| x - 0.5 * edge) + Vector3::repeat(0.5) + away.map(f64::signum) * 0.5;
-        let wrong = both(cube([0.0; 3], 1.0), inside_out(cube(low.into(), edge)));
-        let (face, volume, winding) = misplaced(&turned_and_carried(wrong, angles, away));
-        prop_assert_eq!((face, winding), (12, -1.0));
-        prop_assert!((volume + edge.powi(3)).abs() < 1e-12, "{}", volume);
-    }
-}
-
-#[test]
-fn shells_that_are_turned_or_nested_wrongly_are_refused_and_named() {
-    let (whole, inner) = (cube([0.0; 3], 2.0), cube([0.5; 3], 1.0));
-    // The inside twice over: which shell is looked at first does not matter.
-    assert_eq!(misplaced(&both(whole.clone(), inner.clone())), (12, 1.0, 2.0));
-    assert_eq!(misplaced(&both(inner.clone(), whole.clone())), (0, 1.0, 2.0));
-    // A cavity in a cavity.
-    let hollow = both(whole.clone(), inside_out(inner));
-    let deeper = inside_out(cube([0.75; 3], 0.5));
-    assert_eq!(misplaced(&both(hollow, deeper)), (24, -0.125, -1.0));
-    let outside = both(whole, inside_out(cube([5.0, 0.0, 0.0], 1.0)));
-    let error = solid(&outside).unwrap_err();
-    assert_eq!(misplaced(&outside), (12, -1.0, -1.0));
-    assert_eq!(
-        error.to_string(),
-        "the shell that face 12 belongs to, of volume -1.0, is turned or placed wrongly: next to it the shells \
-         enclose a point -1 times, and it must be 0 (outside the solid) or 1 (inside); a shell of negative volume \
-         is a cavity and must lie in the solid"
-    );
-}
-
-// Touching from without is a solid; turned inside out, the part that touches is not.
-#[test]
-fn a_part_that_touches_along_an_edge_or_a_face_is_judged_as_one_apart_from_it() {
-    let whole = cube([0.0; 3], 2.0);
-    for part in [cube([2.0, 2.0, 0.0], 2.0), cube([2.0, 0.0, 0.0], 2.0), cube([2.0, 0.5, 0.5], 1.0)] {
-        let volume = 8.0 + solid(&part).unwrap().measure().unwrap();
-        let (right, wrong) = (both(whole.clone(), part.clone()), both(whole.clone(), inside_out(part)));
-        for right in [right.clone(), welded(right)] {
-            assert_eq!(solid(&right).unwrap().measure().unwrap(), volume);
-        }
-        if volume < 16.0 {
-            assert_eq!(misplaced(&wrong), (12, -1.0, -1.0));
-            assert_eq!(misplaced(&welded(wrong)), (12, -1.0, -1.0));
-        }
-    }
-    let edge_on =
-        both(whole.clone(), inside_out(brick(Vector3::new(2.0, 2.0, 0.0), Vector3::new(1.0, 1.0, 2.0))));
-    assert_eq!(misplaced(&edge_on), (12, -2.0, -1.0));
-    assert_eq!(misplaced(&welded(edge_on)), (12, -2.0, -1.0));
-    // From within: a cavity that opens to the outside makes a cup, one that is filled again the whole.
-    let cavity = brick(Vector3::new(0.5, 0.5, 1.0), Vector3::new(1.0, 1.0, 1.0));
-    let cup = both(whole, inside_out(cavity.clone()));
-    assert_eq!(solid(&cup).unwrap().measure().unwrap(), 7.0);
-    assert_eq!(solid(&both(cup, cavity)).unwrap().measure().unwrap(), 8.0);
-}
-
-#[test]
-fn a_speck_on_the_face_of_a_body_ten_trillion_times_its_size_is_a_solid() {
-    let surface = both(cube([0.0; 3], 1e3), cube([1e3, 300.0, 300.0], 1e-10));
-    assert!(solid(&surface).is_ok());
-    for i in 0..40 {
-        let turn = [0.3 + f64::from(i), -1.1 * f64::from(i), 2.0];
-        let lying = turned_and_carried(surface.clone(), turn, Vector3::new(-30.0, 0.0, 7.0));
-        assert!(solid(&lying).is_ok(), "{i}");
-    }
-}
-
-// Two cubes that share a whole face, listed both ways, close only together.
-#[test]
-fn parts_that_share_a_face_are_one_shell() {
-    let pair = welded(both(cube([5.0, 0.0, 0.0], 1.0), cube([6.0, 0.0, 0.0], 1.0)));
-    assert_eq!(solid(&pair).unwrap().measure().unwrap(), 2.0);
-    let wrong = both(cube([0.0; 3], 2.0), inside_out(pair));
-    assert_eq!(misplaced(&wrong), (12, -2.0, -1.0));
-}
-
-#[test]
-fn a_face_listed_twice_is_refused_in_whatever_order_its_corners_are_named() {
-    let (corners, faces) = cube([0.0; 3], 1.0);
-    let mut twice = faces.clone();
-    let [a, b, c] = faces[7];
-    twice.push([b, c, a]);
-    let again = format!("face 12, ({b}, {c}, {a}), is face 7 again");
-    refused(Mesh::new(&corners, &twice), ErrorKind::BadMesh, &again);
-    // Every face twice closes along every edge; it is still no solid of twice the density.
-    let all = [faces.clone(), faces].concat();
-    refused(Mesh::new(&corners, &all), ErrorKind::BadMesh, "is face 0 again");
-}
-
-// A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside out.
+// A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside
+// out.
 #[test]
 fn a_surface_through_itself_is_refused_where_no_body_has_such_a_tensor() {
     let outline = [[-1.0, 0.0], [1.0, 0.0], [-0.95, 1.95], [0.95, 1.95]];

@@ -3,3 +3,6 @@ mod mesh;
 mod properties;
 mod refusals;
 mod shapes;
+mod shells;
+mod surface;
+mod topology;

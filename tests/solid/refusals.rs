@@ -130,7 +130,8 @@ fn a_tetrahedron_is_refused_when_it_is_flat_to_rounding_and_only_then() {
     assert!(Tetrahedron::new([twice, twice, Vector3::zeros(), Vector3::x()]).is_err());
 }
 
-// Edges of about 1 m, each coordinate off by half a unit: the bound must be of that size, not a hundred times.
+// Edges of about 1 m, each coordinate off by half a unit: the bound must be of that size, not a hundred
+// times.
 #[test]
 fn a_tetrahedron_ten_times_as_high_as_its_rounding_is_a_solid() {
     let tilted = |x: f64, y: f64, up: f64| Vector3::new(x, y, 0.1 * x + 0.3 * y + up);

@@ -48,8 +48,8 @@ fn body() -> impl Strategy<Value = (System<f64>, State<f64>)> {
     })
 }
 
-/// By how much a run of 50 steps of 0.3 s breaks energy, `|L|`, `L` in the world, the attitude's length; and a step there and back,
-/// the state.
+/// By how much a run of 50 steps of 0.3 s breaks energy, `|L|`, `L` in the world, the attitude's length; and
+/// a step there and back, the state.
 fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] {
     let h = 0.3;
     let mut most = [0.0_f64; 5];

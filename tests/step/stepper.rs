@@ -1,28 +1,12 @@
-//! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin; and adaptive runs.
+//! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin.
 
-use crate::common::{any_vector, anything, attitude, generic_spin, moments, refused};
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use super::{apart, finite, in_axes, seen_along, steppers};
+use crate::common::*;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, Stepper, System, Torque, adaptive, adaptive_within};
+use tumbling::step::{Method, State, Stepper, System, Torque, adaptive_within};
 use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
-
-fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
-    let turn = axes.to_rotation_matrix();
-    let tensor = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
-    Inertia::from_matrix(&((tensor + tensor.transpose()) * 0.5)).unwrap()
-}
-
-fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
-    let turn =
-        (a.attitude.coords - b.attitude.coords).norm().min((a.attitude.coords + b.attitude.coords).norm());
-    turn + (a.momentum - b.momentum).norm() / b.momentum.norm()
-}
-
-/// The same state along axes that `turn` takes to the old ones.
-fn seen_along(state: &State<f64>, turn: &UnitQuaternion<f64>) -> State<f64> {
-    State { attitude: state.attitude * turn.into_inner(), momentum: turn.inverse() * state.momentum }
-}
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
@@ -177,105 +161,6 @@ fn single_precision_follows_double_for_every_method_and_refuses_what_it_cannot_h
     assert!(Stepper::<f64>::new(&small, Method::Buss).is_ok());
 }
 
-/// Errors at `t` in `count` steps and in twice as many, as a power of two.
-fn order(
-    method: Option<Method>,
-    body: &Body,
-    torque: &Torque<f64>,
-    truth: &State<f64>,
-    t: f64,
-    count: u32,
-) -> (f64, f64) {
-    let error = |count: u32| {
-        let stepper = match method {
-            Some(method) => Stepper::new(body, method),
-            None => Stepper::fixed_rate(body),
-        };
-        let mut stepper = stepper.unwrap().with_torques([torque.clone()]).unwrap();
-        let end = stepper.run(t / f64::from(count), count as usize).last().unwrap().unwrap();
-        apart(&end, truth)
-    };
-    let errors = [error(count), error(2 * count)];
-    ((errors[0] / errors[1]).log2(), errors[1])
-}
-
-/// What a method's order is under a torque.
-fn claimed(method: Option<Method>) -> f64 {
-    match method {
-        Some(
-            Method::RungeKutta4
-            | Method::DormandPrince5
-            | Method::MuntheKaas4
-            | Method::Gauss4
-            | Method::Gauss6
-            | Method::TurnedRungeKutta4,
-        ) => f64::from(method.unwrap().info().order),
-        Some(method) => f64::from(method.info().order.min(2)),
-        None => 2.0,
-    }
-}
-
-fn all() -> impl Iterator<Item = Option<Method>> {
-    let to_the_truth = Method::ALL.iter().filter(|method| method.info().order > 0);
-    to_the_truth.copied().map(Some).chain([None])
-}
-
-#[test]
-fn under_a_cosine_torque_about_a_principal_axis_every_method_has_its_order() {
-    // I w' = a cos(b t): w = w0 + a sin(b t) / (b I), angle = w0 t + a (1 - cos(b t)) / (b^2 I).
-    let (moment, spin, a, b, t) = (2.5, 0.7, 1.5, 3.0_f64, 2.0);
-    let inertia = Inertia::from_moments(1.0, 2.0, moment).unwrap();
-    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, spin)).unwrap();
-    let torque = Torque::function(move |time: f64, _, _| Vector3::z() * (a * (b * time).cos()));
-    let angle = spin * t + a * (1.0 - (b * t).cos()) / (b * b * moment);
-    let truth = State {
-        attitude: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner(),
-        momentum: Vector3::z() * (moment * spin + a * (b * t).sin() / b),
-    };
-    for method in all() {
-        let said = claimed(method);
-        let count = if said > 3.0 { 16 } else { 256 };
-        let (seen, error) = order(method, &body, &torque, &truth, t, count);
-        // About one axis some errors cancel, and the order is higher.
-        assert!(seen > said - 0.2 || error < 1e-12, "{method:?}: {seen}, {error:e}");
-        assert!(error < if said > 1.0 { 1e-4 } else { 2e-2 }, "{method:?}: {error:e}");
-    }
-}
-
-#[test]
-fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
-    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
-    let body =
-        Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::new(0.9, 1.1, -0.7))
-            .unwrap();
-    let law = |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
-        rotation.tr_mul(&Vector3::new((2.0 * time).sin(), 0.3, 0.5 * time.cos()))
-            - omega.component_mul(&Vector3::new(0.2, 0.1, 0.3)) * omega.norm()
-    };
-    // The truth by a fine adaptive run along the principal axes, with the law written for them.
-    let t = 1.0;
-    let principal = body.inertia().principal();
-    let (frame, turn) = (principal.frame(), principal.rotation());
-    let turned = Torque::function(move |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
-        frame.tr_mul(&law(time, &(rotation * frame.transpose()), &(frame * omega)))
-    });
-    let system = System::with(principal.moments().try_into().unwrap(), vec![turned]).unwrap();
-    let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14).unwrap().end;
-    let truth = seen_along(&end, &turn.inverse());
-    for method in all() {
-        let said = claimed(method);
-        let count = if said > 5.5 {
-            6
-        } else if said > 3.0 {
-            24
-        } else {
-            200
-        };
-        let (seen, error) = order(method, &body, &Torque::function(law), &truth, t, count);
-        assert!((seen - said).abs() < 0.3, "{method:?}: {seen} for {said}, {error:e}");
-    }
-}
-
 #[test]
 fn a_kick_by_a_law_without_the_spin_leaves_a_reversible_method_reversible() {
     let body = Body::spinning(
@@ -327,7 +212,7 @@ fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
     .unwrap();
     // A thruster whose law ends at 0.25 s.
     let law = |time: f64, _: &Matrix3<f64>, _: &Vector3<f64>| Vector3::y() * (0.25 - time).sqrt();
-    for method in all() {
+    for method in steppers() {
         let stepper = match method {
             Some(method) => Stepper::<f64>::new(&body, method),
             None => Stepper::fixed_rate(&body),
@@ -338,48 +223,6 @@ fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
         assert_eq!(error.subject(), "the torque", "{method:?}");
         assert!(stepper.time() < 0.35 && finite(&stepper.state()), "{method:?}");
     }
-}
-
-fn finite(state: &State<f64>) -> bool {
-    state.attitude.coords.iter().chain(&state.momentum).all(|x| x.is_finite())
-}
-
-#[test]
-fn an_adaptive_run_is_finite_or_refused_and_soon() {
-    let moments = Vector3::new(1.0, 2.0, 2.5);
-    let start = |l: Vector3<f64>| State { attitude: Quaternion::identity(), momentum: l };
-    let lossy = |torque| System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
-    // Came out as NaN: an error that was NaN counted as none.
-    let fast = start(Vector3::new(1.0, 1e6, 1.0));
-    let refused = adaptive(&lossy(Torque::Dissipation(1.0)), &fast, 6e-3, 1e-4).unwrap_err();
-    assert_eq!(refused.kind(), ErrorKind::TooMany, "{refused}");
-    assert!(refused.to_string().contains("losses"), "{refused}");
-    let free = System::free(moments.try_into().unwrap()).unwrap();
-    assert!(adaptive(&free, &start(Vector3::new(1.0, 2.0, 3.0) * 1e203), 1e-200, 1e-4).is_err());
-    // Stiff, and back in time: each took half a minute.
-    let slow = start(Vector3::new(1.0, 2.0, 3.0));
-    for (torque, duration) in [
-        (Torque::Damping(moments * 1e9), 1.0),
-        (Torque::Dissipation(1e9), 1.0),
-        (Torque::Dissipation(1e9), -1.0),
-    ] {
-        let mut budget = 1_000_000;
-        let run = adaptive_within(&lossy(torque.clone()), &slow, duration, 1e-6, &mut budget);
-        assert_eq!(run.unwrap_err().kind(), ErrorKind::TooMany, "{torque:?} {duration}");
-        // Seen long before the budget is spent.
-        assert!(budget > 990_000, "{torque:?} {duration}: {budget} left");
-    }
-    // Damping winds the body up without bound: the law is not stiff, the spin is fast, and the budget ends it.
-    let wound = adaptive_within(&lossy(Torque::Damping(moments * 1e9)), &slow, -1.0, 1e-6, &mut 20_000);
-    assert_eq!(wound.unwrap_err().kind(), ErrorKind::TooMany);
-    // A stiff run that the budget allows is finished all the same.
-    let run = adaptive(&lossy(Torque::Damping(moments * 1e3)), &slow, 1.0, 1e-6).unwrap();
-    assert!(run.end.momentum.norm() < 1e-5 && run.steps > 200, "{run:?}");
-    // And a budget is kept.
-    let mut budget = 100;
-    let refused = adaptive_within(&free, &slow, 1e4, 1e-9, &mut budget).unwrap_err();
-    assert!(refused.to_string().contains("100 steps"), "{refused}");
-    assert_eq!(budget, 0);
 }
 
 proptest! {
@@ -412,7 +255,7 @@ proptest! {
             Torque::function(move |time: f64, rotation, omega| rotation.tr_mul(&field) * time - omega.component_mul(&torque)),
         ];
         for torque in kinds {
-            for method in all() {
+            for method in steppers() {
                 let stepper = method.map_or_else(|| Stepper::fixed_rate(&body), |method| Stepper::new(&body, method));
                 let Ok(mut stepper) = stepper.and_then(|stepper| stepper.with_torques([torque.clone()])) else { continue };
                 for state in stepper.run(h, 2) {

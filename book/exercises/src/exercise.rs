@@ -162,8 +162,8 @@ impl Exercise {
         &self.solution
     }
 
-    /// The file that the reader edits, untouched. Its block is a program of its own: one that does not compile is
-    /// no hindrance to another.
+    /// The file that the reader edits, untouched. Its block is a program of its own: one that does not
+    /// compile is no hindrance to another.
     #[must_use]
     pub fn stub(&self) -> String {
         let (chapter, number) = self.place();

@@ -1,5 +1,5 @@
-//! The exercises are exercises: left open, each stops at its own `todo!`; solved, each passes; answered wrongly, each is
-//! refused by an assertion, and told why. All blocks are compiled, so none fails for that.
+//! The exercises are exercises: left open, each stops at its own `todo!`; solved, each passes; answered
+//! wrongly, each is refused by an assertion, and told why. All blocks are compiled, so none fails for that.
 
 use std::cell::RefCell;
 use std::{panic, thread};
@@ -12,7 +12,13 @@ pub struct Run {
     run: fn(),
 }
 
-#[allow(unused, unreachable_code, missing_docs, clippy::all, clippy::unwrap_used)]
+#[allow(
+    unused,
+    unreachable_code,
+    missing_docs,
+    clippy::all,
+    reason = "readers write these blocks, some of them wrong"
+)]
 mod runs {
     use super::Run;
     include!(concat!(env!("OUT_DIR"), "/runs.rs"));

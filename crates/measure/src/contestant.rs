@@ -200,12 +200,10 @@ impl Contestant for Ours {
 
 /// The length of each of so many steps.
 #[must_use]
-#[allow(clippy::cast_precision_loss)] // no run takes 2^53 steps
 pub fn step_of(story: &Story, steps: u64) -> f64 {
     story.end / steps as f64
 }
 
-#[allow(clippy::cast_precision_loss)]
 fn time_of(k: u64, steps: u64, end: f64) -> f64 {
     end * (k as f64 / steps as f64)
 }

@@ -142,8 +142,8 @@ impl<'a> Watch<'a> {
         (Outcome::Right, errors)
     }
 
-    /// When the last flip was: the exact motion from the last state before it says to the last digit when that state
-    /// flips, so that no interpolation stands between the method and its error.
+    /// When the last flip was: the exact motion from the last state before it says to the last digit when
+    /// that state flips, so that no interpolation stands between the method and its error.
     fn last_flip(&self) -> Option<f64> {
         let (t, state) = self.last.as_ref()?;
         let omega = self.story.system.omega(&state.momentum);

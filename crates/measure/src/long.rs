@@ -53,7 +53,6 @@ pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, tell: &mut dyn F
 }
 
 /// From how many starts this method runs: from fewer where its steps are dear.
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn starts(method: Method, effort: Effort) -> u32 {
     let Some((system, motion, h)) = start(0) else { return effort.starts };
     let Some(each) = evaluations_of_step(method, &system, &motion, h) else { return effort.starts };
@@ -141,11 +140,10 @@ fn one(
     (windows, Outcome::Right)
 }
 
-/// The slope of a line through logarithms of error against logarithms of turns, by least squares, over rows of at least so
-/// many turns; `None` from fewer than three, or where there is no error.
+/// The slope of a line through logarithms of error against logarithms of turns, by least squares, over rows
+/// of at least so many turns; `None` from fewer than three, or where there is no error.
 #[must_use]
 pub fn slope<'a>(rows: impl IntoIterator<Item = &'a Long>, from: u64, of: fn(&Long) -> f64) -> Option<f64> {
-    #[allow(clippy::cast_precision_loss)]
     let points: Vec<(f64, f64)> = rows
         .into_iter()
         .filter(|row| row.turns >= from && of(row) > 0.0)
@@ -154,7 +152,6 @@ pub fn slope<'a>(rows: impl IntoIterator<Item = &'a Long>, from: u64, of: fn(&Lo
     if points.len() < 3 {
         return None;
     }
-    #[allow(clippy::cast_precision_loss)]
     let n = points.len() as f64;
     let (mx, my) = points.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
     let (xy, xx) =

@@ -1,4 +1,5 @@
-//! The record: files of comma-separated values whose heads say what, when and on which machine, written and read back.
+//! The record: files of comma-separated values whose heads say what, when and on which machine, written and
+//! read back.
 
 use crate::contestant::Setting;
 use crate::errors::{Errors, Outcome};
@@ -72,7 +73,8 @@ pub struct Long {
     pub steps: u32,
     /// Turns from the start to the end of the window: from half of them.
     pub turns: u64,
-    /// The mean over the window of the relative error of the energy, its size; root mean square over the starts.
+    /// The mean over the window of the relative error of the energy, its size; root mean square over the
+    /// starts.
     pub mean: f64,
     /// The largest relative error of the energy in the window; root mean square over the starts.
     pub largest: f64,

@@ -1,7 +1,8 @@
-//! What a scene costs by its outputs, in processor instructions; and what each part of the workspace adds to a build.
+//! What a scene costs by its outputs, in processor instructions; and what each part of the workspace adds to
+//! a build.
 //!
-//! Two tables in one record: `executed` (counted by valgrind, the same to a few in every run) and `compiled` (crates, and seconds of a build).
-//! Each run renews its own tables and leaves the others as they are.
+//! Two tables in one record: `executed` (counted by valgrind, the same to a few in every run) and `compiled`
+//! (crates, and seconds of a build). Each run renews its own tables and leaves the others as they are.
 
 use crate::instructions::{Again, counted};
 use crate::record::{Record, Row, Wrong};
@@ -110,7 +111,8 @@ pub fn scenes() -> Result<Vec<Counted>, Error> {
 /// The scene with nothing left out.
 pub const GENERAL: &str = "three moments";
 
-/// What the program does when it is run again under valgrind: so many plans of the scene of this name, and of each so many times all states.
+/// What the program does when it is run again under valgrind: so many plans of the scene of this name, and of
+/// each so many times all states.
 ///
 /// # Errors
 /// A name that no scene has, or what the library refuses.
@@ -133,7 +135,6 @@ pub fn child(name: &str, plans: u64, rounds: u64) -> Result<(), String> {
 ///
 /// # Errors
 /// Where valgrind is not installed or does not get through.
-#[allow(clippy::cast_precision_loss)]
 pub fn executed(again: &Again, tell: &mut dyn FnMut(&str)) -> Result<Vec<Saving>, Wrong> {
     let mut rows = Vec::new();
     for one in scenes().map_err(|error| error.to_string())? {
@@ -177,7 +178,6 @@ pub const SECONDS: &str = "seconds more";
 ///
 /// # Errors
 /// Where cargo does not get through.
-#[allow(clippy::cast_precision_loss)]
 pub fn compiled(root: &Path, time: Option<&Path>, tell: &mut dyn FnMut(&str)) -> Result<Vec<Saving>, Wrong> {
     let cargo = || {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));

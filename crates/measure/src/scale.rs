@@ -1,8 +1,9 @@
-//! Many bodies: exact states a second against the number of bodies, in lanes and alone, on one thread and two, beside whoever
-//! steps as many.
+//! Many bodies: exact states a second against the number of bodies, in lanes and alone, on one thread and
+//! two, beside whoever steps as many.
 //!
-//! A [`Crowd`] is prepared for a number of bodies and then passes: each pass answers (or steps) every body some number of
-//! times. Passes of all crowds are taken in turns, and the least time of each counts, with the spread beside it.
+//! A [`Crowd`] is prepared for a number of bodies and then passes: each pass answers (or steps) every body
+//! some number of times. Passes of all crowds are taken in turns, and the least time of each counts, with the
+//! spread beside it.
 
 use crate::record::{Record, Row, Wrong, number, optional, parsed, perhaps};
 use crate::setup;
@@ -44,7 +45,6 @@ pub struct Scale {
 impl Scale {
     /// States a second.
     #[must_use]
-    #[allow(clippy::cast_precision_loss)]
     pub fn rate(&self) -> f64 {
         self.bodies as f64 * f64::from(self.instants) / self.seconds
     }
@@ -107,10 +107,9 @@ pub fn committed() -> Result<Record<Scale>, Wrong> {
     Record::read(include_str!("../record/scale.csv"))
 }
 
-/// A body of the crowd: a box of its own proportions, spun and turned in a way of its own, so that the kinds of motion
-/// come mixed.
+/// A body of the crowd: a box of its own proportions, spun and turned in a way of its own, so that the kinds
+/// of motion come mixed.
 #[must_use]
-#[allow(clippy::cast_precision_loss)]
 pub fn body(k: usize) -> InitialState {
     // Multiples of irrational numbers, less their whole parts, fill the unit cube evenly.
     let part = |n: i32| (k as f64 * 0.851_799_642_079_243_f64.powi(n)).fract();
@@ -122,7 +121,8 @@ pub fn body(k: usize) -> InitialState {
     InitialState { attitude, ..InitialState::spinning(moments, omega) }
 }
 
-/// Who is measured: a name, lanes, threads, instants in a pass, and how to prepare a pass over so many bodies.
+/// Who is measured: a name, lanes, threads, instants in a pass, and how to prepare a pass over so many
+/// bodies.
 pub struct Crowd<'a> {
     /// Who.
     pub name: &'static str,
@@ -186,7 +186,6 @@ where
     let ensemble = Ensemble::<W>::prepare(bodies, body, |_| {});
     let bytes = ensemble.bytes();
     let pass = move |k: u32| {
-        #[allow(clippy::cast_precision_loss)]
         let times: Vec<f64> = (0..instants).map(|n| 1.0 + 0.37 * n as f64 + f64::from(k)).collect();
         let digest = AtomicU64::new(0);
         let put = |chunk: Chunk<'_, W::Answer>| {
@@ -205,7 +204,6 @@ fn scene<'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a> {
     let states: Vec<InitialState> = (0..bodies).map(body).collect();
     let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
     let pass = move |k: u32| {
-        #[allow(clippy::cast_precision_loss)]
         let times = (0..instants).map(|n| 1.0 + 0.37 * n as f64 + f64::from(k)).collect();
         let scene = Scene::new(states.iter().copied(), Vec::new(), Times::Given(times), outputs, 1e-9);
         let digest = |block: &Block<'_>| {
@@ -302,7 +300,8 @@ pub struct Effort {
     pub repeats: u32,
     /// The least time to take, s: shorter passes are made several times over.
     pub least: f64,
-    /// From so many bodies on crowds are prepared one after the other, for they would not fit the memory together.
+    /// From so many bodies on crowds are prepared one after the other, for they would not fit the memory
+    /// together.
     pub together: usize,
 }
 
@@ -350,7 +349,6 @@ pub fn measure(build: &str, crowds: &[Crowd<'_>], effort: Effort, tell: &mut dyn
     rows
 }
 
-#[allow(clippy::cast_precision_loss)]
 fn in_turns(build: &str, crowds: &[&Crowd<'_>], bodies: usize, effort: Effort) -> Vec<Scale> {
     let mut runners: Vec<_> = crowds
         .iter()
@@ -360,7 +358,6 @@ fn in_turns(build: &str, crowds: &[&Crowd<'_>], bodies: usize, effort: Effort) -
             let preparing = start.elapsed().as_secs_f64() / bodies as f64;
             let mut runner = Runner { crowd, ready, inner: 1, count: 0, times: Vec::new(), preparing };
             let once = runner.time().max(1e-9);
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let inner = (effort.least / once).ceil() as u32;
             runner.inner = inner.max(1);
             runner
@@ -438,7 +435,8 @@ pub fn best(rows: &[Scale], build: &str, crowd: &str, lanes: u32, threads: u32) 
     of(rows, build, crowd, lanes, threads).map(Scale::rate).reduce(f64::max)
 }
 
-/// How many times as long a state takes at its slowest as at its quickest, over all numbers of bodies from `least` on.
+/// How many times as long a state takes at its slowest as at its quickest, over all numbers of bodies from
+/// `least` on.
 #[must_use]
 pub fn unevenness(
     rows: &[Scale],
@@ -453,8 +451,8 @@ pub fn unevenness(
     Some(rates.iter().copied().reduce(f64::max)? / rates.iter().copied().reduce(f64::min)?)
 }
 
-/// The middle, over the numbers of bodies that both have (a thousand or more), of how many times the one's rate is the
-/// other's: each is told by crowd, lanes and threads.
+/// The middle, over the numbers of bodies that both have (a thousand or more), of how many times the one's
+/// rate is the other's: each is told by crowd, lanes and threads.
 #[must_use]
 pub fn ratio(rows: &[Scale], build: &str, one: (&str, u32, u32), other: (&str, u32, u32)) -> Option<f64> {
     let mut ratios: Vec<f64> = of(rows, build, one.0, one.1, one.2)

@@ -32,7 +32,8 @@ pub struct Truth {
     pub motion: State<f64>,
     /// Kinetic energy and that of its place, J.
     pub energy: f64,
-    /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a free body alone.
+    /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a
+    /// free body alone.
     pub flips: Option<Flips>,
 }
 

@@ -127,7 +127,8 @@ fn a_missing_flip_is_counted() {
     assert_eq!(judged(&Ours(Method::ConstantSpin), &stories[0], 4096).0, Outcome::Flips(0));
 }
 
-/// The phase is the last flip's delay beside the time between two: here the method's own clock runs slow by a known share.
+/// The phase is the last flip's delay beside the time between two: here the method's own clock runs slow by a
+/// known share.
 #[test]
 fn a_slow_clock_shows_as_phase() {
     struct Slow;

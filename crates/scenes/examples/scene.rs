@@ -3,18 +3,18 @@
 //! ```text
 //! cargo run --release --example scene -- FILE.toml             the states, as comma-separated values
 //! cargo run --release --example scene -- --summary FILE.toml   each body in a few lines
-//! cargo run --release --example scene -- --explain FILE.toml   what was chosen for each body, what was left out, what it costs
+//! cargo run --release --example scene -- --explain FILE.toml   what was chosen, what left out, what it costs
 //! ```
 //!
 //! With `--features tumbling-scenes/threads` a scene of many bodies is shared out over the processor's cores.
 //!
-//! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
-//! the angle between spin and momentum, rad. Lines are in order of time, all bodies at each; of more than 256 bodies, block by
-//! block. Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in the summary; where only they are
-//! requested it is printed anyway.
+//! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part
+//! first; the kinetic energy, J; the angle between spin and momentum, rad. Lines are in order of time, all
+//! bodies at each; of more than 256 bodies, block by block. Numbers have 17 digits. Flips and the polhode,
+//! which belong to no one time, are in the summary; where only they are requested it is printed anyway.
 //!
-//! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering the others; a file that
-//! cannot be read, with 2.
+//! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering
+//! the others; a file that cannot be read, with 2.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ffi::OsString;

@@ -15,7 +15,8 @@ const STEPS: u32 = 1200;
 /// The steps of half a second, more than one wobble: the tilt shown is the greatest within them.
 const WINDOW: usize = 30;
 
-/// One run: time, the spin's angle from the axis of the largest moment (degrees), the energy in parts of the first.
+/// One run: time, the spin's angle from the axis of the largest moment (degrees), the energy in parts of the
+/// first.
 struct Run {
     seen: Vec<[f64; 3]>,
     /// Where the engine starts anew.

@@ -1,4 +1,5 @@
-//! Every free motion of the box on one sheet: level lines in a triangle, and the time that each takes to flip.
+//! Every free motion of the box on one sheet: level lines in a triangle, and the time that each takes to
+//! flip.
 
 use super::{Drawing, Picture, document_box, in_principal_axes, ink_of};
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
@@ -28,8 +29,8 @@ impl Map {
         Ok(FreeMotion::new(self.moments.try_into()?, &momentum.component_div(&self.moments))?)
     }
 
-    /// Which axis the motion at this level circles, and the time between its flips in turns: in the times that
-    /// the same momentum takes to turn the body once about its middle axis.
+    /// Which axis the motion at this level circles, and the time between its flips in turns: in the times
+    /// that the same momentum takes to turn the body once about its middle axis.
     fn flip(&self, level: f64) -> Result<(Axis, f64), Box<dyn Error>> {
         let motion = self.motion(level)?;
         let Regime::Elliptic { about, .. } = motion.regime() else {

@@ -25,7 +25,6 @@ pub(super) fn draw() -> Drawing {
             .into_iter()
             .enumerate()
     {
-        #[allow(clippy::cast_precision_loss)]
         let top = 58.0 + 190.0 * k as f64;
         let plot = Plot::new(
             &canvas,
@@ -42,7 +41,6 @@ pub(super) fn draw() -> Drawing {
         plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "");
         let mut omega = Vector3::repeat(PUSH);
         omega[k] = SPIN;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let run = motion::free(&motion::spun(inertia, omega)?, STEP, (END / STEP).round() as usize)?;
         // The spin that was meant is drawn last, over the others.
         for i in [(k + 1) % 3, (k + 2) % 3, k] {

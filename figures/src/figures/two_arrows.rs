@@ -83,7 +83,6 @@ pub(super) fn draw() -> Drawing {
         &Label::new("The spin turned from one axis to the other, and below it the gap:"),
     );
     for (i, &degrees) in directions.iter().enumerate() {
-        #[allow(clippy::cast_precision_loss)]
         let centre = (50.0 + 93.0 * i as f64, 452.0);
         plate_at(&canvas, centre, 28.0);
         let a = arrows(&plate, degrees)?;

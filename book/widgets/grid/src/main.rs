@@ -1,5 +1,5 @@
-//! Prints, as lines of JSON, what the functions of the widgets answer natively, bit for bit. `grid.mjs` asks the built
-//! modules the same.
+//! Prints, as lines of JSON, what the functions of the widgets answer natively, bit for bit. `grid.mjs` asks
+//! the built modules the same.
 
 mod maths;
 

@@ -22,7 +22,6 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
     let thresholds = row.take(6).map(|most: f64| (most > 0.0).then_some(most));
     // A number of rows too large for any memory is told so by the judge.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let fit = (fitted >= 2.0).then_some(fitted as usize);
     match judge(record, &Options { inertia, threshold, thresholds, fit }) {
         Ok(verdict) => {
@@ -51,7 +50,7 @@ mod record {
 
     static PIECE: Piece = Piece::new();
 
-    #[allow(unsafe_code)] // what the page lends must be declared so; calling it is safe
+    #[expect(unsafe_code, reason = "what the page lends must be declared so; calling it is safe")]
     #[link(wasm_import_module = "page")]
     unsafe extern "C" {
         /// Writes the record's next bytes, this many at most, to this address; returns how many. None are left: 0.

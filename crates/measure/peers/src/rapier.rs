@@ -30,7 +30,6 @@ impl Contestant for Rapier {
         story.system.is_free()
     }
 
-    #[allow(clippy::cast_precision_loss)]
     fn run(
         &self,
         story: &Story,

@@ -1,4 +1,5 @@
-//! Many bodies: the library's batches on one thread and two, and a world of Rapier with as many free bodies, in one run.
+//! Many bodies: the library's batches on one thread and two, and a world of Rapier with as many free bodies,
+//! in one run.
 
 use rapier3d_f64::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};

@@ -423,7 +423,8 @@ fn mesh_of_a_box(
 }
 
 fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
-    // One corner at the origin, and the point that the formula counts from anywhere: only their distance matters.
+    // One corner at the origin, and the point that the formula counts from anywhere: only their distance
+    // matters.
     let mut corners = corners();
     corners[0] = Vector::zeros();
     let triangles = [base, [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(|face| face.map(|n| &corners[n]));

@@ -1,24 +1,11 @@
-//! Every stepping method against the exact motion, and against what it says of itself. Orders are proven on power series elsewhere; here they
-//! are seen in `f64`.
+//! Every stepping method against the exact motion, and against what it says of itself.
 
+use super::{in_world, start};
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System, adaptive};
-
-fn start(system: &System<f64>, omega: &Vector3<f64>) -> State<f64> {
-    State { attitude: Quaternion::identity(), momentum: system.momentum(omega) }
-}
-
-fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: usize) -> State<f64> {
-    (0..count).fold(*from, |motion, _| method.step(system, &motion, h).unwrap())
-}
-
-fn in_world(motion: &State<f64>) -> Vector3<f64> {
-    tumbling::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.momentum
-}
 
 /// Errors of spin (relative) and attitude at `t`.
 fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
@@ -40,7 +27,8 @@ fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
             assert!(error(method, &moments, &omega, 2.0, 4096) > 0.1, "{method:?}");
             continue;
         }
-        // Fine enough that the leading term leads, coarse enough that rounding does not count: 16 to 512 steps.
+        // Fine enough that the leading term leads, coarse enough that rounding does not count: 16 to 512
+        // steps.
         let count = 8 << (9 / order).min(6);
         let errors = [1, 2].map(|finer| error(method, &moments, &omega, 2.0, count * finer));
         let seen = (errors[0] / errors[1]).log2();
@@ -108,27 +96,6 @@ fn single_precision_runs_the_same_methods() {
     }
 }
 
-#[test]
-fn the_error_of_a_controlled_run_follows_its_tolerance() {
-    let (moments, omega) = (Vector3::new(5.0 / 6.0, 13.0 / 12.0, 5.0 / 12.0), Vector3::new(1.0, 0.01, 0.01));
-    let system = System::free(moments.try_into().unwrap()).unwrap();
-    for t in [40.0, -40.0] {
-        let truth = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
-        let mut before = f64::INFINITY;
-        let mut steps = 0;
-        for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
-            let run = adaptive(&system, &start(&system, &omega), t, tolerance).unwrap();
-            let off = (run.end.attitude.coords - truth.attitude.coords).norm();
-            assert!(off < 1e4 * tolerance, "{tolerance:e}: {off:e}");
-            assert!(off < 0.1 * before && run.steps > steps, "{tolerance:e}: {off:e} after {before:e}");
-            (before, steps) = (off, run.steps);
-        }
-    }
-    let finest = adaptive(&system, &start(&system, &omega), 40.0, 1e-17);
-    let error = finest.unwrap_err().to_string();
-    assert!(error.contains("rounding") && error.contains("1e-17"), "{error}");
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
@@ -163,18 +130,9 @@ fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
 }
 
 #[test]
-fn a_game_steps_a_needle_in_as_many_parts_as_it_turns_and_no_more() {
-    // End over end, a needle turns by a tenth of a radian; its length holds no spin at all.
-    let system = System::free(PrincipalMoments::new(1e-8, 1.0, 1.0).unwrap()).unwrap();
-    let from = start(&system, &Vector3::new(0.0, 6.0, 0.6));
-    let end = tumbling::step::fixed_rate(&system, &from, 1.0 / 60.0).unwrap();
-    assert!((end.momentum.norm() / from.momentum.norm() - 1.0).abs() < 1e-14);
-}
-
-#[test]
 fn buss_augments_the_mean_spin_by_a_twelfth() {
-    // The turn of a step is h w + h^2 w'/2 + h^3 (w'' / 6 + w' x w / 12) + ...: of the third power he keeps the last term, so that h^3 w'' / 6
-    // is all that is missing.
+    // The turn of a step is h w + h^2 w'/2 + h^3 (w'' / 6 + w' x w / 12) + ...: of the third power he keeps
+    // the last term, so that h^3 w'' / 6 is all that is missing.
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let omega = Vector3::new(0.9, 1.1, -0.7);
     let system = System::free(moments.try_into().unwrap()).unwrap();
@@ -190,4 +148,8 @@ fn buss_augments_the_mean_spin_by_a_twelfth() {
     let turn = |q: Quaternion<f64>| nalgebra::UnitQuaternion::new_normalize(q).scaled_axis();
     let off = (turn(truth.into_inner()) - turn(end.attitude)) / h.powi(3) * 6.0;
     assert!((off - missing).norm() < 0.03 * missing.norm(), "{off} {missing}");
+}
+
+fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: usize) -> State<f64> {
+    (0..count).fold(*from, |motion, _| method.step(system, &motion, h).unwrap())
 }
