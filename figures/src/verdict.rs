@@ -199,26 +199,42 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         Pen::new(Ink::Text, 3.2).opacity(0.45),
     )?;
     plot.curve(verdict.curve.iter().map(|p| (p.time, within(p.spin[axis]))), Pen::new(Ink::Omega, 1.8))?;
-    if let Some(flips) = &verdict.flips {
-        if middle {
-            let places: Vec<P> =
-                flips.times.iter().filter(|t| **t <= end).map(|t| plot.at(*t, 0.0)).collect();
-            if places.len() <= 80 {
-                for place in places {
-                    canvas.disc(place, 3.6, Fill::new(Ink::Paper), Some(Pen::new(Ink::AxisMid, 1.8)));
-                }
+    flip_marks(canvas, verdict, &plot, end, middle);
+    key(canvas);
+    if let Some(flips) = verdict.flips.as_ref().filter(|_| middle) {
+        let text = format!("flips ○: {} (exact: {})", flips.found, flips.exact);
+        canvas.label((RIGHT, SPIN[1] + 22.0), &Label::new(text).size(15.5).end().ink(Ink::AxisMid));
+    }
+    if found > ROOM * exact && exact > 0.0 {
+        let text = format!("leaves the picture: up to {} rad/s", plain_number(found));
+        canvas.label((RIGHT, SPIN[1] + 22.0 + LINE), &Label::new(text).size(15.5).end().ink(Ink::Wrong));
+    }
+    Ok(())
+}
+
+/// The flips, and where the body turns over for good.
+fn flip_marks(canvas: &Canvas, verdict: &Verdict, plot: &Plot, end: f64, middle: bool) {
+    let Some(flips) = &verdict.flips else { return };
+    if middle {
+        let places: Vec<P> = flips.times.iter().filter(|t| **t <= end).map(|t| plot.at(*t, 0.0)).collect();
+        if places.len() <= 80 {
+            for place in places {
+                canvas.disc(place, 3.6, Fill::new(Ink::Paper), Some(Pen::new(Ink::AxisMid, 1.8)));
             }
         }
-        if let Some(t) = flips.turned_over {
-            let at = plot.at(t, 0.0);
-            canvas.crosses([at], 5.0, Pen::new(Ink::Wrong, 2.4));
-            let label = Label::new("turns over").ink(Ink::Wrong).halo(Ink::Paper);
-            let (x, label) =
-                if at.0 > 0.5 * (LEFT + RIGHT) { (at.0 - 10.0, label.end()) } else { (at.0 + 10.0, label) };
-            canvas.label((x, at.1 - 10.0), &label);
-        }
     }
-    // The key stands above the plot, where no curve can run through it.
+    if let Some(t) = flips.turned_over {
+        let at = plot.at(t, 0.0);
+        canvas.crosses([at], 5.0, Pen::new(Ink::Wrong, 2.4));
+        let label = Label::new("turns over").ink(Ink::Wrong).halo(Ink::Paper);
+        let (x, label) =
+            if at.0 > 0.5 * (LEFT + RIGHT) { (at.0 - 10.0, label.end()) } else { (at.0 + 10.0, label) };
+        canvas.label((x, at.1 - 10.0), &label);
+    }
+}
+
+/// The key stands above the plot, where no curve can run through it.
+fn key(canvas: &Canvas) {
     let y = SPIN[0] - 14.0;
     let mut x = RIGHT;
     let mut key = |text: String, ink: Ink, width: f64| {
@@ -232,15 +248,6 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
     };
     key("exact".into(), Ink::Text, 3.2);
     key("recorded".into(), Ink::Omega, 1.8);
-    if let Some(flips) = verdict.flips.as_ref().filter(|_| middle) {
-        let text = format!("flips ○: {} (exact: {})", flips.found, flips.exact);
-        canvas.label((RIGHT, SPIN[1] + 22.0), &Label::new(text).size(15.5).end().ink(Ink::AxisMid));
-    }
-    if found > ROOM * exact && exact > 0.0 {
-        let text = format!("leaves the picture: up to {} rad/s", plain_number(found));
-        canvas.label((RIGHT, SPIN[1] + 22.0 + LINE), &Label::new(text).size(15.5).end().ink(Ink::Wrong));
-    }
-    Ok(())
 }
 
 /// The index of the middle moment.

@@ -233,7 +233,20 @@ fn bodies(name: &str) -> Drawing {
             told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
         }
     }
-    let (left, top) = place(with.len());
+    key(&canvas, place(with.len()));
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
+             both logarithmic. {}. {}",
+            told.join("; "),
+            circumstances(&record)
+        ),
+    })
+}
+
+/// The key of the pens, its left upper corner here.
+fn key(canvas: &Canvas, (left, top): (f64, f64)) {
     for (at, group) in Group::ALL.into_iter().enumerate() {
         let y = top + 12.0 + 24.0 * at as f64;
         let pen = pen(group);
@@ -247,15 +260,6 @@ fn bodies(name: &str) -> Drawing {
     let y = top + 12.0 + 24.0 * 6.0;
     canvas.crosses([(left + 15.0, y)], 4.0, Pen::new(Ink::Wrong, 1.2));
     canvas.label((left + 40.0, y + 5.0), &Label::new("wrong number of flips, or broken").size(15.5));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
-             both logarithmic. {}. {}",
-            told.join("; "),
-            circumstances(&record)
-        ),
-    })
 }
 
 pub(super) fn draw_attitude() -> Drawing {

@@ -28,6 +28,34 @@ fn main() -> io::Result<()> {
         )
     };
 
+    two_arrows(&mut ask)?;
+    your_box(&mut ask)?;
+    exact(&mut ask)?;
+    engines(&row, &mut ask)?;
+    methods(&mut ask)?;
+    tumble(&mut ask)?;
+    for argument in std::env::args_os().skip(1) {
+        record(&mut out, Path::new(&argument))?;
+    }
+    out.flush()
+}
+
+/// Asks a module, by its name and function, a question, and has the answer printed.
+type Ask<'a> =
+    dyn FnMut(&str, fn(u32, &Numbers) -> usize, u32, &[f64], Option<fn() -> String>) -> io::Result<()> + 'a;
+
+/// Starts that turn over, that tumble, that stand, and odd ones.
+const SPINS: [[f64; 3]; 7] = [
+    [10.0, 0.1, 0.1],
+    [1.0, 1.0, 1.0],
+    [1.0, 1.0, 0.0],
+    [20.0, 0.0, 0.0],
+    [-3.0, 1e-6, 2.0],
+    [0.0; 3],
+    [f64::NAN, 1e200, 1.0],
+];
+
+fn two_arrows(ask: &mut Ask<'_>) -> io::Result<()> {
     for body in 0..6 {
         for between in 0..3 {
             for degrees in -4..=188 {
@@ -41,7 +69,14 @@ fn main() -> io::Result<()> {
         ask("two-arrows", widget_two_arrows::answer, 0, &[0.0, 0.0, odd, 1.0], None)?;
         ask("two-arrows", widget_two_arrows::answer, 0, &[odd, odd, odd, odd], None)?;
     }
+    Ok(())
+}
 
+/// Boxes of sizes, masses and spins ordinary, extreme and impossible.
+fn your_box(ask: &mut Ask<'_>) -> io::Result<()> {
+    let mut ask = |asked: &[f64]| {
+        ask("your-box", widget_your_box::answer, 0, asked, Some(|| widget_your_box::WHY.said()))
+    };
     let edges = [1e-200, 0.02, 1.0, 2.0, 3.0, 17.3, 1e100, 0.0, -1.0, f64::NAN];
     for (i, a) in edges.into_iter().enumerate() {
         for (j, b) in edges.into_iter().enumerate() {
@@ -50,7 +85,7 @@ fn main() -> io::Result<()> {
             {
                 let mass = if i + j == 9 { 0.0 } else { 0.1 + j as f64 };
                 let asked = [a, b, c, mass, spin[0], spin[1], spin[2]];
-                ask("your-box", widget_your_box::answer, 0, &asked, Some(|| widget_your_box::WHY.said()))?;
+                ask(&asked)?;
             }
         }
     }
@@ -60,15 +95,15 @@ fn main() -> io::Result<()> {
         for mass in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
             for [x, y, z] in spins {
                 let asked = [a, b, c, mass, x, y, z];
-                ask("your-box", widget_your_box::answer, 0, &asked, Some(|| widget_your_box::WHY.said()))?;
+                ask(&asked)?;
             }
         }
     }
+    Ok(())
+}
 
-    exact(&mut ask)?;
-    engines(&row, &mut ask)?;
-    methods(&mut ask)?;
-    // Each setting is prepared, then asked for instants near and far, a stretch of time, and polhodes.
+/// Each setting is prepared, then asked for instants near and far, a stretch of time, and polhodes.
+fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
     let mut tumble = |what: u32, asked: &[f64]| {
         ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()))
     };
@@ -101,27 +136,8 @@ fn main() -> io::Result<()> {
         tumble(2, &[odd, 1.0, odd])?;
         tumble(3, &[odd, odd, odd])?;
     }
-
-    for argument in std::env::args_os().skip(1) {
-        record(&mut out, Path::new(&argument))?;
-    }
-    out.flush()
+    Ok(())
 }
-
-/// Asks a module, by its name and function, a question, and has the answer printed.
-type Ask<'a> =
-    dyn FnMut(&str, fn(u32, &Numbers) -> usize, u32, &[f64], Option<fn() -> String>) -> io::Result<()> + 'a;
-
-/// Starts that turn over, that tumble, that stand, and odd ones.
-const SPINS: [[f64; 3]; 7] = [
-    [10.0, 0.1, 0.1],
-    [1.0, 1.0, 1.0],
-    [1.0, 1.0, 0.0],
-    [20.0, 0.0, 0.0],
-    [-3.0, 1e-6, 2.0],
-    [0.0; 3],
-    [f64::NAN, 1e200, 1.0],
-];
 
 /// The engines of the pitfalls, each from its start on in two pieces, as a page asks.
 fn engines(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
