@@ -2,17 +2,18 @@
 // would stumble over: a request to any other place, a word on the console, a page that scrolls
 // sideways, a control the keyboard cannot reach, a rule of accessibility broken.
 //
-//     node check.mjs [PAGES] [--shots DIR] [--live] [--figures]
+//     node check.mjs [--pages FOLDER] [--shots DIR] [--at-once N] [NAME ...]
 //
-// With --live it looks at the widgets alone, of which ONLY=NAME takes one; with --figures at the figures on a phone and opened large.
+// With names, only the jobs that have one of them in their own: `tumble`, `page two-arrows`, `figures`. N jobs run at once, two if not said.
 
 import { readFile, readdir, mkdir } from "node:fs/promises";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL, fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { figures } from "./figures.mjs";
-import { live } from "./live.mjs";
+import { comesToRest, liveJobs } from "./live.mjs";
 import { codeFolds, keyboard, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
 
@@ -20,21 +21,24 @@ const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 const WIDTHS = [320, 800, 1400];
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
-const words = process.argv.slice(2);
-const at = words.indexOf("--shots");
-const shots = at >= 0 ? path.resolve(words.splice(at, 2)[1]) : null;
-const asks = (word) => words.includes(word) && words.splice(words.indexOf(word), 1).length > 0;
-const onlyWidgets = asks("--live");
-const onlyFigures = asks("--figures");
-const onlyLive = onlyWidgets || onlyFigures;
-const folder = path.resolve(words[0] ?? path.join(HERE, "../../book/html"));
+const { values, positionals: words } = parseArgs({
+  allowPositionals: true,
+  options: { pages: { type: "string", default: path.join(HERE, "../../book/html") }, shots: { type: "string" }, "at-once": { type: "string", default: "2" } },
+});
+const shots = values.shots ? path.resolve(values.shots) : null;
+const atOnce = Number(values["at-once"]);
+const folder = path.resolve(values.pages);
 const names = (await readdir(folder)).filter((name) => name.endsWith(".html")).sort();
 const pages = names.filter((name) => name !== "toc.html"); // that one is a frame of the others
 if (pages.length < 3) throw new Error(`no book in ${folder}: build it first`);
 if (shots) await mkdir(shots, { recursive: true });
 
 const faults = new Set();
-const fault = (where, what) => faults.add(`${where}: ${what}`);
+const fault = (where, what) => {
+  const line = `${where}: ${what}`;
+  if (!faults.has(line)) console.error(`FAULT: ${line}`);
+  faults.add(line);
+};
 
 const server = await serve(folder);
 const bases = { file: pathToFileURL(folder).href + "/", http: server.base };
@@ -89,9 +93,11 @@ function tooWide() {
 }
 
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-async function rules(page, where) {
+/** Holds a page to all rules of accessibility, or to those named. */
+async function rules(page, where, only) {
   await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { preload: false }));
+  const { violations } = await page.evaluate((only) =>
+    globalThis.axe.run(document, { preload: false, ...(only && { runOnly: only }) }), only);
   for (const rule of violations) {
     // A heading of a column that is a formula is not empty: axe does not read MathML, readers' tools do.
     const says = (node) => !(rule.id === "empty-table-header" && node.html.includes("<math"));
@@ -143,54 +149,86 @@ function drawingColours() {
   return found;
 }
 
-let looks = 0;
-for (const name of onlyLive ? [] : pages) {
+/** Loads a page from disk and from the server, to its rest. */
+async function loads(name) {
   for (const base of Object.values(bases)) {
     const page = await open(base);
     await page.goto(base + name);
     await page.waitForLoadState("networkidle");
     await page.context().close();
   }
-  for (const theme of THEMES) {
-    const page = await open(bases.file, { theme, reducedMotion: "reduce" });
-    for (const width of WIDTHS) {
-      const where = `${name}, ${theme}, ${width} px`;
-      await page.setViewportSize({ width, height: 900 });
-      await page.goto(bases.file + name); // anew: mdBook opens the contents by the width it starts with
-      await page.evaluate(() => document.fonts.ready);
-      await page.evaluate(unfold);
-      for (const what of await page.evaluate(tooWide)) fault(where, what);
-      if (width === WIDTHS[0]) {
-        for (const what of await page.evaluate(drawingColours)) fault(`${name}, ${theme}`, what);
-      }
-      // The print page repeats the others: its words are checked where they stand.
-      if (name !== "print.html" && (width === 1400 || theme === "light")) await rules(page, where);
-      if (shots && name !== "print.html" && ["light", "navy"].includes(theme)) {
-        const file = `${path.basename(name, ".html")}-${theme}-${width}.png`;
-        await page.screenshot({ path: path.join(shots, file), fullPage: true });
-      }
-      looks += 1;
+}
+
+/**
+ * A page at every width in the light theme, by all rules; then in the other themes for what only they can show: colours. A theme moves nothing,
+ * so a width is looked at once.
+ */
+async function looks(name) {
+  const page = await open(bases.file, { theme: "light", reducedMotion: "reduce" });
+  // The page for print repeats the others: its words and drawings are checked where they stand.
+  const own = name !== "print.html";
+  const shoot = async (theme, width) => {
+    if (!shots || !own || !["light", "navy"].includes(theme)) return;
+    await page.screenshot({ path: path.join(shots, `${path.basename(name, ".html")}-${theme}-${width}.png`), fullPage: true });
+  };
+  for (const width of WIDTHS) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.goto(bases.file + name); // anew: mdBook opens the contents by the width it starts with
+    await page.evaluate(() => document.fonts.ready);
+    await page.evaluate(unfold);
+    for (const what of await page.evaluate(tooWide)) fault(`${name}, ${width} px`, what);
+    if (own) await rules(page, `${name}, light, ${width} px`);
+    await shoot("light", width);
+  }
+  for (const theme of own ? THEMES : []) {
+    await page.evaluate((theme) => document.querySelector(`#mdbook-theme-list #mdbook-theme-${theme}`).click(), theme);
+    await page.evaluate(() => document.getAnimations().forEach((glide) => glide.finish()));
+    for (const what of await page.evaluate(drawingColours)) fault(`${name}, ${theme}`, what);
+    if (theme !== "light") await rules(page, `${name}, ${theme}`, ["color-contrast", "link-in-text-block"]);
+    await shoot(theme, WIDTHS.at(-1));
+  }
+  await page.context().close();
+}
+
+const tools = { open, bases, folder, pages, axe, fault, shots };
+const jobs = [
+  // The longest first, so that none is left alone at the end.
+  ...await liveJobs(tools),
+  { name: "figures", run: () => figures({ open, base: bases.file, pages, fault }) },
+  { name: "pages without scripts", run: () => withoutScripts(open, bases.file, pages, fault) },
+  ...Object.entries(bases).flatMap(([kind, base]) => [
+    { name: `keyboard, ${kind}`, run: async () => keyboard(await open(base), base, fault) },
+    { name: `search, ${kind}`, run: async () => search(await open(base), base, fault) },
+    { name: `code folds, ${kind}`, run: async () => codeFolds(await open(base), base, fault) },
+  ]),
+  ...pages.map((name) => ({ name: `page ${name}`, run: async () => {
+    await loads(name);
+    if (name !== "print.html") await comesToRest(tools, name);
+    await looks(name);
+  } })),
+].filter(({ name }) => words.length === 0 || words.some((word) => name.includes(word)));
+if (jobs.length === 0) throw new Error(`no job's name has ${words.join(" or ")} in it`);
+
+/** Takes jobs from the list until none is left. */
+let next = 0;
+async function work() {
+  while (next < jobs.length) {
+    const { name, run } = jobs[next++];
+    const begun = performance.now();
+    try {
+      await run();
+    } catch (why) {
+      fault(name, why.message);
     }
-    await page.context().close();
+    console.log(`${((performance.now() - begun) / 1000).toFixed(1).padStart(6)} s  ${name}`);
   }
 }
-
-const drawings = onlyWidgets ? 0 : await figures({ open, base: bases.file, pages, fault });
-if (onlyFigures) pages.length = 0;
-const widgets = await live({ open, bases, folder, pages, axe, fault, shots });
-
-for (const base of onlyLive ? [] : Object.values(bases)) {
-  await keyboard(await open(base), base, fault);
-  await search(await open(base), base, fault);
-  await codeFolds(await open(base), base, fault);
-}
-if (!onlyLive) await withoutScripts(open, bases.file, pages, fault);
+await Promise.all(Array.from({ length: atOnce }, work));
 
 await browser.close();
 server.close();
-for (const line of faults) console.error(line);
 if (faults.size > 0) {
   console.error(`browser: ${faults.size} faults`);
   process.exit(1);
 }
-console.log(`browser: ${pages.length} pages from disk and from a server, ${looks} looks, ${drawings} drawings opened, ${widgets} widgets tried, no fault`);
+console.log(`browser: ${jobs.length} jobs, ${pages.length} pages, no fault`);

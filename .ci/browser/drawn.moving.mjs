@@ -64,8 +64,8 @@ export const byHand = (page) => page.evaluate(() => {
   };
 });
 
-/** So many frames of so many ms each, from now on; the first begins them. */
-const pass = (page, frames, each) => page.evaluate(([frames, each]) => {
+/** A number of frames of the same number of ms each, from now on; the first begins them. */
+export const pass = (page, frames, each) => page.evaluate(([frames, each]) => {
   const from = performance.now();
   for (let i = 0; i <= frames; i += 1) window.byHand.step(from + i * each);
 }, [frames, each]);

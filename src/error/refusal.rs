@@ -230,7 +230,7 @@ impl fmt::Display for Refusal {
                 "{what} comes out as {value:?}: its true value is beyond what a finite, nonzero f64 holds in full"
             ),
             Self::Order { smaller, small, larger, large } => {
-                write!(f, "{smaller} is {small:?}, larger than {larger}, {large:?}: it must not be")
+                write!(f, "{smaller} is {small:?}: it must be at most {larger}, {large:?}")
             }
             Self::NotBelow { what, value, limit } => {
                 write!(f, "{what} is {value:?}: it must be below {limit}")

@@ -21,8 +21,13 @@ const OPENING: &str = "{{#widget";
 const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
-/// Modules that a widget asks besides its own: the widget, and the module.
-const BESIDE: [(&str, &str); 2] = [("pitfalls", "tumble"), ("steps", "tumble")];
+/// The modules of a widget that has others than one of its own name.
+const MODULES: [(&str, &[&str]); 3] =
+    [("pitfalls", &["pitfalls", "tumble"]), ("steps", &["steps", "tumble"]), ("toss", &["tumble"])];
+
+fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {
+    MODULES.iter().find(|(of, _)| of == widget).map_or(std::slice::from_ref(widget), |(_, modules)| modules)
+}
 
 /// The widgets that the book has so far, and where.
 pub(super) type Placed = BTreeMap<String, PathBuf>;
@@ -87,8 +92,9 @@ fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed
     let up = "../".repeat(source.path.components().count().saturating_sub(1));
     placed.insert(name.to_owned(), source.path.to_owned());
     Ok(format!(
-        "<div class=\"live\" id=\"live-{name}\" data-live=\"{name}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
+        "<div class=\"live\" id=\"live-{name}\" data-live=\"{name}\" data-modules=\"{}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
          <script src=\"{up}widgets/live.js\" defer></script>\n\n",
+        modules(&name).join(" "),
         lines.join("\n")
     ))
 }
@@ -104,8 +110,7 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
         for script in scripts(name, folders)? {
             files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
         }
-        let beside = BESIDE.iter().filter(|(of, _)| of == name).map(|&(_, module)| module);
-        for module in beside.chain([name.as_str()]) {
+        for module in modules(&name.as_str()) {
             let built = read(&folders.widgets.join(format!("built/{module}.wasm")))?;
             files.insert(format!("{module}.wasm.js"), carrier(module, &built));
         }

@@ -125,7 +125,11 @@ globalThis.tumblingLive ??= (() => {
         let later = 0;
         return (text) => {
             clearTimeout(later);
-            later = setTimeout(() => { place.textContent = text; }, 700);
+            place.dataset.next = text;
+            later = setTimeout(() => {
+                place.textContent = text;
+                delete place.dataset.next;
+            }, 700);
         };
     }
 
@@ -137,10 +141,10 @@ globalThis.tumblingLive ??= (() => {
     }
 
     async function begin(box) {
-        const { live: name, from } = box.dataset;
+        const { live: name, modules, from } = box.dataset;
         const stage = box.querySelector(".live-stage");
         try {
-            await Promise.all([load(`${from}${name}.js`), load(`${from}${name}.wasm.js`)]);
+            await Promise.all([`${name}.js`, ...modules.split(" ").map((module) => `${module}.wasm.js`)].map((file) => load(from + file)));
             await makers.get(name)(stage, from);
             stage.inert = false;
             box.dataset.state = "live";

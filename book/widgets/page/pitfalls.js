@@ -3,7 +3,6 @@
 
 tumblingLive.widget("pitfalls", async (stage, from) => {
     const { load, module, fixed, short, draw, drawing, sayer } = tumblingLive;
-    await load(`${from}tumble.wasm.js`);
     const [engines, motion] = await Promise.all([module("pitfalls"), module("tumble")]);
     const control = (id) => stage.querySelector(`#pitfalls-${id}`);
     const [body, about, spin, push, step, until] = ["body", "about", "spin", "push", "step", "until"].map(control);
@@ -208,11 +207,11 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             return;
         }
         // Time passes as it does for the reader, but never by leaps.
-        let before = performance.now();
+        let before = null; // the first frame begins it
         let time = now();
         let numbers = -Infinity; // when they were last shown
         const tick = (instant) => {
-            time = Math.min(length, time + Math.min(0.1, Math.max(0, instant - before) / 1000));
+            time = Math.min(length, time + Math.min(0.1, (instant - (before ?? instant)) / 1000));
             before = instant;
             go(Math.min(last(), Math.floor(time / stepping + 1e-9)));
             frame = steps < last() ? requestAnimationFrame(tick) : 0;

@@ -3,7 +3,6 @@
 
 tumblingLive.widget("steps", async (stage, from) => {
     const { load, module, fixed, raised, short, draw, drawing, sayer } = tumblingLive;
-    await load(`${from}tumble.wasm.js`);
     const [methods, motion] = await Promise.all([module("steps"), module("tumble")]);
     const [method, body, start, step] = ["method", "body", "start", "step"].map((id) => stage.querySelector(`#steps-${id}`));
     const svgs = ["path", "errors"].map((what) => stage.querySelector(`[data-drawing=${what}]`));

@@ -13,12 +13,19 @@ tumblingLive.widget("your-box", async (stage) => {
     let found = null;
     let last = null; // the last box that was right, and its answer
 
-    /** A place in the box, in its own axes, as seen from before it, a little to the right and above: x right, y away, z up. */
-    const [turn, tilt] = [0.55, 0.4];
-    const seen = ([x, y, z]) => [
-        Math.cos(turn) * x + Math.sin(turn) * y,
-        Math.sin(tilt) * (Math.sin(turn) * x - Math.cos(turn) * y) - Math.cos(tilt) * z,
-    ];
+    // The eye: at first it looks nearly along z, so that angles between x and y are seen as they are. Dragged, it goes round.
+    let [turn, tilt] = [-0.18, 0.4];
+    /** To the right, up, and toward the eye, in the box's own axes. */
+    const eye = () => {
+        const [c, s, low, high] = [Math.cos(turn), Math.sin(turn), Math.cos(tilt), Math.sin(tilt)];
+        return [[c, s, 0], [-s * low, c * low, high], [s * high, -c * high, low]];
+    };
+    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const seen = (place) => {
+        const [right, up] = eye();
+        return [dot(right, place), -dot(up, place)];
+    };
+    let [middle, reach] = [[0, 0], 1]; // of the drawing, px; and how long its arrows are
 
     const redraw = drawing(svg, (width) => Math.round(Math.min(0.72 * width, 360)), (width, height) => {
         if (!last) return;
@@ -28,11 +35,12 @@ tumblingLive.widget("your-box", async (stage) => {
         const scale = 0.3 * height;
         const at = (place) => seen(place).map((far, i) => [width, height][i] / 2 + scale * far);
         const corner = (bits) => half.map((far, i) => (bits >> i & 1 ? far : -far));
-        // Away from the eye lies the corner of low x, high y and low z: its three edges are hidden.
+        // The three edges of the corner that lies farthest from the eye are hidden.
+        const farthest = eye()[2].reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
         for (let from = 0; from < 8; from += 1) {
             for (const bit of [1, 2, 4]) {
                 if (from & bit) continue;
-                const hidden = [from, from | bit].includes(0b010);
+                const hidden = [from, from | bit].includes(farthest);
                 const ends = [from, from | bit].map((bits) => at(corner(bits)).join(" "));
                 draw("path", svg, { class: hidden ? "live-edge live-hidden" : "live-edge", d: `M${ends.join("L")}` });
             }
@@ -47,6 +55,7 @@ tumblingLive.widget("your-box", async (stage) => {
         const along = (vector) => at(vector.map((x) => (length(vector) > 0 ? 1.5 * (x / length(vector)) : 0)));
         const [spin, momentum] = [values.slice(4), Array.from(found.slice(3, 6))];
         const centre = [width / 2, height / 2];
+        [middle, reach] = [centre, 1.5 * scale];
         const tip = arrow(svg, centre, along(momentum), "live-momentum", 6);
         const end = arrow(svg, centre, along(spin), "live-omega", 3.5);
         // The spin's name on from its tip; the momentum's beside its own, on the side where the spin is not.
@@ -59,7 +68,41 @@ tumblingLive.widget("your-box", async (stage) => {
         const side = my * (end[0] - tip[0]) - mx * (end[1] - tip[1]) > 0 ? -1 : 1;
         draw("text", svg, { class: "live-omega", x: end[0] + 15 * ox, y: end[1] + 15 * oy + 5, "text-anchor": "middle" }, "ω");
         draw("text", svg, { class: "live-momentum", x: tip[0] + side * 20 * my - 6 * mx, y: tip[1] - side * 20 * mx - 6 * my + 6, "text-anchor": "middle" }, "L");
+        if (length(spin) > 0) {
+            draw("circle", svg, { class: "live-arc live-omega live-ring", cx: end[0], cy: end[1], r: 7 });
+            draw("circle", svg, { class: "live-handle", cx: end[0], cy: end[1], r: 16 });
+        }
     });
+
+    // The blue arrow is dragged over the ball of its length, toward the eye as far as it was; anything else turns the box.
+    let held = null;
+    svg.addEventListener("pointerdown", (event) => {
+        event.preventDefault();
+        svg.setPointerCapture(event.pointerId);
+        const spin = fields.slice(4).map((field) => Number(field.value));
+        held = { arrow: event.target.classList.contains("live-handle"), side: dot(eye()[2], spin) < 0 ? -1 : 1, size: Math.hypot(...spin), x: event.clientX, y: event.clientY };
+    });
+    svg.addEventListener("pointermove", (event) => {
+        if (!held) return;
+        if (held.arrow) {
+            const box = svg.getBoundingClientRect();
+            let [x, y] = [(event.clientX - box.left - middle[0]) / reach, (middle[1] - event.clientY + box.top) / reach];
+            const far = Math.max(1, Math.hypot(x, y));
+            [x, y] = [x / far, y / far];
+            const near = held.side * Math.sqrt(Math.max(0, 1 - x * x - y * y));
+            const [right, up, toward] = eye();
+            [4, 5, 6].forEach((field, i) => {
+                fields[field].value = Number((held.size * (x * right[i] + y * up[i] + near * toward[i])).toPrecision(3));
+            });
+            say(show());
+            return;
+        }
+        turn -= 0.01 * (event.clientX - held.x);
+        tilt = Math.max(-1.5, Math.min(1.5, tilt + 0.01 * (event.clientY - held.y)));
+        [held.x, held.y] = [event.clientX, event.clientY];
+        redraw();
+    });
+    for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => { held = null; });
 
     /** Shows what the module answers now; returns it in words. */
     function show() {
