@@ -112,8 +112,8 @@ pub(super) fn draw() -> Drawing {
     })
 }
 
-/// The motions that circle this axis: the axis, the least time between flips, and the level at which that time
-/// is three turns.
+/// The motions that circle this axis: the axis, the least time between flips, and the level at which that
+/// time is three turns.
 fn side(
     canvas: &Canvas,
     map: &Map,
