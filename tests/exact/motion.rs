@@ -209,8 +209,8 @@ fn what_no_body_can_do_is_named() {
     assert!(error([1.0, 2.0, 2.5], [0.0, 1.7e308, 1.7e308]).contains("the greatest spin"));
 }
 
-/// A tensor given askew has each entry rounded beside the largest moment, and the smallest moment of a needle
-/// with it: what the documentation of `FreeMotion::of` says.
+/// A tensor given askew has each entry rounded relative to the largest moment, and the smallest moment of a
+/// needle with it: what the documentation of `FreeMotion::of` says.
 #[test]
 fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
     let mut random = proptest::test_runner::TestRunner::deterministic();

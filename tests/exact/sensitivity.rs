@@ -210,7 +210,7 @@ proptest! {
         let (at, change) = (motion.at(t).unwrap(), derivatives(&motion, t).unwrap());
         let bound = |m: &Matrix3<f64>, v: &Vector3<f64>| 32.0 * ROUNDING * condition(&omega, t) * (m.abs() * v.abs()).norm();
         for block in [change.omega_by_moments(), change.turn_by_moments()] {
-            // Each block is right beside its own norm, whichever of its columns is the small one.
+            // Each block is right relative to its own norm, whichever of its columns is the small one.
             let size = norm(&block) * m.norm() * condition(&omega, t);
             prop_assert!((block * m).norm() <= 32.0 * ROUNDING * size, "{}", block * m);
         }

@@ -173,7 +173,7 @@ fn an_ideal_rod_has_one_zero_moment_to_rounding_however_it_is_turned() {
 }
 
 // [[1, p], [p, s]]: the smaller moment is s - p²/(1 - s) to first order. Beside the larger moment p is
-// nothing; beside their geometric mean it is a tenth, and drops the smaller moment by a hundredth.
+// nothing; relative to their geometric mean it is a tenth, and drops the smaller moment by a hundredth.
 #[test]
 fn a_product_that_is_nothing_beside_the_large_moment_still_counts_for_the_small_one() {
     let (small, product) = (1e-34, 1e-18);

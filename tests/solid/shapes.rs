@@ -307,7 +307,7 @@ fn a_body_smaller_than_any_atom_or_larger_than_the_sky_has_its_moments() {
     refused(beyond.measure(), ErrorKind::Unrepresentable, "the volume comes out as inf");
     refused(beyond.with_mass(1.0), ErrorKind::Unrepresentable, "a moment of inertia comes out as inf");
     refused(beyond.with_density(1e-300), ErrorKind::Unrepresentable, "the volume comes out as inf");
-    // A needle whose thin side alone vanishes in f64 is told, not made an ideal rod.
+    // A needle whose thin side alone vanishes in f64 is refused, not made an ideal rod.
     let needle = Cuboid::new(1e-170, 1e-170, 1.0).unwrap().with_mass(1.0);
     refused(needle, ErrorKind::Unrepresentable, "a moment of inertia comes out as 0.0");
 }

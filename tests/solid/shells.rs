@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use tumbling::ErrorKind;
 use tumbling::solid::*;
 
-/// The shells' first face, volume and the winding number found beside it.
+/// The shells' first face, volume and the winding number found next to it.
 fn misplaced(surface: &Surface) -> (usize, f64, f64) {
     let error = refused(solid(surface), ErrorKind::BadMesh, "is turned or placed wrongly");
     let number = |words| number_after(&error, words);

@@ -23,7 +23,7 @@ fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
     for &method in Method::ALL {
         let order = method.info().order;
         if order == 0 {
-            // It goes to no truth.
+            // It does not converge to the true motion.
             assert!(error(method, &moments, &omega, 2.0, 4096) > 0.1, "{method:?}");
             continue;
         }

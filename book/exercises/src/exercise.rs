@@ -16,7 +16,7 @@ pub struct Exercise {
     pub name: String,
     /// Its heading.
     pub title: String,
-    /// What is asked, in Markdown.
+    /// The task, in Markdown.
     pub task: String,
     /// The code above the place left open, with the line that marks it.
     before: String,

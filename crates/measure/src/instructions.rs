@@ -30,7 +30,7 @@ const RADIANS: f64 = 0.1;
 /// The start of a story, as many steps on.
 fn short(story: &Story, contestant: &dyn Contestant) -> (Story, Setting) {
     let mut short = story.clone();
-    let setting = match contestant.knob() {
+    let setting = match contestant.about().knob {
         Knob::None => return (short, Setting::None),
         Knob::Steps => Setting::Steps(STEPS),
         Knob::Tolerance => Setting::Tolerance(TOLERANCE),

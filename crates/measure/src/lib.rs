@@ -1,4 +1,4 @@
-//! Error against run time: every stepper of the library on the same bodies, beside the truth.
+//! Error against run time: every stepper of the library on the same bodies, against the truth.
 //!
 //! A [`Contestant`](contestant::Contestant) (a [`Method`](tumbling::step::Method), the exact motion, or a
 //! peer that another crate brings) runs a [`Story`](story::Story), a body let go in some way, at one setting:

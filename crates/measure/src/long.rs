@@ -47,7 +47,7 @@ pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, tell: &mut dyn F
         }
         tell(&format!("{} turns: {}", effort.turns, contestant.name()));
         let starts = starts(method, effort);
-        rows.extend(run(method, contestant.group().word(), effort.turns, starts));
+        rows.extend(run(method, contestant.about().group.word(), effort.turns, starts));
     }
     rows
 }
@@ -60,7 +60,7 @@ fn starts(method: Method, effort: Effort) -> u32 {
     ((effort.long / one) as u32).clamp(1, effort.starts.max(1))
 }
 
-/// One method through so many turns from each of so many starts.
+/// One method through this number of turns from each of these starts.
 #[must_use]
 pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
     let ends = ends(turns);
@@ -141,7 +141,7 @@ fn one(
 }
 
 /// The slope of a line through logarithms of error against logarithms of turns, by least squares, over rows
-/// of at least so many turns; `None` from fewer than three, or where there is no error.
+/// of at least this number of turns; `None` from fewer than three, or where there is no error.
 #[must_use]
 pub fn slope<'a>(rows: impl IntoIterator<Item = &'a Long>, from: u64, of: fn(&Long) -> f64) -> Option<f64> {
     let points: Vec<(f64, f64)> = rows

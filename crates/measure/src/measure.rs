@@ -119,7 +119,7 @@ impl Rung<'_> {
 fn ladder<'a>(contestant: &'a dyn Contestant, story: &'a Story, effort: Effort) -> Vec<Rung<'a>> {
     let mut rungs = Vec::new();
     let (mut best, mut no_better) = (f64::INFINITY, 0);
-    for setting in settings(contestant.knob(), story) {
+    for setting in settings(contestant.about().knob, story) {
         let worth = worth(contestant, story, setting);
         if worth.unwrap_or_else(|| guess(setting)) > effort.evaluations {
             break;
@@ -186,8 +186,8 @@ fn rung<'a>(
     let row = Work {
         story: story.name.into(),
         contestant: contestant.name().into(),
-        group: contestant.group().word().into(),
-        order: contestant.order(),
+        group: contestant.about().group.word().into(),
+        order: contestant.about().order,
         setting,
         steps: ended.as_ref().ok().map(|ended| ended.steps),
         evaluations,

@@ -1,35 +1,37 @@
 //! Many bodies: exact states a second against the number of bodies, in lanes and alone, on one thread and
-//! two, beside whoever steps as many. The record, and what it says; [`crowd`] measures.
+//! two, compared with an engine that steps as many. The record, and what it says; [`crowd`] measures.
 
 pub mod crowd;
 
-use crate::record::{Record, Row, Wrong, number, optional, parsed, perhaps};
+use crate::record::{Record, Wrong, row};
 use crate::setup;
 use crowd::Effort;
 
-/// One crowd of one size.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scale {
-    /// How the program was built: `default` or `native`.
-    pub build: String,
-    /// Who.
-    pub crowd: String,
-    /// Numbers side by side.
-    pub lanes: u32,
-    /// Threads.
-    pub threads: u32,
-    /// Bodies.
-    pub bodies: u64,
-    /// Instants (or steps) of each body in a pass.
-    pub instants: u32,
-    /// Least time of a pass, s.
-    pub seconds: f64,
-    /// The longest of the times over the least.
-    pub spread: f64,
-    /// What a prepared body weighs, bytes, where that is known.
-    pub bytes: Option<f64>,
-    /// Preparing a body, s, where it was timed.
-    pub preparing: Option<f64>,
+row! {
+    /// One crowd of one size.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Scale {
+        /// How the program was built: `default` or `native`.
+        pub build: String,
+        /// Who.
+        pub crowd: String,
+        /// Numbers side by side.
+        pub lanes: u32,
+        /// Threads.
+        pub threads: u32,
+        /// Bodies.
+        pub bodies: u64,
+        /// Instants (or steps) of each body in a pass.
+        pub instants: u32,
+        /// Least time of a pass, s.
+        pub seconds: f64,
+        /// The longest of the times over the least.
+        pub spread: f64,
+        /// What a prepared body weighs, bytes, where that is known.
+        pub bytes: Option<f64>,
+        /// Preparing a body, s, where it was timed.
+        pub preparing: Option<f64>,
+    }
 }
 
 impl Scale {
@@ -37,55 +39,6 @@ impl Scale {
     #[must_use]
     pub fn rate(&self) -> f64 {
         self.bodies as f64 * f64::from(self.instants) / self.seconds
-    }
-}
-
-impl Row for Scale {
-    const COLUMNS: &'static [&'static str] = &[
-        "build",
-        "crowd",
-        "lanes",
-        "threads",
-        "bodies",
-        "instants",
-        "seconds",
-        "spread",
-        "bytes",
-        "preparing",
-    ];
-
-    fn fields(&self) -> Vec<String> {
-        vec![
-            self.build.clone(),
-            self.crowd.clone(),
-            self.lanes.to_string(),
-            self.threads.to_string(),
-            self.bodies.to_string(),
-            self.instants.to_string(),
-            number(self.seconds),
-            number(self.spread),
-            optional(self.bytes),
-            optional(self.preparing),
-        ]
-    }
-
-    fn read(fields: &[&str]) -> Result<Self, Wrong> {
-        let &[build, crowd, lanes, threads, bodies, instants, seconds, spread, bytes, preparing] = fields
-        else {
-            return Err(format!("{} fields", fields.len()));
-        };
-        Ok(Self {
-            build: build.into(),
-            crowd: crowd.into(),
-            lanes: parsed(lanes)?,
-            threads: parsed(threads)?,
-            bodies: parsed(bodies)?,
-            instants: parsed(instants)?,
-            seconds: parsed(seconds)?,
-            spread: parsed(spread)?,
-            bytes: perhaps(bytes)?,
-            preparing: perhaps(preparing)?,
-        })
     }
 }
 
@@ -158,7 +111,7 @@ pub fn unevenness(
 }
 
 /// The middle, over the numbers of bodies that both have (a thousand or more), of how many times the one's
-/// rate is the other's: each is told by crowd, lanes and threads.
+/// rate is the other's: each is given by crowd, lanes and threads.
 #[must_use]
 pub fn ratio(rows: &[Scale], build: &str, one: (&str, u32, u32), other: (&str, u32, u32)) -> Option<f64> {
     let mut ratios: Vec<f64> = of(rows, build, one.0, one.1, one.2)

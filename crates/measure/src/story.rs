@@ -48,7 +48,7 @@ pub struct Flips {
     pub apart: f64,
 }
 
-/// Where the bodies truly are, by the program beside the table.
+/// Where the bodies truly are, by the program that stands with the table.
 const TABLE: &str = include_str!("../data/truth.json");
 
 impl Story {

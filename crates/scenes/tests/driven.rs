@@ -259,7 +259,7 @@ fn runs_are_compared_between_the_times_asked_for_too() {
     assert!(apart(&at(1e-2), &at(1e-9)) < 1e-2);
 }
 
-/// Where nothing that moves is asked for, a torque costs nothing either.
+/// Where nothing that moves is requested, a torque costs nothing either.
 #[test]
 fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
     let damped = vec![Torque::Damping(Vector3::new(1.0, 2.0, 3.0))];

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tumbling::exact::FreeMotion;
 
-/// The program, which `cargo test` builds beside the tests.
+/// The program, which `cargo test` builds with the tests.
 fn program() -> PathBuf {
     let mut path = std::env::current_exe().unwrap();
     path.pop();
@@ -73,7 +73,7 @@ fn every_story_is_answered_in_numbers_in_short_and_in_words() {
             let output = answered(words, &path);
             assert_eq!(output.status.code(), Some(0), "{path:?}");
             assert!(said(&output.stdout).starts_with(begins), "{path:?}");
-            // Who asks for flips is told where they are.
+            // Flips are requested: a line says where they are.
             let elsewhere = words.is_empty() && path.ends_with("racket.toml");
             assert_eq!(said(&output.stderr).contains("see --summary"), elsewhere, "{path:?}");
             assert_eq!(output.stderr.is_empty(), !elsewhere, "{path:?}");

@@ -40,7 +40,7 @@ impl Map {
         Ok((about, half / (TAU * self.moments[1])))
     }
 
-    /// The level on this axis' side at which a flip comes after so many turns.
+    /// The level on this axis' side at which a flip comes after this number of turns.
     fn level(&self, axis: Axis, turns: f64) -> Result<f64, Box<dyn Error>> {
         // Steps of the logarithm: near the separatrix the time changes with that.
         let (mut near, mut far) = (-30.0, (self.corner(axis) - 1.0).abs().ln());

@@ -121,7 +121,7 @@ fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::err
     plot.curve(curve.right.iter().copied(), pen)
 }
 
-/// Labels in a column beside their curves' ends, none upon another.
+/// Labels in a column next to their curves' ends, none upon another.
 pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
     ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1).then(a.0.0.total_cmp(&b.0.0)));
     let room = bottom - top;

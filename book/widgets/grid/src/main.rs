@@ -4,7 +4,7 @@
 mod maths;
 
 use exchange::Numbers;
-use std::fmt::Write as _;
+use serde_json::json;
 use std::io::{self, Write as _};
 use std::path::Path;
 
@@ -19,12 +19,12 @@ fn main() -> io::Result<()> {
         row.fill(asked);
         let count = answer(what, &row);
         let found: Vec<f64> = (0..count).map(|i| row.get(i)).collect();
-        let said = text.filter(|_| count == 0).map_or_else(|| "null".into(), |text| quoted(&text()));
+        let said = text.filter(|_| count == 0).map(|text| text());
+        let (asked, found) = (bits(asked), bits(&found));
         writeln!(
             out,
-            "{{\"module\":\"{module}\",\"what\":{what},\"asked\":[{}],\"found\":[{}],\"said\":{said}}}",
-            bits(asked),
-            bits(&found)
+            "{}",
+            json!({"module": module, "what": what, "asked": asked, "found": found, "said": said})
         )
     };
 
@@ -225,37 +225,19 @@ fn record(out: &mut impl io::Write, file: &Path) -> io::Result<()> {
     for asked in questions {
         row.fill(asked);
         let count = widget_judge::judged(bytes.as_slice(), &row);
-        let said = quoted(&widget_judge::VERDICT.said());
-        let file = quoted(&file.display().to_string());
+        let (said, file) = (widget_judge::VERDICT.said(), file.display().to_string());
+        let asked = bits(asked);
         writeln!(
             out,
-            "{{\"module\":\"judge\",\"what\":0,\"file\":{file},\"asked\":[{}],\"count\":{count},\"said\":{said}}}",
-            bits(asked)
+            "{}",
+            json!({"module": "judge", "what": 0, "file": file, "asked": asked, "count": count, "said": said})
         )?;
     }
     Ok(())
 }
 
 /// Numbers by their bits; all NaN are one.
-fn bits(numbers: &[f64]) -> String {
-    let words: Vec<String> = numbers
-        .iter()
-        .map(|x| if x.is_nan() { "\"nan\"".into() } else { format!("\"{:016x}\"", x.to_bits()) })
-        .collect();
-    words.join(",")
-}
-
-/// A text between quotation marks, as JSON has it.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => out.extend(['\\', c]),
-            c if c < ' ' => {
-                let _ = write!(out, "\\u{:04x}", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out + "\""
+fn bits(numbers: &[f64]) -> Vec<String> {
+    let word = |x: &f64| if x.is_nan() { "nan".into() } else { format!("{:016x}", x.to_bits()) };
+    numbers.iter().map(word).collect()
 }

@@ -21,7 +21,7 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold, fitted] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
     let thresholds = row.take(6).map(|most: f64| (most > 0.0).then_some(most));
-    // A number of rows too large for any memory is told so by the judge.
+    // The judge refuses a number of rows too large for any memory.
     let fit = (fitted >= 2.0).then_some(fitted as usize);
     match judge(record, &Options { inertia, threshold, thresholds, fit }) {
         Ok(verdict) => {

@@ -18,7 +18,7 @@ pub static WHY: Line = Line::new();
 /// The motion last prepared, of which instants are asked.
 static MOTION: Mutex<Option<FreeMotion>> = Mutex::new(None);
 
-/// How many of the next flips are told.
+/// How many of the next flips are given.
 const NEXT: usize = 3;
 /// Most flips told of a stretch of time, and most samples of it.
 const MOST_FLIPS: usize = 64;

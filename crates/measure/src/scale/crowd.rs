@@ -1,6 +1,6 @@
 //! A [`Crowd`] is prepared for a number of bodies and then passes: each pass answers (or steps) every body
 //! some number of times. Passes of all crowds are taken in turns, and the least time of each counts, with the
-//! spread beside it.
+//! spread.
 
 use super::Scale;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -27,8 +27,8 @@ pub fn body(k: usize) -> InitialState {
     InitialState { attitude, ..InitialState::spinning(moments, omega) }
 }
 
-/// Who is measured: a name, lanes, threads, instants in a pass, and how to prepare a pass over so many
-/// bodies.
+/// What is measured: a name, lanes, threads, instants in a pass, and how to prepare a pass over a number
+/// of bodies.
 pub struct Crowd<'a> {
     /// Who.
     pub name: &'static str,
@@ -38,13 +38,13 @@ pub struct Crowd<'a> {
     pub threads: u32,
     /// Instants (or steps) of each body in a pass.
     pub instants: usize,
-    /// The most bodies that it is asked for.
+    /// The largest number of bodies that is measured.
     pub most: usize,
-    /// Prepared for so many bodies.
+    /// Prepares it for a number of bodies.
     pub prepare: Prepare<'a>,
 }
 
-/// For so many bodies, a crowd that is ready.
+/// Prepares a crowd of a number of bodies.
 pub type Prepare<'a> = Box<dyn Fn(usize) -> Ready<'a> + 'a>;
 
 /// Prepared.
@@ -206,8 +206,8 @@ pub struct Effort {
     pub repeats: u32,
     /// The least time to take, s: shorter passes are made several times over.
     pub least: f64,
-    /// From so many bodies on crowds are prepared one after the other, for they would not fit the memory
-    /// together.
+    /// From this number of bodies on crowds are prepared one after the other, for they would not fit the
+    /// memory together.
     pub together: usize,
 }
 
