@@ -73,6 +73,10 @@ mod test_your_engine {}
 mod proofs {}
 
 #[cfg(doctest)]
+#[doc = include_str!("about.md")]
+mod about {}
+
+#[cfg(doctest)]
 #[doc = include_str!("library.md")]
 mod library {}
 

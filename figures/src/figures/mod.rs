@@ -46,7 +46,7 @@ pub(crate) static ALL: [Figure; 36] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
-        chapter: "introduction",
+        chapter: "about",
         draw: cover::draw,
     },
     Figure {
