@@ -93,7 +93,7 @@ async function looked(page, body, spin, push, parts) {
     const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
     const moved = (what) => (stage.querySelector(what).style.transform.match(/-?[\d.]+/g) ?? []).map(Number);
     const module = await tumblingLive.module("tumble");
-    const prepared = Array.from(module.answer(0, body, spin, push));
+    const prepared = Array.from(module.answer(0, body, spin, push, 0));
     const instants = parts.map((part) => {
       const t = part * prepared[0];
       put("time", t, "change");

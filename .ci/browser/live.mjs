@@ -766,12 +766,28 @@ async function tumble(page, wants) {
     }
   }
 
+  // Spun about another axis no body turns over, whatever the push.
+  for (const [about, along] of [[1, 2], [2, 1]]) {
+    await set(page, "#tumble-about", about);
+    for (const body of [4, 1]) {
+      await set(page, "#tumble-body", body);
+      await set(page, "#tumble-push-number", "0.4");
+      wants(`about axis ${along} body ${body} never flips: ${await all()}`, (await beat()) === "none: it never flips" && (await shown(page, "tumble", "next")) === "none: it never flips");
+      for (const t of [0.7, 3.3, 1000.1]) {
+        await set(page, "#tumble-time", t);
+        const spins = (await shown(page, "tumble", "spin")).split(", ").map(number);
+        wants(`about axis ${along} body ${body} spins on at ${t}: ${spins}`, spins[along] > 5 && (await shown(page, "tumble", "flips")) === "0");
+      }
+    }
+  }
+  await set(page, "#tumble-about", 0);
+
   // The solids drawn are those of the numbers: moments of what the faces enclose, by a sum over the faces alone.
   for (const body of [0, 1, 2, 3, 4]) {
     const { ours, theirs, open } = await page.evaluate(async (body) => {
       const exact = await tumblingLive.module("tumble");
-      const [, ...moments] = exact.answer(0, body, 10, 0.01).slice(0, 4);
-      const centre = Array.from(exact.answer(0, body, 10, 0.01).slice(4, 7));
+      const [, ...moments] = exact.answer(0, body, 10, 0.01, 0).slice(0, 4);
+      const centre = Array.from(exact.answer(0, body, 10, 0.01, 0).slice(4, 7));
       const { parts, strings } = tumblingLive.solids(exact.answer(6, body), body, centre);
       const squares = [0, 0, 0]; // of the distances from the planes through the centre of mass, each by its mass
       let open = 0;

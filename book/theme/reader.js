@@ -46,12 +46,11 @@
     }, true);
 })();
 
-// Who reads for the text alone folds all programs away, here and on the pages to come; each still opens by itself.
+// All programs of the text are folded; the button opens them all, here and on the pages to come.
 (function codeFolds() {
     const button = document.getElementById("code-toggle");
-    const inText = (program) => program.closest("details") === null;
-    const programs = [...document.querySelectorAll("main pre:has(> code.language-rust)")].filter(inText);
-    if (programs.length === 0) return;
+    const folds = [...document.querySelectorAll("main details.program")];
+    if (folds.length === 0) return;
 
     // A page opened from disk may have no storage; then the choice lasts as long as the page.
     const remembered = (choice) => {
@@ -63,27 +62,13 @@
         }
     };
 
-    function fold(program) {
-        const lines = program.textContent.trimEnd().split("\n").length;
-        const box = document.createElement("details");
-        box.className = "fold program";
-        const words = document.createElement("summary");
-        words.textContent = `Code, ${lines} lines`;
-        program.replaceWith(box);
-        box.append(words, program);
-        return box;
-    }
-
-    let boxes = null;
     function show(shown) {
         button.setAttribute("aria-pressed", String(shown));
-        if (shown && boxes === null) return;
-        boxes ??= programs.map(fold);
-        for (const box of boxes) box.open = shown;
+        for (const fold of folds) fold.open = shown;
     }
 
     button.hidden = false;
-    show(remembered() !== "folded");
+    show(remembered() === "shown");
     button.addEventListener("click", () => {
         const shown = button.getAttribute("aria-pressed") !== "true";
         remembered(shown ? "shown" : "folded");

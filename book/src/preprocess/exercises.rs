@@ -1,7 +1,7 @@
 //! The exercises at the end of a chapter: `{{#exercises}}`, alone in its line, becomes tasks with their
 //! commands, and folds with code, hints and solution. A fold is `<details>`: it opens without a script.
 
-use super::Source;
+use super::{Source, programs};
 use std::fmt::Write as _;
 use tumbling_exercises::Exercise;
 
@@ -68,7 +68,7 @@ fn code(rust: &str) -> String {
 }
 
 fn fold(summary: &str, inside: &str) -> String {
-    format!("<details class=\"fold\">\n<summary>{summary}</summary>\n\n{inside}\n\n</details>\n\n")
+    programs::fold("fold", summary, inside)
 }
 
 #[cfg(test)]

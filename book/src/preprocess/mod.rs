@@ -1,14 +1,15 @@
-//! Turns what chapters write into what pages show: exercises into folds, TeX into MathML, figures into inline
-//! SVG, widgets into their places.
+//! Turns what chapters write into what pages show: exercises and programs into folds, TeX into MathML,
+//! figures into inline SVG, widgets into their places.
 //!
-//! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold
-//! maths, a figure or a widget: code, and whatever else looks like them, stays as written.
+//! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
+//! a figure, a widget or a program; what only looks like one stays as written.
 
 mod check;
 mod edits;
 mod exercises;
 mod figure;
 mod maths;
+mod programs;
 pub(crate) mod protocol;
 mod svg;
 mod theme;
@@ -141,6 +142,7 @@ fn chapter_as_shown(
     faults.extend(maths.replace(source, &pieces, &mut edits));
     faults.extend(figure::replace(source, &pieces, folders, &mut seen.figures, &mut edits));
     faults.extend(widget::replace(source, &pieces, folders, &mut seen.widgets, &mut edits));
+    programs::replace(source.text, &pieces, &mut edits);
     if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
 }
 

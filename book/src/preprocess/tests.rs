@@ -66,7 +66,7 @@ fn what_markdown_could_take_for_its_own_is_hidden() {
 fn code_and_escaped_dollars_stay_as_written() {
     for text in [
         "`$x$` and ``$$y$$``\n",
-        "```rust\nlet s = \"$x$\"; // $$y$$\n```\n",
+        "```sh\necho \"$x$\" # $$y$$\n```\n",
         "~~~text\n$5 and $6 and $\\frac{$\n~~~\n",
         "A price of \\$5, or \\$6.\n",
         "\\$\\$ no formula \\$\\$\n",
@@ -205,7 +205,7 @@ fn other_images_and_links_stay() {
 #[test]
 fn a_widget_becomes_a_place_in_the_page() {
     let out = shown("a\n\n{{#widget dial}}\n\nb\n").unwrap();
-    let html = "<div class=\"live\" id=\"live-dial\" data-live=\"dial\" data-from=\"widgets/\">\n<p>A dial.</p>\n\
+    let html = "<div class=\"live\" id=\"live-dial\" data-live=\"dial\" data-modules=\"dial\" data-from=\"widgets/\">\n<p>A dial.</p>\n\
                 <div class=\"live-stage\"></div>\n</div>\n<script src=\"widgets/live.js\" defer></script>\n\n";
     assert_eq!(out, format!("a\n\n{html}\nb\n"));
     let code = "```text\n{{#widget dial}}\n```\n";

@@ -86,11 +86,11 @@ const TEMPLATE: [Edit; 15] = [
         replacement: "<div class=\"menu-title\">{{ book_title }}</div>",
     },
     Edit {
-        name: "a button that folds code away",
+        name: "a button that opens all code",
         sought: "                    <div class=\"right-buttons\">\n",
         replacement: "                    <div class=\"right-buttons\">
                         <button id=\"code-toggle\" class=\"icon-button\" type=\"button\" hidden \
-                                title=\"Show the code, or fold it away\" aria-label=\"Code\" aria-pressed=\"true\">
+                                title=\"Show the code, or fold it away\" aria-label=\"Code\" aria-pressed=\"false\">
                             {{fa \"solid\" \"code\"}}
                         </button>\n",
     },

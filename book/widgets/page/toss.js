@@ -12,7 +12,7 @@ tumblingLive.widget("toss", async (stage) => {
     const say = sayer(stage);
 
     const [BOOK, SPIN, SLIP, SLOW] = [1, 10, 0.04, 0.25]; // which body; rad/s; how far a hand misses the axis, of the spin; of life's pace
-    const [, ...moments] = exact.answer(0, BOOK, SPIN, SLIP).slice(0, 4);
+    const [, ...moments] = exact.answer(0, BOOK, SPIN, SLIP, 0).slice(0, 4);
     const [, , low, , high, wide, thick] = exact.answer(6, BOOK);
 
     // The body's axes: x across the covers, y through them, z along the spine. In the hand the front cover faces the reader.

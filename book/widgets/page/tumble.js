@@ -1,4 +1,4 @@
-// The tumble: a body spun about its middle axis, with a push; the module says where it is at any instant.
+// The tumble: a body spun about one of its axes, with a push; the module says where it is at any instant.
 "use strict";
 
 tumblingLive.widget("tumble", async (stage, from) => {
@@ -6,7 +6,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     await load(`${from}tumble.solids.js`);
     const exact = await module("tumble");
     const control = (id) => stage.querySelector(`#tumble-${id}`);
-    const [scrub, play, reset, time, speed, body] = ["scrub", "play", "reset", "time", "speed", "body"].map(control);
+    const [scrub, play, reset, time, speed, body, about] = ["scrub", "play", "reset", "time", "speed", "body", "about"].map(control);
     const [spin, spinNumber, push, pushNumber] = ["spin", "spin-number", "push", "push-number"].map(control);
     const [turn, tilt] = ["turn", "tilt"].map(control);
     const wrong = stage.querySelector(".live-wrong");
@@ -88,7 +88,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
             hole: shades(sunk(surface, 0.7), sunk(surface, 0.5)),
             edge: mixed(fg, bg, 0.35), fg: mixed(fg, fg, 0), bg: mixed(bg, bg, 0),
         };
-        for (const name of ["faint", "omega", "momentum", "separatrix", "axis-mid"]) {
+        for (const name of ["faint", "omega", "momentum", "separatrix", "axis-min", "axis-mid", "axis-max"]) {
             const colour = of(`--fig-${name}`);
             colours[name] = mixed(colour, colour, 0);
         }
@@ -376,7 +376,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         place(spot, "opacity", before(point) ? "1" : "0.45");
     });
 
-    // ---- The spin along the middle axis over time, and the flips predicted.
+    // ---- The spin along the axis that it was spun about over time, and the flips predicted.
     const cursor = stage.querySelector(".tumble-cursor");
     const EDGE = 8; // half a slider's thumb: the slider below has the same scale
     paper("strip", (wide) => Math.round(Math.min(Math.max(0.15 * wide, 84), 110)), (pen, width, height) => {
@@ -406,7 +406,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         }
         const greatest = Math.max(...samples.map(Math.abs)) || 1;
         path(pen, samples.map((x, i) => [EDGE + (i / (samples.length - 1)) * (width - 2 * EDGE), level - (x / greatest) * (bottom - top) * 0.46]));
-        pen.strokeStyle = colours["axis-mid"];
+        pen.strokeStyle = colours[SPUN[about.value].colour];
         pen.lineWidth = 2;
         pen.stroke();
     }, (pen, width, height) => {
@@ -429,10 +429,17 @@ tumblingLive.widget("tumble", async (stage, from) => {
 
     const missing = (what) => `The field for the ${what} has no number in it: type a finite one.`;
 
+    /** Of each axis to spin about: which of x, y, z it is, where the push goes, its colour, and its name. */
+    const SPUN = [
+        { along: 0, across: 1, colour: "axis-mid", axis: "the middle axis" },
+        { along: 2, across: 0, colour: "axis-min", axis: "the axis of the smallest moment" },
+        { along: 1, across: 0, colour: "axis-max", axis: "the axis of the largest moment" },
+    ];
+
     /** Prepares the motion of what the controls are set to, from its start. */
     function prepare() {
         const empty = [["spin", spinNumber], ["push", pushNumber]].find(([, field]) => Number.isNaN(number(field)));
-        const found = empty ? null : exact.answer(0, Number(body.value), number(spinNumber), number(pushNumber));
+        const found = empty ? null : exact.answer(0, Number(body.value), number(spinNumber), number(pushNumber), Number(about.value));
         if (!found) {
             state.setting = null;
             for (const what of ["beat", "next", "time", "flips", "spin"]) shown(what).textContent = "none";
@@ -447,7 +454,10 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const decimals = beat < 0.05 ? Math.min(12, 1 - Math.floor(Math.log10(beat))) : 2;
         const instant = (t) => (Math.abs(t) < 1e12 && (t === 0 || Math.abs(t) >= 10 ** -decimals) ? fixed(t, decimals) : short(t));
         const own = around < 3 ? polhode(around, depth) : null;
-        const side = [0, Math.sign(number(spinNumber)) * number(pushNumber), 0][around] < 0 ? -1 : 1;
+        const { along, across } = SPUN[about.value];
+        const omega = [0, 0, 0];
+        [omega[along], omega[across]] = [number(spinNumber), number(spinNumber) * number(pushNumber)];
+        const side = omega[around] < 0 ? -1 : 1;
         const turns = (20 * Math.PI) / Math.abs(number(spinNumber));
         const stretch = 6 * beat;
         if (state.body !== body.value) [state.body, state.model] = [body.value, modelled(Number(body.value), [x, y, z])];
@@ -526,7 +536,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     }
     const told = () => {
         if (!state.setting || !wrong.hidden) return ""; // what is wrong is said by itself
-        return `At ${shown("time").textContent} ${state.t < 0 ? `it has ${count()}` : `it has flipped ${state.flips} times`}; along the middle axis it spins at ${speeds(state.now.omega)(state.now.omega[0])} rad/s. `
+        return `At ${shown("time").textContent} ${state.t < 0 ? `it has ${count()}` : `it has flipped ${state.flips} times`}; along ${SPUN[about.value].axis} it spins at ${speeds(state.now.omega)(state.now.omega[SPUN[about.value].along])} rad/s. `
             + `Time between flips: ${shown("beat").textContent}. Next flips at: ${shown("next").textContent}.`;
     };
 
@@ -632,7 +642,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         if (Number.isFinite(size)) push.value = size === 0 ? push.min : Math.max(Math.log10(size), Number(push.min) + 0.1);
         change();
     });
-    body.addEventListener("input", change);
+    for (const choice of [body, about]) choice.addEventListener("input", change);
     function view() {
         for (const field of [turn, tilt]) field.setAttribute("aria-valuetext", `${field.value} degrees`);
         if (!state.setting) return;

@@ -1,4 +1,4 @@
-//! The contestants: the library's methods, the exact motion, and anything else that implements [`Contestant`].
+//! The contestants: the library's methods, the exact motion, and all else that implements [`Contestant`].
 
 use crate::errors::Watch;
 use crate::operations;

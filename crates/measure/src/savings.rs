@@ -113,8 +113,8 @@ pub fn scenes() -> Result<Vec<Counted>, Error> {
 /// The scene with nothing left out.
 pub const GENERAL: &str = "three moments";
 
-/// What the program does when it is run again under valgrind: a number of plans of the scene of this name, and of
-/// each a number of times all states.
+/// What the program does when it is run again under valgrind: a number of plans of the scene of this name,
+/// and of each a number of times all states.
 ///
 /// # Errors
 /// A name that no scene has, or what the library refuses.

@@ -117,13 +117,18 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
     for body in 0..5 {
         for push in pushes {
             for spin in spins {
-                tumble(0, &[f64::from(body), spin, push])?;
+                tumble(0, &[f64::from(body), spin, push, 0.0])?;
                 for t in times {
                     tumble(1, &[t])?;
                 }
                 tumble(2, &[0.0, 8.0, 17.0])?;
                 tumble(2, &[1e6, 1e6 + 20.0, 5.0])?;
             }
+        }
+        for about in [1.0, 2.0] {
+            tumble(0, &[f64::from(body), 3.7, 0.3, about])?;
+            tumble(1, &[12.3])?;
+            tumble(2, &[-1.0, 8.0, 17.0])?;
         }
         for (axis, depth) in
             [(0.0, 1.0), (1.0, 1.05), (1.0, 0.0015), (2.0, 0.5), (2.0, 1e-6), (3.0, f64::NAN)]
@@ -132,7 +137,7 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
         }
     }
     for odd in [f64::NAN, f64::INFINITY, -1e300, 1e-300, 0.0] {
-        tumble(0, &[odd, odd, odd])?;
+        tumble(0, &[odd, odd, odd, odd])?;
         tumble(2, &[odd, 1.0, odd])?;
         tumble(3, &[odd, odd, odd])?;
     }

@@ -1,4 +1,4 @@
-//! The tumble: a body spun about its middle axis with a push across it, at any instant, by the exact motion.
+//! The tumble: a body spun about one of its axes with a push across it, at any instant, by the exact motion.
 
 mod beside;
 mod parts;
@@ -15,8 +15,8 @@ use tumbling::{Axis, Error, ErrorKind};
 /// as half of the rest.
 pub static WHY: Line = Line::new();
 
-/// The motion last prepared, of which instants are asked.
-static MOTION: Mutex<Option<FreeMotion>> = Mutex::new(None);
+/// The motion last prepared, which later questions are about, and the axis that it was spun about.
+static MOTION: Mutex<Option<(FreeMotion, usize)>> = Mutex::new(None);
 
 /// How many of the next flips are given.
 const NEXT: usize = 3;
@@ -45,16 +45,17 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
 
 /// What the page asks:
 ///
-/// 0. Prepare the motion of a body (the box, the book, the phone, the racket, the wing nut) with this spin
-///    about its middle axis, rad/s, and a push about the axis of its largest moment, in parts of the spin.
-///    The answer: the time between flips, s (NaN: it never flips); the moments; the centre of mass; the
-///    momentum, kg m²/s, which is fixed in the world; which axis the spin circles, 0, 1 or 2, or 3 where it
-///    stands still; twice the energy into the square of the momentum, kg m²; and what a spin is to be
-///    multiplied by to lie on the ellipsoid of the polhodes.
+/// 0. Prepare the motion of a body (the box, the book, the phone, the racket, the wing nut) with this spin,
+///    rad/s, a push as a share of it, and the axis that it is spun about: 0, the middle one, with the push
+///    about that of the largest moment; 1, that of the smallest moment, or 2, of the largest, with the push
+///    about the middle one. The answer: the time between flips, s (NaN: it never flips); the moments; the
+///    centre of mass; the momentum, kg m²/s, which is fixed in the world; which axis the spin circles, 0, 1
+///    or 2, or 3 where it stands still; twice the energy into the square of the momentum, kg m²; and what a
+///    spin is to be multiplied by to lie on the ellipsoid of the polhodes.
 /// 1. The instant `t`: spin along the body's axes, attitude (w, x, y, z), spin in the world, how often it has
 ///    flipped since time 0, and the next three flips (NaN where there is none).
-/// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and the spin along
-///    the middle axis at the samples.
+/// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and at the samples
+///    the spin along the axis that it was spun about.
 /// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive
 ///    side, on the ellipsoid of energy whose longest half axis is 1.
 ///
@@ -100,21 +101,33 @@ impl From<Error> for Why {
     }
 }
 
-fn motion() -> Result<FreeMotion, Why> {
+/// Which of x, y, z the spin and the push are along: x has the middle moment, y the largest, z the smallest.
+fn spun(about: f64) -> (usize, usize) {
+    match about as u32 {
+        1 => (2, 0),
+        2 => (1, 0),
+        _ => (0, 1),
+    }
+}
+
+fn motion() -> Result<(FreeMotion, usize), Why> {
     MOTION.lock().unwrap_or_else(PoisonError::into_inner).ok_or(Why(["a motion", " must be prepared first"]))
 }
 
 /// The moments of the motion in hand, or those of the box.
 fn moments() -> Vector3<f64> {
-    motion().map_or_else(|_| body(0.0).0, |motion| motion.moments().into())
+    motion().map_or_else(|_| body(0.0).0, |(motion, _)| motion.moments().into())
 }
 
-fn prepared([which, spin, push]: [f64; 3]) -> Result<[f64; 13], Why> {
+fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
     let (moments, centre) = body(which);
-    let omega = Vector3::new(spin, spin * push, 0.0);
+    let (along, across) = spun(about);
+    let mut parts = [0.0; 3];
+    (parts[along], parts[across]) = (spin, spin * push);
+    let omega = Vector3::from(parts);
     let motion = FreeMotion::new(moments.try_into()?, &omega)?;
-    let beat = time_between_flips(moments.try_into()?, &omega)?;
-    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some(motion);
+    let beat = if along == 0 { time_between_flips(moments.try_into()?, &omega)? } else { None };
+    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some((motion, along));
 
     let around = match motion.regime() {
         Regime::Elliptic { about: Axis::Smallest, .. } => 2.0,
@@ -146,13 +159,16 @@ fn prepared([which, spin, push]: [f64; 3]) -> Result<[f64; 13], Why> {
 }
 
 fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
-    let motion = motion()?;
+    let (motion, along) = motion()?;
     let now = motion.at(t)?;
     let world = now.omega_world();
-    let count = motion.flips(t.min(0.0), t.max(0.0))?.remaining();
+    // A push along the middle axis never carries a spin about another from its side: what changes sign is its
+    // wobble.
+    let flips = along == 0;
+    let count = if flips { motion.flips(t.min(0.0), t.max(0.0))?.remaining() } else { 0 };
     let mut next = [f64::NAN; NEXT];
     let mut after = t;
-    for flip in &mut next {
+    for flip in next.iter_mut().filter(|_| flips) {
         let Some(time) = motion.next_flip(after)? else { break };
         (*flip, after) = (time, time);
     }
@@ -162,17 +178,19 @@ fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
 }
 
 fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
-    let motion = motion()?;
+    let (motion, along) = motion()?;
     let mut place = 1;
-    for flip in motion.flips(from, to)?.take(MOST_FLIPS) {
-        row.set(place, flip);
-        place += 1;
+    if along == 0 {
+        for flip in motion.flips(from, to)?.take(MOST_FLIPS) {
+            row.set(place, flip);
+            place += 1;
+        }
     }
     row.set(0, (place - 1) as f64);
     let samples = samples.clamp(2.0, MOST_SAMPLES);
     for i in 0..samples as u32 {
         let part = f64::from(i) / (samples - 1.0);
-        row.set(place, motion.at(from + part * (to - from))?.omega.x);
+        row.set(place, motion.at(from + part * (to - from))?.omega[along]);
         place += 1;
     }
     Ok(place)
@@ -218,7 +236,7 @@ mod tests {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
         let row = Numbers::new();
         for (which, spin, push) in [(3.0, 10.0, 0.3), (4.0, -7.3, 0.01)] {
-            row.fill(&[which, spin, push]);
+            row.fill(&[which, spin, push, 0.0]);
             assert_eq!(answer(0, &row), 13);
             let beat = row.get(0);
             let half = |count: u32| (f64::from(count) + 0.5) * beat;
@@ -278,11 +296,34 @@ mod tests {
     }
 
     #[test]
+    fn spun_about_the_smallest_or_the_largest_moment_no_body_ever_turns_over() {
+        let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+        let row = Numbers::new();
+        for which in 0..5 {
+            for (about, along) in [(1.0, 2), (2.0, 1)] {
+                for push in [1e-3, 0.4, 1.0] {
+                    row.fill(&[f64::from(which), -7.3, push, about]);
+                    assert_eq!(answer(0, &row), 13);
+                    assert!(row.get(0).is_nan());
+                    assert_eq!(row.get(10), along as f64, "it circles the axis that it is spun about");
+                    row.fill(&[0.0, 40.0, 500.0]);
+                    assert_eq!(answer(2, &row), 501);
+                    assert_eq!(row.get(0), 0.0);
+                    assert!((0..500).all(|i| row.get(1 + i) < 0.0), "{which}, about {about}, push {push}");
+                    row.set(0, 12.3);
+                    assert_eq!(answer(1, &row), 14);
+                    assert!(row.get(10) == 0.0 && (11..14).all(|i| row.get(i).is_nan()));
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_polhode_passes_through_the_spin_of_every_instant() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
         let row = Numbers::new();
         let push = 0.3;
-        row.fill(&[3.0, 10.0, push]);
+        row.fill(&[3.0, 10.0, push, 0.0]);
         assert_eq!(answer(0, &row), 13);
         let [beat, x, y, z] = row.take(0);
         let [around, depth, onto] = row.take(10);
