@@ -5,10 +5,11 @@
 //! cargo run --release --example free_motion -- CASES.json
 //! ```
 //!
-//! The file holds `{"cases": [{"name": ..., "inertia": [3], "w0": [3], "t": [...]}]}`, its numbers as
-//! numbers or as decimal strings. A case that cannot be answered gets an `error` entry and a line on standard
-//! error, and the program ends with a failure after answering the others. So does one with a field given twice, a name
-//! that an earlier one has, or a number that no `f64` holds: `1e999`, a bare `NaN`, or `1e-400`, which would be taken for zero.
+//! The file holds `{"cases": [{"name": ..., "inertia": [3], "w0": [3], "t": [...]}]}`, its numbers as numbers
+//! or as decimal strings. A case that cannot be answered gets an `error` entry and a line on standard error,
+//! and the program ends with a failure after answering the others. So does one with a field given twice, a
+//! name that an earlier one has, or a number that no `f64` holds: `1e999`, a bare `NaN`, or `1e-400`, which
+//! would be taken for zero.
 
 use nalgebra::Vector3;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
@@ -77,8 +78,8 @@ fn complain(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
-/// The text with `NaN`, `Infinity` and `-Infinity`, which many programs write though JSON does not have them, as lists
-/// of one string: readable, and not a number wherever they stand.
+/// The text with `NaN`, `Infinity` and `-Infinity`, which many programs write though JSON does not have them,
+/// as lists of one string: readable, and not a number wherever they stand.
 fn with_words_in_lists(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let (mut rest, mut quoted) = (text, false);

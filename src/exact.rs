@@ -74,7 +74,10 @@ pub struct FreeMotion {
 const THINNEST: f64 = 1e-100;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[allow(clippy::large_enum_variant)] // a box would cost every instant a detour, and the motion its `Copy`
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a box would cost each instant a detour, and the motion its `Copy`"
+)]
 enum Law {
     AtRest,
     Steady(Turn),

@@ -116,7 +116,6 @@ impl Analytic for f64 {
 }
 
 /// Its functions are those of `f64`, rounded.
-#[allow(clippy::cast_possible_truncation)]
 impl Analytic for f32 {
     fn sqrt(&self) -> Self {
         Float::sqrt(*self)

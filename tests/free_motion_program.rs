@@ -12,12 +12,17 @@ fn program() -> PathBuf {
     path.join("examples").join(format!("free_motion{}", std::env::consts::EXE_SUFFIX))
 }
 
+/// A file of this name, and the folder that holds it.
+fn written(name: &str, text: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::TempDir::new().unwrap();
+    let file = folder.path().join(format!("{name}.json"));
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
+}
+
 fn run(name: &str, text: &str) -> Output {
-    let path = std::env::temp_dir().join(format!("tumbling-{}-{name}.json", std::process::id()));
-    std::fs::write(&path, text).unwrap();
-    let output = Command::new(program()).arg(&path).output().unwrap();
-    std::fs::remove_file(path).unwrap();
-    output
+    let (_folder, file) = written(name, text);
+    Command::new(program()).arg(&file).output().unwrap()
 }
 
 #[test]
@@ -142,8 +147,8 @@ fn a_byte_order_mark_is_no_matter() {
 #[test]
 fn a_full_disk_is_an_error_and_a_closed_pipe_is_none() {
     use std::process::Stdio;
-    let path = std::env::temp_dir().join(format!("tumbling-{}-written.json", std::process::id()));
-    std::fs::write(&path, r#"[{"name": "one", "inertia": [1, 2, 2.5], "w0": [0, 1, 0], "t": [0]}]"#).unwrap();
+    let case = r#"[{"name": "one", "inertia": [1, 2, 2.5], "w0": [0, 1, 0], "t": [0]}]"#;
+    let (_folder, path) = written("written", case);
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let output = Command::new(program()).arg(&path).stdout(full).output().unwrap();
     let complaint = String::from_utf8(output.stderr).unwrap();
@@ -158,6 +163,5 @@ fn a_full_disk_is_an_error_and_a_closed_pipe_is_none() {
     // And where even the complaint cannot be written, a code is left.
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let status = Command::new(program()).arg("nowhere.json").stderr(full).status().unwrap();
-    std::fs::remove_file(path).unwrap();
     assert_eq!(status.code(), Some(2));
 }

@@ -32,7 +32,8 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every room that a text names after `crate::`, alone or first in a group. Comments and unit tests do not count.
+/// Every room that a text names after `crate::`, alone or first in a group. Comments and unit tests do not
+/// count.
 fn named(text: &str) -> BTreeSet<String> {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     let code =

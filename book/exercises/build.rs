@@ -1,10 +1,11 @@
-//! Makes the exercises' programs from `whole/`: the reader's doc-tests, and all blocks as functions for the proof.
+//! Makes the exercises' programs from `whole/`: the reader's doc-tests, and all blocks as functions for the
+//! proof.
 
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
 
-#[allow(dead_code)] // of what the library offers, this needs the blocks alone
+#[expect(dead_code, reason = "of what the library offers, this needs the blocks alone")]
 #[path = "src/exercise.rs"]
 mod exercise;
 

@@ -102,7 +102,7 @@ fn figure() -> impl TypedValueParser<Value = &'static Figure> {
 /// Carries out what the command line asks for.
 ///
 /// # Errors
-/// What went wrong, in words for whoever typed the command.
+/// What went wrong, in words for the reader who typed the command.
 pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
     let Some(command) = cli.command else {
         return everything();

@@ -1,4 +1,4 @@
-//! What others are told of a page: its description, how it looks when shared, and the map of the site.
+//! What a page says to other programs: its description, how it looks when shared, and the map of the site.
 
 use crate::places::{Sentences, escaped};
 use std::fs;

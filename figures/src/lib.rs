@@ -40,8 +40,8 @@ impl Figure {
 
 /// Whether two drawings are the same but for where their specks lie.
 ///
-/// Specks show errors of rounding. These are a machine's own, for they come from its sine and exponential too; how
-/// many there are, and all else to the byte, must be the same everywhere.
+/// Specks show errors of rounding. These are a machine's own, for they come from its sine and exponential
+/// too; how many there are, and all else to the byte, must be the same everywhere.
 ///
 /// ```
 /// use tumbling_figures::agree;

@@ -25,7 +25,6 @@ pub(crate) fn free(body: &Body, h: f64, count: usize) -> Result<Vec<(f64, Body)>
 
 /// The same as some engine has it.
 pub(crate) fn timed(engine: Engine, body: &Body, h: f64, count: usize) -> Result<Vec<(f64, Body)>, Error> {
-    #[allow(clippy::cast_precision_loss)]
     let time = |i: usize| h * i as f64;
     Ok(engine.run(body, h, count)?.into_iter().enumerate().map(|(i, body)| (time(i), body)).collect())
 }

@@ -1,4 +1,5 @@
-//! The picture of a verdict: how a record of an engine runs beside the exact motion, and how the laws are kept.
+//! The picture of a verdict: how a record of an engine runs beside the exact motion, and how the laws are
+//! kept.
 
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::figures::power_of_ten;
@@ -24,18 +25,16 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 /// A picture of a verdict: a complete SVG document without an XML header, as the book's figures are.
 ///
-/// Above is the spin about the axis that the body is spun about, as recorded and as the exact motion has it, with its flips; below are the
-/// errors of energy, `|L|` and direction, where a free body is judged.
+/// Above is the spin about the axis that the body is spun about, as recorded and as the exact motion has it,
+/// with its flips; below are the errors of energy, `|L|` and direction, where a free body is judged.
 ///
 /// # Errors
 /// What the drawing backend reported.
 pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> {
     let said = growths(verdict);
     let lines = said.iter().map(|(.., lines)| lines.len()).sum::<usize>();
-    #[allow(clippy::cast_precision_loss)]
     let upper = SPIN[1] + LINE * (2 + lines) as f64 + 24.0;
     let height = upper + HIGH + 64.0;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some hundreds
     let canvas = Canvas::sized(WIDTH, height.ceil() as u32);
     // A ground of its own: a viewer's may be white where the letters are those for the night.
     let (w, h) = (f64::from(WIDTH), height.ceil());
@@ -145,7 +144,6 @@ fn ticks(from: f64, to: f64) -> Vec<(f64, String)> {
     let rough = (to - from) / 5.0;
     let power = 10_f64.powf(rough.log10().floor());
     let step = power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|x| x * power >= rough).unwrap_or(10.0);
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let digits = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
     let mut all = Vec::new();
     let mut number = (from / step).ceil();
@@ -191,7 +189,6 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         canvas.area(&points, fill, None);
     };
     // Where a point stands for many rows, what they reach shows as a band.
-    #[allow(clippy::cast_precision_loss)]
     let many = verdict.rows as f64 > 1.5 * verdict.curve.len() as f64;
     if many {
         band(|p| &p.exact_range, Fill::new(Ink::Text).opacity(0.16));
@@ -202,30 +199,45 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         Pen::new(Ink::Text, 3.2).opacity(0.45),
     )?;
     plot.curve(verdict.curve.iter().map(|p| (p.time, within(p.spin[axis]))), Pen::new(Ink::Omega, 1.8))?;
-    if let Some(flips) = &verdict.flips {
-        if middle {
-            let places: Vec<P> =
-                flips.times.iter().filter(|t| **t <= end).map(|t| plot.at(*t, 0.0)).collect();
-            if places.len() <= 80 {
-                for place in places {
-                    canvas.disc(place, 3.6, Fill::new(Ink::Paper), Some(Pen::new(Ink::AxisMid, 1.8)));
-                }
+    flip_marks(canvas, verdict, &plot, end, middle);
+    key(canvas);
+    if let Some(flips) = verdict.flips.as_ref().filter(|_| middle) {
+        let text = format!("flips ○: {} (exact: {})", flips.found, flips.exact);
+        canvas.label((RIGHT, SPIN[1] + 22.0), &Label::new(text).size(15.5).end().ink(Ink::AxisMid));
+    }
+    if found > ROOM * exact && exact > 0.0 {
+        let text = format!("leaves the picture: up to {} rad/s", plain_number(found));
+        canvas.label((RIGHT, SPIN[1] + 22.0 + LINE), &Label::new(text).size(15.5).end().ink(Ink::Wrong));
+    }
+    Ok(())
+}
+
+/// The flips, and where the body turns over for good.
+fn flip_marks(canvas: &Canvas, verdict: &Verdict, plot: &Plot, end: f64, middle: bool) {
+    let Some(flips) = &verdict.flips else { return };
+    if middle {
+        let places: Vec<P> = flips.times.iter().filter(|t| **t <= end).map(|t| plot.at(*t, 0.0)).collect();
+        if places.len() <= 80 {
+            for place in places {
+                canvas.disc(place, 3.6, Fill::new(Ink::Paper), Some(Pen::new(Ink::AxisMid, 1.8)));
             }
         }
-        if let Some(t) = flips.turned_over {
-            let at = plot.at(t, 0.0);
-            canvas.crosses([at], 5.0, Pen::new(Ink::Wrong, 2.4));
-            let label = Label::new("turns over").ink(Ink::Wrong).halo(Ink::Paper);
-            let (x, label) =
-                if at.0 > 0.5 * (LEFT + RIGHT) { (at.0 - 10.0, label.end()) } else { (at.0 + 10.0, label) };
-            canvas.label((x, at.1 - 10.0), &label);
-        }
     }
-    // The key stands above the plot, where no curve can run through it.
+    if let Some(t) = flips.turned_over {
+        let at = plot.at(t, 0.0);
+        canvas.crosses([at], 5.0, Pen::new(Ink::Wrong, 2.4));
+        let label = Label::new("turns over").ink(Ink::Wrong).halo(Ink::Paper);
+        let (x, label) =
+            if at.0 > 0.5 * (LEFT + RIGHT) { (at.0 - 10.0, label.end()) } else { (at.0 + 10.0, label) };
+        canvas.label((x, at.1 - 10.0), &label);
+    }
+}
+
+/// The key stands above the plot, where no curve can run through it.
+fn key(canvas: &Canvas) {
     let y = SPIN[0] - 14.0;
     let mut x = RIGHT;
     let mut key = |text: String, ink: Ink, width: f64| {
-        #[allow(clippy::cast_precision_loss)]
         let wide = 8.6 * text.chars().filter(|c| !"$_".contains(*c)).count() as f64;
         canvas.label((x, y), &Label::new(text).size(15.5).end().ink(ink));
         x -= wide + 8.0;
@@ -236,15 +248,6 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
     };
     key("exact".into(), Ink::Text, 3.2);
     key("recorded".into(), Ink::Omega, 1.8);
-    if let Some(flips) = verdict.flips.as_ref().filter(|_| middle) {
-        let text = format!("flips ○: {} (exact: {})", flips.found, flips.exact);
-        canvas.label((RIGHT, SPIN[1] + 22.0), &Label::new(text).size(15.5).end().ink(Ink::AxisMid));
-    }
-    if found > ROOM * exact && exact > 0.0 {
-        let text = format!("leaves the picture: up to {} rad/s", plain_number(found));
-        canvas.label((RIGHT, SPIN[1] + 22.0 + LINE), &Label::new(text).size(15.5).end().ink(Ink::Wrong));
-    }
-    Ok(())
 }
 
 /// The index of the middle moment.
@@ -274,7 +277,6 @@ fn growths(verdict: &Verdict) -> Vec<Said<'_>> {
 
 fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Said<'_>]) -> Drawn {
     let largest = drawn.iter().map(|(law, ..)| law.most).filter(|x| x.is_finite()).fold(1e-14, f64::max);
-    #[allow(clippy::cast_possible_truncation)]
     let top = (largest.log10().ceil() as i32).clamp(-12, 300);
     let ceiling = 10_f64.powi(top);
     let lower = upper + HIGH;

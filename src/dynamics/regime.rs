@@ -12,7 +12,6 @@ use nalgebra::Vector3;
 use num_traits::Float as _;
 
 /// What kind of free motion this is, decided without rounding.
-#[allow(clippy::large_enum_variant)] // made once and taken apart at once
 pub(crate) enum Kind {
     /// No torque on the body's own motion: at rest, a sphere, a principal spin, or one in the plane of two
     /// equal moments.

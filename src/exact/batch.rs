@@ -29,7 +29,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 ///     .into_iter()
 ///     .map(|omega| FreeMotion::new(moments, &omega.into()))
 ///     .collect::<Result<Vec<_>, _>>()?;
-/// // `f64` is one lane. A vector type that implements `number::Lane` answers several bodies at once, with the same bits.
+/// // `f64` is one lane. A vector type that implements `number::Lane` answers several bodies at once, with
+/// // the same bits.
 /// let batch = Batch::<f64>::new(&motions);
 /// let times = [1.0, 1e6];
 /// batch.each(&times, |time, body, instant| {

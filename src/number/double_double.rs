@@ -232,9 +232,7 @@ mod tests {
         ) {
             let (c, d) = (a + da, b + db);
             let exact = i128::from(a) * i128::from(b) - i128::from(c) * i128::from(d);
-            #[allow(clippy::cast_precision_loss)]
             let ours = difference_of_products(a as f64, b as f64, c as f64, d as f64).hi();
-            #[allow(clippy::cast_precision_loss)]
             let expected = exact as f64;
             prop_assert!((ours - expected).abs() <= f64::EPSILON * expected.abs(), "{ours} {expected}");
         }

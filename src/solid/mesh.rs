@@ -230,7 +230,6 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
         .diagonal()
         .fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
     let moments = PrincipalAxes::of(&tensor.map(|x| (x / largest).nearest())).moments();
-    #[allow(clippy::cast_precision_loss)] // no mesh has 2^53 faces
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess <= tolerance {

@@ -90,7 +90,8 @@ impl<T: Field> Torque<T> {
     /// use tumbling::Body;
     /// use tumbling::solid::{Ellipsoid, Solid};
     /// use tumbling::step::{Method, Stepper, Torque};
-    /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as work.
+    /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as
+    /// // work.
     /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?.moved(&Vector3::new(0.0, 0.0, 0.03))?;
     /// let (arm, weight) = (egg.centre(), egg.mass() * 9.81);
     /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);

@@ -1,14 +1,9 @@
-//! Shared by the tests: exact arithmetic, what to draw bodies and motions from, and ([`cloud`]) mass sampled
-//! point by point.
-#![allow(dead_code)] // each test program uses its own part
-
-pub mod cloud;
+//! Shared by the tests: exact arithmetic, and what bodies and motions are drawn from.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
-use tumbling::exact::FreeMotion;
 use tumbling::{Error, ErrorKind};
 
 pub type Exact = BigRational;
@@ -118,20 +113,4 @@ pub fn any_vector() -> impl Strategy<Value = Vector3<f64>> {
 /// The step from `x` to the next larger number.
 pub fn ulp(x: f64) -> f64 {
     x.abs().next_up() - x.abs()
-}
-
-/// That the extreme angles between each axis and the momentum bound what is seen all along the motion, and are reached.
-pub fn angles_bound_the_motion(m: &Vector3<f64>, motion: &FreeMotion) -> Result<(), TestCaseError> {
-    for axis in 0..3 {
-        let [least, most] = motion.angles_to_momentum(axis).unwrap();
-        let mut seen = [f64::INFINITY, 0.0_f64];
-        for w in motion.polhode(2000).unwrap() {
-            let momentum = m.component_mul(&w);
-            let angle = (momentum[axis] / momentum.norm()).acos();
-            seen = [seen[0].min(angle), seen[1].max(angle)];
-        }
-        prop_assert!(seen[0] > least - 1e-7 && seen[1] < most + 1e-7, "{seen:?} {least} {most}");
-        prop_assert!(seen[0] < least + 0.02 && seen[1] > most - 0.02, "{seen:?} {least} {most}");
-    }
-    Ok(())
 }

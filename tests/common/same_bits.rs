@@ -1,4 +1,5 @@
-//! One hash of very many answers, which must be the same on every machine: what the tests compute, and `.ci/same-bits` elsewhere.
+//! One hash of very many answers, which must be the same on every machine: what the tests compute, and
+//! `.ci/same-bits` elsewhere.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use tumbling::exact::{Batch, FreeMotion};
@@ -62,7 +63,6 @@ impl Random {
     }
 
     /// From -1 to 1.
-    #[allow(clippy::cast_precision_loss)]
     fn signed(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (2.0 / 9_007_199_254_740_992.0) - 1.0
     }
@@ -217,7 +217,6 @@ fn stepped(hash: &mut Hash, random: &mut Random) {
 }
 
 /// Two methods in single precision.
-#[allow(clippy::cast_possible_truncation)]
 fn singles(hash: &mut Hash, system: &System<f64>, start: &State<f64>) {
     let torques = vec![Torque::Damping(Vector3::new(0.1, 0.2, 0.3)), Torque::Dissipation(0.01)];
     let system = System::of_numbers(system.moments().map(|x| x as f32), torques);

@@ -3,10 +3,12 @@
 use crate::exercise::{BEGIN, END, Exercise};
 use std::collections::BTreeSet;
 
-/// Why this text of `stubs/NAME.md` is no answer to the exercise, whatever its run says; nothing if it may be one.
+/// Why this text of `stubs/NAME.md` is no answer to the exercise, whatever its run says; nothing if it may be
+/// one.
 ///
-/// Outside of the marks it has to be the exercise's own, but for the blanks that lines begin and end with. Between
-/// them nothing may keep the check from running, or put another value under a name that the check reads.
+/// Outside of the marks it has to be the exercise's own, but for the blanks that lines begin and end with.
+/// Between them nothing may keep the check from running, or put another value under a name that the check
+/// reads.
 #[must_use]
 pub fn fault(exercise: &Exercise, text: &str) -> Option<String> {
     let name = &exercise.name;

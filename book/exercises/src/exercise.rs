@@ -16,7 +16,7 @@ pub struct Exercise {
     pub name: String,
     /// Its heading.
     pub title: String,
-    /// What is asked, in Markdown.
+    /// The task, in Markdown.
     pub task: String,
     /// The code above the place left open, with the line that marks it.
     before: String,
@@ -51,26 +51,28 @@ impl Exercise {
     pub fn read(name: &str, text: &str) -> Result<Self, String> {
         let fault = |line: usize, what: &str| format!("book/exercises/whole/{name}.md:{line}: {what}");
         let sections = sections(text);
-        let mut sections = sections.iter();
-        let first = sections.next().ok_or_else(|| fault(1, "the file is empty"))?;
-        let title = first.heading.strip_prefix("# ").ok_or_else(|| fault(1, "begin with `# TITLE`"))?;
-        let (task, code, rest) = first.code().map_err(|what| fault(first.line, what))?;
+        let (first, rest) = sections.split_first().ok_or_else(|| fault(1, "the file is empty"))?;
+        let mut exercise = Self::asked(name, first).map_err(|what| fault(first.line, what))?;
+        for section in rest {
+            exercise.add(section).map_err(|what| fault(section.line, what))?;
+        }
+        exercise.whole().map_err(|what| fault(1, what))?;
+        Ok(exercise)
+    }
+
+    /// The task, with nothing about its answer.
+    fn asked(name: &str, first: &Section) -> Result<Self, &'static str> {
+        let title = first.heading.strip_prefix("# ").ok_or("begin with `# TITLE`")?;
+        let (task, code, rest) = first.code()?;
         if !rest.trim().is_empty() {
-            return Err(fault(first.line, "the block is the last of the task"));
+            return Err("the block is the last of the task");
         }
-        let (before, open, after) = parted(&code).ok_or_else(|| {
-            fault(
-                first.line,
-                "the block has the two lines that mark the place left open, once, in this order",
-            )
-        })?;
+        let (before, open, after) = parted(&code)
+            .ok_or("the block has the two lines that mark the place left open, once, in this order")?;
         if !open.contains("todo!(\"") || before.contains("todo!") || after.contains("todo!") {
-            return Err(fault(
-                first.line,
-                "what is left open is a `todo!(\"what to write\")` between the two lines",
-            ));
+            return Err("what is left open is a `todo!(\"what to write\")` between the two lines");
         }
-        let mut exercise = Self {
+        Ok(Self {
             name: name.into(),
             title: title.trim().into(),
             task,
@@ -81,48 +83,40 @@ impl Exercise {
             words: String::new(),
             solution: String::new(),
             wrong: Vec::new(),
+        })
+    }
+
+    /// A hint, the solution or a wrong answer.
+    fn add(&mut self, section: &Section) -> Result<(), &'static str> {
+        let answer = || -> Result<(String, String), &'static str> {
+            let (words, code, _) = section.code()?;
+            let empty = code.trim().is_empty();
+            if empty || code.contains("todo!") || code.contains(BEGIN) || code.contains(END) {
+                return Err("an answer is what stands between the two lines");
+            }
+            Ok((words, code))
         };
-        for section in sections {
-            let answer = || -> Result<(String, String), String> {
-                let (words, code, _) = section.code().map_err(|what| fault(section.line, what))?;
-                let empty = code.trim().is_empty();
-                if empty || code.contains("todo!") || code.contains(BEGIN) || code.contains(END) {
-                    return Err(fault(section.line, "an answer is what stands between the two lines"));
-                }
-                Ok((words, code))
-            };
-            match section.heading.trim() {
-                "## Hint" if exercise.solution.is_empty() => exercise.hints.push(section.body.trim().into()),
-                "## Solution" if exercise.solution.is_empty() => {
-                    (exercise.words, exercise.solution) = answer()?;
-                }
-                heading => match heading.strip_prefix("## Wrong: ") {
-                    Some(what) if !exercise.solution.is_empty() => {
-                        exercise.wrong.push(Wrong { what: what.into(), code: answer()?.1 });
-                    }
-                    _ => {
-                        return Err(fault(
-                            section.line,
-                            "after the task come `## Hint`, `## Solution`, `## Wrong: WHY`",
-                        ));
-                    }
-                },
-            }
+        let solved = !self.solution.is_empty();
+        match section.heading.trim() {
+            "## Hint" if !solved => self.hints.push(section.body.trim().into()),
+            "## Solution" if !solved => (self.words, self.solution) = answer()?,
+            heading => match heading.strip_prefix("## Wrong: ") {
+                Some(what) if solved => self.wrong.push(Wrong { what: what.into(), code: answer()?.1 }),
+                _ => return Err("after the task come `## Hint`, `## Solution`, `## Wrong: WHY`"),
+            },
         }
-        for (missing, what) in [
-            (exercise.task.is_empty(), "an exercise says what is asked"),
-            (exercise.hints.is_empty(), "an exercise has a `## Hint`"),
-            (exercise.solution.is_empty(), "an exercise has a `## Solution`"),
-            (
-                exercise.wrong.is_empty(),
-                "an exercise has a `## Wrong: WHY`, to show what its assertions refuse",
-            ),
-        ] {
-            if missing {
-                return Err(fault(1, what));
-            }
-        }
-        Ok(exercise)
+        Ok(())
+    }
+
+    /// Whether it has all that an exercise has.
+    fn whole(&self) -> Result<(), &'static str> {
+        let missing = [
+            (self.task.is_empty(), "an exercise says what is asked"),
+            (self.hints.is_empty(), "an exercise has a `## Hint`"),
+            (self.solution.is_empty(), "an exercise has a `## Solution`"),
+            (self.wrong.is_empty(), "an exercise has a `## Wrong: WHY`, to show what its assertions refuse"),
+        ];
+        missing.into_iter().find(|(missing, _)| *missing).map_or(Ok(()), |(_, what)| Err(what))
     }
 
     /// The chapter's name and the exercise's number.
@@ -162,8 +156,8 @@ impl Exercise {
         &self.solution
     }
 
-    /// The file that the reader edits, untouched. Its block is a program of its own: one that does not compile is
-    /// no hindrance to another.
+    /// The file that the reader edits, untouched. Its block is a program of its own: one that does not
+    /// compile is no hindrance to another.
     #[must_use]
     pub fn stub(&self) -> String {
         let (chapter, number) = self.place();

@@ -1,12 +1,13 @@
 //! The exercises of the book.
 //!
-//! Each is one file, `whole/NAME.md`: the task, a Rust block with a place left open, hints, what to put there, and
-//! wrong answers. All else is made of it: the page's folds, the file that a reader edits (`stubs/NAME.md`, whose block
-//! is a doc-test of its own, run by `cargo exercise NAME`, the program in `command/`), and the program of `tests/proof.rs`, which runs every
-//! block open, solved and answered wrongly.
+//! Each is one file, `whole/NAME.md`: the task, a Rust block with a place left open, hints, what to put
+//! there, and wrong answers. All else is made of it: the page's folds, the file that a reader edits
+//! (`stubs/NAME.md`, whose block is a doc-test of its own, run by `cargo exercise NAME`, the program in
+//! `command/`), and the program of `tests/proof.rs`, which runs every block open, solved and answered
+//! wrongly.
 //!
-//! The reader's files are tested only with the feature `mine`: `cargo test` proves the exercises and stays green,
-//! however far the reader has come, as long as he keeps to the place between the marks.
+//! The reader's files are tested only with the feature `mine`: `cargo test` proves the exercises and stays
+//! green, however far the reader has come, as long as he keeps to the place between the marks.
 
 mod answer;
 mod exercise;
@@ -111,7 +112,8 @@ pub fn file(exercise: &Exercise, folder: &Path) -> Result<String, String> {
     })
 }
 
-/// Whether all files that readers edit are there to be compiled: they are one program, which any of them stops.
+/// Whether all files that readers edit are there to be compiled: they are one program, which any of them
+/// stops.
 ///
 /// # Errors
 /// The first that is not, with what brings it back.

@@ -5,8 +5,8 @@ use std::io::{BufRead as _, BufReader, Read as _};
 use std::process::{Command, Stdio};
 use std::thread;
 
-/// Runs the blocks of these exercises, and gives what `cargo test` prints of them. Each line of what cargo says
-/// meanwhile goes to `heard`.
+/// Runs the blocks of these exercises, and gives what `cargo test` prints of them. Each line of what cargo
+/// says meanwhile goes to `heard`.
 ///
 /// # Errors
 /// All that cargo said, if it came to no test.

@@ -1,8 +1,8 @@
-//! Turns what chapters write into what pages show: exercises and programs into folds, TeX into MathML, figures into
-//! inline SVG, widgets into their places.
+//! Turns what chapters write into what pages show: exercises and programs into folds, TeX into MathML,
+//! figures into inline SVG, widgets into their places.
 //!
-//! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths, a
-//! figure, a widget or a program; what only looks like one stays as written.
+//! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
+//! a figure, a widget or a program; what only looks like one stays as written.
 
 mod check;
 mod edits;

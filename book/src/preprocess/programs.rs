@@ -1,4 +1,5 @@
-//! Folds: each program of the text waits behind one quiet line. A fold is `<details>`: it opens without a script.
+//! Folds: each program of the text waits behind one quiet line. A fold is `<details>`: it opens without a
+//! script.
 
 use super::Piece;
 use super::edits::Edits;

@@ -5,6 +5,7 @@
 //! rule made it: each rule known to the library takes the recorded rows one step further, and is held against the next row.
 //!
 //! Its memory does not grow with the record.
+#![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod advice;

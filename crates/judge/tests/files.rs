@@ -328,7 +328,6 @@ fn spins_from_the_slowest_to_the_fastest_that_a_number_holds_are_judged_or_refus
 #[test]
 fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
     // The rule of Bullet's multibody, every number rounded to single precision after each step.
-    #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
     let single = |x: f64| f64::from(x as f32);
     let system = tumbling::step::System::free(MOMENTS.try_into().unwrap()).unwrap();
     let rows = common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {

@@ -96,7 +96,6 @@ fn record(
     single: bool,
     style: usize,
 ) -> String {
-    #[expect(clippy::cast_possible_truncation, reason = "single precision is what it is about")]
     let round = |x: f64| if single { f64::from(x as f32) } else { x };
     let system = System::free((*moments).try_into().unwrap()).unwrap();
     let mut motion = State {

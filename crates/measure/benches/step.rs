@@ -1,5 +1,5 @@
-//! What one step costs, in steps of the engines' plainest rule that keeps `|L|`: explicit, then the momentum's length restored. Ratios within
-//! one run.
+//! What one step costs, in steps of the engines' plainest rule that keeps `|L|`: explicit, then the
+//! momentum's length restored. Ratios within one run.
 //!
 //! ```text
 //! cargo bench -p tumbling-measure --bench step

@@ -1,8 +1,8 @@
 //! The atlas: every method on every hard case, and what became of it.
 //!
-//! A [`Chart`] sweeps one difficulty (a turn per step, a needle's thinness, a push, a damping, or a list of named cases); each of its
-//! [`Place`]s is one run of one method, judged against the exact motion with the rules of [`Fate`]. No time is measured, so the same
-//! machine always draws the same atlas.
+//! A [`Chart`] sweeps one difficulty (a turn per step, a needle's thinness, a push, a damping, or a list of
+//! named cases); each of its [`Place`]s is one run of one method, judged against the exact motion with the
+//! rules of [`Fate`]. No time is measured, so the same machine always draws the same atlas.
 
 mod cases;
 mod run;
@@ -16,10 +16,11 @@ use tumbling::step::Method;
 /// What became of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Fate {
-    /// All is within its bounds: energy and momentum to a hundredth, the count of flips, the last flip or the attitude to a tenth.
+    /// All is within its bounds: energy and momentum to a hundredth, the count of flips, the last flip or the
+    /// attitude to a tenth.
     Right,
-    /// The flips are counted right, but the last comes more than a tenth of the time between flips too early or late; of a motion
-    /// without flips, the attitude is off by more than a tenth of a radian.
+    /// The flips are counted right, but the last comes more than a tenth of the time between flips too early
+    /// or late; of a motion without flips, the attitude is off by more than a tenth of a radian.
     Late,
     /// Energy or momentum is off by more than a hundredth, and no more than a tenth.
     Worn,

@@ -124,7 +124,7 @@ pub fn longest(name: &str, turns: u64, folder: &Path) -> Result<String, Wrong> {
         return Err(format!("There is no method `{name}`. There are: {}.", names.join(", ")).into());
     };
     fs::create_dir_all(folder)?;
-    let rows = long::run(method, Ours(method).group().word(), turns, 1);
+    let rows = long::run(method, Ours(method).about().group.word(), turns, 1);
     let record = Record { head: head(LONG, &[], Effort { turns, starts: 1, ..Effort::FULL }), rows };
     fs::write(folder.join("billion.csv"), record.write())?;
     let empty = Record { head: Vec::new(), rows: Vec::new() };

@@ -1,4 +1,4 @@
-//! Who takes part: the library's methods, the exact motion, and whoever else implements [`Contestant`].
+//! The contestants: the library's methods, the exact motion, and all else that implements [`Contestant`].
 
 use crate::errors::Watch;
 use crate::operations;
@@ -68,7 +68,7 @@ pub enum Knob {
 /// A setting of the knob.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Setting {
-    /// So many equal steps.
+    /// This number of equal steps.
     Steps(u64),
     /// This relative tolerance.
     Tolerance(f64),
@@ -105,22 +105,35 @@ impl From<Error> for Failure {
     }
 }
 
-/// Whoever can take a body from the start of a story to its end.
-pub trait Contestant {
+/// What a contestant says of itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct About {
     /// What it is called; the key in the record.
-    fn name(&self) -> &str;
-
+    pub name: &'static str,
     /// What it keeps.
-    fn group(&self) -> Group;
-
+    pub group: Group,
     /// The order it claims, 0 for none.
-    fn order(&self) -> u32;
-
+    pub order: u32,
     /// What it is set by.
-    fn knob(&self) -> Knob;
+    pub knob: Knob,
+    /// Whether it knows free bodies alone.
+    pub free_only: bool,
+}
+
+/// A way to take a body from the start of a story to its end.
+pub trait Contestant {
+    /// What it says of itself.
+    fn about(&self) -> About;
+
+    /// Its name.
+    fn name(&self) -> &'static str {
+        self.about().name
+    }
 
     /// Whether it can take this story on at all: the exact motion is of free bodies.
-    fn takes(&self, story: &Story) -> bool;
+    fn takes(&self, story: &Story) -> bool {
+        !self.about().free_only || story.system.is_free()
+    }
 
     /// From start to end, showing the watch each step where there is one.
     ///
@@ -135,7 +148,7 @@ pub trait Contestant {
 
     /// Claims that a run longer than a few turns can test.
     fn keeps_something(&self) -> bool {
-        matches!(self.group(), Group::Both | Group::Momentum)
+        matches!(self.about().group, Group::Both | Group::Momentum)
     }
 
     /// The method behind it, for runs of a million turns.
@@ -149,24 +162,10 @@ pub trait Contestant {
 pub struct Ours(pub Method);
 
 impl Contestant for Ours {
-    fn name(&self) -> &str {
-        self.0.info().name
-    }
-
-    fn group(&self) -> Group {
-        Group::of(self.0.info())
-    }
-
-    fn order(&self) -> u32 {
-        self.0.info().order
-    }
-
-    fn knob(&self) -> Knob {
-        Knob::Steps
-    }
-
-    fn takes(&self, _story: &Story) -> bool {
-        true
+    fn about(&self) -> About {
+        let info = self.0.info();
+        let group = Group::of(info);
+        About { name: info.name, group, order: info.order, knob: Knob::Steps, free_only: false }
     }
 
     fn run(
@@ -198,14 +197,12 @@ impl Contestant for Ours {
     }
 }
 
-/// The length of each of so many steps.
+/// The length of each of this number of steps.
 #[must_use]
-#[allow(clippy::cast_precision_loss)] // no run takes 2^53 steps
 pub fn step_of(story: &Story, steps: u64) -> f64 {
     story.end / steps as f64
 }
 
-#[allow(clippy::cast_precision_loss)]
 fn time_of(k: u64, steps: u64, end: f64) -> f64 {
     end * (k as f64 / steps as f64)
 }
@@ -226,24 +223,8 @@ fn asked(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) -> Re
 pub struct Exact;
 
 impl Contestant for Exact {
-    fn name(&self) -> &str {
-        "exact motion"
-    }
-
-    fn group(&self) -> Group {
-        Group::Exact
-    }
-
-    fn order(&self) -> u32 {
-        0
-    }
-
-    fn knob(&self) -> Knob {
-        Knob::None
-    }
-
-    fn takes(&self, story: &Story) -> bool {
-        story.system.is_free()
+    fn about(&self) -> About {
+        About { name: "exact motion", group: Group::Exact, order: 0, knob: Knob::None, free_only: true }
     }
 
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
@@ -259,24 +240,14 @@ impl Contestant for Exact {
 pub struct Prepared(RefCell<Option<(&'static str, FreeMotion)>>);
 
 impl Contestant for Prepared {
-    fn name(&self) -> &str {
-        "exact motion, prepared"
-    }
-
-    fn group(&self) -> Group {
-        Group::Exact
-    }
-
-    fn order(&self) -> u32 {
-        0
-    }
-
-    fn knob(&self) -> Knob {
-        Knob::None
-    }
-
-    fn takes(&self, story: &Story) -> bool {
-        story.system.is_free()
+    fn about(&self) -> About {
+        About {
+            name: "exact motion, prepared",
+            group: Group::Exact,
+            order: 0,
+            knob: Knob::None,
+            free_only: true,
+        }
     }
 
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {

@@ -1,6 +1,7 @@
 //! How wrong a run was: each kind of error by itself, for energy hides phase.
 
 use crate::contestant::{Ended, Failure};
+use crate::record::row;
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
@@ -28,19 +29,21 @@ impl From<Failure> for Outcome {
     }
 }
 
-/// The errors of a run, each by itself. What there is not (flips under torque) is `None`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Errors {
-    /// How early or late the last flip came, as a share of the time between two.
-    pub phase: Option<f64>,
-    /// The angle between the body's attitude and the true one at the end, rad.
-    pub attitude: Option<f64>,
-    /// Relative error of the energy: where it is kept, the largest at any step, else at the end.
-    pub energy: Option<f64>,
-    /// The same of the length of the angular momentum.
-    pub momentum: Option<f64>,
-    /// The same of its direction in the world, rad.
-    pub direction: Option<f64>,
+row! {
+    /// The errors of a run, each by itself. What there is not (flips under torque) is `None`.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    pub struct Errors {
+        /// How early or late the last flip came, as a share of the time between two.
+        pub phase: Option<f64>,
+        /// The angle between the body's attitude and the true one at the end, rad.
+        pub attitude: Option<f64>,
+        /// Relative error of the energy: where it is kept, the largest at any step, else at the end.
+        pub energy: Option<f64>,
+        /// The same of the length of the angular momentum.
+        pub momentum: Option<f64>,
+        /// The same of its direction in the world, rad.
+        pub direction: Option<f64>,
+    }
 }
 
 /// A run as it is seen from outside, step by step.
@@ -142,8 +145,8 @@ impl<'a> Watch<'a> {
         (Outcome::Right, errors)
     }
 
-    /// When the last flip was: the exact motion from the last state before it says to the last digit when that state
-    /// flips, so that no interpolation stands between the method and its error.
+    /// When the last flip was: the exact motion from the last state before it says to the last digit when
+    /// that state flips, so that no interpolation stands between the method and its error.
     fn last_flip(&self) -> Option<f64> {
         let (t, state) = self.last.as_ref()?;
         let omega = self.story.system.omega(&state.momentum);
@@ -155,7 +158,7 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// How far one number is from another, beside the other.
+/// The difference of two numbers relative to the second.
 fn relative(x: f64, truth: f64) -> f64 {
     ((x - truth) / truth).abs()
 }

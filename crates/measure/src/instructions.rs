@@ -1,7 +1,7 @@
 //! Processor instructions, counted by valgrind where it is installed.
 //!
-//! The program that measures runs itself under `valgrind`, with few runs and with twice as many; the difference is what the runs
-//! took, and the start of the program falls out.
+//! The program that measures runs itself under `valgrind`, with few runs and with twice as many; the
+//! difference is what the runs took, and the start of the program falls out.
 
 use crate::contestant::{Contestant, Knob, Setting};
 use crate::record::Work;
@@ -10,8 +10,8 @@ use std::ffi::OsString;
 use std::hint::black_box;
 use std::process::{Command, Stdio};
 
-/// How to run the measuring program again so that it calls [`child`]: the program and its first words. The name of the
-/// contestant and a count follow.
+/// How to run the measuring program again so that it calls [`child`]: the program and its first words. The
+/// name of the contestant and a count follow.
 #[derive(Debug, Clone)]
 pub struct Again {
     /// The program.
@@ -28,10 +28,9 @@ const TOLERANCE: f64 = 1e-8;
 const RADIANS: f64 = 0.1;
 
 /// The start of a story, as many steps on.
-#[allow(clippy::cast_precision_loss)]
 fn short(story: &Story, contestant: &dyn Contestant) -> (Story, Setting) {
     let mut short = story.clone();
-    let setting = match contestant.knob() {
+    let setting = match contestant.about().knob {
         Knob::None => return (short, Setting::None),
         Knob::Steps => Setting::Steps(STEPS),
         Knob::Tolerance => Setting::Tolerance(TOLERANCE),
@@ -40,7 +39,8 @@ fn short(story: &Story, contestant: &dyn Contestant) -> (Story, Setting) {
     (short, setting)
 }
 
-/// What the program does when it is run again: the short run, so many times. How many steps they took together.
+/// What the program does when it is run again: the short run, so many times. How many steps they took
+/// together.
 ///
 /// # Errors
 /// A name that nobody has, or what the contestant says.
@@ -61,8 +61,9 @@ pub fn child(
     Ok(steps)
 }
 
-/// Instructions of a step of this contestant, on the first story that it takes, at a tenth of a radian a step or a tolerance
-/// of 1e-8; of the exact motion all of it. `None` where valgrind is not installed, or does not get through.
+/// Instructions of a step of this contestant, on the first story that it takes, at a tenth of a radian a step
+/// or a tolerance of 1e-8; of the exact motion all of it. `None` where valgrind is not installed, or does not
+/// get through.
 #[must_use]
 pub fn of_step(again: &Again, contestant: &dyn Contestant, stories: &[Story]) -> Option<f64> {
     let story = stories.iter().find(|story| contestant.takes(story))?;
@@ -70,12 +71,12 @@ pub fn of_step(again: &Again, contestant: &dyn Contestant, stories: &[Story]) ->
     let steps = contestant.run(&story, setting, None).ok()?.steps;
     let counted = |times: u64| counted(again, &[contestant.name().to_owned(), times.to_string()]);
     let (few, many) = (counted(1)?, counted(3)?);
-    #[allow(clippy::cast_precision_loss)]
     let each = many.checked_sub(few)? as f64 / (2 * steps) as f64;
     Some(each)
 }
 
-/// Instructions of the program run again with these words at the end. `None` where valgrind is not installed, or does not get through.
+/// Instructions of the program run again with these words at the end. `None` where valgrind is not installed,
+/// or does not get through.
 #[must_use]
 pub fn counted(again: &Again, words: &[String]) -> Option<u64> {
     let output = Command::new("valgrind")
@@ -98,7 +99,6 @@ pub fn counted(again: &Again, words: &[String]) -> Option<u64> {
 }
 
 /// Fills the column of the rows of the story on which they were counted.
-#[allow(clippy::cast_precision_loss)]
 pub fn fill(rows: &mut [Work], contestant: &dyn Contestant, stories: &[Story], each: f64) {
     let Some(story) = stories.iter().find(|story| contestant.takes(story)) else { return };
     for row in rows.iter_mut().filter(|row| row.story == story.name && row.contestant == contestant.name()) {

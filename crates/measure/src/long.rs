@@ -47,13 +47,12 @@ pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, tell: &mut dyn F
         }
         tell(&format!("{} turns: {}", effort.turns, contestant.name()));
         let starts = starts(method, effort);
-        rows.extend(run(method, contestant.group().word(), effort.turns, starts));
+        rows.extend(run(method, contestant.about().group.word(), effort.turns, starts));
     }
     rows
 }
 
 /// From how many starts this method runs: from fewer where its steps are dear.
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn starts(method: Method, effort: Effort) -> u32 {
     let Some((system, motion, h)) = start(0) else { return effort.starts };
     let Some(each) = evaluations_of_step(method, &system, &motion, h) else { return effort.starts };
@@ -61,7 +60,7 @@ fn starts(method: Method, effort: Effort) -> u32 {
     ((effort.long / one) as u32).clamp(1, effort.starts.max(1))
 }
 
-/// One method through so many turns from each of so many starts.
+/// One method through this number of turns from each of these starts.
 #[must_use]
 pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
     let ends = ends(turns);
@@ -141,11 +140,10 @@ fn one(
     (windows, Outcome::Right)
 }
 
-/// The slope of a line through logarithms of error against logarithms of turns, by least squares, over rows of at least so
-/// many turns; `None` from fewer than three, or where there is no error.
+/// The slope of a line through logarithms of error against logarithms of turns, by least squares, over rows
+/// of at least this number of turns; `None` from fewer than three, or where there is no error.
 #[must_use]
 pub fn slope<'a>(rows: impl IntoIterator<Item = &'a Long>, from: u64, of: fn(&Long) -> f64) -> Option<f64> {
-    #[allow(clippy::cast_precision_loss)]
     let points: Vec<(f64, f64)> = rows
         .into_iter()
         .filter(|row| row.turns >= from && of(row) > 0.0)
@@ -154,7 +152,6 @@ pub fn slope<'a>(rows: impl IntoIterator<Item = &'a Long>, from: u64, of: fn(&Lo
     if points.len() < 3 {
         return None;
     }
-    #[allow(clippy::cast_precision_loss)]
     let n = points.len() as f64;
     let (mx, my) = points.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
     let (xy, xx) =

@@ -14,7 +14,8 @@ pub struct Effort {
     pub evaluations: f64,
     /// How often each time is taken.
     pub repeats: u32,
-    /// The longest that a run may take once it is to be repeated, s: a ladder ends below a rung that took longer.
+    /// The longest that a run may take once it is to be repeated, s: a ladder ends below a rung that took
+    /// longer.
     pub seconds: f64,
     /// How many turns a long run has.
     pub turns: u64,
@@ -118,7 +119,7 @@ impl Rung<'_> {
 fn ladder<'a>(contestant: &'a dyn Contestant, story: &'a Story, effort: Effort) -> Vec<Rung<'a>> {
     let mut rungs = Vec::new();
     let (mut best, mut no_better) = (f64::INFINITY, 0);
-    for setting in settings(contestant.knob(), story) {
+    for setting in settings(contestant.about().knob, story) {
         let worth = worth(contestant, story, setting);
         if worth.unwrap_or_else(|| guess(setting)) > effort.evaluations {
             break;
@@ -145,20 +146,17 @@ fn settings(knob: Knob, story: &Story) -> Vec<Setting> {
 }
 
 /// The fewest steps on the ladder.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn coarsest(story: &Story) -> u64 {
     (story.speed() * story.end / COARSEST).ceil() as u64
 }
 
 /// What a run is worth in evaluations, as far as that is known before.
-#[allow(clippy::cast_precision_loss)]
 fn worth(contestant: &dyn Contestant, story: &Story, setting: Setting) -> Option<f64> {
     let Setting::Steps(steps) = setting else { return None };
     Some(contestant.evaluations_of_step(story, story.end / steps as f64)? * steps as f64)
 }
 
 /// The same where it is not known: a guess that only ends a ladder.
-#[allow(clippy::cast_precision_loss)]
 fn guess(setting: Setting) -> f64 {
     match setting {
         Setting::Steps(steps) => UNKNOWN * steps as f64,
@@ -178,20 +176,18 @@ fn rung<'a>(
     let ended = contestant.run(story, setting, Some(&mut watch));
     let seconds = start.elapsed().as_secs_f64();
     let (outcome, errors) = watch.judge(ended.as_ref());
-    #[allow(clippy::cast_precision_loss)]
     let evaluations = match &ended {
         Ok(Ended { evaluations: Some(counted), .. }) => Some(*counted as f64),
         Ok(_) => worth,
         Err(_) => None,
     };
     let finite = ended.is_ok() && errors.attitude.is_some();
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let inner = (LEAST / seconds).clamp(1.0, 1e4) as u32;
     let row = Work {
         story: story.name.into(),
         contestant: contestant.name().into(),
-        group: contestant.group().word().into(),
-        order: contestant.order(),
+        group: contestant.about().group.word().into(),
+        order: contestant.about().order,
         setting,
         steps: ended.as_ref().ok().map(|ended| ended.steps),
         evaluations,

@@ -11,8 +11,8 @@ thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
 }
 
-/// An `f64` that counts what is done with it: sums, products, quotients, roots, exponentials one each, a sine with its cosine
-/// two. A product with the constant one is free, as is a change of sign.
+/// An `f64` that counts what is done with it: sums, products, quotients, roots, exponentials one each, a sine
+/// with its cosine two. A product with the constant one is free, as is a change of sign.
 #[derive(Debug, Clone, Copy)]
 pub struct Tallied {
     value: f64,
@@ -140,10 +140,11 @@ fn counted<R>(work: impl FnOnce() -> R) -> (R, u64) {
 /// Steps over which the mean is taken: an implicit method's differ.
 const STEPS: u32 = 16;
 
-/// How many evaluations of the law (`System::rate`) one step of this length costs in arithmetic: operations of a step
-/// over operations of an evaluation. `None` if the method refuses that step.
+/// How many evaluations of the law (`System::rate`) one step of this length costs in arithmetic: operations
+/// of a step over operations of an evaluation. `None` if the method refuses that step.
 ///
-/// So a method without evaluations, as those made of rotations, is held to the same measure as one with nothing else.
+/// So a method without evaluations, as those made of rotations, is held to the same measure as one with
+/// nothing else.
 #[must_use]
 pub fn evaluations_of_step(
     method: Method,
@@ -163,7 +164,6 @@ pub fn evaluations_of_step(
         Some(())
     });
     done?;
-    #[allow(clippy::cast_precision_loss)] // some thousands
     let each = steps as f64 / law as f64 / f64::from(STEPS);
     Some(each)
 }

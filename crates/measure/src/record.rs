@@ -1,4 +1,5 @@
-//! The record: files of comma-separated values whose heads say what, when and on which machine, written and read back.
+//! The record: files of comma-separated values whose heads say what, when and on which machine, written and
+//! read back.
 
 use crate::contestant::Setting;
 use crate::errors::{Errors, Outcome};
@@ -17,86 +18,100 @@ pub struct Record<R> {
     pub rows: Vec<R>,
 }
 
-/// A row of a record.
-pub trait Row: Sized {
-    /// The names of its columns.
-    const COLUMNS: &'static [&'static str];
+/// A value of a record: a row, or a field of one.
+pub trait Fields: Sized {
+    /// The columns of a value that is called `name`: that one, or those of its own fields.
+    #[must_use]
+    fn columns(name: &'static str) -> Vec<&'static str> {
+        vec![name]
+    }
 
-    /// Its fields, as many as there are columns, without commas.
-    fn fields(&self) -> Vec<String>;
+    /// Appends its fields, as many as there are columns, without commas.
+    fn write(&self, fields: &mut Vec<String>);
 
-    /// Back from its fields.
+    /// Back from its fields, which it takes off the front.
     ///
     /// # Errors
     /// What cannot be read.
-    fn read(fields: &[&str]) -> Result<Self, Wrong>;
+    fn read<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<Self, Wrong>;
 }
 
-/// One contestant on one story at one setting.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Work {
-    /// The name of the story.
-    pub story: String,
-    /// The name of the contestant.
-    pub contestant: String,
-    /// The word of its group.
-    pub group: String,
-    /// The order it claims, 0 for none.
-    pub order: u32,
-    /// What it was set to.
-    pub setting: Setting,
-    /// Steps done.
-    pub steps: Option<u64>,
-    /// Evaluations of the law, or what the arithmetic was worth in them.
-    pub evaluations: Option<f64>,
-    /// Processor instructions.
-    pub instructions: Option<f64>,
-    /// Median time of a run, s.
-    pub seconds: Option<f64>,
-    /// The longest of the times measured over the shortest.
-    pub spread: Option<f64>,
-    /// Each kind of error.
-    pub errors: Errors,
-    /// What came of it.
-    pub outcome: Outcome,
+/// A structure whose fields are the columns, in order.
+macro_rules! row {
+    ($(#[$about:meta])* pub struct $Row:ident { $($(#[$says:meta])* pub $field:ident: $T:ty,)* }) => {
+        $(#[$about])*
+        pub struct $Row { $($(#[$says])* pub $field: $T,)* }
+
+        impl $crate::record::Fields for $Row {
+            fn columns(_: &'static str) -> Vec<&'static str> {
+                [$(<$T as $crate::record::Fields>::columns(stringify!($field))),*].concat()
+            }
+
+            fn write(&self, fields: &mut Vec<String>) {
+                $($crate::record::Fields::write(&self.$field, fields);)*
+            }
+
+            fn read<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<Self, $crate::record::Wrong> {
+                Ok(Self { $($field: $crate::record::Fields::read(fields)?),* })
+            }
+        }
+    };
+}
+pub(crate) use row;
+
+row! {
+    /// One contestant on one story at one setting.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Work {
+        /// The name of the story.
+        pub story: String,
+        /// The name of the contestant.
+        pub contestant: String,
+        /// The word of its group.
+        pub group: String,
+        /// The order it claims, 0 for none.
+        pub order: u32,
+        /// What it was set to.
+        pub setting: Setting,
+        /// Steps done.
+        pub steps: Option<u64>,
+        /// Evaluations of the law, or what the arithmetic was worth in them.
+        pub evaluations: Option<f64>,
+        /// Processor instructions.
+        pub instructions: Option<f64>,
+        /// Median time of a run, s.
+        pub seconds: Option<f64>,
+        /// The longest of the times measured over the shortest.
+        pub spread: Option<f64>,
+        /// Each kind of error.
+        pub errors: Errors,
+        /// What came of it.
+        pub outcome: Outcome,
+    }
 }
 
-/// One method after so many turns of a long run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Long {
-    /// The name of the contestant.
-    pub contestant: String,
-    /// The word of its group.
-    pub group: String,
-    /// Steps in a turn.
-    pub steps: u32,
-    /// Turns from the start to the end of the window: from half of them.
-    pub turns: u64,
-    /// The mean over the window of the relative error of the energy, its size; root mean square over the starts.
-    pub mean: f64,
-    /// The largest relative error of the energy in the window; root mean square over the starts.
-    pub largest: f64,
-    /// The same of the length of the momentum.
-    pub momentum: f64,
-    /// What came of it.
-    pub outcome: Outcome,
-}
-
-/// A number as the record has it.
-pub(crate) fn number(x: f64) -> String {
-    format!("{x:.3e}")
-}
-
-pub(crate) fn optional(x: Option<f64>) -> String {
-    x.map_or_else(String::new, number)
-}
-
-pub(crate) fn parsed<T: FromStr>(field: &str) -> Result<T, Wrong> {
-    field.parse().map_err(|_| format!("`{field}` cannot be read"))
-}
-
-pub(crate) fn perhaps<T: FromStr>(field: &str) -> Result<Option<T>, Wrong> {
-    if field.is_empty() { Ok(None) } else { parsed(field).map(Some) }
+row! {
+    /// One method after a number of turns of a long run.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Long {
+        /// The name of the contestant.
+        pub contestant: String,
+        /// The word of its group.
+        pub group: String,
+        /// Steps in a turn.
+        pub steps: u32,
+        /// Turns from the start to the end of the window: from half of them.
+        pub turns: u64,
+        /// The mean over the window of the relative error of the energy, its size; root mean square over the
+        /// starts.
+        pub mean: f64,
+        /// The largest relative error of the energy in the window; root mean square over the starts.
+        pub largest: f64,
+        /// The same of the length of the momentum.
+        pub momentum: f64,
+        /// What came of it.
+        pub outcome: Outcome,
+    }
 }
 
 /// In one field, where a comma would begin the next: a semicolon stands for it.
@@ -109,6 +124,51 @@ fn full(field: &str) -> String {
     field.replace(';', ",")
 }
 
+pub(crate) fn next<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<&'a str, Wrong> {
+    fields.next().ok_or_else(|| "too few fields".into())
+}
+
+fn parsed<T: FromStr>(field: &str) -> Result<T, Wrong> {
+    field.parse().map_err(|_| format!("`{field}` cannot be read"))
+}
+
+/// A value of one field.
+macro_rules! field {
+    ($T:ty, $write:expr, $read:expr) => {
+        impl Fields for $T {
+            fn write(&self, fields: &mut Vec<String>) {
+                fields.push($write(self));
+            }
+
+            fn read<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<Self, Wrong> {
+                $read(next(fields)?)
+            }
+        }
+    };
+}
+field!(String, |text: &str| plain(text), |field| Ok(full(field)));
+field!(u32, u32::to_string, parsed);
+field!(u64, u64::to_string, parsed);
+field!(f64, |x| format!("{x:.3e}"), parsed);
+field!(Outcome, Outcome::field, Outcome::of);
+field!(Setting, Setting::field, Setting::of);
+
+impl<T: Fields> Fields for Option<T> {
+    fn write(&self, fields: &mut Vec<String>) {
+        match self {
+            Some(value) => value.write(fields),
+            None => fields.push(String::new()),
+        }
+    }
+
+    fn read<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<Self, Wrong> {
+        match next(fields)? {
+            "" => Ok(None),
+            field => T::read(&mut std::iter::once(field)).map(Some),
+        }
+    }
+}
+
 impl Outcome {
     fn field(&self) -> String {
         match self {
@@ -119,7 +179,7 @@ impl Outcome {
         }
     }
 
-    fn read(field: &str) -> Result<Self, Wrong> {
+    fn of(field: &str) -> Result<Self, Wrong> {
         if let Some(why) = field.strip_prefix("refused: ") {
             return Ok(Self::Refused(full(why)));
         }
@@ -135,7 +195,7 @@ impl Outcome {
 }
 
 impl Setting {
-    fn field(self) -> String {
+    fn field(&self) -> String {
         match self {
             Self::Steps(steps) => format!("{steps} steps"),
             Self::Tolerance(tolerance) => format!("tolerance {tolerance:e}"),
@@ -143,7 +203,7 @@ impl Setting {
         }
     }
 
-    fn read(field: &str) -> Result<Self, Wrong> {
+    fn of(field: &str) -> Result<Self, Wrong> {
         if let Some(steps) = field.strip_suffix(" steps") {
             return Ok(Self::Steps(parsed(steps)?));
         }
@@ -155,123 +215,7 @@ impl Setting {
     }
 }
 
-impl Row for Work {
-    const COLUMNS: &'static [&'static str] = &[
-        "story",
-        "contestant",
-        "group",
-        "order",
-        "setting",
-        "steps",
-        "evaluations",
-        "instructions",
-        "seconds",
-        "spread",
-        "phase",
-        "attitude",
-        "energy",
-        "momentum",
-        "direction",
-        "outcome",
-    ];
-
-    fn fields(&self) -> Vec<String> {
-        let Errors { phase, attitude, energy, momentum, direction } = self.errors;
-        let mut fields = vec![
-            plain(&self.story),
-            plain(&self.contestant),
-            plain(&self.group),
-            self.order.to_string(),
-            self.setting.field(),
-            self.steps.map_or_else(String::new, |n| n.to_string()),
-        ];
-        let sizes = [self.evaluations, self.instructions, self.seconds, self.spread];
-        fields.extend(sizes.into_iter().map(optional));
-        fields.extend([phase, attitude, energy, momentum, direction].into_iter().map(optional));
-        fields.push(self.outcome.field());
-        fields
-    }
-
-    fn read(fields: &[&str]) -> Result<Self, Wrong> {
-        let &[
-            story,
-            contestant,
-            group,
-            order,
-            setting,
-            steps,
-            evaluations,
-            instructions,
-            seconds,
-            spread,
-            phase,
-            attitude,
-            energy,
-            momentum,
-            direction,
-            outcome,
-        ] = fields
-        else {
-            return Err(format!("{} fields", fields.len()));
-        };
-        Ok(Self {
-            story: story.into(),
-            contestant: full(contestant),
-            group: group.into(),
-            order: parsed(order)?,
-            setting: Setting::read(setting)?,
-            steps: perhaps(steps)?,
-            evaluations: perhaps(evaluations)?,
-            instructions: perhaps(instructions)?,
-            seconds: perhaps(seconds)?,
-            spread: perhaps(spread)?,
-            errors: Errors {
-                phase: perhaps(phase)?,
-                attitude: perhaps(attitude)?,
-                energy: perhaps(energy)?,
-                momentum: perhaps(momentum)?,
-                direction: perhaps(direction)?,
-            },
-            outcome: Outcome::read(outcome)?,
-        })
-    }
-}
-
-impl Row for Long {
-    const COLUMNS: &'static [&'static str] =
-        &["contestant", "group", "steps", "turns", "mean", "largest", "momentum", "outcome"];
-
-    fn fields(&self) -> Vec<String> {
-        vec![
-            plain(&self.contestant),
-            plain(&self.group),
-            self.steps.to_string(),
-            self.turns.to_string(),
-            number(self.mean),
-            number(self.largest),
-            number(self.momentum),
-            self.outcome.field(),
-        ]
-    }
-
-    fn read(fields: &[&str]) -> Result<Self, Wrong> {
-        let &[contestant, group, steps, turns, mean, largest, momentum, outcome] = fields else {
-            return Err(format!("{} fields", fields.len()));
-        };
-        Ok(Self {
-            contestant: full(contestant),
-            group: group.into(),
-            steps: parsed(steps)?,
-            turns: parsed(turns)?,
-            mean: parsed(mean)?,
-            largest: parsed(largest)?,
-            momentum: parsed(momentum)?,
-            outcome: Outcome::read(outcome)?,
-        })
-    }
-}
-
-impl<R: Row> Record<R> {
+impl<R: Fields> Record<R> {
     /// As a file has it.
     #[must_use]
     pub fn write(&self) -> String {
@@ -279,9 +223,11 @@ impl<R: Row> Record<R> {
         for (key, value) in &self.head {
             let _ = writeln!(text, "# {key}: {}", value.replace('\n', " "));
         }
-        let _ = writeln!(text, "{}", R::COLUMNS.join(","));
+        let _ = writeln!(text, "{}", R::columns("").join(","));
         for row in &self.rows {
-            let _ = writeln!(text, "{}", row.fields().join(","));
+            let mut fields = Vec::new();
+            row.write(&mut fields);
+            let _ = writeln!(text, "{}", fields.join(","));
         }
         text
     }
@@ -293,19 +239,23 @@ impl<R: Row> Record<R> {
     pub fn read(text: &str) -> Result<Self, Wrong> {
         let mut head = Vec::new();
         let mut rows = Vec::new();
+        let names = R::columns("").join(",");
         let mut columns = false;
         for (at, line) in text.lines().enumerate() {
             if let Some(said) = line.strip_prefix("# ") {
                 let (key, value) = said.split_once(": ").unwrap_or((said, ""));
                 head.push((key.to_owned(), value.to_owned()));
             } else if !columns {
-                if line != R::COLUMNS.join(",") {
-                    return Err(format!("line {}: other columns than {}", at + 1, R::COLUMNS.join(",")));
+                if line != names {
+                    return Err(format!("line {}: other columns than {names}", at + 1));
                 }
                 columns = true;
             } else {
-                let fields: Vec<&str> = line.split(',').collect();
-                rows.push(R::read(&fields).map_err(|why| format!("line {}: {why}", at + 1))?);
+                let mut fields = line.split(',');
+                rows.push(R::read(&mut fields).map_err(|why| format!("line {}: {why}", at + 1))?);
+                if fields.next().is_some() {
+                    return Err(format!("line {}: too many fields", at + 1));
+                }
             }
         }
         if columns { Ok(Self { head, rows }) } else { Err("there are no columns".into()) }

@@ -1,10 +1,11 @@
-//! What a scene costs by its outputs, in processor instructions; and what each part of the workspace adds to a build.
+//! What a scene costs by its outputs, in processor instructions; and what each part of the workspace adds to
+//! a build.
 //!
-//! Two tables in one record: `executed` (counted by valgrind, the same to a few in every run) and `compiled` (crates, and seconds of a build).
-//! Each run renews its own tables and leaves the others as they are.
+//! Two tables in one record: `executed` (counted by valgrind, the same to a few in every run) and `compiled`
+//! (crates, and seconds of a build). Each run renews its own tables and leaves the others as they are.
 
 use crate::instructions::{Again, counted};
-use crate::record::{Record, Row, Wrong};
+use crate::record::{Fields, Record, Wrong, next};
 use nalgebra::Vector3;
 use std::hint::black_box;
 use std::path::Path;
@@ -26,17 +27,19 @@ pub struct Saving {
     pub value: f64,
 }
 
-impl Row for Saving {
-    const COLUMNS: &'static [&'static str] = &["table", "row", "what", "value"];
-
-    fn fields(&self) -> Vec<String> {
-        vec![self.table.clone(), self.row.clone(), self.what.clone(), format!("{}", self.value)]
+/// As it is: names have semicolons, and whole numbers no exponent.
+impl Fields for Saving {
+    fn columns(_: &'static str) -> Vec<&'static str> {
+        vec!["table", "row", "what", "value"]
     }
 
-    fn read(fields: &[&str]) -> Result<Self, Wrong> {
-        let [table, row, what, value] = fields else { return Err(format!("{} fields", fields.len())) };
-        let value = value.parse().map_err(|_| format!("`{value}` is no number"))?;
-        Ok(Self { table: (*table).into(), row: (*row).into(), what: (*what).into(), value })
+    fn write(&self, fields: &mut Vec<String>) {
+        fields.extend([self.table.clone(), self.row.clone(), self.what.clone(), self.value.to_string()]);
+    }
+
+    fn read<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<Self, Wrong> {
+        let [table, row, what] = [next(fields)?, next(fields)?, next(fields)?].map(String::from);
+        Ok(Self { table, row, what, value: f64::read(fields)? })
     }
 }
 
@@ -110,7 +113,8 @@ pub fn scenes() -> Result<Vec<Counted>, Error> {
 /// The scene with nothing left out.
 pub const GENERAL: &str = "three moments";
 
-/// What the program does when it is run again under valgrind: so many plans of the scene of this name, and of each so many times all states.
+/// What the program does when it is run again under valgrind: a number of plans of the scene of this name,
+/// and of each a number of times all states.
 ///
 /// # Errors
 /// A name that no scene has, or what the library refuses.
@@ -133,7 +137,6 @@ pub fn child(name: &str, plans: u64, rounds: u64) -> Result<(), String> {
 ///
 /// # Errors
 /// Where valgrind is not installed or does not get through.
-#[allow(clippy::cast_precision_loss)]
 pub fn executed(again: &Again, tell: &mut dyn FnMut(&str)) -> Result<Vec<Saving>, Wrong> {
     let mut rows = Vec::new();
     for one in scenes().map_err(|error| error.to_string())? {
@@ -152,7 +155,7 @@ pub fn executed(again: &Again, tell: &mut dyn FnMut(&str)) -> Result<Vec<Saving>
     Ok(rows)
 }
 
-/// What is built, each after those before it: what cargo is told, and what it is called.
+/// What is built, each after those before it: its name, and cargo's arguments.
 const BUILDS: [(&str, &[&str]); 10] = [
     ("the library", &["-p", "tumbling"]),
     ("scenes", &["-p", "tumbling-scenes", "--no-default-features"]),
@@ -177,7 +180,6 @@ pub const SECONDS: &str = "seconds more";
 ///
 /// # Errors
 /// Where cargo does not get through.
-#[allow(clippy::cast_precision_loss)]
 pub fn compiled(root: &Path, time: Option<&Path>, tell: &mut dyn FnMut(&str)) -> Result<Vec<Saving>, Wrong> {
     let cargo = || {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));

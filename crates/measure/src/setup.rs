@@ -35,8 +35,8 @@ fn today() -> String {
     format!("{year}-{month:02}-{day:02}")
 }
 
-/// Year, month and day of the Gregorian calendar from days since 1 January 1970: eras of 400 years of 146097 days, each year
-/// beginning in March so that the leap day is its last.
+/// Year, month and day of the Gregorian calendar from days since 1 January 1970: eras of 400 years of 146097
+/// days, each year beginning in March so that the leap day is its last.
 fn civil(days: u64) -> (u64, u64, u64) {
     let shifted = days + 719_468;
     let (era, of_era) = (shifted / 146_097, shifted % 146_097);

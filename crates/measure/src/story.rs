@@ -32,7 +32,8 @@ pub struct Truth {
     pub motion: State<f64>,
     /// Kinetic energy and that of its place, J.
     pub energy: f64,
-    /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a free body alone.
+    /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a
+    /// free body alone.
     pub flips: Option<Flips>,
 }
 
@@ -47,7 +48,7 @@ pub struct Flips {
     pub apart: f64,
 }
 
-/// Where the bodies truly are, by the program beside the table.
+/// Where the bodies truly are, by the program that stands with the table.
 const TABLE: &str = include_str!("../data/truth.json");
 
 impl Story {

@@ -32,8 +32,8 @@ pub fn kind(name: &str) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.name == name)
 }
 
-/// The least time in which a contestant comes below an error, s: between two neighbouring rungs of its ladder along the line of
-/// their logarithms. `None` if no rung comes below it.
+/// The least time in which a contestant comes below an error, s: between two neighbouring rungs of its ladder
+/// along the line of their logarithms. `None` if no rung comes below it.
 #[must_use]
 pub fn seconds_at(rows: &[Work], story: &str, contestant: &str, kind: &Kind, error: f64) -> Option<f64> {
     let ladder: Vec<(f64, f64)> = rows
@@ -86,8 +86,8 @@ pub fn contestants(rows: &[Work]) -> Vec<(&str, Group)> {
     names
 }
 
-/// The slope of the energy's error of a long run against time, in logarithms, from a thousand turns on. One half is a random
-/// walk, one a line.
+/// The slope of the energy's error of a long run against time, in logarithms, from a thousand turns on. One
+/// half is a random walk, one a line.
 #[must_use]
 pub fn drift(rows: &[Long], contestant: &str) -> Option<f64> {
     slope(rows.iter().filter(|row| row.contestant == contestant), 1000, |row| row.mean)
@@ -162,7 +162,8 @@ mod tests {
         assert!((at(&rows, 1e-3).unwrap() - 10_f64.sqrt()).abs() < 1e-12);
         assert_eq!(at(&rows, 1e-1), Some(1.0));
         assert_eq!(at(&rows, 1e-7), None);
-        // A rung that flipped wrongly is no way to an error, and nothing is to be read between it and the next.
+        // A rung that flipped wrongly is no way to an error, and nothing is to be read between it and the
+        // next.
         rows[0].outcome = Outcome::Flips(3);
         assert_eq!(at(&rows, 1e-3), Some(10.0));
     }

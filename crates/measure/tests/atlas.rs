@@ -1,4 +1,4 @@
-//! What the atlas says is so: who is said to survive does, who is said to fail fails.
+//! The committed atlas against the methods: what it records of each, happens.
 
 use tumbling_measure::atlas::{Fate, Place, Precision, atlas, written};
 

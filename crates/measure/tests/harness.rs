@@ -1,9 +1,11 @@
-//! The harness itself: that it would tell a right method from a wrong one.
+//! The harness itself: that it distinguishes a right method from a wrong one.
 
 use nalgebra::Quaternion;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State};
-use tumbling_measure::contestant::{Contestant, Ended, Exact, Failure, Group, Knob, Ours, Setting, ours};
+use tumbling_measure::contestant::{
+    About, Contestant, Ended, Exact, Failure, Group, Knob, Ours, Setting, ours,
+};
 use tumbling_measure::errors::{Outcome, Watch, turn};
 use tumbling_measure::measure::{Effort, measure};
 use tumbling_measure::record::{self, Work};
@@ -78,20 +80,8 @@ fn the_table_keeps_the_laws() {
 struct Broken(fn(State<f64>) -> Result<State<f64>, Failure>);
 
 impl Contestant for Broken {
-    fn name(&self) -> &str {
-        "broken"
-    }
-    fn group(&self) -> Group {
-        Group::Neither
-    }
-    fn order(&self) -> u32 {
-        4
-    }
-    fn knob(&self) -> Knob {
-        Knob::Steps
-    }
-    fn takes(&self, _story: &Story) -> bool {
-        true
+    fn about(&self) -> About {
+        About { name: "broken", group: Group::Neither, order: 4, knob: Knob::Steps, free_only: false }
     }
     fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
         let mut ended = Ours(Method::RungeKutta4).run(story, setting, watch)?;
@@ -127,25 +117,14 @@ fn a_missing_flip_is_counted() {
     assert_eq!(judged(&Ours(Method::ConstantSpin), &stories[0], 4096).0, Outcome::Flips(0));
 }
 
-/// The phase is the last flip's delay beside the time between two: here the method's own clock runs slow by a known share.
+/// The phase is the last flip's delay relative to the time between two: here the method's own clock runs slow
+/// by a known share.
 #[test]
 fn a_slow_clock_shows_as_phase() {
     struct Slow;
     impl Contestant for Slow {
-        fn name(&self) -> &str {
-            "slow"
-        }
-        fn group(&self) -> Group {
-            Group::Neither
-        }
-        fn order(&self) -> u32 {
-            0
-        }
-        fn knob(&self) -> Knob {
-            Knob::Steps
-        }
-        fn takes(&self, story: &Story) -> bool {
-            story.system.is_free()
+        fn about(&self) -> About {
+            About { name: "slow", group: Group::Neither, order: 0, knob: Knob::Steps, free_only: true }
         }
         fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
             let omega = story.system.omega(&story.start.momentum);

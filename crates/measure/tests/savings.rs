@@ -1,5 +1,6 @@
-//! What each thing left out saves: the record of counted instructions, held to what the library does today. That the counts themselves are
-//! those of today is checked by `measure scenes --check`, which needs valgrind and fails without it.
+//! What each thing left out saves: the record of counted instructions, held to what the library does today.
+//! That the counts themselves are those of today is checked by `measure scenes --check`, which needs valgrind
+//! and fails without it.
 
 use tumbling_measure::record;
 use tumbling_measure::savings::{CRATES, GENERAL, MORE, PLAN, STATE, differences, renewed, scenes, value};
@@ -22,7 +23,8 @@ fn whatever_is_left_out_makes_a_state_cheaper() {
     cheaper("principal spin; spin alone", GENERAL, 0.2);
     cheaper("ball", GENERAL, 0.4);
     cheaper("principal spin", GENERAL, 0.4);
-    // Its sines are now those that lanes share, the same to the last bit, and take a tenth more than the C library's did.
+    // Its sines are now those that lanes share, the same to the last bit, and take a tenth more than the C
+    // library's did.
     cheaper("two equal moments", GENERAL, 0.85);
     cheaper("two equal moments; spin alone", "three moments; spin alone", 0.7);
     cheaper("two equal moments; spin alone", "two equal moments", 0.6);
@@ -59,7 +61,8 @@ fn the_record_is_of_the_strategies_that_are_chosen_today() {
     }
 }
 
-/// What a plan says that it costs is what was counted, to a quarter; of a driven body, where it is a guess, to a half.
+/// What a plan says that it costs is what was counted, to a quarter; of a driven body, where it is a guess,
+/// to a half.
 #[test]
 fn a_plan_expects_what_was_counted() {
     for one in scenes().unwrap() {

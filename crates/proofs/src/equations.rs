@@ -1,9 +1,10 @@
 //! The equations of the book, each proven to be what the library's own functions do.
 //!
-//! [`read_chapter`] takes the pieces of maths of a chapter. Whatever states something must be a law of [`laws`], and is then proven as it stands there, in TeX, against the library; or one of the
+//! [`read_chapter`] takes the pieces of maths of a chapter. Whatever states something must be a law of
+//! [`laws`], and is then proven as it stands there, in TeX, against the library; or one of the
 //! [`exemptions`], each with its reason; or give nothing but values, which are numbers and not laws. A law or
-//! exemption that no longer stands in its chapter is a fault too. A bare expression is a name alone, or a law whose
-//! worth the sentence around it states, or on the list of [`notation`]. What cannot be read is a fault.
+//! exemption that no longer stands in its chapter is a fault too. A bare expression is a name alone, or a law
+//! whose worth the sentence around it states, or on the list of [`notation`]. What cannot be read is a fault.
 //!
 //! ```
 //! use tumbling_proofs::equations::{Equation, read_chapter};

@@ -15,8 +15,8 @@
 //! assert_eq!(omega.dot(&torque_free).to_string(), "0");
 //! ```
 //!
-//! [`proofs()`] lists them all. A proof is about the formula in exact arithmetic: it says nothing of rounding,
-//! of overflow, or of what is computed with branches and roots, which other tests must watch.
+//! [`proofs()`] lists them all. A proof is about the formula in exact arithmetic: it says nothing of
+//! rounding, of overflow, or of what is computed with branches and roots, which other tests must watch.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod number;

@@ -24,8 +24,8 @@ fn every_equation_of_the_book_is_proven_or_exempt_with_a_reason() {
     assert!(exemptions().iter().all(|exemption| exemption.reason.len() > 10));
 }
 
-/// Whatever is altered is noticed, or is the same equation with its factors or terms in another order, which is
-/// proven side by side; or it is one of these, true as well.
+/// Whatever is altered is noticed, or is the same equation with its factors or terms in another order, which
+/// is proven side by side; or it is one of these, true as well.
 #[test]
 fn altered_equations_are_noticed_or_proven_true() {
     let mut also_true = Vec::new();

@@ -29,7 +29,12 @@ macro_rules! lanes {
         }
     )*};
 }
-lanes!(Add add AddAssign add_assign, Sub sub SubAssign sub_assign, Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
+lanes!(
+    Add add AddAssign add_assign,
+    Sub sub SubAssign sub_assign,
+    Mul mul MulAssign mul_assign,
+    Div div DivAssign div_assign
+);
 
 impl Neg for Lanes {
     type Output = Self;

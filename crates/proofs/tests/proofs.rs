@@ -12,7 +12,8 @@ fn every_proof_leaves_nothing_over() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
-/// Mutants in which what is claimed to break, or to be found, does not or is not; all others must leave something over.
+/// Mutants in which what is claimed to break, or to be found, does not or is not; all others must leave
+/// something over.
 const FOUND_MISSING: [(&str, &str); 5] = [
     ("spin-is-not-conserved", "the law of a ball"),
     ("spin-is-not-conserved", "a steady spin"),

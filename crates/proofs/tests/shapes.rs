@@ -1,5 +1,5 @@
-//! What a shape answers is its proven law, on its own sizes in their order. The mass is such that nothing is rounded on the
-//! way, so that fractions and floats must agree to the last bit.
+//! What a shape answers is its proven law, on its own sizes in their order. The mass is such that nothing is
+//! rounded on the way, so that fractions and floats must agree to the last bit.
 
 use nalgebra::{Matrix3, Vector3};
 use tumbling::Error;

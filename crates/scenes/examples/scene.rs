@@ -3,33 +3,31 @@
 //! ```text
 //! cargo run --release --example scene -- FILE.toml             the states, as comma-separated values
 //! cargo run --release --example scene -- --summary FILE.toml   each body in a few lines
-//! cargo run --release --example scene -- --explain FILE.toml   what was chosen for each body, what was left out, what it costs
+//! cargo run --release --example scene -- --explain FILE.toml   what was chosen, what left out, what it costs
 //! ```
 //!
 //! With `--features tumbling-scenes/threads` a scene of many bodies is shared out over the processor's cores.
 //!
-//! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part first; the kinetic energy, J;
-//! the angle between spin and momentum, rad. Lines are in order of time, all bodies at each; of more than 256 bodies, block by
-//! block. Numbers have 17 digits. Flips and the polhode, which belong to no one time, are in the summary; where only they are
-//! requested it is printed anyway.
+//! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part
+//! first; the kinetic energy, J; the angle between spin and momentum, rad. Lines are in order of time, all
+//! bodies at each; of more than 256 bodies, block by block. Numbers have 17 digits. Flips and the polhode,
+//! which belong to no one time, are in the summary; where only they are requested it is printed anyway.
 //!
-//! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering the others; a file that
-//! cannot be read, with 2.
+//! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering
+//! the others; a file that cannot be read, with 2.
 
+use clap::Parser as _;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal as _, Write};
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use tumbling_scenes::batch::{self, Block};
 use tumbling_scenes::file::{self, File};
 use tumbling_scenes::{Answer, Error, Outputs, Plan};
 
-const USAGE: &str = "usage: scene [--summary | --explain] FILE.toml";
-
-const HELP: &str = "
-FILE.toml has the bodies, the torques and what is requested:
+const HELP: &str = "FILE.toml has the bodies, the torques and what is requested:
 
     accuracy = 1e-9              # of angles (rad), and of spin and energy relative to their largest
     span = 10.0                  # s
@@ -49,6 +47,21 @@ FILE.toml has the bodies, the torques and what is requested:
 
 Files to begin with are in crates/scenes/files.";
 
+/// Answers a scene from a file, in the cheapest way that is accurate enough.
+#[derive(clap::Parser)]
+#[command(name = "scene", after_help = HELP)]
+struct Arguments {
+    /// Each body in a few lines: its last state, all flips, the polhode.
+    #[arg(long, conflicts_with = "explain")]
+    summary: bool,
+    /// What was chosen for each body, what was left out and why, what it costs.
+    #[arg(long)]
+    explain: bool,
+    /// The scene.
+    #[arg(value_name = "FILE.toml")]
+    file: PathBuf,
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum Show {
     States,
@@ -62,16 +75,11 @@ fn complain(line: &str) {
 }
 
 fn main() -> ExitCode {
-    let (show, path) = match arguments() {
-        Ok(Some(arguments)) => arguments,
-        Ok(None) => {
-            let _ = writeln!(io::stdout(), "{USAGE}\n{HELP}");
-            return ExitCode::SUCCESS;
-        }
-        Err(why) => {
-            complain(&format!("{why}\n{USAGE}"));
-            return ExitCode::from(2);
-        }
+    let Arguments { summary, explain, file: path } = Arguments::parse();
+    let show = match (summary, explain) {
+        (true, _) => Show::Summary,
+        (_, true) => Show::Plan,
+        _ => Show::States,
     };
     let name = path.to_string_lossy().into_owned();
     let text = std::fs::read_to_string(&path).map_err(|error| error.to_string());
@@ -94,23 +102,6 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// What to show of which file; none where help is requested.
-fn arguments() -> Result<Option<(Show, OsString)>, String> {
-    use lexopt::prelude::*;
-    let mut parser = lexopt::Parser::from_env();
-    let (mut show, mut path) = (Show::States, None);
-    while let Some(arg) = parser.next().map_err(|error| error.to_string())? {
-        match arg {
-            Short('h') | Long("help") => return Ok(None),
-            Long("summary") => show = Show::Summary,
-            Long("explain") => show = Show::Plan,
-            Value(value) if path.is_none() => path = Some(value),
-            other => return Err(other.unexpected().to_string()),
-        }
-    }
-    path.map(|path| Some((show, path))).ok_or_else(|| "a file is missing".to_owned())
 }
 
 /// Writes the answers; returns the number of bodies that have none.

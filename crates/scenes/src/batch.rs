@@ -1,8 +1,9 @@
 //! The bodies of a scene, however many: planned one by one, answered side by side.
 //!
-//! Bodies whose motion is known in closed form are answered in lanes, as an [`ensemble`](crate::ensemble) is; those that stand still or
-//! are driven by a torque one after the other. Blocks of [`TILE`] bodies at [`INSTANTS`] times come out in order: the memory needed grows
-//! with neither the times nor, beyond some blocks, the bodies. With the feature `threads` several blocks are worked on at once.
+//! Bodies whose motion is known in closed form are answered in lanes, as an [`ensemble`](crate::ensemble) is;
+//! those that stand still or are driven by a torque one after the other. Blocks of [`TILE`] bodies at
+//! [`INSTANTS`] times come out in order: the memory needed grows with neither the times nor, beyond some
+//! blocks, the bodies. With the feature `threads` several blocks are worked on at once.
 //!
 //! An answer has the bits of [`Scene::run`].
 //!
@@ -59,7 +60,8 @@ pub struct Block<'a> {
     pub bodies: Range<usize>,
     /// The numbers of the times.
     pub times: Range<u64>,
-    /// All bodies at the first of these times, then all at the next; none of a body that has no answer (any more).
+    /// All bodies at the first of these times, then all at the next; none of a body that has no answer (any
+    /// more).
     pub answers: &'a [Option<Answer>],
     /// Bodies that have no answer from here on, by their number in the scene, with what is wrong.
     pub wrong: &'a [(usize, Error)],
@@ -74,8 +76,9 @@ impl Block<'_> {
     }
 }
 
-/// Answers all of a scene. `work` gets block after block, with the feature `threads` several at once on as many threads; `take` gets
-/// the result of each, in order, on this thread: all times of the first bodies, then of those after them. It may break off.
+/// Answers all of a scene. `work` gets block after block, with the feature `threads` several at once on as
+/// many threads; `take` gets the result of each, in order, on this thread: all times of the first bodies,
+/// then of those after them. It may break off.
 pub fn run<R: Send>(
     scene: &Scene,
     work: impl Fn(&Block<'_>) -> R + Sync,

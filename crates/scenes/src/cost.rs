@@ -5,9 +5,10 @@ use crate::strategy::{Driven, Strategy};
 
 /// Processor instructions that an answer is expected to take.
 ///
-/// Counted by valgrind (`cargo run --release -- measure scenes`; the record is `crates/measure/record/scenes.csv`) on one machine, an x86-64,
-/// and rounded; on another they differ, their ratios less. The steps of a driven body are those of its trial run, or more where states
-/// are requested more often.
+/// Counted by valgrind (`cargo run --release -- measure scenes`; the record is
+/// `crates/measure/record/scenes.csv`) on one machine, an x86-64, and rounded; on another they differ, their
+/// ratios less. The steps of a driven body are those of its trial run, or more where states are requested
+/// more often.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cost {
     /// Once, to make the plan.
@@ -27,13 +28,13 @@ pub(crate) const LINEARISED: f64 = 860.0;
 /// A step by the exact drift between two half kicks.
 pub(crate) const DRIFT: f64 = 11_000.0;
 
-/// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where that is in question.
+/// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where
+/// that is in question.
 const ELLIPTIC: f64 = 46_000.0;
 
 impl Plan<'_> {
     /// The expected cost.
     #[must_use]
-    #[allow(clippy::cast_precision_loss)]
     pub fn cost(&self) -> Cost {
         let outputs = self.scene.outputs();
         let driven = |driven: &Driven| {

@@ -90,12 +90,11 @@ const LONG: f64 = 300.0;
 const MOST_STEPS: usize = 3_000_000;
 /// The number of requested times at which runs are compared, besides the last,
 const COMPARED: u64 = 32;
-/// and the number of equal parts of the span at whose ends they are. No step is longer than one part, so that what is tried is what
-/// is done.
+/// and the number of equal parts of the span at whose ends they are. No step is longer than one part, so that
+/// what is tried is what is done.
 const INNER: f64 = 16.0;
 
 /// The cheapest way that the trial runs showed to be accurate enough.
-#[allow(clippy::cast_precision_loss)]
 pub(crate) fn strategy(body: &Principal, scene: &Scene) -> Result<Strategy, Error> {
     let torques = scene.torques().iter().map(|torque| along(body, torque)).collect::<Result<_, _>>()?;
     let system = System::with(body.moments, torques)?;
@@ -128,8 +127,9 @@ fn candidates(rates: &Rates, stiff: bool, scene: &Scene) -> Vec<StepControl> {
     let (spin, end) = (rates.spin, scene.times().end());
     let pair = StepControl::Tolerance(first_tolerance(scene.accuracy()));
     if stiff {
-        // Damping shortens the pair's steps, but its few may do. Of the others one takes the loss by its own law, one linearises it: which
-        // is better depends on what it works against. So all are tried, each only while it may be cheaper than those before.
+        // Damping shortens the pair's steps, but its few may do. Of the others one takes the loss by its own
+        // law, one linearises it: which is better depends on what it works against. So all are tried, each
+        // only while it may be cheaper than those before.
         let step = (0.1 / spin.max(10.0 / end)).min(end / INNER);
         let fixed = |method| StepControl::Fixed(method, step);
         return vec![pair, fixed(Method::MoserVeselov8), fixed(Method::LinearisedImplicit)];
@@ -142,7 +142,6 @@ fn candidates(rates: &Rates, stiff: bool, scene: &Scene) -> Vec<StepControl> {
 }
 
 /// The first that is accurate enough, or of all the cheapest, with the instructions of the trial runs.
-#[allow(clippy::cast_precision_loss)]
 fn cheapest_tried(
     trial: &Trial<'_>,
     candidates: &[StepControl],
@@ -196,8 +195,8 @@ fn first_tolerance(accuracy: f64) -> f64 {
     (0.03 * accuracy).max(8.0 * LEAST_TOLERANCE)
 }
 
-/// By the known errors and costs: the error of kicks goes with the square of the step, times the push; the pair's with the fifth power.
-#[allow(clippy::cast_precision_loss)]
+/// By the known errors and costs: the error of kicks goes with the square of the step, times the push; the
+/// pair's with the fifth power.
 fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     let (accuracy, turned) = (scene.accuracy(), (spin * end).max(1.0));
     let least = scene.times().count() as f64;
@@ -218,8 +217,9 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     }
 }
 
-/// Times at which runs are compared, in order: some of those requested, evenly chosen, with the last, and ever closer to the first, where
-/// what fades fast is still there; and some between, for at one instant alone two wrong runs may meet.
+/// Times at which runs are compared, in order: some of those requested, evenly chosen, with the last, and
+/// ever closer to the first, where what fades fast is still there; and some between, for at one instant alone
+/// two wrong runs may meet.
 fn compared(scene: &Scene) -> Vec<f64> {
     let last = scene.times().count().saturating_sub(1);
     let every = scene.times().count().div_ceil(COMPARED).max(1);

@@ -1,13 +1,16 @@
-//! Many bodies in free motion: prepared once, then answered at any instants, as many at once as the processor has lanes and
-//! threads.
+//! Many bodies in free motion: prepared once, then answered at any instants, as many at once as the processor
+//! has lanes and threads.
 //!
-//! Bodies are kept in [tiles](TILE), and a tile's bodies sorted by their kind of motion, so that those next to each other run through
-//! the same functions side by side. Answers come in [chunks](Chunk) of one tile at some instants, in the order in which bodies and
-//! times were given: the memory needed grows with the bodies, not with the times.
+//! Bodies are kept in [tiles](TILE), and a tile's bodies sorted by their kind of motion, so that those next
+//! to each other run through the same functions side by side. Answers come in [chunks](Chunk) of one tile at
+//! some instants, in the order in which bodies and times were given: the memory needed grows with the bodies,
+//! not with the times.
 //!
-//! An answer has the bits of [`InitialState::motion`]: neighbours, their number, lanes and threads change nothing.
+//! An answer has the bits of [`InitialState::motion`]: neighbours, their number, lanes and threads change
+//! nothing.
 //!
-//! With the feature `threads`, off by default, the tiles are shared out over the threads of [rayon](https://docs.rs/rayon)'s pool.
+//! With the feature `threads`, off by default, the tiles are shared out over the threads of
+//! [rayon](https://docs.rs/rayon)'s pool.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -52,7 +55,8 @@ use tumbling::exact::{Batch, Spins};
 /// The number of bodies that are sorted, worked on and put out together.
 pub const TILE: usize = 256;
 
-/// The number of instants that a tile is answered at before its answers are put out: they fit the processor's second cache with it.
+/// The number of instants that a tile is answered at before its answers are put out: they fit the processor's
+/// second cache with it.
 pub const INSTANTS: usize = 16;
 
 /// A body that was refused.
@@ -80,7 +84,8 @@ pub struct Chunk<'a, S> {
     pub bodies: Range<usize>,
     /// The indices of the times, from 0.
     pub times: Range<usize>,
-    /// All bodies at the first of the times, then all at the next. A body that was refused has NaN throughout.
+    /// All bodies at the first of the times, then all at the next. A body that was refused has NaN
+    /// throughout.
     pub answers: &'a [S],
 }
 
@@ -181,8 +186,8 @@ impl<W: Solver> Ensemble<W> {
         self.tiles.iter().map(|tile| tile.solver.bytes() + size_of::<Tile<W>>() + tile.places.len() * 8).sum()
     }
 
-    /// Answers every body at each of `times` (s, in any order) and puts the answers out as they come: with the feature `threads` from
-    /// several threads at once, tiles in no particular order.
+    /// Answers every body at each of `times` (s, in any order) and puts the answers out as they come: with
+    /// the feature `threads` from several threads at once, tiles in no particular order.
     ///
     /// # Errors
     /// A time that is not finite, before any answer is put out.
@@ -212,7 +217,8 @@ impl<W: Solver> Ensemble<W> {
         }
     }
 
-    /// The same on this thread alone and in order: all bodies at the first [`INSTANTS`] times, tile by tile, then at the next.
+    /// The same on this thread alone and in order: all bodies at the first [`INSTANTS`] times, tile by tile,
+    /// then at the next.
     ///
     /// # Errors
     /// A time that is not finite, before any answer is put out.

@@ -1,16 +1,16 @@
 //! Exact drift between kicks of torque: where the exact motion and the steppers meet.
 //!
 //! Between two half kicks of the torques the body moves freely, and free motion is known exactly
-//! ([CFSZ08](tumbling::references)). So all the error is that of the kicks: none without a torque, however long the step; small for
-//! a weak one. Each step prepares a new [`FreeMotion`].
+//! ([CFSZ08](tumbling::references)). So all the error is that of the kicks: none without a torque, however
+//! long the step; small for a weak one. Each step prepares a new [`FreeMotion`].
 
 use crate::error::{Error, finite};
 use tumbling::attitude;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, System};
 
-/// One step of `h` seconds: half a kick, the exact free motion, half a kick. Errors fall as `h^2`, in proportion to the torque; a step
-/// back undoes it. Keeps the attitude's length.
+/// One step of `h` seconds: half a kick, the exact free motion, half a kick. Errors fall as `h^2`, in
+/// proportion to the torque; a step back undoes it. Keeps the attitude's length.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -34,7 +34,8 @@ use tumbling::step::{State, System};
 /// ```
 ///
 /// # Errors
-/// A step that is not finite, moments that no body has, a motion that [`FreeMotion::new`] refuses, or one that leaves `f64`.
+/// A step that is not finite, moments that no body has, a motion that [`FreeMotion::new`] refuses, or one
+/// that leaves `f64`.
 pub fn step(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     finite("the step", h)?;
     let half = 0.5 * h;

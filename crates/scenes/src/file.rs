@@ -15,7 +15,7 @@
 //! [[torque]]                  # on every body; or in-body, in-world (N m), arm and field, dissipation
 //! damping = [0.1, 0.1, 0.1]   # N m s along the principal axes; all equal for a body with products
 //! "#;
-//! let file = tumbling_scenes::file::read(text).unwrap();
+//! let file = tumbling_scenes::file::read(&text).unwrap();
 //! assert_eq!(file.scene.times().count(), 121);
 //!
 //! let error = tumbling_scenes::file::read(&text.replace("moments", "momets")).unwrap_err();
@@ -54,7 +54,8 @@ impl Place {
     /// An error of this body as an [`Error::File`], at the line of the field where it is one.
     ///
     /// ```
-    /// let text = "accuracy = 1e-9\ntimes = [1]\nwants = []\n[[body]]\nmoments = [1, 1, 3]\nspin = [0, 0, 1]\n";
+    /// let scene = "accuracy = 1e-9\ntimes = [1]\nwants = []\n";
+    /// let text = format!("{scene}[[body]]\nmoments = [1, 1, 3]\nspin = [0, 0, 1]\n");
     /// let file = tumbling_scenes::file::read(text).unwrap();
     /// let error = file.scene.plan(0).unwrap_err();
     /// let error = file.bodies[0].error(&error).to_string();

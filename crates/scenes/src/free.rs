@@ -7,7 +7,8 @@ use crate::strategy::Strategy;
 use nalgebra::Vector3;
 use tumbling::exact::{FreeMotion, Regime};
 
-/// The closed form may be off by this number of its own roundings, each as large as the motion makes that of an input.
+/// The closed form may be off by this number of its own roundings, each as large as the motion makes that of
+/// an input.
 const ROUNDINGS: f64 = 16.0;
 
 /// The cheapest way.
@@ -66,8 +67,9 @@ fn coarsening(body: &Principal) -> f64 {
     share(&body.rounded.moments, &body.moments.vector()).max(share(&body.rounded.omega, &speed)).max(1.0)
 }
 
-/// Refuses an accuracy finer than the conditioning of the motion permits. Where a bound that costs nothing does not decide, the
-/// derivatives of the motion by its initial spin and its moments do, at the end and at the last flip, where the spin moves the most.
+/// Refuses an accuracy finer than the conditioning of the motion permits. Where a bound that costs nothing
+/// does not decide, the derivatives of the motion by its initial spin and its moments do, at the end and at
+/// the last flip, where the spin moves the most.
 fn attainable(
     motion: &FreeMotion,
     regime: Regime,

@@ -17,7 +17,8 @@ pub enum Start {
 
 /// A body at the start of a scene: its tensor, attitude, and spin or momentum, in any axes.
 ///
-/// A plain description; it is checked when the body is [planned](crate::Scene::plan). A [`Body`] converts into it.
+/// A plain description; it is checked when the body is [planned](crate::Scene::plan). A [`Body`] converts
+/// into it.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -32,10 +33,12 @@ pub enum Start {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InitialState {
-    /// The diagonal of the inertia tensor in body axes, kg m²: the principal moments where the products are zero.
+    /// The diagonal of the inertia tensor in body axes, kg m²: the principal moments where the products are
+    /// zero.
     pub moments: Vector3<f64>,
-    /// The entries xy, xz, yz of the tensor, kg m², signed so that `L = I w` holds. Damping that differs from axis to axis acts along
-    /// the principal axes, which have no order if these are not zero: such a body is refused.
+    /// The entries xy, xz, yz of the tensor, kg m², signed so that `L = I w` holds. Damping that differs from
+    /// axis to axis acts along the principal axes, which have no order if these are not zero: such a body is
+    /// refused.
     pub products: Vector3<f64>,
     /// Body to world.
     pub attitude: UnitQuaternion<f64>,
@@ -56,7 +59,8 @@ impl From<Body> for InitialState {
 }
 
 impl InitialState {
-    /// A body with these principal moments (kg m²) and this spin (rad/s) along the same axes, which are the world's at the start.
+    /// A body with these principal moments (kg m²) and this spin (rad/s) along the same axes, which are the
+    /// world's at the start.
     #[must_use]
     pub fn spinning(moments: Vector3<f64>, omega: Vector3<f64>) -> Self {
         let (products, attitude) = (Vector3::zeros(), UnitQuaternion::identity());
@@ -139,8 +143,8 @@ impl InitialState {
         Ok((axes.principal_moments()?, Some(axes.rotation())))
     }
 
-    /// What the way to the principal axes has rounded: the moments of a tensor relative to the largest of them, a turned vector
-    /// relative to its length.
+    /// What the way to the principal axes has rounded: the moments of a tensor relative to the largest of
+    /// them, a turned vector relative to its length.
     fn rounded(
         &self,
         moments: &Vector3<f64>,

@@ -1,16 +1,19 @@
-//! Scenes: bodies, the torques on them and the outputs requested; answered in the cheapest way that is accurate enough.
+//! Scenes: bodies, the torques on them and the outputs requested; answered in the cheapest way that is
+//! accurate enough.
 //!
-//! A [`Scene`] is a plain value. [`Scene::plan`] chooses for one of its bodies how to answer: a [`Plan`] holds what its [`Strategy`]
-//! uses and nothing else, explains in words what it leaves out ([`Plan::explain`]), and gives the states one after another
-//! ([`Plan::states`]), so that a long run takes no more memory than a short one. [`batch`] answers many bodies in lanes and on all
-//! cores; [`ensemble`] does so without a scene.
+//! A [`Scene`] is a plain value. [`Scene::plan`] chooses for one of its bodies how to answer: a [`Plan`]
+//! holds what its [`Strategy`] uses and nothing else, explains in words what it leaves out
+//! ([`Plan::explain`]), and gives the states one after another ([`Plan::states`]), so that a long run takes
+//! no more memory than a short one. [`batch`] answers many bodies in lanes and on all cores; [`ensemble`]
+//! does so without a scene.
 //!
 //! ```
 //! use nalgebra::Vector3;
 //! use tumbling_scenes::{InitialState, Outputs, Scene, Strategy, Times};
 //!
 //! // A racket: when does it flip? No motion is computed.
-//! let racket = InitialState::spinning(Vector3::new(0.00121, 0.01638, 0.01748), Vector3::new(0.01, 10.0, 0.0));
+//! let moments = Vector3::new(0.00121, 0.01638, 0.01748);
+//! let racket = InitialState::spinning(moments, Vector3::new(0.01, 10.0, 0.0));
 //! let outputs = Outputs { flips: true, ..Outputs::NOTHING };
 //! let scene = Scene::new([racket], vec![], Times::every(0.1, 10.0), outputs, 1e-9)?;
 //! let plan = scene.plan(0)?;
@@ -21,10 +24,11 @@
 //!
 //! # Accuracy
 //!
-//! One number bounds the error of every state: the angle of the attitude (rad), the spin relative to the largest spin that the motion
-//! has had, and the energy relative to the largest that it has had. A free body is answered in closed form, as accurately as its
-//! conditioning permits; a finer accuracy is refused, with the finest that can be had. Under a torque a method and a step are chosen
-//! and then tried: the run is compared with a finer one, and refined until the two agree to half of the accuracy, or to a tenth if the
+//! One number bounds the error of every state: the angle of the attitude (rad), the spin relative to the
+//! largest spin that the motion has had, and the energy relative to the largest that it has had. A free body
+//! is answered in closed form, as accurately as its conditioning permits; a finer accuracy is refused, with
+//! the finest that can be had. Under a torque a method and a step are chosen and then tried: the run is
+//! compared with a finer one, and refined until the two agree to half of the accuracy, or to a tenth if the
 //! coarser is to answer. That is evidence, not proof.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 

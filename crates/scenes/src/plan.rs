@@ -75,11 +75,11 @@ impl<'a> Plan<'a> {
         States::new(self)
     }
 
-    /// The free motion that the states are taken from, along the body's principal axes and from their attitude at the start; none
-    /// where nothing moves, or under a torque.
+    /// The free motion that the states are taken from, along the body's principal axes and from their
+    /// attitude at the start; none where nothing moves, or under a torque.
     ///
-    /// The motions of many such bodies may be answered [side by side](tumbling::exact::Batch) and each answer completed by
-    /// [`state`](Self::state).
+    /// The motions of many such bodies may be answered [side by side](tumbling::exact::Batch) and each answer
+    /// completed by [`state`](Self::state).
     #[must_use]
     pub fn motion(&self) -> Option<FreeMotion> {
         self.free_motion().copied()

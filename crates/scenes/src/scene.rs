@@ -37,7 +37,8 @@ impl Outputs {
     }
 }
 
-/// Bodies that do not touch, the torques on each of them, the outputs requested, and how accurate they must be.
+/// Bodies that do not touch, the torques on each of them, the outputs requested, and how accurate they must
+/// be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     bodies: Vec<InitialState>,
@@ -48,8 +49,9 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Bodies under the same torques, with the same outputs at the same times. Torques that are zero are left out. Vectors of a torque
-    /// that are given in body axes are in each body's own, but for a [`Damping`](Torque::Damping), which is along its principal axes.
+    /// Bodies under the same torques, with the same outputs at the same times. Torques that are zero are left
+    /// out. Vectors of a torque that are given in body axes are in each body's own, but for a
+    /// [`Damping`](Torque::Damping), which is along its principal axes.
     ///
     /// An invalid body is refused when that body is [planned](Self::plan); the others are answered.
     ///
@@ -66,8 +68,8 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// No body; a torque that is not valid; times that [cannot be had](Times::validate); an accuracy that is not above zero and below 1,
-    /// or below 2 epsilon, which no state meets.
+    /// No body; a torque that is not valid; times that [cannot be had](Times::validate); an accuracy that is
+    /// not above zero and below 1, or below 2 epsilon, which no state meets.
     pub fn new<B: Into<InitialState>>(
         bodies: impl IntoIterator<Item = B>,
         torques: Vec<Torque<f64>>,
@@ -130,8 +132,8 @@ impl Scene {
     /// How to answer for the body of number `index`, from 0.
     ///
     /// # Errors
-    /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an accuracy that [cannot be
-    /// had](Error::Unattainable), or a motion that leaves `f64`.
+    /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an
+    /// accuracy that [cannot be had](Error::Unattainable), or a motion that leaves `f64`.
     pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
         let Some(body) = self.bodies.get(index) else {
             return Err(Error::TooFew {
@@ -143,8 +145,9 @@ impl Scene {
         Plan::new(self, body).map_err(|source| Error::Body { index, source: Box::new(source) })
     }
 
-    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side): `take` gets the number of
-    /// each body with its states in order of time, or with what is wrong with it; then the next is answered.
+    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side):
+    /// `take` gets the number of each body with its states in order of time, or with what is wrong with it;
+    /// then the next is answered.
     pub fn run(&self, mut take: impl FnMut(usize, Result<Answer, Error>)) {
         for index in 0..self.bodies.len() {
             match self.plan(index) {

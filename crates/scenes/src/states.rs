@@ -84,8 +84,8 @@ impl<'a> States<'a> {
 }
 
 impl Plan<'_> {
-    /// The answer for a body whose [motion](Self::motion) has this spin (principal axes, rad/s) and this turn since the start at this
-    /// time: the same bits as [`States`].
+    /// The answer for a body whose [motion](Self::motion) has this spin (principal axes, rad/s) and this turn
+    /// since the start at this time: the same bits as [`States`].
     ///
     /// ```
     /// use nalgebra::Vector3;

@@ -38,7 +38,8 @@ impl StepControl {
         parts(duration, step, 1).ok().map(|(count, _)| count)
     }
 
-    /// `duration` seconds on, in at least `least` steps if they are of a fixed length; they are taken off those left.
+    /// `duration` seconds on, in at least `least` steps if they are of a fixed length; they are taken off
+    /// those left.
     pub(crate) fn advance(
         self,
         system: &System<f64>,
@@ -103,12 +104,12 @@ impl StepControl {
     }
 
     /// The cost of a number of states in a number of steps, or in more where states are requested more often.
-    #[allow(clippy::cast_precision_loss)]
     pub(crate) fn price(self, states: u64, steps: usize) -> f64 {
         self.price_of_step() * (steps as f64).max(self.least_steps() * states as f64)
     }
 
-    /// The same, finer: by half or more, for an error smaller by the factor `share`; zero where no error was observed.
+    /// The same, finer: by half or more, for an error smaller by the factor `share`; zero where no error was
+    /// observed.
     pub(crate) fn finer(self, share: f64) -> Self {
         // Nothing observed yet: half, or a tenth of the tolerance.
         let by = |order: i32, first: f64| {
@@ -124,7 +125,6 @@ impl StepControl {
 }
 
 /// The least number of equal parts, at least `least`, of which none is longer than `step`; and their length.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // whole, and at most 2^52
 fn parts(duration: f64, step: f64, least: usize) -> Result<(usize, f64), Error> {
     let count = (duration / step).ceil().max(least as f64);
     if count.is_nan() || count > 1.0 / f64::EPSILON {

@@ -7,7 +7,8 @@ use crate::error::{Error, not_negative, positive};
 pub enum Times {
     /// These, in ascending order and none before the start.
     Given(Vec<f64>),
-    /// From the start in equal steps up to the end of the span, which is one of them where it is a multiple of the step.
+    /// From the start in equal steps up to the end of the span, which is one of them where it is a multiple
+    /// of the step.
     Every {
         /// From one to the next, s.
         step: f64,
@@ -16,8 +17,8 @@ pub enum Times {
     },
 }
 
-/// A span counts as a multiple of the step where their quotient is whole to this relative tolerance: 0.3 / 0.1 is one
-/// rounding below 3.
+/// A span counts as a multiple of the step where their quotient is whole to this relative tolerance: 0.3 /
+/// 0.1 is one rounding below 3.
 const MULTIPLE: f64 = 4.0 * f64::EPSILON;
 
 /// The largest number of steps: up to here `f64` counts one by one.
@@ -33,8 +34,8 @@ impl Times {
     /// Whether a scene can have them.
     ///
     /// # Errors
-    /// An empty list; a time that is not finite, negative or before its predecessor; a step that is not above zero; more than
-    /// 2^52 steps.
+    /// An empty list; a time that is not finite, negative or before its predecessor; a step that is not above
+    /// zero; more than 2^52 steps.
     pub fn validate(&self) -> Result<(), Error> {
         match self {
             Self::Given(times) => {
@@ -75,7 +76,6 @@ impl Times {
     /// assert_eq!(Times::every(1e-300, 1.0).count(), 0);
     /// ```
     #[must_use]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and at most 2^52
     pub fn count(&self) -> u64 {
         match self {
             Self::Given(times) => times.len() as u64,
@@ -98,7 +98,6 @@ impl Times {
     }
 
     /// The instant of a number below the count.
-    #[allow(clippy::cast_precision_loss)]
     pub(crate) fn within(&self, n: u64) -> f64 {
         match self {
             Self::Given(times) => {

@@ -46,9 +46,8 @@ impl Trial<'_> {
         }
     }
 
-    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes the coarser; in at most
-    /// `left` steps in all, and no run that is known to take more than `most`.
-    #[allow(clippy::cast_precision_loss)]
+    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes
+    /// the coarser; in at most `left` steps in all, and no run that is known to take more than `most`.
     pub(crate) fn refined(&self, first: StepControl, left: &mut usize, most: f64) -> Result<Chosen, Error> {
         self.worth_trying(first, *left)?;
         let all = *left;
@@ -73,7 +72,8 @@ impl Trial<'_> {
             // Steps that a loss is over within do not yet show how their errors fall: two differences must.
             let shown = difference <= 0.6 * before || !self.outrun(control);
             before = difference;
-            // Halving the step halves an error at least: what is so much better than requested is right by the coarser run already.
+            // Halving the step halves an error at least: what is so much better than requested is right by
+            // the coarser run already.
             for (control, run, share) in [(control, &coarse, 0.1), (finer, &fine, 0.5)] {
                 if shown
                     && difference <= share * self.accuracy
@@ -97,7 +97,6 @@ impl Trial<'_> {
     }
 
     /// Refuses a run that is known to take more steps than are left.
-    #[allow(clippy::cast_precision_loss)]
     fn worth_trying(&self, control: StepControl, left: usize) -> Result<(), Error> {
         let (steps, what) = (self.steps(control), "the number of steps that the torques require");
         if steps.is_nan() {
@@ -125,8 +124,8 @@ impl Trial<'_> {
         })
     }
 
-    /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either way would agree with itself.
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
+    /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either
+    /// way would agree with itself.
     fn run(&self, control: StepControl, over: Option<StepControl>, left: &mut usize, most: f64) -> Run {
         let (mut now, mut state) = (0.0, *self.start);
         let whole = (*left).min(most as usize);
@@ -149,8 +148,8 @@ impl Trial<'_> {
         done.map(|()| (states, taken))
     }
 
-    /// The largest angle between two runs' attitudes, or difference of spin, or of energy, relative to the largest so far; of attitude and
-    /// energy where they are requested.
+    /// The largest angle between two runs' attitudes, or difference of spin, or of energy, relative to the
+    /// largest so far; of attitude and energy where they are requested.
     fn apart(&self, a: &[State<f64>], b: &[State<f64>]) -> f64 {
         let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
         let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
@@ -183,7 +182,8 @@ mod tests {
     use nalgebra::{Quaternion, Vector3};
     use tumbling::step::Method;
 
-    /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin is two thirds of it.
+    /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin
+    /// is two thirds of it.
     #[test]
     fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_requested() {
         let system = System::free([1e-4, 1.0, 1.0].try_into().unwrap()).unwrap();
@@ -202,7 +202,8 @@ mod tests {
         assert!((apart(true) - 0.6).abs() < 1e-12);
     }
 
-    /// Between times that are closer than a step two runs would take the same one, and agree whatever it is worth.
+    /// Between times that are closer than a step two runs would take the same one, and agree whatever it is
+    /// worth.
     #[test]
     fn a_finer_run_has_twice_the_steps_between_any_two_times() {
         let system = System::free([1.0, 2.0, 2.5].try_into().unwrap()).unwrap();

@@ -43,7 +43,8 @@ fn bits(state: &Answer) -> Vec<Option<u64>> {
     all.into_iter().chain(spin).chain(turn).map(|x| x.map(f64::to_bits)).collect()
 }
 
-/// Balls, coins, spins about an axis, both kinds of circulation, a flipping body, one at rest; turned, tilted in its box, slow and fast.
+/// Balls, coins, spins about an axis, both kinds of circulation, a flipping body, one at rest; turned, tilted
+/// in its box, slow and fast.
 fn mixed(bodies: usize) -> Vec<InitialState> {
     let kinds: [([f64; 3], [f64; 3]); 8] = [
         ([2.0, 2.0, 2.0], [0.3, -1.0, 0.7]),
@@ -56,7 +57,6 @@ fn mixed(bodies: usize) -> Vec<InitialState> {
         ([0.7, 2.0, 2.5], [0.1, -1.0, 0.3]),
     ];
     let body = |k: usize| {
-        #[expect(clippy::cast_precision_loss, reason = "a small number")]
         let turn = k as f64;
         let (moments, omega) = kinds[k % kinds.len()];
         let with = Vector3::from(omega) * (1.0 + 0.37 * (k % 5) as f64);

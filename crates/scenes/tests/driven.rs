@@ -85,7 +85,8 @@ fn driven_scenes_are_as_accurate_as_asked_against_the_truth() {
     assert_eq!(seen, 10);
 }
 
-/// Coarse asks are for fixed steps, fine ones for the controlled pair, the faintest torques for the exact drift.
+/// Coarse asks are for fixed steps, fine ones for the controlled pair, the faintest torques for the exact
+/// drift.
 #[test]
 fn the_method_follows_from_the_torque_and_the_accuracy() {
     let top = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
@@ -104,7 +105,8 @@ fn the_method_follows_from_the_torque_and_the_accuracy() {
     assert_eq!(way(1e-8, 1e-8, Times::every(16.0, 16.0)), "drift");
 }
 
-/// Damping ten thousand times faster than anything else, against its own law: `w = w0 exp(-c t / I)` about a principal axis.
+/// Damping ten thousand times faster than anything else, against its own law: `w = w0 exp(-c t / I)` about a
+/// principal axis.
 #[test]
 fn stiff_damping_takes_few_steps_and_is_right() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
@@ -120,7 +122,8 @@ fn stiff_damping_takes_few_steps_and_is_right() {
     // An overdamped needle in a field creeps along it: theta' = -(m B / c) sin theta.
     let body = InitialState::spinning(moments, Vector3::zeros());
     let field = Torque::Aligning { arm: Vector3::x(), field: Vector3::new(0.0, 10.0, 0.0) };
-    // tan(angle/2) falls as exp(-m B t / c), from a right angle; inertia changes that by I m B / c², 1e-5 and less.
+    // tan(angle/2) falls as exp(-m B t / c), from a right angle; inertia changes that by I m B / c², 1e-5 and
+    // less.
     let angle = 2.0 * (-1.0_f64).exp().atan();
     for (c, end) in [(1e3, 100.0), (1e4, 1000.0)] {
         let drag = Torque::Damping(Vector3::new(c, c, c));
@@ -135,8 +138,8 @@ fn stiff_damping_takes_few_steps_and_is_right() {
     }
 }
 
-/// Damping creeps for all of the run: the pair's steps are short, and still the fewest that are right. Or it fades within a hundredth of it,
-/// and kicks are cheaper than the pair.
+/// Damping creeps for all of the run: the pair's steps are short, and still the fewest that are right. Or it
+/// fades within a hundredth of it, and kicks are cheaper than the pair.
 #[test]
 fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
@@ -178,7 +181,8 @@ fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
     assert!((end.spin.unwrap() - push.component_div(&uneven)).norm() < 1e-5);
 }
 
-/// Along x without products and along x with hardly any is not the same axis by its number: what cannot be told is refused.
+/// Along x without products and along x with hardly any is not the same axis by its number: what cannot be
+/// told is refused.
 #[test]
 fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
     let moments = Vector3::new(3.0, 1.5, 2.5);
@@ -199,7 +203,8 @@ fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
     assert!((end(none, even).unwrap() - end(hardly, even).unwrap()).norm() < 1e-8);
 }
 
-/// The same top, told along its principal axes and told in axes of its maker's: the arm, the push and the attitude go along.
+/// The same top, told along its principal axes and told in axes of its maker's: the arm, the push and the
+/// attitude go along.
 #[test]
 fn a_driven_body_told_in_other_axes_moves_the_same() {
     let moments = Vector3::new(1.0, 1.5, 0.75);
@@ -233,7 +238,8 @@ fn a_driven_body_told_in_other_axes_moves_the_same() {
     }
 }
 
-/// A push so weak that one step would do: two runs met at the one instant asked for, and both were wrong by three times what was asked.
+/// A push so weak that one step would do: two runs met at the one instant asked for, and both were wrong by
+/// three times what was asked.
 #[test]
 fn runs_are_compared_between_the_times_asked_for_too() {
     let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 3.0, 0.2));
@@ -253,7 +259,7 @@ fn runs_are_compared_between_the_times_asked_for_too() {
     assert!(apart(&at(1e-2), &at(1e-9)) < 1e-2);
 }
 
-/// Where nothing that moves is asked for, a torque costs nothing either.
+/// Where nothing that moves is requested, a torque costs nothing either.
 #[test]
 fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
     let damped = vec![Torque::Damping(Vector3::new(1.0, 2.0, 3.0))];
@@ -268,7 +274,8 @@ fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
     assert!(cost(SPIN) <= cost(BOTH));
 }
 
-/// Two strong torques, no digit asked for to speak of, and a thousand seconds: the way there is longer than anybody waits.
+/// Two strong torques, no digit asked for to speak of, and a thousand seconds: the way there is longer than
+/// anybody waits.
 #[test]
 fn trials_end_after_so_many_steps_in_all() {
     let body = InitialState::spinning(Vector3::new(1.794, 1.112, 1.532), Vector3::new(0.368, -0.454, 0.189));
@@ -282,7 +289,8 @@ fn trials_end_after_so_many_steps_in_all() {
     assert!(steps <= 3_000_000, "{source}");
 }
 
-/// A needle spins about its light axis, and its energy is in the others: the spin may be right to a share that the energy is not.
+/// A needle spins about its light axis, and its energy is in the others: the spin may be right to a share
+/// that the energy is not.
 #[test]
 fn the_energy_under_a_torque_is_as_right_as_asked() {
     let moments = Vector3::new(1e-4, 1.0, 1.000_05);

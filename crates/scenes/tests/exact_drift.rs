@@ -25,7 +25,8 @@ fn goes_to(truth: &State<f64>, system: &System<f64>, from: &State<f64>, t: f64) 
 
 #[test]
 fn drag_in_proportion_to_the_momentum_slows_the_free_motion_down() {
-    // L' = L x w - c L: the spin is e^(-ct) times the free one at the time (1 - e^(-ct))/c. Substitute and see.
+    // L' = L x w - c L: the spin is e^(-ct) times the free one at the time (1 - e^(-ct))/c. Substitute and
+    // see.
     let (moments, omega, c, t) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.4, 1.5, -0.3), 0.3_f64, 4.0);
     let system = System::with(moments.try_into().unwrap(), vec![Torque::Damping(moments * c)]).unwrap();
     let left = (-c * t).exp();
@@ -38,7 +39,8 @@ fn drag_in_proportion_to_the_momentum_slows_the_free_motion_down() {
 
 #[test]
 fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
-    // Tilt theta, precession P about the vertical, spin s about the axis: (C - A) P^2 cos theta + C s P = weight times arm.
+    // Tilt theta, precession P about the vertical, spin s about the axis: (C - A) P^2 cos theta + C s P =
+    // weight times arm.
     let (a, c, tilt, precession, spin, t) = (2.0, 1.0, 0.6_f64, 1.3, 5.0, 3.0);
     let pull = (c - a) * precession * precession * tilt.cos() + c * spin * precession;
     let arm = 0.25;

@@ -53,7 +53,8 @@ fn each_scene_is_answered_in_the_way_that_leaves_out_the_most() {
     assert_eq!(name(uneven, oblique, attitude), "elliptic");
 }
 
-/// A tensor with products, a body that lies turned in the world: each way against the motion of the whole body.
+/// A tensor with products, a body that lies turned in the world: each way against the motion of the whole
+/// body.
 #[test]
 fn a_body_that_lies_turned_in_its_own_axes_and_in_the_world_is_answered_in_those() {
     let lies = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
@@ -78,7 +79,8 @@ fn a_body_that_lies_turned_in_its_own_axes_and_in_the_world_is_answered_in_those
     }
 }
 
-/// A flat plate's moments just meet the triangle inequality, and turning its tensor rounds them by some units beyond.
+/// A flat plate's moments just meet the triangle inequality, and turning its tensor rounds them by some units
+/// beyond.
 #[test]
 fn a_flat_plate_is_answered_in_whatever_axes_its_tensor_is_given() {
     let plate = Inertia::from_moments(0.1, 0.3, 0.1 + 0.3).unwrap();
@@ -97,7 +99,8 @@ fn a_flat_plate_is_answered_in_whatever_axes_its_tensor_is_given() {
     }
 }
 
-/// The principal axes of a tensor with hardly any products come in another order than its own: the answers do not.
+/// The principal axes of a tensor with hardly any products come in another order than its own: the answers do
+/// not.
 #[test]
 fn answers_are_continuous_in_the_entries_of_the_tensor() {
     let at = |product: f64| {
@@ -114,8 +117,8 @@ fn answers_are_continuous_in_the_entries_of_the_tensor() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// Two moments equal, or apart by a hair; all three; the spin along an axis, or beside it by a hair; the hair moves the motion by less
-    /// than what is asked.
+    /// Two moments equal, or apart by a hair; all three; the spin along an axis, or beside it by a hair; the
+    /// hair moves the motion by less than what is asked.
     #[test]
     fn scenes_on_either_side_of_a_border_agree(
         a in 0.6..1.0_f64, rise in 1.1..1.9_f64, w in prop::array::uniform3(-2.0..2.0_f64), hair in 1e-14..1e-12_f64,
@@ -180,8 +183,9 @@ fn a_torque_of_nothing_is_no_torque() {
     assert!(matches!(scene.plan(0).unwrap().strategy(), Strategy::Elliptic(_)));
 }
 
-/// A tensor with products is turned to its principal axes, and that rounds a thin body's least moment to the size of its largest: what is
-/// lost there is not promised. And a momentum that is turned loses as much about the light axis.
+/// A tensor with products is turned to its principal axes, and that rounds a thin body's least moment to the
+/// size of its largest: what is lost there is not promised. And a momentum that is turned loses as much about
+/// the light axis.
 #[test]
 fn what_turning_to_the_principal_axes_rounds_is_not_promised() {
     let frame = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
@@ -219,7 +223,8 @@ fn what_turning_to_the_principal_axes_rounds_is_not_promised() {
     }
 }
 
-/// The derivatives that the plan goes by, against the motion itself, started a little otherwise: what is accepted is had.
+/// The derivatives that the plan goes by, against the motion itself, started a little otherwise: what is
+/// accepted is had.
 #[test]
 fn an_accuracy_is_refused_where_the_start_does_not_determine_it() {
     let roundings = 16.0 * f64::EPSILON;
@@ -289,7 +294,8 @@ fn the_polhode_of_a_top_is_once_around_after_its_period() {
     assert!((period - std::f64::consts::TAU / 0.5).abs() < 1e-12);
 }
 
-/// Along the way the spin's components come as near to their bounds as the samples are close, and never pass them.
+/// Along the way the spin's components come as near to their bounds as the samples are close, and never pass
+/// them.
 #[test]
 fn the_polhode_bounds_the_spin_and_touches_its_bounds() {
     for (moments, omega) in [

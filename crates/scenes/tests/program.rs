@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tumbling::exact::FreeMotion;
 
-/// The program, which `cargo test` builds beside the tests.
+/// The program, which `cargo test` builds with the tests.
 fn program() -> PathBuf {
     let mut path = std::env::current_exe().unwrap();
     path.pop();
@@ -23,11 +23,16 @@ fn story(name: &str) -> PathBuf {
 }
 
 fn of_text(name: &str, text: &str) -> Output {
-    let path = std::env::temp_dir().join(format!("tumbling-{}-{name}.toml", std::process::id()));
-    std::fs::write(&path, text).unwrap();
-    let output = answered(&[], &path);
-    std::fs::remove_file(path).unwrap();
-    output
+    let (_folder, file) = written(name, text);
+    answered(&[], &file)
+}
+
+/// A file of this name, and the folder that holds it.
+fn written(name: &str, text: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::TempDir::new().unwrap();
+    let file = folder.path().join(format!("{name}.toml"));
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
 }
 
 fn said(bytes: &[u8]) -> String {
@@ -68,7 +73,7 @@ fn every_story_is_answered_in_numbers_in_short_and_in_words() {
             let output = answered(words, &path);
             assert_eq!(output.status.code(), Some(0), "{path:?}");
             assert!(said(&output.stdout).starts_with(begins), "{path:?}");
-            // Who asks for flips is told where they are.
+            // Flips are requested: a line says where they are.
             let elsewhere = words.is_empty() && path.ends_with("racket.toml");
             assert_eq!(said(&output.stderr).contains("see --summary"), elsewhere, "{path:?}");
             assert_eq!(output.stderr.is_empty(), !elsewhere, "{path:?}");
@@ -102,10 +107,10 @@ fn a_file_that_cannot_be_read_ends_with_two() {
     assert!(said(&output.stderr).contains("line 1, `acuracy`: no such field. Did you mean `accuracy`?"));
     let output = answered(&[], Path::new("there/is/none.toml"));
     assert_eq!(output.status.code(), Some(2));
-    for words in [&[][..], &["--sumary", "x"], &["a", "b"]] {
+    for words in [&[][..], &["--sumary", "x"], &["a", "b"], &["--summary", "--explain", "x"]] {
         let output = Command::new(program()).args(words).output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{words:?}");
-        assert!(said(&output.stderr).contains("usage: scene"), "{words:?}");
+        assert!(said(&output.stderr).contains("Usage: scene"), "{words:?}");
     }
     assert_eq!(Command::new(program()).arg("--help").output().unwrap().status.code(), Some(0));
 }
@@ -116,10 +121,8 @@ fn many_bodies_are_explained_kind_by_kind() {
     let ball = "[[body]]\nmoments = [1.0, 1.0, 1.0]\nspin = [0.0, 0.0, 1.0]\n";
     let odd = "[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [1.0, 2.0, 1.0]\n";
     let head = "accuracy = 1e-9\ntimes = [1.0]\nwants = [\"spin\"]\n";
-    let path = std::env::temp_dir().join(format!("tumbling-{}-kinds.toml", std::process::id()));
-    std::fs::write(&path, [head, &ball.repeat(20), odd, ball].concat()).unwrap();
+    let (_folder, path) = written("kinds", &[head, &ball.repeat(20), odd, ball].concat());
     let text = said(&answered(&["--explain"], &path).stdout);
-    std::fs::remove_file(path).unwrap();
     assert!(
         text.starts_with("bodies 0, 1, 2, 3, 4, 5, 6, 7, ... (21 of them)\nchosen: the spin as it is"),
         "{text}"
@@ -154,8 +157,7 @@ fn a_closed_pipe_ends_well_and_a_full_disk_does_not() {
     use std::io::Read as _;
     use std::process::Stdio;
     let text = "accuracy = 1e-6\nspan = 1e4\nevery = 0.01\nwants = [\"spin\"]\n[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [0.1, 5.0, 0.1]\n";
-    let path = std::env::temp_dir().join(format!("tumbling-{}-long.toml", std::process::id()));
-    std::fs::write(&path, text).unwrap();
+    let (_folder, path) = written("long", text);
     let mut child = Command::new(program()).arg(&path).stdout(Stdio::piped()).spawn().unwrap();
     let mut pipe = child.stdout.take().unwrap();
     pipe.read_exact(&mut [0; 100]).unwrap();
@@ -163,7 +165,6 @@ fn a_closed_pipe_ends_well_and_a_full_disk_does_not() {
     assert_eq!(child.wait().unwrap().code(), Some(0));
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let ended = Command::new(program()).arg(&path).stdout(full).output().unwrap();
-    std::fs::remove_file(path).unwrap();
     assert_eq!(ended.status.code(), Some(2));
     assert!(said(&ended.stderr).contains("the answers cannot be written"), "{}", said(&ended.stderr));
 }

@@ -18,7 +18,7 @@ from pydrake.multibody.tree import SpatialInertia, UnitInertia
 from pydrake.systems.analysis import ApplySimulatorConfig, Simulator, SimulatorConfig
 
 HERE = Path(__file__).resolve().parent
-KIT = HERE.parents[2] / "judge" / "kit" / "stories.json"
+KIT = HERE.parents[2] / "crates" / "judge" / "kit" / "stories.json"
 
 
 def run(story, step, integrator, accuracy):

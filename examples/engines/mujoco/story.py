@@ -11,7 +11,7 @@ from pathlib import Path
 import mujoco
 
 HERE = Path(__file__).resolve().parent
-KIT = HERE.parents[2] / "judge" / "kit" / "stories.json"
+KIT = HERE.parents[2] / "crates" / "judge" / "kit" / "stories.json"
 
 
 def run(story, step, integrator):

@@ -12,7 +12,7 @@ from pathlib import Path
 import pybullet
 
 HERE = Path(__file__).resolve().parent
-KIT = HERE.parents[2] / "judge" / "kit" / "stories.json"
+KIT = HERE.parents[2] / "crates" / "judge" / "kit" / "stories.json"
 
 
 def in_body(attitude, vector):

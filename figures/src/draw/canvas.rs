@@ -32,7 +32,6 @@ pub(crate) struct Canvas {
 /// The width of every figure, in points.
 pub(crate) const WIDTH: u32 = 680;
 
-#[allow(clippy::cast_possible_truncation)]
 fn fine(p: P) -> BackendCoord {
     ((p.0 * FINENESS).round() as i32, (p.1 * FINENESS).round() as i32)
 }
@@ -273,7 +272,6 @@ impl DrawingBackend for Canvas {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let fine = FINENESS as u32;
         (self.size.0 * fine, self.size.1 * fine)
     }

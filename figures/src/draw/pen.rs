@@ -83,7 +83,6 @@ pub(super) const DEFAULT_WIDTH: f64 = 10.0;
 impl From<Pen> for ShapeStyle {
     fn from(pen: Pen) -> Self {
         // Plotters passes colours through untouched: red carries the ink, green the dashes.
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let (ink, width) = (pen.ink.index() as u8, (pen.width * FINENESS).round() as u32);
         Self { color: RGBAColor(ink, pen.dash, 0, pen.opacity), filled: false, stroke_width: width }
     }

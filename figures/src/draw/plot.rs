@@ -69,7 +69,6 @@ pub(crate) struct Plot {
 /// What can go wrong in plotters.
 pub(crate) type Drawn = Result<(), Box<dyn std::error::Error>>;
 
-#[allow(clippy::cast_possible_truncation)]
 fn fine(x: f64) -> i32 {
     (x * FINENESS).round() as i32
 }

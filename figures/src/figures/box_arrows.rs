@@ -1,7 +1,17 @@
 use super::{BOX_EDGES, Drawing, Picture, document_box};
-use crate::draw::{Canvas, Fill, Label, Pen, polar};
+use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
 use crate::ink::Ink;
 use nalgebra::Vector3;
+
+const CENTRE: P = (196.0, 362.0);
+/// Pixels of a metre of the box.
+const METRE: f64 = 140.0;
+
+/// The place of the tip of an arrow from the centre.
+fn tip(x: f64, y: f64) -> P {
+    const UNIT: f64 = 262.0;
+    (CENTRE.0 + UNIT * x, CENTRE.1 - UNIT * y)
+}
 
 pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
@@ -11,11 +21,28 @@ pub(super) fn draw() -> Drawing {
     let gap = inertia.angle_to_momentum(&omega)?.to_degrees();
 
     let canvas = Canvas::new(480);
-    let centre = (196.0, 362.0);
-    // A metre of box and a unit of either arrow.
-    let (metre, unit) = (140.0, 262.0);
-    let on = |x: f64, y: f64| (centre.0 + unit * x, centre.1 - unit * y);
-    let [a, b, _] = BOX_EDGES.map(|edge| 0.5 * edge * metre);
+    the_box(&canvas);
+    components(&canvas, &omega, &momentum);
+    arrows(&canvas, &omega, &momentum, gap);
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The box, {:.0} m by {:.0} m, seen along z. The spin (1, 1, 0) is a blue arrow from its centre at {:.0}° from x. \
+             The momentum ({:.3}, {:.3}, 0) is an orange arrow from the same point at {:.1}°: each component of the spin is \
+             multiplied by its own moment, so it leans to the y edge. The gap between them is {gap:.1}°.",
+            BOX_EDGES[0],
+            BOX_EDGES[1],
+            w_angle.to_degrees(),
+            momentum.x,
+            momentum.y,
+            l_angle.to_degrees()
+        ),
+    })
+}
+
+fn the_box(canvas: &Canvas) {
+    let centre = CENTRE;
+    let [a, b, _] = BOX_EDGES.map(|edge| 0.5 * edge * METRE);
     let corners = [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| (centre.0 + x, centre.1 + y));
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
@@ -28,10 +55,13 @@ pub(super) fn draw() -> Drawing {
         &Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle(),
     );
     canvas.label((centre.0 - a + 10.0, centre.1 + 30.0), &Label::new(format!("$b$ = {:.0} m", BOX_EDGES[1])));
+}
 
-    // Each component of the momentum is that of the spin times its own moment.
+/// Each component of the momentum is that of the spin times its own moment.
+fn components(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>) {
+    let centre = CENTRE;
     let guide = |ink| Pen::new(ink, 1.2).dashed();
-    let (w_tip, l_tip) = (on(omega.x, omega.y), on(momentum.x, momentum.y));
+    let (w_tip, l_tip) = (tip(omega.x, omega.y), tip(momentum.x, momentum.y));
     canvas.line(l_tip, (l_tip.0, centre.1), guide(Ink::Momentum));
     canvas.line(l_tip, (centre.0, l_tip.1), guide(Ink::Momentum));
     canvas.line(w_tip, (w_tip.0, centre.1), guide(Ink::Omega));
@@ -52,7 +82,12 @@ pub(super) fn draw() -> Drawing {
         (w_tip.0 + 26.0, centre.1 + 24.0),
         &Label::new(format!("$ω_x$ = {:.0}", omega.x)).ink(Ink::Omega),
     );
+}
 
+fn arrows(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>, gap: f64) {
+    let centre = CENTRE;
+    let (w_tip, l_tip) = (tip(omega.x, omega.y), tip(momentum.x, momentum.y));
+    let [w_angle, l_angle] = [omega, momentum].map(|v| v.y.atan2(v.x));
     let arc = Pen::new(Ink::Text, 1.2);
     canvas.arc(centre, 60.0, 0.0, w_angle, arc);
     canvas.arc(centre, 100.0, 0.0, l_angle, arc);
@@ -72,18 +107,4 @@ pub(super) fn draw() -> Drawing {
     let by_the_arc = polar(centre, 236.0, 0.5 * (w_angle + l_angle));
     canvas
         .label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The box, {:.0} m by {:.0} m, seen along z. The spin (1, 1, 0) is a blue arrow from its centre at {:.0}° from x. \
-             The momentum ({:.3}, {:.3}, 0) is an orange arrow from the same point at {:.1}°: each component of the spin is \
-             multiplied by its own moment, so it leans to the y edge. The gap between them is {gap:.1}°.",
-            BOX_EDGES[0],
-            BOX_EDGES[1],
-            w_angle.to_degrees(),
-            momentum.x,
-            momentum.y,
-            l_angle.to_degrees()
-        ),
-    })
 }

@@ -17,7 +17,6 @@ pub(super) fn draw() -> Drawing {
         [60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %"))),
         "kinetic energy, in parts of what it was",
     );
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let energies = |engine| -> Result<Vec<(f64, f64)>, tumbling::Error> {
         let run = motion::timed(engine, &body, STEP, (END / STEP).round() as usize)?;
         Ok(run.iter().map(|(t, b)| (*t, b.energy() / body.energy())).collect())

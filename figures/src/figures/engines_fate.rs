@@ -12,10 +12,13 @@ const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 const SPIN: [f64; 3] = [0.5, 0.5, 10.0];
 const RATE: u32 = 60;
 const STEPS: u32 = 1200;
+/// Seconds.
+const END: f64 = STEPS as f64 / RATE as f64;
 /// The steps of half a second, more than one wobble: the tilt shown is the greatest within them.
 const WINDOW: usize = 30;
 
-/// One run: time, the spin's angle from the axis of the largest moment (degrees), the energy in parts of the first.
+/// One run: time, the spin's angle from the axis of the largest moment (degrees), the energy in parts of the
+/// first.
 struct Run {
     seen: Vec<[f64; 3]>,
     /// Where the engine starts anew.
@@ -79,81 +82,49 @@ fn engine(name: &str, setting: &str) -> Result<&'static PhysicsEngine, String> {
     found.ok_or_else(|| format!("no {name}, {setting}"))
 }
 
+struct Runs {
+    exact: Run,
+    mujoco: Run,
+    fourth: Run,
+    bullet: Run,
+    newton: Run,
+    rapier: Run,
+    rescaled: Run,
+    without: Run,
+}
+
 pub(super) fn draw() -> Drawing {
-    let exact = exactly()?;
-    let mujoco = run(engine("MuJoCo", "Euler")?)?;
-    let fourth = run(engine("MuJoCo", "RK4")?)?;
-    let bullet = run(engine("Bullet", "multibody")?)?;
-    let newton = run(engine("Bullet", "rigid")?)?;
-    let rapier = run(engine("Rapier", "")?)?;
-    let rescaled = run(engine("Jolt", "")?)?;
-    let without = run(engine("PhysX, Unity", "")?)?;
-
+    let runs = Runs {
+        exact: exactly()?,
+        mujoco: run(engine("MuJoCo", "Euler")?)?,
+        fourth: run(engine("MuJoCo", "RK4")?)?,
+        bullet: run(engine("Bullet", "multibody")?)?,
+        newton: run(engine("Bullet", "rigid")?)?,
+        rapier: run(engine("Rapier", "")?)?,
+        rescaled: run(engine("Jolt", "")?)?,
+        without: run(engine("PhysX, Unity", "")?)?,
+    };
     let canvas = Canvas::new(780);
-    let end = f64::from(STEPS) / f64::from(RATE);
-    let times = |shown: bool| {
-        (0..=4).map(move |k| (5.0 * f64::from(k), if shown { (5 * k).to_string() } else { String::new() }))
-    };
-    let upper =
-        Plot::new(&canvas, 62.0, 48.0, 650.0, 408.0, Scale::linear(0.0..end), Scale::linear(-13.0..96.0));
-    upper.x_axis(times(true), "");
-    upper.y_axis(
-        [0, 30, 60, 90].map(|y| (f64::from(y), format!("{y}°"))),
-        "angle between the spin and its stable axis",
-    );
-    let wrong = |width: f64| Pen::new(Ink::Wrong, width);
-    upper.curve(bullet.tilts().into_iter().filter(|p| p.0 <= mujoco.last()[0]), wrong(3.0))?;
-    upper.curve(rescaled.tilts(), wrong(2.2).dashed())?;
-    upper.curve(rapier.tilts(), wrong(2.2).dash_dotted())?;
-    upper.curve(newton.tilts(), wrong(2.2).dotted())?;
-    upper.curve(exact.tilts(), Pen::new(Ink::Text, 3.2))?;
-    let write = |plot: &Plot, at: (f64, f64), text: &str, ink: Ink| {
-        canvas.label(plot.at(at.0, at.1), &Label::new(text).ink(ink).halo(Ink::Paper));
-    };
-    let lines = [(86.0, "explicit:"), (79.0, "MuJoCo,"), (72.0, "Bullet's"), (65.0, "multibody")];
-    for (y, text) in lines {
-        write(&upper, (0.2, y), text, Ink::Wrong);
-    }
-    write(&upper, (6.6, 64.0), "rescaled: Jolt, flag on", Ink::Wrong);
-    write(&upper, (12.4, 36.0), "rescaled, in four parts:", Ink::Wrong);
-    write(&upper, (12.4, 29.0), "Rapier", Ink::Wrong);
-    write(&upper, (8.2, 8.5), "exact; RK4; no gyroscopic term", Ink::Text);
-    write(&upper, (1.2, -9.0), "one Newton step: Bullet's rigid body, MuJoCo's implicitfast", Ink::Wrong);
-
-    let lower = Plot::new(&canvas, 62.0, 490.0, 650.0, 700.0, Scale::linear(0.0..end), Scale::log(0.1..1e13));
-    lower.x_axis(times(true), "time $t$ (s)");
-    lower.y_axis(
-        (0..=3).map(|n| (10_f64.powi(4 * n), power_of_ten(4 * n))),
-        "energy, in parts of what it was",
-    );
-    lower.curve(bullet.energies(), wrong(2.2))?;
-    lower.curve(mujoco.energies(), wrong(3.0))?;
-    for run in [&rescaled, &rapier] {
-        lower.curve(run.energies(), wrong(2.0).dashed())?;
-    }
-    lower.curve(exact.energies(), Pen::new(Ink::Text, 3.2))?;
-    let most = mujoco.last();
-    lower.dots([(most[0], most[2])], 5.0, Ink::Wrong)?;
-    write(&lower, (most[0] + 0.4, most[2] * 0.2), "MuJoCo's Euler: put back to rest", Ink::Wrong);
-    write(&lower, (8.0, 5e3), "Bullet's multibody: cut at 100 rad/s", Ink::Wrong);
-    write(&lower, (8.0, 2.6), "the others", Ink::Text);
+    tilts(&canvas, &runs)?;
+    energies(&canvas, &runs)?;
+    let Runs { exact, mujoco, fourth, bullet, newton, rapier, rescaled, without } = &runs;
     let greatest = |run: &Run| run.seen.iter().map(|x| x[1]).fold(0.0, f64::max);
     let heat = bullet.seen.iter().map(|x| x[2]).fold(0.0, f64::max);
     Ok(Picture {
         canvas,
         description: format!(
-            "A free body with moments 1, 2 and 3 kg m², spun at (0.5, 0.5, 10) rad/s, {RATE} steps a second for {end:.0} s. Above, the \
+            "A free body with moments 1, 2 and 3 kg m², spun at (0.5, 0.5, 10) rad/s, {RATE} steps a second for {END:.0} s. Above, the \
              spin's angle from its stable axis, the greatest within half a second. Exactly it stays within {:.1}°, by MuJoCo's RK4 within \
              {:.1}°, without gyroscopic term within {:.1}°. It passes 60° by the explicit rule after {:.1} s, by the rescaled one \
              after {:.1} s, by Rapier after {:.1} s. By one Newton step it sinks to {:.1}°. Below, the energy: by MuJoCo's Euler {:.0e} \
              times the first after {:.1} s{}; by Bullet's multibody, which cuts off spin beyond 100 rad/s, up to {:.0} times; at the \
              end by the rescaled rule {:.2} times, by Rapier {:.2} times, by one Newton step {:.3} times.",
-            greatest(&exact),
-            greatest(&fourth),
-            greatest(&without),
-            passes(&mujoco),
-            passes(&rescaled),
-            passes(&rapier),
+            greatest(exact),
+            greatest(fourth),
+            greatest(without),
+            passes(mujoco),
+            passes(rescaled),
+            passes(rapier),
             newton.last()[1],
             mujoco.last()[2],
             mujoco.last()[0],
@@ -164,6 +135,70 @@ pub(super) fn draw() -> Drawing {
             newton.last()[2],
         ),
     })
+}
+
+fn times() -> impl Iterator<Item = (f64, String)> {
+    (0..=4).map(|k| (5.0 * f64::from(k), (5 * k).to_string()))
+}
+
+fn wrong(width: f64) -> Pen {
+    Pen::new(Ink::Wrong, width)
+}
+
+fn write(canvas: &Canvas, plot: &Plot, at: (f64, f64), text: &str, ink: Ink) {
+    canvas.label(plot.at(at.0, at.1), &Label::new(text).ink(ink).halo(Ink::Paper));
+}
+
+fn tilts(canvas: &Canvas, runs: &Runs) -> Result<(), Box<dyn std::error::Error>> {
+    let upper =
+        Plot::new(canvas, 62.0, 48.0, 650.0, 408.0, Scale::linear(0.0..END), Scale::linear(-13.0..96.0));
+    upper.x_axis(times(), "");
+    upper.y_axis(
+        [0, 30, 60, 90].map(|y| (f64::from(y), format!("{y}°"))),
+        "angle between the spin and its stable axis",
+    );
+    upper.curve(runs.bullet.tilts().into_iter().filter(|p| p.0 <= runs.mujoco.last()[0]), wrong(3.0))?;
+    upper.curve(runs.rescaled.tilts(), wrong(2.2).dashed())?;
+    upper.curve(runs.rapier.tilts(), wrong(2.2).dash_dotted())?;
+    upper.curve(runs.newton.tilts(), wrong(2.2).dotted())?;
+    upper.curve(runs.exact.tilts(), Pen::new(Ink::Text, 3.2))?;
+    let lines = [(86.0, "explicit:"), (79.0, "MuJoCo,"), (72.0, "Bullet's"), (65.0, "multibody")];
+    for (y, text) in lines {
+        write(canvas, &upper, (0.2, y), text, Ink::Wrong);
+    }
+    write(canvas, &upper, (6.6, 64.0), "rescaled: Jolt, flag on", Ink::Wrong);
+    write(canvas, &upper, (12.4, 36.0), "rescaled, in four parts:", Ink::Wrong);
+    write(canvas, &upper, (12.4, 29.0), "Rapier", Ink::Wrong);
+    write(canvas, &upper, (8.2, 8.5), "exact; RK4; no gyroscopic term", Ink::Text);
+    write(
+        canvas,
+        &upper,
+        (1.2, -9.0),
+        "one Newton step: Bullet's rigid body, MuJoCo's implicitfast",
+        Ink::Wrong,
+    );
+    Ok(())
+}
+
+fn energies(canvas: &Canvas, runs: &Runs) -> Result<(), Box<dyn std::error::Error>> {
+    let lower = Plot::new(canvas, 62.0, 490.0, 650.0, 700.0, Scale::linear(0.0..END), Scale::log(0.1..1e13));
+    lower.x_axis(times(), "time $t$ (s)");
+    lower.y_axis(
+        (0..=3).map(|n| (10_f64.powi(4 * n), power_of_ten(4 * n))),
+        "energy, in parts of what it was",
+    );
+    lower.curve(runs.bullet.energies(), wrong(2.2))?;
+    lower.curve(runs.mujoco.energies(), wrong(3.0))?;
+    for run in [&runs.rescaled, &runs.rapier] {
+        lower.curve(run.energies(), wrong(2.0).dashed())?;
+    }
+    lower.curve(runs.exact.energies(), Pen::new(Ink::Text, 3.2))?;
+    let most = runs.mujoco.last();
+    lower.dots([(most[0], most[2])], 5.0, Ink::Wrong)?;
+    write(canvas, &lower, (most[0] + 0.4, most[2] * 0.2), "MuJoCo's Euler: put back to rest", Ink::Wrong);
+    write(canvas, &lower, (8.0, 5e3), "Bullet's multibody: cut at 100 rad/s", Ink::Wrong);
+    write(canvas, &lower, (8.0, 2.6), "the others", Ink::Text);
+    Ok(())
 }
 
 /// When the tilt first exceeds 60 degrees, s.

@@ -20,7 +20,6 @@ pub(super) fn draw() -> Drawing {
     plot.x_axis((0..=6).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
     let ticks = [-10, -5, 0, 5, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−")));
     plot.y_axis(ticks, "spin about the middle axis, $ω_2$ (rad/s)");
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let spins = |engine| -> Result<Vec<(f64, f64)>, tumbling::Error> {
         let run = motion::timed(engine, &body, STEP, (END / STEP).round() as usize)?;
         Ok(run.iter().map(|(t, b)| (*t, b.omega_body().x)).collect())

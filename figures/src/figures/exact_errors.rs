@@ -111,7 +111,8 @@ fn case(case: &Value) -> Option<Seen> {
     let cell: Vec<u32> =
         case["cell"].as_array()?.iter().filter_map(|x| x.as_u64()?.try_into().ok()).collect();
     let (x, y) = (moments.x / moments.z, moments.y / moments.z);
-    // From the edges of flat plates, of rods and of wheels; a body in the middle of a cell is 1/60 or more off.
+    // From the edges of flat plates, of rods and of wheels; a body in the middle of a cell is 1/60 or more
+    // off.
     let on_edge = (x + y - 1.0).min(1.0 - y).min(y - x) < 0.01;
     let spun = case["spin"].as_str()?.to_owned();
     Some(Seen { spun, cell: cell.try_into().ok()?, place: (x, y), units, on_edge })

@@ -33,7 +33,6 @@ pub(super) fn draw() -> Drawing {
     for n in 1..=12 {
         let push = 10_f64.powi(-n);
         let exact = time(push)?;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let run = motion::free(&motion::spun(inertia, spin(push))?, STEP, (0.6 * exact / STEP) as usize)?;
         let flips = sign_changes(run.iter().map(|(t, b)| (*t, b.omega_body().y)));
         // The start is half-way between two flips.

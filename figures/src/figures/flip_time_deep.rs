@@ -127,7 +127,6 @@ fn all(canvas: &Canvas, m: &Vector3<f64>, plain: (f64, f64), least: f64) -> Resu
     Ok(())
 }
 
-#[allow(clippy::cast_possible_truncation)]
 fn floor(x: f64) -> i32 {
     x.floor() as i32
 }

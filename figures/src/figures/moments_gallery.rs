@@ -96,7 +96,6 @@ fn placed(name: &str) -> Option<(f64, [f64; 3])> {
 fn bars(canvas: &Canvas, left: f64, top: f64, principal: &PrincipalAxes) {
     let most = principal.moment(Axis::Largest);
     for (i, axis) in [Axis::Smallest, Axis::Middle, Axis::Largest].into_iter().enumerate() {
-        #[allow(clippy::cast_precision_loss)]
         let y = top + 25.0 * i as f64;
         let moment = principal.moment(axis);
         let length = 88.0 * moment / most;
@@ -115,7 +114,6 @@ fn plain(moment: f64) -> String {
     if moment > 0.1 {
         return format!("{moment:.3}");
     }
-    #[allow(clippy::cast_possible_truncation)]
     let thirds = (moment.log10() / 3.0).floor() as i32;
     let mantissa = moment / 1000_f64.powi(thirds);
     format!(
@@ -136,7 +134,6 @@ pub(super) fn draw() -> Drawing {
     let mut said = Vec::new();
     canvas.label((20.0, 26.0), &Label::new("principal moments (kg m²), each body to its own scale"));
     for (i, body) in named::all().iter().enumerate() {
-        #[allow(clippy::cast_precision_loss)]
         let (x, y) = (20.0 + 335.0 * (i % 2) as f64, 50.0 + 140.0 * (i / 2) as f64);
         said.push(one(&canvas, (x, y), body)?);
     }

@@ -43,8 +43,8 @@ impl Ellipsoid {
             .collect()
     }
 
-    /// The closed path of the spin that starts `share` of the way from the end of an axis (0 or 2, positive or
-    /// negative) to the separatrix.
+    /// The closed path of the spin that starts `share` of the way from the end of an axis (0 or 2, positive
+    /// or negative) to the separatrix.
     pub(super) fn polhode(
         &self,
         axis: usize,
@@ -63,8 +63,8 @@ impl Ellipsoid {
         Ok(path.iter().map(|(_, body)| body.omega_body()).collect())
     }
 
-    /// How far, on the sphere before stretching, the separatrix is from the end of axis 0 or 2, in the plane of
-    /// those two.
+    /// How far, on the sphere before stretching, the separatrix is from the end of axis 0 or 2, in the plane
+    /// of those two.
     fn separatrix_angle(&self, axis: usize) -> f64 {
         let i = &self.moments;
         // There `I1 (I2 - I1) w1² = I3 (I3 - I2) w3²`, and `I w²` is the same for the ends of all axes.

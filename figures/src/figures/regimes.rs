@@ -1,4 +1,5 @@
-//! Every free motion of the box on one sheet: level lines in a triangle, and the time that each takes to flip.
+//! Every free motion of the box on one sheet: level lines in a triangle, and the time that each takes to
+//! flip.
 
 use super::{Drawing, Picture, document_box, in_principal_axes, ink_of};
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
@@ -28,8 +29,8 @@ impl Map {
         Ok(FreeMotion::new(self.moments.try_into()?, &momentum.component_div(&self.moments))?)
     }
 
-    /// Which axis the motion at this level circles, and the time between its flips in turns: in the times that
-    /// the same momentum takes to turn the body once about its middle axis.
+    /// Which axis the motion at this level circles, and the time between its flips in turns: in the times
+    /// that the same momentum takes to turn the body once about its middle axis.
     fn flip(&self, level: f64) -> Result<(Axis, f64), Box<dyn Error>> {
         let motion = self.motion(level)?;
         let Regime::Elliptic { about, .. } = motion.regime() else {
@@ -39,7 +40,7 @@ impl Map {
         Ok((about, half / (TAU * self.moments[1])))
     }
 
-    /// The level on this axis' side at which a flip comes after so many turns.
+    /// The level on this axis' side at which a flip comes after this number of turns.
     fn level(&self, axis: Axis, turns: f64) -> Result<f64, Box<dyn Error>> {
         // Steps of the logarithm: near the separatrix the time changes with that.
         let (mut near, mut far) = (-30.0, (self.corner(axis) - 1.0).abs().ln());
@@ -85,35 +86,7 @@ pub(super) fn draw() -> Drawing {
         canvas.area(&area, Fill::new(ink_of(axis)).opacity(0.14), Some(Pen::new(ink_of(axis), 1.6)));
     }
     for axis in SIDES {
-        // Lines of equal time, on into the picture at the right.
-        let least = map.flip(map.beside(axis, (map.corner(axis) - 1.0).abs() * (1.0 - 1e-9)))?.1;
-        for turns in [0.6, 0.8, 1.0, 1.5, 2.0, 3.0].into_iter().filter(|turns| *turns > least) {
-            let level = map.level(axis, turns)?;
-            let [start, end] = [0.0, map.reach(level)].map(|share| left.at(share, level));
-            canvas.line(start, end, Pen::new(ink_of(axis), 1.4));
-            let met = right.at(turns, level);
-            canvas.line(end, met, Pen::new(ink_of(axis), 1.0).opacity(0.45));
-            canvas.disc(met, 4.0, Fill::new(ink_of(axis)), None);
-            if turns < 1.2 {
-                let unit = if turns < 0.7 { " turns" } else { "" };
-                let (dx, dy) = if axis == Axis::Smallest { (7.0, -5.0) } else { (30.0, 17.0) };
-                let label = Label::new(format!("{turns:.1}{unit}")).ink(ink_of(axis)).size(15.5);
-                canvas.label((end.0 + dx, end.1 + dy), &label);
-            }
-        }
-        let curve = (0..=240).map(|i| {
-            let share = f64::from(i) / 240.0;
-            let depth = (map.corner(axis) - 1.0).abs() * 10_f64.powf(-7.0 * share) * (1.0 - 1e-9);
-            let level = map.beside(axis, depth);
-            map.flip(level).map(|(about, turns)| (about, (turns, level)))
-        });
-        let curve = curve.collect::<Result<Vec<_>, _>>()?;
-        if curve.iter().any(|(about, _)| *about != axis) {
-            return Err("a motion on the wrong side of the separatrix".into());
-        }
-        let points = curve.into_iter().map(|(_, point)| point).filter(|p| p.0 <= MOST_TURNS);
-        right.curve(points, Pen::new(ink_of(axis), 2.6))?;
-        said.push((axis, least, map.level(axis, 3.0)?));
+        said.push(side(&canvas, &map, axis, &left, &right)?);
     }
     canvas.line(left.at(0.0, 1.0), middle, Pen::new(Ink::Separatrix, 3.2));
     canvas.line(right.at(0.0, 1.0), right.at(MOST_TURNS, 1.0), Pen::new(Ink::Separatrix, 1.6).dashed());
@@ -137,6 +110,46 @@ pub(super) fn draw() -> Drawing {
             three_max
         ),
     })
+}
+
+/// The motions that circle this axis: the axis, the least time between flips, and the level at which that
+/// time is three turns.
+fn side(
+    canvas: &Canvas,
+    map: &Map,
+    axis: Axis,
+    left: &Plot,
+    right: &Plot,
+) -> Result<(Axis, f64, f64), Box<dyn Error>> {
+    // Lines of equal time, on into the picture at the right.
+    let least = map.flip(map.beside(axis, (map.corner(axis) - 1.0).abs() * (1.0 - 1e-9)))?.1;
+    for turns in [0.6, 0.8, 1.0, 1.5, 2.0, 3.0].into_iter().filter(|turns| *turns > least) {
+        let level = map.level(axis, turns)?;
+        let [start, end] = [0.0, map.reach(level)].map(|share| left.at(share, level));
+        canvas.line(start, end, Pen::new(ink_of(axis), 1.4));
+        let met = right.at(turns, level);
+        canvas.line(end, met, Pen::new(ink_of(axis), 1.0).opacity(0.45));
+        canvas.disc(met, 4.0, Fill::new(ink_of(axis)), None);
+        if turns < 1.2 {
+            let unit = if turns < 0.7 { " turns" } else { "" };
+            let (dx, dy) = if axis == Axis::Smallest { (7.0, -5.0) } else { (30.0, 17.0) };
+            let label = Label::new(format!("{turns:.1}{unit}")).ink(ink_of(axis)).size(15.5);
+            canvas.label((end.0 + dx, end.1 + dy), &label);
+        }
+    }
+    let curve = (0..=240).map(|i| {
+        let share = f64::from(i) / 240.0;
+        let depth = (map.corner(axis) - 1.0).abs() * 10_f64.powf(-7.0 * share) * (1.0 - 1e-9);
+        let level = map.beside(axis, depth);
+        map.flip(level).map(|(about, turns)| (about, (turns, level)))
+    });
+    let curve = curve.collect::<Result<Vec<_>, _>>()?;
+    if curve.iter().any(|(about, _)| *about != axis) {
+        return Err("a motion on the wrong side of the separatrix".into());
+    }
+    let points = curve.into_iter().map(|(_, point)| point).filter(|p| p.0 <= MOST_TURNS);
+    right.curve(points, Pen::new(ink_of(axis), 2.6))?;
+    Ok((axis, least, map.level(axis, 3.0)?))
 }
 
 fn names(canvas: &Canvas, map: &Map, left: &Plot, right: &Plot) {

@@ -74,7 +74,6 @@ pub(super) fn draw() -> Drawing {
 
 /// As `1.00 × 10⁻⁵`.
 fn scientific(x: f64) -> String {
-    #[allow(clippy::cast_possible_truncation)]
     let exponent = x.log10().floor() as i32;
     format!("{:.2} × {}", x / 10_f64.powi(exponent), super::power_of_ten(exponent))
 }

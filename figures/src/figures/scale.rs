@@ -26,7 +26,6 @@ pub(super) fn draw() -> Drawing {
     canvas.label((20.0, 28.0), &Label::new("answers a second").bold());
     let mut ends = Vec::new();
     for (build, crowd, lanes, threads, ink, dashed, name) in CURVES {
-        #[allow(clippy::cast_precision_loss)]
         let points: Vec<(f64, f64)> = scale::of(rows, build, crowd, lanes, threads)
             .map(|row| (row.bodies as f64, row.rate().clamp(low, high)))
             .collect();

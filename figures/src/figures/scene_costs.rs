@@ -1,4 +1,4 @@
-//! What a state costs by what is asked of it, from the committed record.
+//! What a state costs by the outputs requested, from the committed record.
 
 use super::{Drawing, Picture, power_of_ten};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};

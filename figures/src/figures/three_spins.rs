@@ -20,29 +20,12 @@ pub(super) fn draw() -> Drawing {
         Pen::new(ink_of(Axis::Largest), 2.2).dashed(),
     ];
     let mut said = Vec::new();
-    for (k, (axis, name)) in
-        [(Axis::Smallest, "smallest"), (Axis::Middle, "middle"), (Axis::Largest, "largest")]
-            .into_iter()
-            .enumerate()
-    {
-        #[allow(clippy::cast_precision_loss)]
+    for (k, axis) in Axis::ALL.into_iter().enumerate() {
+        let name = ["smallest", "middle", "largest"][k];
         let top = 58.0 + 190.0 * k as f64;
-        let plot = Plot::new(
-            &canvas,
-            62.0,
-            top,
-            600.0,
-            top + 130.0,
-            Scale::linear(0.0..END),
-            Scale::linear(-11.5..11.5),
-        );
-        let last = k == 2;
-        let number = |s: i32| if last { s.to_string() } else { String::new() };
-        plot.x_axis((0..=5).map(|s| (f64::from(s), number(s))), if last { "time $t$ (s)" } else { "" });
-        plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "");
+        let plot = axes(&canvas, top, k == 2);
         let mut omega = Vector3::repeat(PUSH);
         omega[k] = SPIN;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let run = motion::free(&motion::spun(inertia, omega)?, STEP, (END / STEP).round() as usize)?;
         // The spin that was meant is drawn last, over the others.
         for i in [(k + 1) % 3, (k + 2) % 3, k] {
@@ -53,10 +36,8 @@ pub(super) fn draw() -> Drawing {
         canvas.label((62.0, top - 12.0), &Label::new(title).ink(pens[k].ink()));
         let beside = |i: usize, y: f64, nudge: f64| {
             let p = plot.at(END, y);
-            canvas.label(
-                (p.0 + 10.0 + nudge, p.1 + 5.0),
-                &Label::new(format!("$ω_{}$", i + 1)).ink(pens[i].ink()),
-            );
+            let name = Label::new(format!("$ω_{}$", i + 1)).ink(pens[i].ink());
+            canvas.label((p.0 + 10.0 + nudge, p.1 + 5.0), &name);
         };
         let w_end = run[run.len() - 1].1.omega_body();
         if k == 1 {
@@ -88,4 +69,14 @@ pub(super) fn draw() -> Drawing {
             said.join(". ")
         ),
     })
+}
+
+/// Axes for one spin; the last one's carry the times.
+fn axes(canvas: &Canvas, top: f64, last: bool) -> Plot {
+    let (times, spins) = (Scale::linear(0.0..END), Scale::linear(-11.5..11.5));
+    let plot = Plot::new(canvas, 62.0, top, 600.0, top + 130.0, times, spins);
+    let number = |s: i32| if last { s.to_string() } else { String::new() };
+    plot.x_axis((0..=5).map(|s| (f64::from(s), number(s))), if last { "time $t$ (s)" } else { "" });
+    plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "");
+    plot
 }

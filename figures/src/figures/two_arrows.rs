@@ -47,9 +47,28 @@ pub(super) fn draw() -> Drawing {
     let [light, heavy] = [Vector3::x(), Vector3::y()].map(|axis| plate.about_axis(&axis));
     let (light, heavy) = (light?, heavy?);
     let canvas = Canvas::new(530);
+    let shown = arrows(&plate, SHOWN)?;
+    let gap = format!("{:.1}°", shown.gap.to_degrees());
+    large(&canvas, light, heavy, &shown, &gap);
+    let gaps = small(&canvas, &plate)?;
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "A flat plate, {WIDE:.0} m wide and {HIGH:.0} m high, 1 kg. Its moment about the horizontal axis is \
+             {light:.3}, about the vertical axis {heavy:.3} kg m². The spin, a blue arrow, points {SHOWN:.0}° above the \
+             horizontal axis; the momentum, an orange arrow from the same point, points {:.1}° above it: it leans to the \
+             heavier, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
+             from one axis to the other; the gap is {}. The arrows coincide only at the two ends.",
+            shown.momentum.to_degrees(),
+            gaps.join(", ")
+        ),
+    })
+}
 
+/// The plate with one spin and its momentum.
+fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
     let centre = (262.0, 228.0);
-    plate_at(&canvas, centre, 160.0);
+    plate_at(canvas, centre, 160.0);
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
     canvas.line((centre.0 - 215.0, centre.1), (centre.0 + 225.0, centre.1), axis);
     canvas.line((centre.0, centre.1 + 110.0), (centre.0, centre.1 - 206.0), axis);
@@ -58,7 +77,6 @@ pub(super) fn draw() -> Drawing {
     canvas.label((centre.0 - 14.0, centre.1 - 188.0), &Label::new("the heavier axis").end());
     canvas.label((centre.0 - 14.0, centre.1 - 166.0), &Label::new(format!("$I_2$ = {heavy:.3} kg m²")).end());
 
-    let shown = arrows(&plate, SHOWN)?;
     let w_tip = polar(centre, 225.0, shown.omega);
     let l_tip = polar(centre, 345.0 * shown.relative, shown.momentum);
     let arc = Pen::new(Ink::Text, 1.2);
@@ -70,12 +88,14 @@ pub(super) fn draw() -> Drawing {
     let w_text = Label::new("spin $!ω$").ink(Ink::Omega);
     canvas.label((w_tip.0 + 8.0, w_tip.1 + 2.0), &w_text);
     canvas.label((l_tip.0 + 12.0, l_tip.1 + 8.0), &Label::new("momentum $!L$ = $I!ω$").ink(Ink::Momentum));
-    let gap = format!("{:.1}°", shown.gap.to_degrees());
     let by_the_arc = polar(centre, 146.0, 0.5 * (shown.omega + shown.momentum));
-    canvas.label((by_the_arc.0, by_the_arc.1 + 6.0), &Label::new(gap.clone()).bold().middle());
+    canvas.label((by_the_arc.0, by_the_arc.1 + 6.0), &Label::new(gap).bold().middle());
     let half = polar(centre, 70.0, 0.5 * shown.omega);
     canvas.label((half.0, half.1 + 6.0), &Label::new(format!("{SHOWN:.0}°")).size(15.5));
+}
 
+/// Small plates, the spin turned from one axis to the other; gives the gap of each.
+fn small(canvas: &Canvas, plate: &Inertia) -> Result<Vec<String>, tumbling::Error> {
     let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
     let mut gaps = Vec::new();
     canvas.label(
@@ -83,10 +103,9 @@ pub(super) fn draw() -> Drawing {
         &Label::new("The spin turned from one axis to the other, and below it the gap:"),
     );
     for (i, &degrees) in directions.iter().enumerate() {
-        #[allow(clippy::cast_precision_loss)]
         let centre = (50.0 + 93.0 * i as f64, 452.0);
-        plate_at(&canvas, centre, 28.0);
-        let a = arrows(&plate, degrees)?;
+        plate_at(canvas, centre, 28.0);
+        let a = arrows(plate, degrees)?;
         let dot_at = polar(centre, 54.0, a.omega);
         // Where they coincide both must be seen: the momentum wider and below.
         canvas.arrow(
@@ -104,16 +123,5 @@ pub(super) fn draw() -> Drawing {
         canvas.label((centre.0, centre.1 + 66.0), &Label::new(gap.clone()).middle().bold());
         gaps.push(format!("{gap} at {degrees:.0}°"));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A flat plate, {WIDE:.0} m wide and {HIGH:.0} m high, 1 kg. Its moment about the horizontal axis is \
-             {light:.3}, about the vertical axis {heavy:.3} kg m². The spin, a blue arrow, points {SHOWN:.0}° above the \
-             horizontal axis; the momentum, an orange arrow from the same point, points {:.1}° above it: it leans to the \
-             heavier, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
-             from one axis to the other; the gap is {}. The arrows coincide only at the two ends.",
-            shown.momentum.to_degrees(),
-            gaps.join(", ")
-        ),
-    })
+    Ok(gaps)
 }

@@ -26,7 +26,6 @@ pub(super) fn draw() -> Drawing {
         let push = 10_f64.powi(exponent);
         let omega = Vector3::new(0.0, push.cos(), push.sin()) * SPIN;
         let whole = time_between_flips(m.try_into()?, &omega)?.ok_or("never flips")?;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let run = motion::free(&motion::spun(inertia, omega)?, STEP, (whole / STEP) as usize)?;
         let angle = |w: Vector3<f64>| w.x.hypot(w.z).atan2(w.y.abs());
         let share = 0.5 * other.hypot(1.0) * push;

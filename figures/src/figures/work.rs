@@ -1,4 +1,5 @@
-//! Error against run time, from the committed record: every method on the box, and every body for each kind of error.
+//! Error against run time, from the committed record: every method on the box, and every body for each kind
+//! of error.
 
 use super::{Drawing, Picture, power_of_ten};
 use crate::draw::{Canvas, Label, P, Pen, Plot, Scale};
@@ -46,8 +47,8 @@ struct Curve<'a> {
     group: Group,
     /// Seconds and error of the runs that came right.
     right: Vec<(f64, f64)>,
-    /// The same of runs with a wrong number of flips, and of those that broke down: at the upper edge, where a run of so many steps
-    /// would have ended.
+    /// The same of runs with a wrong number of flips, and of those that broke down: at the upper edge, where
+    /// a run of so many steps would have ended.
     wrong: Vec<(f64, f64)>,
 }
 
@@ -55,14 +56,12 @@ fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &
     let ladder: Vec<&Work> = rows.iter().filter(|r| r.story == story && r.contestant == name).collect();
     // Seconds for a step, from the finest rung that came through.
     let pace = ladder.iter().rev().find_map(|row| match (row.setting, row.seconds) {
-        #[allow(clippy::cast_precision_loss)]
         (Setting::Steps(steps), Some(seconds)) => Some(seconds / steps as f64),
         _ => None,
     });
     let (mut right, mut wrong) = (Vec::new(), Vec::new());
     for row in ladder {
         let by_pace = match (row.setting, pace) {
-            #[allow(clippy::cast_precision_loss)]
             (Setting::Steps(steps), Some(pace)) => Some(pace * steps as f64),
             _ => None,
         };
@@ -122,11 +121,10 @@ fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::err
     plot.curve(curve.right.iter().copied(), pen)
 }
 
-/// Labels in a column beside their curves' ends, none upon another.
+/// Labels in a column next to their curves' ends, none upon another.
 pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
     ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1).then(a.0.0.total_cmp(&b.0.0)));
     let room = bottom - top;
-    #[allow(clippy::cast_precision_loss)]
     let apart = (room / ends.len().max(1) as f64).min(17.0);
     let mut places: Vec<f64> = Vec::new();
     for (end, ..) in &ends {
@@ -213,7 +211,6 @@ fn bodies(name: &str) -> Drawing {
     canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let place = |at: usize| {
         let (row, column) = (at / 2, at % 2);
-        #[allow(clippy::cast_precision_loss)]
         (56.0 + 330.0 * column as f64, 68.0 + 218.0 * row as f64)
     };
     let size = (270.0, 150.0);
@@ -236,9 +233,21 @@ fn bodies(name: &str) -> Drawing {
             told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
         }
     }
-    let (left, top) = place(with.len());
+    key(&canvas, place(with.len()));
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
+             both logarithmic. {}. {}",
+            told.join("; "),
+            circumstances(&record)
+        ),
+    })
+}
+
+/// The key of the pens, its left upper corner here.
+fn key(canvas: &Canvas, (left, top): (f64, f64)) {
     for (at, group) in Group::ALL.into_iter().enumerate() {
-        #[allow(clippy::cast_precision_loss)]
         let y = top + 12.0 + 24.0 * at as f64;
         let pen = pen(group);
         if group == Group::Exact {
@@ -251,15 +260,6 @@ fn bodies(name: &str) -> Drawing {
     let y = top + 12.0 + 24.0 * 6.0;
     canvas.crosses([(left + 15.0, y)], 4.0, Pen::new(Ink::Wrong, 1.2));
     canvas.label((left + 40.0, y + 5.0), &Label::new("wrong number of flips, or broken").size(15.5));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
-             both logarithmic. {}. {}",
-            told.join("; "),
-            circumstances(&record)
-        ),
-    })
 }
 
 pub(super) fn draw_attitude() -> Drawing {
@@ -308,7 +308,6 @@ pub(super) fn draw_drift() -> Drawing {
     }
     let (mut ends, mut told) = (Vec::new(), Vec::new());
     for (name, group) in names {
-        #[allow(clippy::cast_precision_loss)]
         let points: Vec<(f64, f64)> = record
             .rows
             .iter()

@@ -94,7 +94,7 @@ pub(super) fn top(
     spin.set_column(a, &column(0.0, 0.0, [1.0, 0.0]));
     spin.set_column(b, &column(0.0, 0.0, [0.0, 1.0]));
     let mirrored = times([w[0], -w[1]], [second[0], -second[1]]);
-    #[allow(clippy::needless_range_loop)] // three rows at once
+    #[expect(clippy::needless_range_loop, reason = "three rows at once")]
     for k in 0..3 {
         let gain = 0.5 * by_moments[axis][k];
         let less = 0.5 * along * (by_moments[b][k] - by_moments[a][k]) * time;

@@ -61,7 +61,6 @@ fn up_to_an_eighth(across: f64, along: f64) -> DoubleDouble {
     let u = over.hi() / under.hi();
     let rest = (over - under * u).hi() / under.hi();
     let square = u * u;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 0 to 8
     let [angle, angle_rest] = EIGHTHS[eighths as usize];
     DoubleDouble::new(angle, angle_rest) + DoubleDouble::sum(u, rest + u * square * polynomial(&TAIL, square))
 }

@@ -27,7 +27,6 @@ fn halvings(x: f64) -> (i32, DoubleDouble) {
     let square = DoubleDouble::product(x, x);
     let sum = DoubleDouble::sum(x, 0.5 * square.hi());
     let small = 0.5 * square.lo() + rest * (1.0 + x) + x * square.hi() * polynomial(&TAIL, x);
-    #[allow(clippy::cast_possible_truncation)] // at most 1077
     (k as i32, DoubleDouble::sum(sum.hi(), sum.lo() + small))
 }
 

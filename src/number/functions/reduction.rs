@@ -70,7 +70,6 @@ fn negated([high, middle, low]: [u64; 3]) -> [u64; 3] {
 
 /// An integer of 192 bits, the highest first, in parts of 2^190: its first 117 bits from the first one that
 /// is set.
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // the head has 53 bits; the tail may round
 fn from_bits([high, middle, low]: [u64; 3]) -> DoubleDouble {
     let first = u128::from(high) << 64 | u128::from(middle);
     let zeros = first.leading_zeros().min(127);

@@ -15,8 +15,8 @@
 //! step can be wrong by is the rates of its two angles, and the two numbers `a` and `b` put those right.
 //!
 //! Their powers in `h` come from the exact motion: for it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)`
-//! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints the
-//! sums below. The order of the result is proven of this very code, on power series.
+//! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
+//! the sums below. The order of the result is proven of this very code, on power series.
 
 use crate::attitude;
 use crate::body::State;

@@ -1,9 +1,9 @@
 //! What a module and its page share: one row of numbers, and one text.
 //!
-//! The page writes what it asks into the numbers, calls `answer`, and reads the answer from where its question was.
-//! WebAssembly passes no lists; with a row at a known address none need be passed. The row is made of atomic
-//! integers, which may be changed from outside at any time without a word of unsafe code, and which cost nothing where
-//! there is one thread.
+//! The page writes what it asks into the numbers, calls `answer`, and reads the answer from where its
+//! question was. WebAssembly passes no lists; with a row at a known address none need be passed. The row is
+//! made of atomic integers, which may be changed from outside at any time without a word of unsafe code, and
+//! which cost nothing where there is one thread.
 //!
 //! A module is a function from numbers to numbers, and one line that names it to the page:
 //!
@@ -22,8 +22,8 @@
 //! assert_eq!(row.get(0), 5.0);
 //! ```
 //!
-//! [`page!`] makes exports for WebAssembly alone: elsewhere the module is a library like any other, and the grid calls
-//! the same `answer`.
+//! [`page!`] makes exports for WebAssembly alone: elsewhere the module is a library like any other, and the
+//! grid calls the same `answer`.
 
 use std::sync::atomic::{AtomicU8, AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
@@ -116,7 +116,8 @@ impl Default for Text {
     }
 }
 
-/// A line from the module to its page, for a module that has no other need of memory than what it starts with.
+/// A line from the module to its page, for a module that has no other need of memory than what it starts
+/// with.
 pub struct Line {
     bytes: [AtomicU8; Self::ROOM],
     length: AtomicUsize,
@@ -197,15 +198,16 @@ impl Default for Piece {
     }
 }
 
-/// Names a module's `answer` to its page; a module that also has words names its [`Text`] or [`Line`] besides.
+/// Names a module's `answer` to its page; a module that also has words names its [`Text`] or [`Line`]
+/// besides.
 ///
-/// `answer` takes what is asked for and the row, and returns how many numbers the answer has. None: the question
-/// has no answer; the text, if the module has one, says why.
+/// `answer` takes what is asked for and the row, and returns how many numbers the answer has. None: the
+/// question has no answer; the text, if the module has one, says why.
 #[macro_export]
 macro_rules! page {
     ($answer:path) => {
         #[cfg(target_arch = "wasm32")]
-        #[allow(unsafe_code, missing_docs)] // a page finds a function by its name alone
+        #[allow(unsafe_code, missing_docs, reason = "a page finds a function by its name alone")]
         mod page {
             use super::*;
 
@@ -226,7 +228,7 @@ macro_rules! page {
         $crate::page!($answer);
 
         #[cfg(target_arch = "wasm32")]
-        #[allow(unsafe_code, missing_docs)]
+        #[allow(unsafe_code, missing_docs, reason = "a page finds a function by its name alone")]
         mod words {
             use super::*;
 

@@ -1,10 +1,10 @@
-//! Prints, as lines of JSON, what the functions of the widgets answer natively, bit for bit. `grid.mjs` asks the built
-//! modules the same.
+//! Prints, as lines of JSON, what the functions of the widgets answer natively, bit for bit. `grid.mjs` asks
+//! the built modules the same.
 
 mod maths;
 
 use exchange::Numbers;
-use std::fmt::Write as _;
+use serde_json::json;
 use std::io::{self, Write as _};
 use std::path::Path;
 
@@ -19,15 +19,43 @@ fn main() -> io::Result<()> {
         row.fill(asked);
         let count = answer(what, &row);
         let found: Vec<f64> = (0..count).map(|i| row.get(i)).collect();
-        let said = text.filter(|_| count == 0).map_or_else(|| "null".into(), |text| quoted(&text()));
+        let said = text.filter(|_| count == 0).map(|text| text());
+        let (asked, found) = (bits(asked), bits(&found));
         writeln!(
             out,
-            "{{\"module\":\"{module}\",\"what\":{what},\"asked\":[{}],\"found\":[{}],\"said\":{said}}}",
-            bits(asked),
-            bits(&found)
+            "{}",
+            json!({"module": module, "what": what, "asked": asked, "found": found, "said": said})
         )
     };
 
+    two_arrows(&mut ask)?;
+    your_box(&mut ask)?;
+    exact(&mut ask)?;
+    engines(&row, &mut ask)?;
+    methods(&mut ask)?;
+    tumble(&mut ask)?;
+    for argument in std::env::args_os().skip(1) {
+        record(&mut out, Path::new(&argument))?;
+    }
+    out.flush()
+}
+
+/// Asks a module, by its name and function, a question, and has the answer printed.
+type Ask<'a> =
+    dyn FnMut(&str, fn(u32, &Numbers) -> usize, u32, &[f64], Option<fn() -> String>) -> io::Result<()> + 'a;
+
+/// Starts that turn over, that tumble, that stand, and odd ones.
+const SPINS: [[f64; 3]; 7] = [
+    [10.0, 0.1, 0.1],
+    [1.0, 1.0, 1.0],
+    [1.0, 1.0, 0.0],
+    [20.0, 0.0, 0.0],
+    [-3.0, 1e-6, 2.0],
+    [0.0; 3],
+    [f64::NAN, 1e200, 1.0],
+];
+
+fn two_arrows(ask: &mut Ask<'_>) -> io::Result<()> {
     for body in 0..6 {
         for between in 0..3 {
             for degrees in -4..=188 {
@@ -41,7 +69,14 @@ fn main() -> io::Result<()> {
         ask("two-arrows", widget_two_arrows::answer, 0, &[0.0, 0.0, odd, 1.0], None)?;
         ask("two-arrows", widget_two_arrows::answer, 0, &[odd, odd, odd, odd], None)?;
     }
+    Ok(())
+}
 
+/// Boxes of sizes, masses and spins ordinary, extreme and impossible.
+fn your_box(ask: &mut Ask<'_>) -> io::Result<()> {
+    let mut ask = |asked: &[f64]| {
+        ask("your-box", widget_your_box::answer, 0, asked, Some(|| widget_your_box::WHY.said()))
+    };
     let edges = [1e-200, 0.02, 1.0, 2.0, 3.0, 17.3, 1e100, 0.0, -1.0, f64::NAN];
     for (i, a) in edges.into_iter().enumerate() {
         for (j, b) in edges.into_iter().enumerate() {
@@ -50,7 +85,7 @@ fn main() -> io::Result<()> {
             {
                 let mass = if i + j == 9 { 0.0 } else { 0.1 + j as f64 };
                 let asked = [a, b, c, mass, spin[0], spin[1], spin[2]];
-                ask("your-box", widget_your_box::answer, 0, &asked, Some(|| widget_your_box::WHY.said()))?;
+                ask(&asked)?;
             }
         }
     }
@@ -60,15 +95,15 @@ fn main() -> io::Result<()> {
         for mass in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
             for [x, y, z] in spins {
                 let asked = [a, b, c, mass, x, y, z];
-                ask("your-box", widget_your_box::answer, 0, &asked, Some(|| widget_your_box::WHY.said()))?;
+                ask(&asked)?;
             }
         }
     }
+    Ok(())
+}
 
-    exact(&mut ask)?;
-    engines(&row, &mut ask)?;
-    methods(&mut ask)?;
-    // Each setting is prepared, then asked for instants near and far, a stretch of time, and polhodes.
+/// Each setting is prepared, then asked for instants near and far, a stretch of time, and polhodes.
+fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
     let mut tumble = |what: u32, asked: &[f64]| {
         ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()))
     };
@@ -106,27 +141,8 @@ fn main() -> io::Result<()> {
         tumble(2, &[odd, 1.0, odd])?;
         tumble(3, &[odd, odd, odd])?;
     }
-
-    for argument in std::env::args_os().skip(1) {
-        record(&mut out, Path::new(&argument))?;
-    }
-    out.flush()
+    Ok(())
 }
-
-/// Asks a module, by its name and function, a question, and has the answer printed.
-type Ask<'a> =
-    dyn FnMut(&str, fn(u32, &Numbers) -> usize, u32, &[f64], Option<fn() -> String>) -> io::Result<()> + 'a;
-
-/// Starts that turn over, that tumble, that stand, and odd ones.
-const SPINS: [[f64; 3]; 7] = [
-    [10.0, 0.1, 0.1],
-    [1.0, 1.0, 1.0],
-    [1.0, 1.0, 0.0],
-    [20.0, 0.0, 0.0],
-    [-3.0, 1e-6, 2.0],
-    [0.0; 3],
-    [f64::NAN, 1e200, 1.0],
-];
 
 /// The engines of the pitfalls, each from its start on in two pieces, as a page asks.
 fn engines(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
@@ -214,37 +230,19 @@ fn record(out: &mut impl io::Write, file: &Path) -> io::Result<()> {
     for asked in questions {
         row.fill(asked);
         let count = widget_judge::judged(bytes.as_slice(), &row);
-        let said = quoted(&widget_judge::VERDICT.said());
-        let file = quoted(&file.display().to_string());
+        let (said, file) = (widget_judge::VERDICT.said(), file.display().to_string());
+        let asked = bits(asked);
         writeln!(
             out,
-            "{{\"module\":\"judge\",\"what\":0,\"file\":{file},\"asked\":[{}],\"count\":{count},\"said\":{said}}}",
-            bits(asked)
+            "{}",
+            json!({"module": "judge", "what": 0, "file": file, "asked": asked, "count": count, "said": said})
         )?;
     }
     Ok(())
 }
 
 /// Numbers by their bits; all NaN are one.
-fn bits(numbers: &[f64]) -> String {
-    let words: Vec<String> = numbers
-        .iter()
-        .map(|x| if x.is_nan() { "\"nan\"".into() } else { format!("\"{:016x}\"", x.to_bits()) })
-        .collect();
-    words.join(",")
-}
-
-/// A text between quotation marks, as JSON has it.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => out.extend(['\\', c]),
-            c if c < ' ' => {
-                let _ = write!(out, "\\u{:04x}", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out + "\""
+fn bits(numbers: &[f64]) -> Vec<String> {
+    let word = |x: &f64| if x.is_nan() { "nan".into() } else { format!("{:016x}", x.to_bits()) };
+    numbers.iter().map(word).collect()
 }

@@ -1,14 +1,15 @@
 //! The functions that Rust takes from the platform's C library, from the `libm` crate instead.
 //!
-//! WebAssembly has no C library: there `f64::sin` is the `libm` crate's sine, which the compiler brings along. Another sine may
-//! differ in the last bit, and rightly. So that the grid asks about the module and not about two sines, this program
-//! brings the same one. `./build` makes sure that the C library's mathematics is not even loaded.
+//! WebAssembly has no C library: there `f64::sin` is the `libm` crate's sine, which the compiler brings
+//! along. Another sine may differ in the last bit, and rightly. So that the grid asks about the module and
+//! not about two sines, this program brings the same one. `./build` makes sure that the C library's
+//! mathematics is not even loaded.
 
 use std::mem::MaybeUninit;
 
 macro_rules! instead {
     ($($name:ident($($x:ident),+);)+) => {$(
-        #[allow(unsafe_code)] // it must bear the name that the compiler calls
+        #[expect(unsafe_code, reason = "it must bear the name that the compiler calls")]
         #[unsafe(no_mangle)]
         extern "C" fn $name($($x: f64),+) -> f64 {
             libm::$name($($x),+)
@@ -24,7 +25,7 @@ instead! {
 }
 
 /// Where a sine and a cosine of one angle are wanted, the compiler asks for both at once.
-#[allow(unsafe_code)]
+#[expect(unsafe_code, reason = "the compiler calls these by name")]
 #[unsafe(no_mangle)]
 extern "C" fn sincos(x: f64, sine: &mut MaybeUninit<f64>, cosine: &mut MaybeUninit<f64>) {
     sine.write(libm::sin(x));

@@ -10,19 +10,19 @@ pub static VERDICT: Text = Text::new();
 
 /// Judges a record.
 ///
-/// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments, kg m², the
-/// most that a law may be broken by, to how many rows the start is to be fitted (below two: to none), and for each law of
-/// [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its own (not above zero: none).
+/// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments,
+/// kg m², the most that a law may be broken by, to how many rows the start is to be fitted (below two: to
+/// none), and for each law of [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its
+/// own (not above zero: none).
 ///
-/// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and each law's name and growth
-/// in words, and what is allowed of it; the answer is 1. For a
-/// record that cannot be judged, the text says why; the answer is 0.
+/// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and each
+/// law's name and growth in words, and what is allowed of it; the answer is 1. For a record that cannot be
+/// judged, the text says why; the answer is 0.
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold, fitted] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
     let thresholds = row.take(6).map(|most: f64| (most > 0.0).then_some(most));
-    // A number of rows too large for any memory is told so by the judge.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    // The judge refuses a number of rows too large for any memory.
     let fit = (fitted >= 2.0).then_some(fitted as usize);
     match judge(record, &Options { inertia, threshold, thresholds, fit }) {
         Ok(verdict) => {
@@ -51,10 +51,11 @@ mod record {
 
     static PIECE: Piece = Piece::new();
 
-    #[allow(unsafe_code)] // what the page lends must be declared so; calling it is safe
+    #[expect(unsafe_code, reason = "what the page lends must be declared so; calling it is safe")]
     #[link(wasm_import_module = "page")]
     unsafe extern "C" {
-        /// Writes the record's next bytes, this many at most, to this address; returns how many. None are left: 0.
+        /// Writes the record's next bytes, this many at most, to this address; returns how many. None are
+        /// left: 0.
         safe fn more(address: usize, room: usize) -> usize;
     }
 

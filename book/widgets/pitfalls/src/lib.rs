@@ -1,5 +1,5 @@
-//! Wrong and right: the engines of the three pitfalls and the right one, stepped from one start. The exact motion beside them is another
-//! module's, the tumble's.
+//! Wrong and right: the engines of the three pitfalls and the right one, stepped from one start. The exact
+//! motion beside them is another module's, the tumble's.
 //!
 //! The page keeps each engine's state between two questions, and never looks into it.
 
@@ -27,17 +27,18 @@ fn body(which: f64) -> Vector3<f64> {
     }
 }
 
-/// All questions begin with the body (the box, the book, the phone, a ball) and the spin along its axes, rad/s.
+/// All questions begin with the body (the box, the book, the phone, a ball) and the spin along its axes,
+/// rad/s.
 ///
-/// 0, how an engine starts: which of [`Engine::ALL`].
-/// 1, how it goes on: which, the step in seconds, how many steps were taken before, how many to take now, and the state as it was
-/// answered last.
+/// 0, how an engine starts: which of [`Engine::ALL`]. 1, how it goes on: which, the step in seconds, how many
+/// steps were taken before, how many to take now, and the state as it was answered last.
 ///
-/// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an `f64` holds; the state, nine numbers;
-/// the energy and the length of the momentum, in parts of the first, and the momentum's angle from where it was, degrees,
-/// as a measurement on the body would find them; the least and the greatest energy of these steps; how many flips there
-/// were, and the time of the first; how far the spin's direction is from that at the start, degrees; and for each step (at
-/// the start: for it) the spin about x.
+/// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an `f64`
+/// holds; the state, nine numbers; the energy and the length of the momentum, in parts of the first, and the
+/// momentum's angle from where it was, degrees, as a measurement on the body would find them; the least and
+/// the greatest energy of these steps; how many flips there were, and the time of the first; how far the
+/// spin's direction is from that at the start, degrees; and for each step (at the start: for it) the spin
+/// about x.
 ///
 /// 2, the body's moments, kg m².
 pub fn answer(what: u32, row: &Numbers) -> usize {
@@ -92,7 +93,8 @@ impl Run {
         count + 1
     }
 
-    /// What the page brings back: eight numbers into the row the attitude, real part first, and the carried vector.
+    /// What the page brings back: eight numbers into the row the attitude, real part first, and the carried
+    /// vector.
     fn motion(&self, row: &Numbers) -> Carried<f64> {
         let [w, i, j, k, x, y, z] = row.take(8);
         Carried { attitude: nalgebra::Quaternion::new(w, i, j, k), vector: Vector3::new(x, y, z) }
@@ -115,8 +117,9 @@ impl Run {
                 break;
             }
             (motion, found) = (next, now);
-            // A flip is a change of sign, its time by a straight line: as `tumbling::dynamics::observe::sign_changes`, which wants
-            // memory that this module else has no need of. `tests` below hold it to that.
+            // A flip is a change of sign, its time by a straight line: as
+            // `tumbling::dynamics::observe::sign_changes`, which wants memory that this module else has no
+            // need of. `tests` below hold it to that.
             if sign(found.spin, side) * side < 0.0 {
                 if flips == 0.0 {
                     let share = if last == 0.0 { 0.0 } else { 1.0 / (1.0 + (found.spin / last).abs()) };
@@ -207,8 +210,8 @@ mod tests {
     /// Numbers in a state.
     const STATE: usize = 9;
 
-    /// An engine as the page has it: started, then stepped in pieces. The last answer's head, all spins, and the flips that came
-    /// first in their pieces.
+    /// An engine as the page has it: started, then stepped in pieces. The last answer's head, all spins, and
+    /// the flips that came first in their pieces.
     fn paged(
         which: usize,
         omega: [f64; 3],
@@ -287,7 +290,8 @@ mod tests {
                 let greatest = energies.iter().copied().fold(f64::MIN, f64::max);
                 let [first, last] = [&run[0], &run[count]];
                 let (now, spins) = (last.momentum_world(), last.omega_world());
-                // What the engine makes of its start differs from the start: pitfall two's spin is another from the first.
+                // What the engine makes of its start differs from the start: pitfall two's spin is another
+                // from the first.
                 let scale = first.energy() / start.energy();
                 let same = |what: &str, ours: f64, theirs: f64| {
                     assert!(

@@ -1,5 +1,5 @@
-//! Methods and steps: what a method makes of a motion at a step, and how its errors grow with it. The exact motion beside it is another
-//! module's, the tumble's.
+//! Methods and steps: what a method makes of a motion at a step, and how its errors grow with it. The exact
+//! motion beside it is another module's, the tumble's.
 
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -47,15 +47,16 @@ fn body(which: f64) -> Vector3<f64> {
     }
 }
 
-/// 0, what a method says of itself: which of [`Method::ALL`]. Its name is the text; the answer its order, and whether it is implicit
-/// and keeps the energy, the length of the momentum, its direction, the attitude's length and the way back, 1 or 0. There is no
-/// answer where there is no such method.
+/// 0, what a method says of itself: which of [`Method::ALL`]. Its name is the text; the answer its order, and
+/// whether it is implicit and keeps the energy, the length of the momentum, its direction, the attitude's
+/// length and the way back, 1 or 0. There is no answer where there is no such method.
 ///
-/// 1, a run: which body (the box, the book, the phone), the spin along its axes, rad/s, until when, s, in how many steps, which method,
-/// and the attitude that it should end with, real part first. The answer: how many steps were taken; why no more: 0 for no
-/// reason, 1 if something was not found, 2 if something left what an `f64` holds, 3 for other reasons, and the text says what;
-/// the greatest errors of the energy and of the length of the momentum, in parts of them; the
-/// attitude's at the end, degrees; the greatest spin about x; and the spin about x at the start and after each step.
+/// 1, a run: which body (the box, the book, the phone), the spin along its axes, rad/s, until when, s, in how
+/// many steps, which method, and the attitude that it should end with, real part first. The answer: how many
+/// steps were taken; why no more: 0 for no reason, 1 if something was not found, 2 if something left what an
+/// `f64` holds, 3 for other reasons, and the text says what; the greatest errors of the energy and of the
+/// length of the momentum, in parts of them; the attitude's at the end, degrees; the greatest spin about x;
+/// and the spin about x at the start and after each step.
 ///
 /// 2, a body's moments, kg m².
 pub fn answer(what: u32, row: &Numbers) -> usize {
@@ -117,8 +118,8 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
     HEAD + 1 + taken
 }
 
-/// Why a step was refused, as a number; of what, as the text. The library's own sentence prints numbers, which weighs more than
-/// all the methods.
+/// Why a step was refused, as a number; of what, as the text. The library's own sentence prints numbers,
+/// which weighs more than all the methods.
 fn refused(error: &Error) -> f64 {
     WORDS.say(error.subject());
     match error.kind() {

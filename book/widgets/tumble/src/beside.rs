@@ -1,5 +1,5 @@
-//! The exact motion, for the widgets that set something beside it: they ask this module, since most of each would be
-//! that.
+//! The exact motion, for the widgets that set something beside it: they ask this module, since most of each
+//! would be that.
 
 use exchange::Numbers;
 use nalgebra::Vector3;
@@ -8,12 +8,14 @@ use tumbling::exact::FreeMotion;
 /// The most flips, and the most parts, in one answer.
 const MOST: usize = 1500;
 
-/// Both questions begin with three principal moments, kg m², and the spin along their axes at the start, rad/s.
+/// Both questions begin with three principal moments, kg m², and the spin along their axes at the start,
+/// rad/s.
 ///
-/// 0, an instant: when, s. The answer: the spin along the axes, and the attitude from that at the start, real part first.
+/// 0, an instant: when, s. The answer: the spin along the axes, and the attitude from that at the start, real
+/// part first.
 ///
-/// 1, a motion from the start on: until when, and in how many parts. The answer: how many flips, the time of each, and the spin about
-/// x at the parts' ends.
+/// 1, a motion from the start on: until when, and in how many parts. The answer: how many flips, the time of
+/// each, and the spin about x at the parts' ends.
 ///
 /// There is no answer where the library has none.
 pub(crate) fn answer(what: u32, row: &Numbers) -> usize {

@@ -11,20 +11,22 @@ use tumbling::exact::{FreeMotion, Regime, time_between_flips};
 use tumbling::number::Analytic;
 use tumbling::{Axis, Error, ErrorKind};
 
-/// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as half of the rest.
+/// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much
+/// as half of the rest.
 pub static WHY: Line = Line::new();
 
 /// The motion last prepared, which later questions are about, and the axis that it was spun about.
 static MOTION: Mutex<Option<(FreeMotion, usize)>> = Mutex::new(None);
 
-/// How many of the next flips are told.
+/// How many of the next flips are given.
 const NEXT: usize = 3;
 /// Most flips told of a stretch of time, and most samples of it.
 const MOST_FLIPS: usize = 64;
 const MOST_SAMPLES: f64 = 1000.0;
 
-/// Principal moments, kg m², and the centre of mass from where the body's drawing has its origin, m. As all bodies of
-/// the book they lie with the smallest moment along z, the largest along y and the middle one along x.
+/// Principal moments, kg m², and the centre of mass from where the body's drawing has its origin, m. As all
+/// bodies of the book they lie with the smallest moment along z, the largest along y and the middle one along
+/// x.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
     match which as u32 {
         3 => (
@@ -43,18 +45,19 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
 
 /// What the page asks:
 ///
-/// 0. Prepare the motion of a body (the box, the book, the phone, the racket, the wing nut) with this spin, rad/s, a push as a
-///    share of it, and the axis that it is spun about: 0, the middle one, with the push about that of the largest moment; 1, that of the
-///    smallest moment, or 2, of the largest, with the push about the middle one. The answer: the time between flips, s (NaN: it never
-///    flips); the moments; the centre of mass; the momentum, kg m²/s, which is fixed in the world; which axis the spin
-///    circles, 0, 1 or 2, or 3 where it stands still; twice the energy into the square of the momentum, kg m²; and what a
+/// 0. Prepare the motion of a body (the box, the book, the phone, the racket, the wing nut) with this spin,
+///    rad/s, a push as a share of it, and the axis that it is spun about: 0, the middle one, with the push
+///    about that of the largest moment; 1, that of the smallest moment, or 2, of the largest, with the push
+///    about the middle one. The answer: the time between flips, s (NaN: it never flips); the moments; the
+///    centre of mass; the momentum, kg m²/s, which is fixed in the world; which axis the spin circles, 0, 1
+///    or 2, or 3 where it stands still; twice the energy into the square of the momentum, kg m²; and what a
 ///    spin is to be multiplied by to lie on the ellipsoid of the polhodes.
-/// 1. The instant `t`: spin along the body's axes, attitude (w, x, y, z), spin in the world, how often it has flipped since time 0, and the next
-///    three flips (NaN where there is none).
-/// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and at the samples the spin along the axis
-///    that it was spun about.
-/// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive side, on the ellipsoid of
-///    energy whose longest half axis is 1.
+/// 1. The instant `t`: spin along the body's axes, attitude (w, x, y, z), spin in the world, how often it has
+///    flipped since time 0, and the next three flips (NaN where there is none).
+/// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and at the samples
+///    the spin along the axis that it was spun about.
+/// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive
+///    side, on the ellipsoid of energy whose longest half axis is 1.
 ///
 /// 4 and 5. For other widgets, of any body: see [`beside::answer`], which counts them from 0.
 ///
@@ -159,7 +162,8 @@ fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
     let (motion, along) = motion()?;
     let now = motion.at(t)?;
     let world = now.omega_world();
-    // A push along the middle axis never carries a spin about another from its side: what changes sign is its wobble.
+    // A push along the middle axis never carries a spin about another from its side: what changes sign is its
+    // wobble.
     let flips = along == 0;
     let count = if flips { motion.flips(t.min(0.0), t.max(0.0))?.remaining() } else { 0 };
     let mut next = [f64::NAN; NEXT];
@@ -192,8 +196,8 @@ fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
     Ok(place)
 }
 
-/// In the components of the spin each times the root of its moment, the energy is a sphere and the momentum an elliptic cone about the
-/// axis that is circled.
+/// In the components of the spin each times the root of its moment, the energy is a sphere and the momentum
+/// an elliptic cone about the axis that is circled.
 fn polhode([around, depth, points]: [f64; 3], row: &Numbers) -> usize {
     let moments: [f64; 3] = moments().into();
     let axes = match around as u32 {
@@ -225,7 +229,8 @@ mod tests {
     /// Held by a test that prepares a motion: there is one for all.
     static ALONE: Mutex<()> = Mutex::new(());
 
-    /// By symmetry: at time 0 the spin is at its most along x, so that it is nothing half a beat later and earlier, and each beat from there.
+    /// By symmetry: at time 0 the spin is at its most along x, so that it is nothing half a beat later and
+    /// earlier, and each beat from there.
     #[test]
     fn one_more_flip_is_counted_at_each_half_beat_before_and_after_the_start() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);

@@ -6,15 +6,17 @@ use tumbling::body::named::{self, NamedBody, Part, Section};
 /// How many numbers describe a part.
 pub(crate) const SIZE: usize = 8;
 
-/// The bodies of the page, by their places among the library's: the box, the book, the phone, the tennis racket, the wing nut.
+/// The bodies of the page, by their places among the library's: the box, the book, the phone, the tennis
+/// racket, the wing nut.
 const PLACES: [usize; 5] = [0, 1, 2, 5, 6];
 
 pub(crate) fn body(which: f64) -> Option<&'static NamedBody> {
     named::all().get(*PLACES.get(which as usize)?)
 }
 
-/// The parts of a body, of [`SIZE`] numbers each; m and kg. A bar: 0, its ends' x, z, x, z, its width in
-/// the xz plane and its thickness along y, its mass. A tube along x: 1, its ends' x, its inner and its outer radius, twice 0, its mass.
+/// The parts of a body, of [`SIZE`] numbers each; m and kg. A bar: 0, its ends' x, z, x, z, its width in the
+/// xz plane and its thickness along y, its mass. A tube along x: 1, its ends' x, its inner and its outer
+/// radius, twice 0, its mass.
 pub(crate) fn answer(which: f64, row: &Numbers) -> usize {
     let mut place = 0;
     if let Some(body) = body(which) {
@@ -93,7 +95,8 @@ mod tests {
             assert!((ours.centre() - theirs.centre()).amax() < 1e-15, "{which}: {}", ours.centre());
             let off = (ours.inertia().matrix() - tensor).amax();
             assert!(off < 1e-13 * size, "{which}: {off} relative to {size}");
-            // As thick as it is drawn the racket's frame is no line: that changes its moments by less than one part in a hundred.
+            // As thick as it is drawn the racket's frame is no line: that changes its moments by less than
+            // one part in a hundred.
             for (axis, (thick, right)) in
                 made(which, false).inertia().matrix().diagonal().iter().zip(&tensor.diagonal()).enumerate()
             {

@@ -1,4 +1,5 @@
-//! Two arrows: a spin turned from one principal axis of a body to another, and the momentum that leaves it on the way.
+//! Two arrows: a spin turned from one principal axis of a body to another, and the momentum that leaves it on
+//! the way.
 
 use exchange::Numbers;
 use nalgebra::Vector3;
@@ -18,19 +19,21 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
     }
 }
 
-/// Of the row it takes: which body (the plate, the box, the book, the phone, a pencil, a ball); between which two of its
-/// principal axes (0 the smallest and the middle moment, 1 the middle and the largest, 2 the smallest and the largest);
-/// and the spin along the lighter and along the heavier of them, rad/s, neither below zero.
+/// Of the row it takes: which body (the plate, the box, the book, the phone, a pencil, a ball); between which
+/// two of its principal axes (0 the smallest and the middle moment, 1 the middle and the largest, 2 the
+/// smallest and the largest); and the spin along the lighter and along the heavier of them, rad/s, neither
+/// below zero.
 ///
-/// It answers with the angles of spin and momentum from the lighter axis and the gap, degrees; the momentum along the two axes, kg m²/s;
-/// the two moments, kg m²; the body's size along the two, m; and which body axes the two are, 0, 1 or 2.
+/// It answers with the angles of spin and momentum from the lighter axis and the gap, degrees; the momentum
+/// along the two axes, kg m²/s; the two moments, kg m²; the body's size along the two, m; and which body axes
+/// the two are, 0, 1 or 2.
 pub fn answer(_what: u32, row: &Numbers) -> usize {
     let [which, between, along, up] = row.take(0);
     row.fill(&arrows(which, between as u32, [along, up]))
 }
 
-/// The momentum of a spin along principal axes is each component times its own moment. These moments need no check, nor is
-/// the gap small where a widget shows it: `tests` below hold both to the library's checked way.
+/// The momentum of a spin along principal axes is each component times its own moment. These moments need no
+/// check, nor is the gap small where a widget shows it: `tests` below hold both to the library's checked way.
 fn arrows(which: f64, between: u32, spin: [f64; 2]) -> [f64; 11] {
     let (moments, size) = body(which);
     let [least, middle, most] = ordered(moments.into());

@@ -5,13 +5,14 @@ use nalgebra::Vector3;
 use tumbling::solid::{Cuboid, Solid};
 use tumbling::{Error, ErrorKind, Inertia};
 
-/// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much as all the rest.
+/// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much
+/// as all the rest.
 pub static WHY: Line = Line::new();
 
 /// Of the row it takes: the edges along x, y and z, m; the mass, kg; and the spin along them, rad/s.
 ///
-/// It answers with the moments about x, y and z, kg m²; the momentum along them, kg m²/s; the gap, degrees; and what
-/// becomes of the spin, left alone, as [`fate`] numbers it.
+/// It answers with the moments about x, y and z, kg m²; the momentum along them, kg m²/s; the gap, degrees;
+/// and what becomes of the spin, left alone, as [`fate`] numbers it.
 pub fn answer(_what: u32, row: &Numbers) -> usize {
     let omega = Vector3::from(row.take(4));
     let momentum_and_gap =
@@ -51,13 +52,15 @@ fn found([a, b, c, mass]: [f64; 4], omega: &Vector3<f64>) -> Result<(Inertia, f6
     Ok((inertia, inertia.angle_to_momentum(omega)?))
 }
 
-/// What becomes of a spin that is left alone. With 0, 1 or 2 for x, y or z: it circles that axis for ever. 3: it runs along the
-/// separatrix. 4: two moments are equal, and it circles the third axis evenly. 5: all three are equal. 6: two are, and it
-/// stays. 7 and the axis: it stays on an axis of the smallest or the largest moment. 10 and the axis: it stands on that of the middle one.
+/// What becomes of a spin that is left alone. With 0, 1 or 2 for x, y or z: it circles that axis for ever. 3:
+/// it runs along the separatrix. 4: two moments are equal, and it circles the third axis evenly. 5: all three
+/// are equal. 6: two are, and it stays. 7 and the axis: it stays on an axis of the smallest or the largest
+/// moment. 10 and the axis: it stands on that of the middle one.
 ///
-/// The spin circles the axis of the smallest moment where `2 E I2 > L²`, that is where `w1² I1 (I2 - I1) > w3² I3 (I3 - I2)`; with the roots
-/// of both sides, and all in parts of the greatest, nothing leaves the range. The library's own answer needs the whole
-/// motion prepared, which would triple this module; a test holds the two to each other.
+/// The spin circles the axis of the smallest moment where `2 E I2 > L²`, that is where
+/// `w1² I1 (I2 - I1) > w3² I3 (I3 - I2)`; with the roots of both sides, and all in parts of the greatest,
+/// nothing leaves the range. The library's own answer needs the whole motion prepared, which would triple
+/// this module; a test holds the two to each other.
 fn fate(moments: [f64; 3], omega: [f64; 3]) -> u8 {
     let mut order = [0, 1, 2];
     order.sort_unstable_by(|&a, &b| moments[a].total_cmp(&moments[b]));

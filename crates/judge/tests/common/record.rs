@@ -36,7 +36,6 @@ impl Record {
         let row = |line: &str| {
             let x: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
             assert_eq!(x.len(), 8, "{name}: {line}");
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of steps")]
             let step = x[0] as usize;
             Row {
                 step,

@@ -4,7 +4,7 @@ use crate::law::{Law, Packed};
 use differential_equations::prelude::*;
 use differential_equations::solout::Solout;
 use std::cell::Cell;
-use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting};
+use tumbling_measure::contestant::{About, Contestant, Ended, Failure, Group, Knob, Setting};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
 
@@ -45,24 +45,14 @@ impl Solout<f64, Packed> for Seen<'_, '_, '_> {
 }
 
 impl Contestant for Dop853 {
-    fn name(&self) -> &str {
-        "DOP853 (differential-equations)"
-    }
-
-    fn group(&self) -> Group {
-        Group::Peer
-    }
-
-    fn order(&self) -> u32 {
-        8
-    }
-
-    fn knob(&self) -> Knob {
-        Knob::Tolerance
-    }
-
-    fn takes(&self, _story: &Story) -> bool {
-        true
+    fn about(&self) -> About {
+        About {
+            name: "DOP853 (differential-equations)",
+            group: Group::Peer,
+            order: 8,
+            knob: Knob::Tolerance,
+            free_only: false,
+        }
     }
 
     fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {

@@ -4,7 +4,8 @@ use nalgebra::{Quaternion, Vector3};
 use tumbling::step::{State, System};
 use tumbling_measure::story::Story;
 
-/// Attitude (scalar first) and momentum in body axes over its size at the start, so that one tolerance fits all.
+/// Attitude (scalar first) and momentum in body axes over its size at the start, so that one tolerance fits
+/// all.
 pub type Packed = [f64; 7];
 
 /// A story as a solver of differential equations sees it.

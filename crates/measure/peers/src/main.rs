@@ -20,7 +20,7 @@ use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::contestant::{self, Contestant};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
-use tumbling_measure::scale as crowds;
+use tumbling_measure::scale::crowd as crowds;
 use tumbling_measure::story::{self, Wrong};
 
 /// The peers with their versions, as the lock file has them.

@@ -3,34 +3,23 @@
 use nalgebra::{Quaternion, Vector3};
 use rapier3d_f64::prelude::*;
 use tumbling::step::State;
-use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting, step_of};
+use tumbling_measure::contestant::{About, Contestant, Ended, Failure, Group, Knob, Setting, step_of};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
 
 pub struct Rapier;
 
 impl Contestant for Rapier {
-    fn name(&self) -> &str {
-        "Rapier, whole engine"
+    fn about(&self) -> About {
+        About {
+            name: "Rapier, whole engine",
+            group: Group::Peer,
+            order: 1,
+            knob: Knob::Steps,
+            free_only: true,
+        }
     }
 
-    fn group(&self) -> Group {
-        Group::Peer
-    }
-
-    fn order(&self) -> u32 {
-        1
-    }
-
-    fn knob(&self) -> Knob {
-        Knob::Steps
-    }
-
-    fn takes(&self, story: &Story) -> bool {
-        story.system.is_free()
-    }
-
-    #[allow(clippy::cast_precision_loss)]
     fn run(
         &self,
         story: &Story,

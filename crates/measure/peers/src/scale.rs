@@ -1,10 +1,12 @@
-//! Many bodies: the library's batches on one thread and two, and a world of Rapier with as many free bodies, in one run.
+//! Many bodies: the library's batches on one thread and two, and a world of Rapier with as many free bodies,
+//! in one run.
 
 use rapier3d_f64::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::path::Path;
 use tumbling_measure::record::Record;
-use tumbling_measure::scale::{self, Crowd, Effort, Prepare, Ready, Run, Scale, body};
+use tumbling_measure::scale::crowd::{self, Crowd, Effort, Prepare, Ready, Run, body};
+use tumbling_measure::scale::{self, Scale};
 use tumbling_measure::story::Wrong;
 
 /// Far enough apart that nothing meets.
@@ -51,7 +53,7 @@ pub fn write(
     let (one, two) = (pool(1)?, pool(2)?);
     let on_one: &Run<'_> = &|pass| one.install(pass);
     let on_two: &Run<'_> = &|pass| two.install(pass);
-    let mut crowds = scale::ours(on_one, Some(on_two));
+    let mut crowds = crowd::ours(on_one, Some(on_two));
     let prepare: Prepare<'_> = Box::new(|bodies| {
         let mut world = world(bodies);
         Ready { pass: Box::new(move |_| world.step()), bytes: None }
@@ -61,7 +63,7 @@ pub fn write(
         Some(path) => Record::<Scale>::read(&std::fs::read_to_string(path)?)?.rows,
         None => Vec::new(),
     };
-    rows.extend(scale::measure(build, &crowds, effort, tell));
+    rows.extend(crowd::measure(build, &crowds, effort, tell));
     let record = scale::record(rows, versions, effort);
     std::fs::create_dir_all(folder)?;
     std::fs::write(folder.join("scale.csv"), record.write())?;

@@ -3,31 +3,21 @@
 use crate::law::Law;
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use std::cell::Cell;
-use tumbling_measure::contestant::{Contestant, Ended, Failure, Group, Knob, Setting};
+use tumbling_measure::contestant::{About, Contestant, Ended, Failure, Group, Knob, Setting};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
 
 pub struct Tsit45;
 
 impl Contestant for Tsit45 {
-    fn name(&self) -> &str {
-        "Tsit45 (diffsol)"
-    }
-
-    fn group(&self) -> Group {
-        Group::Peer
-    }
-
-    fn order(&self) -> u32 {
-        5
-    }
-
-    fn knob(&self) -> Knob {
-        Knob::Tolerance
-    }
-
-    fn takes(&self, _story: &Story) -> bool {
-        true
+    fn about(&self) -> About {
+        About {
+            name: "Tsit45 (diffsol)",
+            group: Group::Peer,
+            order: 5,
+            knob: Knob::Tolerance,
+            free_only: false,
+        }
     }
 
     fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {

@@ -46,7 +46,6 @@ fn free(
     watched: usize,
 ) -> Case {
     // At least a few steps, at most what a run should take.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
     let count = (span / step).ceil().clamp(4.0, 200_000.0) as usize;
     Case { name: name.into(), moments, omega, damping: 0.0, step, count, watched, flips: None }
 }
@@ -63,7 +62,6 @@ fn flipping(
     let first = motion.next_flip(0.0)?.unwrap_or(10.0);
     let second = motion.next_flip(first * (1.0 + 1e-9))?.unwrap_or(2.0 * first);
     let between = second - first;
-    #[allow(clippy::cast_precision_loss)] // a handful
     let span = first + between * (flips as f64 - 0.5);
     let mut case = free(name, moments, omega, step, span, 1);
     case.flips = Some(flips);

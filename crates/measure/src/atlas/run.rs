@@ -40,7 +40,6 @@ impl Case {
     }
 
     fn duration(&self) -> f64 {
-        #[allow(clippy::cast_precision_loss)] // at most 2e5
         let count = self.count as f64;
         self.step * count
     }
@@ -75,7 +74,6 @@ impl Case {
             let motion = FreeMotion::new(self.moments.try_into()?, &self.omega.into())?;
             let mut kicked = start;
             self.watch(&system, &start, |k| {
-                #[allow(clippy::cast_precision_loss)] // at most 2e5
                 let t = self.step * k as f64;
                 if self.damping > 0.0 {
                     kicked = exact_drift::step(&system, &kicked, self.step)?;
@@ -150,7 +148,6 @@ impl Case {
             grow(&mut seen.energy, energy(&motion.momentum) / start_energy);
             grow(&mut seen.momentum, unit(&motion.momentum).norm() / start_momentum);
             let [a, b] = [before.momentum[self.watched], motion.momentum[self.watched]];
-            #[allow(clippy::cast_precision_loss)] // at most 2e5
             let t = self.step * (k - 1) as f64;
             // Below the smallest sign that matters, rounding may change it.
             if a * b < 0.0
@@ -226,7 +223,6 @@ impl Case {
         // Seen at each step: of a motion about this axis there are none.
         let mut signs = Vec::new();
         for k in 0..=self.count {
-            #[allow(clippy::cast_precision_loss)] // at most 2e5
             let t = self.step * k as f64;
             signs.push((t, motion.omega(t)?[self.watched]));
         }

@@ -23,13 +23,13 @@ pub struct StillTrue {
     pub change: String,
     /// What came of it.
     pub tex: String,
-    /// Whether each side is still worth what it was: written otherwise, it says the same. Otherwise it says something
-    /// else that is also true.
+    /// Whether each side is still worth what it was: written otherwise, it says the same. Otherwise it says
+    /// something else that is also true.
     pub same_sides: bool,
 }
 
-/// Alters each proven equation of a chapter: every sign, index, power, number, sign of order and product changed; every
-/// name doubled, repeated, left out and exchanged; every two names swapped.
+/// Alters each proven equation of a chapter: every sign, index, power, number, sign of order and product
+/// changed; every name doubled, repeated, left out and exchanged; every two names swapped.
 #[must_use]
 pub fn alterations(name: &str, equations: &[Equation]) -> Alterations {
     let mut table = Alterations::default();

@@ -98,8 +98,8 @@ pub(super) fn the_box_spun() -> Scope {
     scope.with(r"\mathbf{L}", momentum(&cuboid_moments(&m, &a, &b, &c), &omega))
 }
 
-/// The example says each moment times 1, 1 and 0, the components of its spin: for those their names are put, so that
-/// what stands before them must be right also where that is 0.
+/// The example says each moment times 1, 1 and 0, the components of its spin: for those their names are put,
+/// so that what stands before them must be right also where that is 0.
 pub(super) fn for_any_spin(statement: &Statement) -> Result<Statement, String> {
     let mut general = statement.clone();
     let Some((_, side)) = general.others.first_mut() else { return Ok(general) };
@@ -150,7 +150,8 @@ pub(super) fn twice_the_energy() -> Scope {
     twice.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
 }
 
-/// The sum that some books call the product of inertia: the entry of the library's matrix, with the other sign.
+/// The sum that some books call the product of inertia: the entry of the library's matrix, with the other
+/// sign.
 pub(super) fn product_without_minus() -> Scope {
     let body = body();
     let minus = Value::Scalar(Fraction::from(-1));

@@ -8,7 +8,8 @@ use crate::tex::{Scope, Statement};
 pub struct Law {
     /// The chapter's file, without ending.
     pub chapter: &'static str,
-    /// Its left side as written, by which it is found: laws with one left side stand in the order of the chapter.
+    /// Its left side as written, by which it is found: laws with one left side stand in the order of the
+    /// chapter.
     pub left: &'static str,
     /// What it is proven to be.
     pub says: &'static str,
@@ -314,7 +315,8 @@ pub fn exemptions() -> &'static [Exemption] {
     EXEMPTIONS
 }
 
-/// Bare expressions that name a thing and say nothing about it; each stands once for each time it is written, inline.
+/// Bare expressions that name a thing and say nothing about it; each stands once for each time it is written,
+/// inline.
 #[must_use]
 pub fn notation() -> &'static [Exemption] {
     const JACOBI: &str = "the name of a function; what it does is proven in closed_forms";

@@ -1,7 +1,9 @@
-//! Square root, sine, cosine and exponential of power series with rational coefficients: what steppers ask for.
+//! Square root, sine, cosine and exponential of power series with rational coefficients: what steppers ask
+//! for.
 //!
-//! Each follows from a differential equation that settles one power after another, and is exact. Where the first
-//! coefficient has no rational value (the root of 2, the sine of 1) the result is undefined, never rounded.
+//! Each follows from a differential equation that settles one power after another, and is exact. Where the
+//! first coefficient has no rational value (the root of 2, the sine of 1) the result is undefined, never
+//! rounded.
 
 use super::{Rational, Series};
 use num_traits::{One, Zero};

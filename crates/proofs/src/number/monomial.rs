@@ -56,7 +56,10 @@ impl Monomial {
     /// # Panics
     /// If a power exceeds 4 294 967 295: it stops rather than wrap around.
     #[must_use]
-    #[allow(clippy::expect_used)] // Such a power has no place here, and a wrong one would be believed.
+    #[expect(
+        clippy::expect_used,
+        reason = "such a power has no place here, and a wrong one would be believed"
+    )]
     pub fn times(&self, other: &Self) -> Self {
         self.merge(other, |a, b| Some(a.checked_add(b).expect("a power above 4294967295")))
             .unwrap_or_default()

@@ -37,7 +37,8 @@ impl std::error::Error for ParseError {}
 /// let box_moment: Fraction = "1/12 m (b^2 + c^2)".parse()?;
 /// assert_eq!(box_moment.to_string(), "1/12 b^2 m + 1/12 c^2 m");
 /// assert_eq!("x / (x y)".parse(), "1 / y".parse::<Fraction>());
-/// assert_eq!("2 +".parse::<Fraction>().unwrap_err().to_string(), "expected a number, a name or a bracket at byte 3");
+/// let error = "2 +".parse::<Fraction>().unwrap_err();
+/// assert_eq!(error.to_string(), "expected a number, a name or a bracket at byte 3");
 /// # Ok::<(), tumbling_proofs::ParseError>(())
 /// ```
 impl FromStr for Fraction {

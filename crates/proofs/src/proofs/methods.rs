@@ -1,8 +1,10 @@
-//! Every stepping method's order and the laws it keeps: its own step, run on power series with exact fractions.
+//! Every stepping method's order and the laws it keeps: its own step, run on power series with exact
+//! fractions.
 //!
-//! Two bodies with three different moments, spun and turned every way, stand for all: a method that agrees with the truth to a power of
-//! the step for all bodies does so for these, and one that falls short or goes further for these says so. Their numbers are
-//! chosen so that spin, momentum and attitude have lengths without a root.
+//! Two bodies with three different moments, spun and turned every way, stand for all: a method that agrees
+//! with the truth to a power of the step for all bodies does so for these, and one that falls short or goes
+//! further for these says so. Their numbers are chosen so that spin, momentum and attitude have lengths
+//! without a root.
 
 use crate::number::{Fraction, Rational, Series};
 use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
@@ -14,8 +16,8 @@ use tumbling::step::{Method, State, System};
 
 type Number = Series<Rational>;
 
-/// The methods whose constants are no fractions, and are given with 27 digits. What is left over of a law that they keep has 18 zeros behind
-/// the point; what is left over of one that they break has not.
+/// The methods whose constants are no fractions, and are given with 27 digits. What is left over of a law
+/// that they keep has 18 zeros behind the point; what is left over of one that they break has not.
 const ROUNDED: &[Method] = &[Method::Gauss4, Method::Gauss6, Method::RotationSplitting6];
 
 /// How many powers beyond its order a law is followed.

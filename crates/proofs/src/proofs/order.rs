@@ -83,7 +83,8 @@ fn law(m: &State<Number>) -> Rate<Number> {
 
 type Pair<T> = (Quaternion<Series<T>>, Vector3<Series<T>>);
 
-/// An attitude and a vector as they move under a law, to the power `order`: each round of `y = y0 + ∫ law(y)` settles one more.
+/// An attitude and a vector as they move under a law, to the power `order`: each round of `y = y0 + ∫ law(y)`
+/// settles one more.
 fn solved<T: Field>(start: &Pair<T>, order: usize, law: impl Fn(Pair<T>) -> Pair<T>) -> Pair<T> {
     let (attitude, vector) = (&start.0.coords, &start.1);
     let mut motion = (Quaternion::from_vector(attitude.map(|x| x.cut(0))), vector.map(|x| x.cut(0)));

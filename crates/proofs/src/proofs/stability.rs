@@ -84,7 +84,8 @@ fn linearised(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fracti
     for axis in 0..3 {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let steady = spin_about(axis);
-        // The derivative of component `row` of the rate by component `column` of the spin, at the steady spin.
+        // The derivative of component `row` of the rate by component `column` of the spin, at the steady
+        // spin.
         let slope = |row: usize, column: usize| {
             let slope = rate[row].derivative(&format!("omega{}", column + 1).as_str().into());
             (0..3).fold(slope, |x, i| x.substitute(&format!("omega{}", i + 1).as_str().into(), &steady[i]))

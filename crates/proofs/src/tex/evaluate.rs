@@ -116,8 +116,8 @@ impl Statement {
         Ok(())
     }
 
-    /// Proves each number that something is set equal to, for these values of the variables: its decimals are the
-    /// correct rounding, and a whole number is exact. Returns the statement without these numbers.
+    /// Proves each number that something is set equal to, for these values of the variables: its decimals are
+    /// the correct rounding, and a whole number is exact. Returns the statement without these numbers.
     ///
     /// # Errors
     /// What the value is, or why it has none.

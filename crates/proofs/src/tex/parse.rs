@@ -55,8 +55,8 @@ pub(crate) struct Site {
     pub(crate) range: Range<usize>,
 }
 
-/// Reads one piece of maths: equations, inequalities and bare expressions, one or several, with commas, `\qquad` or the rows
-/// of an `aligned` between them, a mark of the sentence at the end.
+/// Reads one piece of maths: equations, inequalities and bare expressions, one or several, with commas,
+/// `\qquad` or the rows of an `aligned` between them, a mark of the sentence at the end.
 ///
 /// Side by side is a product and binds tighter than `\cdot` and `\times`; so does `/`, which takes only the
 /// next factor and bears none after it. What could be read in two ways is refused: several `\times` in a row,

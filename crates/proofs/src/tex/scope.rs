@@ -67,8 +67,8 @@ impl Scope {
         (shown, shown && p.terms().any(|(m, _)| above(m)))
     }
 
-    /// Whether `x` is shown to be above zero, or, unless `strict`, zero: every term is a positive number times
-    /// squares and what is positive.
+    /// Whether `x` is shown to be above zero, or, unless `strict`, zero: every term is a positive number
+    /// times squares and what is positive.
     pub(super) fn is_above(&self, x: &Fraction, strict: bool) -> bool {
         let x = self.relations.reduce_fraction(x);
         let shown = |sign: i64| {

@@ -134,8 +134,8 @@ const RELATIONS: [&str; 30] = [
     r"\gt",
 ];
 
-/// Whether a piece of maths states something, having an equals sign, an inequality or another relation in it; a lone symbol
-/// or number does not.
+/// Whether a piece of maths states something, having an equals sign, an inequality or another relation in it;
+/// a lone symbol or number does not.
 ///
 /// ```
 /// use tumbling_proofs::tex::states_something;

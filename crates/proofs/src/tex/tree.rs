@@ -111,8 +111,8 @@ impl Statement {
         lefts.zip(&self.others).map(|(left, (relation, right))| (left, *relation, right))
     }
 
-    /// Whether it only gives a value to a name that is free to have one: a small letter set equal to a number, or a
-    /// bold one to a tuple of numbers.
+    /// Whether it only gives a value to a name that is free to have one: a small letter set equal to a
+    /// number, or a bold one to a tuple of numbers.
     #[must_use]
     pub fn gives_values(&self) -> bool {
         let Node::Name(name) = &self.left.tree else { return false };

@@ -1,7 +1,7 @@
 //! Four numbers side by side, of the crate `wide`.
 //!
-//! Of its operations only those that round as `f64` does: its own sine, exponential and rounding are not needed, and its
-//! fused product is fused on some machines only.
+//! Of its operations only those that round as `f64` does: its own sine, exponential and rounding are not
+//! needed, and its fused product is fused on some machines only.
 
 use num_traits::{One, Zero};
 use std::array::from_fn;

@@ -6,8 +6,8 @@ use tumbling::Error;
 use tumbling::exact::{Batch, FreeMotion, Instant, Spins};
 use tumbling::number::Lane;
 
-/// Motions prepared to be answered side by side: their [`Spins`], or a [`Batch`] of spins with attitudes, in the lanes of a number
-/// type.
+/// Motions prepared to be answered side by side: their [`Spins`], or a [`Batch`] of spins with attitudes, in
+/// the lanes of a number type.
 pub trait Solver: Debug + Clone + Send + Sync {
     /// The answer for one body at one instant.
     type Answer: Debug + Copy + PartialEq + Send + Sync;

@@ -14,7 +14,8 @@ use tumbling::step::Torque;
 /// A scene from the text of a file.
 ///
 /// # Errors
-/// [`Error::File`] with the line, the field and what was expected. An invalid body is refused when it is planned.
+/// [`Error::File`] with the line, the field and what was expected. An invalid body is refused when it is
+/// planned.
 pub fn read(text: &str) -> Result<File, Error> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = Lines::of(text);

@@ -17,8 +17,8 @@ fn list(numbers: &[f64]) -> String {
     format!("[{}]", numbers.join(", "))
 }
 
-/// The text of a file with the scene: [`read`](super::read) gives it back to the bit. A body whose numbers are not all finite is written
-/// as it is, and refused by [`read`](super::read).
+/// The text of a file with the scene: [`read`](super::read) gives it back to the bit. A body whose numbers
+/// are not all finite is written as it is, and refused by [`read`](super::read).
 #[must_use]
 pub fn write(scene: &Scene) -> String {
     let mut text = format!("accuracy = {}\n", number(scene.accuracy()));

@@ -1,5 +1,5 @@
 //! What the tests of scenes share.
-#![allow(dead_code)] // not every file of tests uses all of it
+#![allow(dead_code, reason = "each test file uses its own part")]
 
 use tumbling::step::Torque;
 use tumbling_scenes::{Answer, InitialState, Outputs, Plan, Scene, Times};

@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// Time, attitude (w, x, y, z) and spin in body axes, at each step.
 fn run(story: &Value, h: f64) -> Result<Vec<[f64; 8]>, Box<dyn Error>> {
-    let numbers = |name: &str| -> Result<Vec<f64>, Box<dyn Error>> { Ok(serde_json::from_value(story[name].clone())?) };
+    let numbers = |name: &str| serde_json::from_value::<Vec<f64>>(story[name].clone());
     let vector = |name: &str| numbers(name).map(|v| Vector::new(v[0], v[1], v[2]));
     let q = numbers("attitude")?;
     let attitude = Rotation::from_xyzw(q[1], q[2], q[3], q[0]);
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => step.parse()?,
     };
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let kit = std::fs::read_to_string(here.join("../../../judge/kit/stories.json"))?;
+    let kit = std::fs::read_to_string(here.join("../../../crates/judge/kit/stories.json"))?;
     let kit: Value = serde_json::from_str(&kit)?;
     std::fs::create_dir_all(here.join("records"))?;
     for story in kit["stories"].as_array().ok_or("no stories")? {

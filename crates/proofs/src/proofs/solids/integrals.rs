@@ -1,0 +1,260 @@
+//! The integrals that the moments of solids are held to.
+
+use super::along;
+use crate::number::{Derivation, Fraction, Polynomial, Relations};
+use crate::proof::{Outcome, not_negative, same, same_matrices, same_vectors};
+use crate::region::{Region, Sums};
+use crate::symbols::{Matrix, Vector, diagonal, variables};
+use nalgebra::Vector3;
+use num_traits::{One, Zero};
+use tumbling::inertia::point_mass;
+use tumbling::solid::{
+    MassMoments, ball_moment, capsule_moments, cone_moments, cylinder_moments, disk_moments,
+    ellipsoid_moments, hollow_sphere_moment, mesh_moments, mesh_sums, plate_moments, rod_moments,
+    tetrahedron_moments, tube_moments,
+};
+
+fn symbol(name: &str) -> Polynomial {
+    Polynomial::variable(name)
+}
+
+fn half(p: &Polynomial) -> Polynomial {
+    p.exact_quotient(&Polynomial::from(2)).unwrap_or_default()
+}
+
+/// That a body evenly filled with mass `m` has this mass, centre and inertia.
+fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Outcome {
+    let density = &body.mass / &solid.volume;
+    same_vectors("centre", &body.centre, &solid.first.map(|x| x / solid.volume.clone()))?;
+    let about_origin = &body.inertia + point_mass(&body.mass, &body.centre);
+    same_matrices("inertia", &about_origin, &solid.inertia.map(|x| x * density.clone()))
+}
+
+fn centred(mass: &Fraction, moments: &Vector) -> MassMoments<Fraction> {
+    MassMoments { mass: mass.clone(), centre: Vector::zeros(), inertia: diagonal(moments) }
+}
+
+fn box_sums() -> Result<Sums, crate::proof::Residue> {
+    let mut region = Region::new(Vector::from(variables(["x", "y", "z"])), Relations::none());
+    for (name, edge) in [("x", "a"), ("y", "b"), ("z", "c")] {
+        let half = half(&symbol(edge));
+        region = region.between(name, &-half.clone(), &half);
+    }
+    region.sums()
+}
+
+pub(super) fn cuboid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    has_moments(&box_sums()?, &centred(&m, &law(&m, &a, &b, &c)))
+}
+
+/// The part of an ellipsoid with semi-axes `axes` between the relative heights `from` and `to`, its middle
+/// raised by `lift`. At the relative height `t` each section is an ellipse smaller by `k`, `k² = 1 - t²`.
+fn ellipsoid_part(axes: &Vector, lift: &Fraction, from: i64, to: i64) -> Result<Sums, crate::proof::Residue> {
+    let [rho, k, cos, sin, t] = variables(["rho", "k", "cos", "sin", "t"]);
+    let t_squared = symbol("t").pow(2);
+    let circles = vec![
+        ("cos".into(), Polynomial::one() - symbol("sin").pow(2)),
+        ("k".into(), Polynomial::one() - t_squared),
+    ];
+    let relations =
+        Relations::new(circles).map_err(|rule| crate::proof::Residue::Missing { claim: rule.to_string() })?;
+    let across = &rho * &k;
+    let position =
+        Vector3::new(&axes.x * &across * cos, &axes.y * &across * sin, &axes.z * &t + lift.clone());
+    let slope = -t / k;
+    Region::new(position, relations)
+        .between("rho", &Polynomial::zero(), &Polynomial::one())
+        .around("cos", "sin")
+        .between_with("t", &from.into(), &to.into(), Derivation::new([("k", slope)]))
+        .sums()
+}
+
+fn ball_sums(radius: &Fraction) -> Result<Sums, crate::proof::Residue> {
+    ellipsoid_part(&Vector::repeat(radius.clone()), &Fraction::zero(), -1, 1)
+}
+
+pub(super) fn ellipsoid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
+    let moments = law(&m, &a, &b, &c);
+    has_moments(&ellipsoid_part(&Vector3::new(a, b, c), &Fraction::zero(), -1, 1)?, &centred(&m, &moments))
+}
+
+pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Fraction) -> Outcome {
+    let [m, r] = variables(["m", "r"]);
+    has_moments(&ball_sums(&r)?, &centred(&m, &Vector::repeat(law(&m, &r))))
+}
+
+pub(super) fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
+    let [m, i, o] = variables(["m", "i", "o"]);
+    let solid = ball_sums(&o)?.without(&ball_sums(&i)?);
+    has_moments(&solid, &centred(&m, &Vector::repeat(law(&m, &i, &o))))?;
+    same("a thin shell", &law(&m, &o, &o), &(Fraction::ratio(2, 3) * &m * &o * &o))
+}
+
+/// A cylinder of the given radius about z, between two heights.
+fn cylinder_part(radius: &str, from: &Polynomial, to: &Polynomial) -> Result<Sums, crate::proof::Residue> {
+    let [rho, cos, sin, z] = variables(["rho", "cos", "sin", "z"]);
+    Region::new(Vector3::new(&rho * &cos, rho * sin, z), Relations::circle("cos", "sin"))
+        .between("rho", &Polynomial::zero(), &symbol(radius))
+        .around("cos", "sin")
+        .between("z", from, to)
+        .sums()
+}
+
+fn cylinder_sums(radius: &str, height: &str) -> Result<Sums, crate::proof::Residue> {
+    let half = half(&symbol(height));
+    cylinder_part(radius, &-half.clone(), &half)
+}
+
+pub(super) fn cylinder(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+    let [m, r, h] = variables(["m", "r", "h"]);
+    has_moments(&cylinder_sums("r", "h")?, &centred(&m, &law(&m, &r, &h)))
+}
+
+pub(super) fn tube(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+    let [m, i, o, h] = variables(["m", "i", "o", "h"]);
+    let solid = cylinder_sums("o", "h")?.without(&cylinder_sums("i", "h")?);
+    has_moments(&solid, &centred(&m, &law(&m, &i, &o, &h)))
+}
+
+/// A cone whose centre is one `part`-th of the way up.
+pub(super) fn cone(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector, part: i64) -> Outcome {
+    let [m, r, h, rho, cos, sin, t] = variables(["m", "r", "h", "rho", "cos", "sin", "t"]);
+    let across = rho * &r * (Fraction::one() - &t);
+    let position = Vector3::new(&across * &cos, across * sin, &h * &t);
+    let solid = Region::new(position, Relations::circle("cos", "sin"))
+        .between("rho", &Polynomial::zero(), &Polynomial::one())
+        .around("cos", "sin")
+        .between("t", &Polynomial::zero(), &Polynomial::one())
+        .sums()?;
+    let centre = along(2, &h / &Fraction::from(part));
+    has_moments(&solid, &MassMoments { centre, ..centred(&m, &law(&m, &r, &h)) })
+}
+
+pub(super) fn capsule(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+    let [m, r, l] = variables(["m", "r", "l"]);
+    let end = &l / &Fraction::from(2);
+    let round = Vector::repeat(r.clone());
+    let top = ellipsoid_part(&round, &end, 0, 1)?;
+    let bottom = ellipsoid_part(&round, &-end, -1, 0)?;
+    has_moments(&cylinder_sums("r", "l")?.and(&top).and(&bottom), &centred(&m, &law(&m, &r, &l)))
+}
+
+/// The moments of a solid filled with mass `m`, after some of its sizes have gone to zero.
+fn limit(solid: &Sums, sizes: &[&str]) -> Matrix {
+    let m = Fraction::variable("m");
+    let to_zero = |x: Fraction, size: &&str| x.substitute(&(*size).into(), &Fraction::zero());
+    solid.inertia.map(|x| sizes.iter().fold(x * m.clone() / solid.volume.clone(), to_zero))
+}
+
+pub(super) fn thin(
+    rod: impl Fn(&Fraction, &Fraction) -> Vector,
+    plate: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
+    disk: impl Fn(&Fraction, &Fraction) -> Vector,
+) -> Outcome {
+    let [m, a, b, c, r] = variables(["m", "a", "b", "c", "r"]);
+    let cuboid = box_sums()?;
+    same_matrices("rod", &diagonal(&rod(&m, &c)), &limit(&cuboid, &["a", "b"]))?;
+    same_matrices("plate", &diagonal(&plate(&m, &a, &b)), &limit(&cuboid, &["c"]))?;
+    same_matrices("disk", &diagonal(&disk(&m, &r)), &limit(&cylinder_sums("r", "h")?, &["h"]))
+}
+
+/// Four corners, the first at the origin or anywhere.
+fn corners() -> [Vector; 4] {
+    [1, 2, 3, 4].map(|n| Vector::from(["x", "y", "z"].map(|axis| Fraction::variable(&format!("{axis}{n}")))))
+}
+
+pub(super) fn tetrahedron(law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<Fraction>) -> Outcome {
+    let corners = corners();
+    let [m, u, v, w] = variables(["m", "u", "v", "w"]);
+    let edge = |n: usize, along: &Fraction| (&corners[n] - &corners[0]).map(|x| x * along.clone());
+    let position = &corners[0] + edge(1, &u) + edge(2, &v) + edge(3, &w);
+    let [u, v] = ["u", "v"].map(symbol);
+    let rest = Polynomial::one() - u;
+    let solid = Region::new(position, Relations::none())
+        .between("u", &Polynomial::zero(), &Polynomial::one())
+        .between("v", &Polynomial::zero(), &rest)
+        .between("w", &Polynomial::zero(), &(rest - v))
+        .sums()?;
+    has_moments(&solid, &law(&m, &corners))
+}
+
+/// A box of edges a, b, c with one corner anywhere, cut into triangles, all seen counter-clockwise from
+/// outside; or one of them not.
+pub(super) fn mesh_of_a_box(
+    inside_out: bool,
+    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
+) -> Outcome {
+    let [a, b, c] = variables(["a", "b", "c"]);
+    let at = Vector::from(variables(["x", "y", "z"]));
+    let edges = [&a, &b, &c];
+    let corner =
+        |n: usize| Vector::from_fn(|i, _| if n >> i & 1 == 1 { &at[i] + edges[i] } else { at[i].clone() });
+    let corners: Vec<Vector> = (0..8).map(corner).collect();
+    // Each face as a square, its corners in order; bit i of a corner's number says whether it is at the far
+    // end of edge i.
+    let squares = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    let mut triangles = Vec::new();
+    for [p, q, r, s] in squares {
+        triangles.push([&corners[p], &corners[q], &corners[r]]);
+        triangles.push([&corners[p], &corners[r], &corners[s]]);
+    }
+    if inside_out {
+        triangles[3].swap(0, 1);
+    }
+    let reference = Vector::from(variables(["u", "v", "w"]));
+    let found = mesh_moments(&mesh_sums(triangles, &reference), &reference);
+    let volume = &a * &b * &c;
+    same("volume", &found.mass, &volume)?;
+    let middle = Vector::from_fn(|i, _| &at[i] + &(edges[i] / &Fraction::from(2)));
+    same_vectors("centre", &found.centre, &middle)?;
+    same_matrices("inertia", &found.inertia, &diagonal(&law(&volume, &a, &b, &c)))
+}
+
+pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
+    // One corner at the origin, and the point that the formula counts from anywhere: only their distance
+    // matters.
+    let mut corners = corners();
+    corners[0] = Vector::zeros();
+    let triangles = [base, [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(|face| face.map(|n| &corners[n]));
+    let reference = Vector::from(variables(["u", "v", "w"]));
+    let found = mesh_moments(&mesh_sums(triangles, &reference), &reference);
+    // At density one its mass is its volume, a sixth of the box on its edges.
+    let volume = corners[1].cross(&corners[2]).dot(&corners[3]) / Fraction::from(6);
+    same("mass", &found.mass, &volume)?;
+    let expected = tetrahedron_moments(&volume, &corners);
+    same_vectors("centre", &found.centre, &expected.centre)?;
+    same_matrices("inertia", &found.inertia, &expected.inertia)
+}
+
+pub(super) fn triangle_inequality(
+    cuboid: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
+) -> Outcome {
+    let [m, a, b, c, r, h] = variables(["m", "a", "b", "c", "r", "h"]);
+    // An outer radius is an inner one and something more.
+    let outer = &r + &a;
+    let all = [
+        ("box", cuboid(&m, &a, &b, &c)),
+        ("ellipsoid", ellipsoid_moments(&m, &a, &b, &c)),
+        ("ball", Vector::repeat(ball_moment(&m, &r))),
+        ("hollow sphere", Vector::repeat(hollow_sphere_moment(&m, &r, &outer))),
+        ("cylinder", cylinder_moments(&m, &r, &h)),
+        ("tube", tube_moments(&m, &r, &outer, &h)),
+        ("cone", cone_moments(&m, &r, &h)),
+        ("capsule", capsule_moments(&m, &r, &h)),
+        ("rod", rod_moments(&m, &h)),
+        ("plate", plate_moments(&m, &a, &b)),
+        ("disk", disk_moments(&m, &r)),
+    ];
+    for (name, moments) in &all {
+        for i in 0..3 {
+            let [one, other, third] = [0, 1, 2].map(|j| &moments[(i + j) % 3]);
+            not_negative(name, &(one + other - third))?;
+        }
+    }
+    for (name, flat) in [("plate", plate_moments(&m, &a, &b)), ("disk", disk_moments(&m, &r))] {
+        same(name, &(&flat.x + &flat.y), &flat.z)?;
+    }
+    Ok(())
+}

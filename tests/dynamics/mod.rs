@@ -1,0 +1,3 @@
+mod euler;
+mod observe;
+mod stability;

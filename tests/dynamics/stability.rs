@@ -1,0 +1,157 @@
+//! Growth, wobble and the time between flips, against numbers computed elsewhere and against runs.
+
+use crate::common::*;
+use nalgebra::{UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::dynamics::stability::{Stability, of_spin};
+use tumbling::exact::time_between_flips;
+use tumbling::{Axis, Body, Inertia, PrincipalMoments, dynamics::observe::sign_changes, step::Engine};
+
+/// Flips of the body (1, 2, 3) at (0, 10, push), from the closed form evaluated with 40 digits.
+#[test]
+fn the_time_between_flips_is_right_from_a_rough_push_to_one_of_1e_minus_12() {
+    for (push, time) in [
+        (1e-1, 1.885103579),
+        (1e-3, 3.480496696),
+        (1e-6, 5.873413341),
+        (1e-9, 8.266329963),
+        (1e-12, 10.65924658),
+    ] {
+        let ours =
+            time_between_flips(PrincipalMoments::new(1.0, 2.0, 3.0).unwrap(), &Vector3::new(0.0, 10.0, push))
+                .unwrap()
+                .unwrap();
+        // Ten digits are given: half a unit of the last is at most 5e-10 of the whole.
+        assert!((ours / time - 1.0).abs() <= 5e-10, "{push:e}: {ours}");
+    }
+}
+
+/// Where the push is tiny the time is (2/rate) ln(4/k') with k' = push sqrt(3/2) (1/10) sqrt((3-1)/(3-2)):
+/// mathematics, exact but for terms of the order of the push squared.
+#[test]
+fn a_push_of_1e_minus_300_and_the_smallest_number_there_is_still_flip() {
+    let rate = 10.0 / 3_f64.sqrt();
+    for push in [1e-100, 1e-300, 5e-324] {
+        // D = 3 (3-2) push², Q² = 2 (2-1) 100, so k'² = (2/1) (3 push²) / (200).
+        let log_of_complement = 0.5 * 0.03_f64.ln() + f64::ln(push);
+        let expected = 2.0 / rate * (4_f64.ln() - log_of_complement);
+        let ours =
+            time_between_flips(PrincipalMoments::new(1.0, 2.0, 3.0).unwrap(), &Vector3::new(0.0, 10.0, push))
+                .unwrap()
+                .unwrap();
+        assert!((ours / expected - 1.0).abs() < 1e-14, "{push:e}: {ours} {expected}");
+    }
+}
+
+/// A spin a few units in the last place to either side of the separatrix: k'² = 2 D / Q², exactly computable.
+#[test]
+fn either_side_of_the_separatrix_the_time_is_right_though_the_terms_nearly_cancel() {
+    // I = (1, 2, 3): D = 3 w3² - w1²; on the separatrix where w1 = sqrt(3) w3.
+    let w3 = 0.75_f64;
+    let on = (3.0_f64).sqrt() * w3;
+    for w1 in [on.next_down(), on.next_up(), on * (1.0 + 1e-14), on * (1.0 - 1e-14)] {
+        let omega = Vector3::new(w1, 0.5, w3);
+        let d = exact(3.0) * exact(w3) * exact(w3) - exact(w1) * exact(w1);
+        let d = rounded(&d).abs();
+        // Which axis it circles makes no difference in the limit: Q² = 2 (2-1) w2² + 6 w3² and rate² = Q²/6.
+        let q_squared = 2.0 * 0.25 + 6.0 * w3 * w3;
+        let (rate, complement) = ((q_squared / 6.0).sqrt(), (2.0 * d / q_squared).sqrt());
+        let expected = 2.0 / rate * (4.0 / complement).ln();
+        let ours =
+            time_between_flips(PrincipalMoments::new(1.0, 2.0, 3.0).unwrap(), &omega).unwrap().unwrap();
+        assert!((ours / expected - 1.0).abs() < 1e-12, "{ours} {expected}");
+    }
+}
+
+#[test]
+fn steady_spins_equal_moments_and_the_separatrix_itself_never_flip() {
+    let never = |moments: [f64; 3], omega: [f64; 3]| {
+        time_between_flips(moments.try_into().unwrap(), &omega.into()).unwrap().is_none()
+    };
+    for axis in 0..3 {
+        let mut omega = [0.0; 3];
+        omega[axis] = -3.0;
+        assert!(never([1.0, 2.0, 2.5], omega));
+    }
+    assert!(never([1.0, 2.0, 2.5], [0.0; 3]));
+    assert!(never([2.0, 2.0, 2.0], [1.0, 2.0, 3.0]));
+    assert!(never([1.0, 2.0, 2.0], [1.0, 2.0, 3.0]));
+    assert!(never([2.0, 2.0, 1.0], [1.0, 2.0, 3.0]));
+    // Exactly on the separatrix: 6 (6-4) w3² = 3 (4-3) w1² where w1 = 2 w3.
+    assert!(never([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]));
+    assert!(!never([3.0, 4.0, 6.0], [2.0, 1.0, 1.0_f64.next_up()]));
+}
+
+#[test]
+fn a_small_push_on_the_middle_axis_grows_at_the_predicted_rate() {
+    let (moments, spin, push) = ([0.5, 0.9, 1.2], 2.0, 1e-9);
+    let Stability::Growth { rate } = of_spin(moments.try_into().unwrap(), Axis::Middle, spin).unwrap() else {
+        panic!("stable")
+    };
+    let start = Body::spinning(
+        Inertia::from_moments(moments[0], moments[1], moments[2]).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(push, spin, push),
+    )
+    .unwrap();
+    let flight = Engine::Turned.run(&start, 0.001, 12_000).unwrap();
+    let off = |i: usize| flight[i].omega_body().x.hypot(flight[i].omega_body().z);
+    // After the decaying part has died away, while the deviation is still small.
+    let measured = (off(12_000) / off(8000)).ln() / 4.0;
+    assert!((measured / rate - 1.0).abs() < 1e-4, "{measured} {rate}");
+}
+
+proptest! {
+    #[test]
+    fn the_middle_axis_is_the_only_unstable_one(m in moments(), spin in 0.1..10.0_f64) {
+        let m: [f64; 3] = m.into();
+        prop_assert!(matches!(of_spin(m.try_into().unwrap(), Axis::Smallest, spin).unwrap(), Stability::Libration { .. }), "smallest");
+        prop_assert!(matches!(of_spin(m.try_into().unwrap(), Axis::Middle, spin).unwrap(), Stability::Growth { .. }), "middle");
+        prop_assert!(matches!(of_spin(m.try_into().unwrap(), Axis::Largest, spin).unwrap(), Stability::Libration { .. }), "largest");
+    }
+
+    // The formula against the plain stepper: the body's own clock.
+    #[test]
+    fn flips_of_a_run_come_at_the_predicted_beat(m in moments(), omega in generic_spin()) {
+        let mut sorted: [f64; 3] = m.into();
+        sorted.sort_by(f64::total_cmp);
+        prop_assume!(sorted[1] / sorted[0] > 1.1 && sorted[2] / sorted[1] > 1.1);
+        let beat = time_between_flips(m.try_into().unwrap(), &omega).unwrap().unwrap();
+        prop_assume!(beat < 40.0);
+        let start = Body::spinning(Inertia::from_moments(m.x, m.y, m.z).unwrap(), UnitQuaternion::identity(), &omega).unwrap();
+        let h = beat / 1000.0;
+        let flight = Engine::Turned.run(&start, h, 2100).unwrap();
+        let middle = (0..3).find(|&i| m[i] == sorted[1]).unwrap();
+        let flips = sign_changes(flight.iter().enumerate().map(|(i, body)| (h * i as f64, body.omega_body()[middle])));
+        prop_assert!(flips.len() >= 2);
+        prop_assert!(((flips[1] - flips[0]) / beat - 1.0).abs() < 1e-4, "{:?} {}", flips, beat);
+    }
+
+    #[test]
+    fn only_ratios_of_moments_matter_and_the_clock_runs_with_the_spin(
+        m in moments(), omega in vector(1.0), heavier in -200..150_i32, faster in -150..150_i32,
+    ) {
+        prop_assume!(omega.amin().abs() > 1e-3);
+        let Some(beat) = time_between_flips(m.try_into().unwrap(), &omega).unwrap() else { return Ok(()) };
+        let (i, w) = (2_f64.powi(heavier), 2_f64.powi(faster));
+        prop_assert_eq!(time_between_flips((m * i).try_into().unwrap(), &(omega * w)).unwrap(), Some(beat / w));
+    }
+
+    #[test]
+    fn the_order_and_signs_of_the_axes_do_not_matter(m in moments(), omega in vector(1.0)) {
+        let beat = time_between_flips(m.try_into().unwrap(), &omega).unwrap();
+        let turned = |v: &Vector3<f64>| Vector3::new(v.z, v.x, v.y);
+        let swapped = |v: &Vector3<f64>| Vector3::new(v.y, v.x, v.z);
+        prop_assert_eq!(beat, time_between_flips(turned(&m).try_into().unwrap(), &turned(&omega)).unwrap());
+        prop_assert_eq!(beat, time_between_flips(swapped(&m).try_into().unwrap(), &-swapped(&omega)).unwrap());
+    }
+}
+
+#[test]
+fn a_wobble_of_equal_moments_is_neutral_and_impossible_input_is_named() {
+    assert_eq!(of_spin([1.0, 1.0, 1.5].try_into().unwrap(), Axis::Middle, 2.0).unwrap(), Stability::Neutral);
+    assert_eq!(of_spin([1.0, 2.0, 2.5].try_into().unwrap(), Axis::Middle, 0.0).unwrap(), Stability::Neutral);
+    assert!(PrincipalMoments::new(1.0, -2.0, 2.5).unwrap_err().to_string().contains("-2.0"));
+    assert!(PrincipalMoments::new(0.0, 1.0, 2.0).is_err());
+    assert!(of_spin([1.0, 2.0, 2.5].try_into().unwrap(), Axis::Middle, f64::NAN).is_err());
+}

@@ -1,0 +1,207 @@
+//! What is read off a whole motion: its angles to the momentum, its twist, its rate of growth.
+
+use super::{apart, distinct, motion};
+use crate::common::*;
+use nalgebra::{UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use std::f64::consts::PI;
+use tumbling::exact::{FreeMotion, Regime};
+use tumbling::{Axis, PrincipalMoments};
+
+/// A body with two equal moments, spun askew.
+fn top() -> impl Strategy<Value = (Vector3<f64>, Vector3<f64>, usize)> {
+    (0.2..1.9_f64, generic_spin(), 0..3_usize).prop_filter_map("a sphere", |(c, omega, axis)| {
+        let mut moments = Vector3::repeat(1.0);
+        moments[axis] = c;
+        ((c - 1.0).abs() > 0.05).then_some((moments, omega, axis))
+    })
+}
+
+/// That the extreme angles between each axis and the momentum bound what is seen all along the motion, and
+/// are reached.
+pub fn angles_bound_the_motion(m: &Vector3<f64>, motion: &FreeMotion) -> Result<(), TestCaseError> {
+    for axis in 0..3 {
+        let [least, most] = motion.angles_to_momentum(axis).unwrap();
+        let mut seen = [f64::INFINITY, 0.0_f64];
+        for w in motion.polhode(2000).unwrap() {
+            let momentum = m.component_mul(&w);
+            let angle = (momentum[axis] / momentum.norm()).acos();
+            seen = [seen[0].min(angle), seen[1].max(angle)];
+        }
+        prop_assert!(seen[0] > least - 1e-7 && seen[1] < most + 1e-7, "{seen:?} {least} {most}");
+        prop_assert!(seen[0] < least + 0.02 && seen[1] > most - 0.02, "{seen:?} {least} {most}");
+    }
+    Ok(())
+}
+
+proptest! {
+    // Independent: the smooth rate about the momentum (mathematics of the frame in the documentation), summed
+    // by the midpoint rule, which for a periodic function converges faster than any power.
+    #[test]
+    fn the_twist_is_the_integral_of_the_rate_about_the_momentum(m in moments(), omega in generic_spin()) {
+        prop_assume!(distinct(&m));
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let Regime::Elliptic { about, complement, .. } = motion.regime() else { panic!("not circulating") };
+        prop_assume!(complement > 1e-3);
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
+        let c = order[about.index()];
+        let half = motion.period().unwrap().unwrap() / 2.0;
+        let momentum = m.component_mul(&omega).norm();
+        let twice_energy = m.component_mul(&omega).dot(&omega);
+        let rate = |t: f64| {
+            let w = motion.omega(t).unwrap()[c].abs();
+            (twice_energy + momentum * w) / (momentum + m[c] * w)
+        };
+        let count = 400;
+        let sum: f64 = (0..count).map(|k| rate((f64::from(k) + 0.5) * half / f64::from(count))).sum();
+        let twist = motion.twist_of_half_period().unwrap();
+        prop_assert!((sum * half / f64::from(count) / twist - 1.0).abs() < 1e-11, "{twist}");
+        // And what it means: the attitude after half a period.
+        let mut axis = Vector3::zeros();
+        axis[c] = std::f64::consts::PI;
+        let start = m.component_mul(&omega);
+        let expected = UnitQuaternion::from_scaled_axis(start.normalize() * (twist + std::f64::consts::PI)) * UnitQuaternion::from_scaled_axis(axis);
+        let ours = motion.attitude(half).unwrap();
+        prop_assert!(apart(&ours, &expected) < 1e-12, "{ours} {expected}");
+        prop_assert!((motion.rotation_number().unwrap() * std::f64::consts::PI - twist).abs() < 1e-13 * twist);
+    }
+
+    #[test]
+    fn the_angles_to_the_momentum_bound_the_whole_motion_and_are_reached(m in moments(), omega in generic_spin()) {
+        prop_assume!(distinct(&m));
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        angles_bound_the_motion(&m, &motion)?;
+    }
+
+    // Independent: the angles seen along the way. Of a top's three axes the middle is met by none of the
+    // others' rules.
+    #[test]
+    fn a_tops_angles_to_the_momentum_bound_its_motion_and_are_reached((m, omega, _) in top()) {
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        angles_bound_the_motion(&m, &motion)?;
+    }
+
+    // The rate about the momentum, (2E + L w)/(L + I w), is constant here; and what the twist means for the
+    // attitude.
+    #[test]
+    fn a_tops_twist_is_its_rate_about_the_momentum_for_half_a_period((m, omega, axis) in top()) {
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let half = motion.period().unwrap().unwrap() / 2.0;
+        let start = m.component_mul(&omega);
+        let (momentum, along) = (start.norm(), omega[axis].abs());
+        let rate = (start.dot(&omega) + momentum * along) / (momentum + m[axis] * along);
+        let twist = motion.twist_of_half_period().unwrap();
+        prop_assert!((rate * half / twist - 1.0).abs() < 1e-13, "{twist}");
+        prop_assert!((motion.rotation_number().unwrap() * PI / twist - 1.0).abs() < 1e-15);
+        let mut about = Vector3::zeros();
+        about[axis] = PI;
+        let expected = UnitQuaternion::from_scaled_axis(start / momentum * (twist + PI)) * UnitQuaternion::from_scaled_axis(about);
+        prop_assert!(apart(&motion.attitude(half).unwrap(), &expected) < 1e-13 * (1.0 + twist));
+    }
+}
+
+/// Which end of its swing is whose, by hand: with moments (1, 2, 3) and the spin (0, 0.03, -1) the third axis
+/// is 2/100 off at the start and 1/100 a quarter period later, seen from behind.
+#[test]
+fn a_spin_the_other_way_round_swings_about_the_opposite_of_the_momentum() {
+    let motion = motion([1.0, 2.0, 3.0], [0.0, 0.03, -1.0]);
+    let [least, most] = motion.angles_to_momentum(2).unwrap().map(|a| PI - a);
+    assert!((least - 0.02).abs() < 1e-5 && (most - 0.01).abs() < 1e-5, "{least} {most}");
+    assert!(matches!(motion.regime(), Regime::Elliptic { about: Axis::Largest, rate, .. } if rate > 0.0));
+}
+
+/// The top's greatest component is the radius of its circle: for (1, 1) it is sqrt(2).
+#[test]
+fn a_top_that_swings_beyond_the_range_is_refused() {
+    let new = |w: f64| FreeMotion::new(PrincipalMoments::new(1.0, 1.0, 1.5)?, &Vector3::new(w, w, 1.0));
+    assert!(new(1.27e308).is_ok());
+    assert!(new(1.28e308).unwrap_err().to_string().contains("the greatest spin"));
+}
+
+/// A small wobble about a spin near the end of the range: with moments (1, 1.9, 2) the push along the first
+/// axis comes along the second sqrt(1/0.19) = 2.3 times as great, which is still nothing relative to the
+/// spin.
+#[test]
+fn a_small_wobble_of_the_fastest_spin_is_within_the_range() {
+    for push in [1e200, 1e-100, 5e-324] {
+        let motion = motion([1.0, 1.9, 2.0], [push, 0.0, 1.7e308]);
+        let quarter = motion.omega(0.25 * motion.period().unwrap().unwrap()).unwrap();
+        assert!(
+            quarter.z == 1.7e308 && (quarter.y.abs() / push - 0.19_f64.sqrt().recip()).abs() < 0.5,
+            "{quarter:?}"
+        );
+    }
+}
+
+#[test]
+fn a_steady_spin_keeps_its_angles_and_grows_about_the_middle_axis_alone() {
+    let angles = |m: [f64; 3], w: [f64; 3], axis| motion(m, w).angles_to_momentum(axis).unwrap();
+    assert_eq!(angles([1.0, 2.0, 3.0], [0.0, -2.0, 0.0], 1), [PI; 2]);
+    assert_eq!(angles([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], 1), [0.0; 2]);
+    let [least, most] = angles([2.0, 2.0, 2.0], [3.0, 0.0, -4.0], 2);
+    assert!(least == most && (least.cos() + 0.8).abs() < 1e-15);
+    let growth = |w: [f64; 3]| motion([1.0, 3.0, 2.0], w).growth_rate().unwrap();
+    assert_eq!((growth([2.0, 0.0, 0.0]), growth([0.0, 2.0, 0.0])), (None, None));
+    // sqrt((3-2)(2-1)/(3·1)) of the spin.
+    assert!((growth([0.0, 0.0, -2.0]).unwrap() - 2.0 / 3_f64.sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn a_top_that_hardly_leaves_its_plane_turns_too_far_in_a_period_to_say() {
+    // It turns 1e459 times while the spin goes round once.
+    for omega in [[-3.8e-159, 1e300, 0.0], [5e-324, 0.3, 0.7]] {
+        let top = motion([0.66, 1.0, 1.0], omega);
+        assert_eq!((top.twist_of_half_period(), top.rotation_number()), (None, None));
+    }
+}
+
+#[test]
+fn an_axis_that_is_none_is_named_by_its_number() {
+    let error = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]).angles_to_momentum(7).unwrap_err();
+    assert_eq!(error.to_string(), "there is no principal axis number 7: they are numbered 0, 1 and 2");
+}
+
+fn motion_near_the_middle(push: f64) -> FreeMotion {
+    motion([1.0, 2.0, 3.0], [0.0, 10.0, push])
+}
+
+/// A wobble about the axis of the largest or smallest moment does not grow; next to the middle axis a push
+/// does, at the rate of the linear law, sqrt((I3-I2)(I2-I1)/(I1 I3)) w2, but for what the finite push
+/// changes.
+#[test]
+fn only_a_push_off_the_middle_axis_has_a_rate_of_growth() {
+    for wobble in [[0.01, 0.02, 1.0], [1.0, 0.01, -0.02], [0.3, 0.4, 1.0], [1.0, 0.4, 0.3], [1.0, 1.0, 1.0]] {
+        assert_eq!(motion([1.0, 2.0, 3.0], wobble).growth_rate().unwrap(), None, "{wobble:?}");
+    }
+    let saddle = 10.0 / 3_f64.sqrt();
+    for push in [0.5, 1e-3, 1e-9, 1e-300, 5e-324] {
+        let rate = motion_near_the_middle(push).growth_rate().unwrap().unwrap();
+        // rate² = (I3-I2)(L² - 2 E I1)/(I1 I2 I3), with L² - 2 E I1 = 200 + 6 push² here.
+        let rate_by_law = saddle * (1.0 + 0.03 * push * push).sqrt();
+        assert!((rate / rate_by_law - 1.0).abs() <= 1e-15, "{push:e}: {rate}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_rate_of_growth_is_that_of_the_middle_axis_and_only_of_motions_close_by(
+        m in moments(), omega in generic_spin(), push in 0.0..0.5_f64,
+    ) {
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
+        let [a, b, c] = order;
+        let mut omega = omega * push;
+        omega[b] = 1.0;
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let Regime::Elliptic { complement, .. } = motion.regime() else { return Ok(()) };
+        let rate = motion.growth_rate().unwrap();
+        prop_assert_eq!(rate.is_some(), complement <= 0.1);
+        let Some(rate) = rate else { return Ok(()) };
+        // Of the steady spin about the middle axis with the same momentum (the linear law).
+        let spin = m.component_mul(&omega).norm() / m[b];
+        let saddle = spin * ((m[c] - m[b]) * (m[b] - m[a]) / (m[a] * m[c])).sqrt();
+        let above = rate / saddle - 1.0;
+        prop_assert!(above > -1e-12 && above <= 0.6 * complement * complement + 1e-12, "{above:e} {complement}");
+    }
+}

@@ -1,0 +1,28 @@
+//! The exact motion.
+
+mod flips;
+mod geometry;
+mod motion;
+mod polhode;
+mod regime;
+mod sensitivity;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::exact::FreeMotion;
+
+/// The rounding of one input, relative.
+const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
+    FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
+}
+
+/// The angle between two attitudes is at most twice this.
+fn apart(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
+    let (a, b) = (a.coords, b.coords);
+    (a - b).norm().min((a + b).norm())
+}
+
+fn distinct(m: &Vector3<f64>) -> bool {
+    (0..3).all(|i| (m[i] / m[(i + 1) % 3] - 1.0).abs() > 0.02)
+}

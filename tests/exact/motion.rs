@@ -1,0 +1,318 @@
+//! The exact motion against 40 digits, against mathematics, and to the ends of the number range.
+
+use super::{ROUNDING, apart, distinct, motion};
+use crate::common::*;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree as _;
+use serde_json::Value;
+use tumbling::exact::{FreeMotion, Instant};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+
+/// Numbers of the table, to what `f64` sees of their 40 digits.
+fn numbers(value: &Value) -> Vec<f64> {
+    let number = |x: &Value| x.as_str().unwrap().parse().unwrap();
+    value.as_array().unwrap().iter().map(number).collect()
+}
+
+fn length(v: &[f64]) -> f64 {
+    let scale = v.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
+    scale * v.iter().map(|x| (x / scale) * (x / scale)).sum::<f64>().sqrt()
+}
+
+/// The worst errors of spin and attitude over a table, in roundings times what the motion makes of them:
+/// `plain` and `tight` as the table's condition numbers. Comparing to the table's `f64` costs at most half a
+/// unit.
+fn judge(table: &str) -> [(f64, String); 4] {
+    let file: Value = serde_json::from_str(table).unwrap();
+    let mut worst = [(); 4].map(|()| (0.0, String::new()));
+    for case in file["cases"].as_array().unwrap() {
+        let vector = |field: &str| Vector3::from_vec(numbers(&case[field]));
+        let motion = FreeMotion::new(vector("inertia").try_into().unwrap(), &vector("w0")).unwrap();
+        for (k, t) in numbers(&case["t"]).into_iter().enumerate() {
+            let Instant { omega, attitude } = motion.at(t).unwrap();
+            assert_eq!(motion.omega(t).unwrap(), omega);
+            assert_eq!(motion.attitude(t).unwrap(), attitude);
+            let (w, q) = (numbers(&case["w"][k]), numbers(&case["q"][k]));
+            let ours = [attitude.w, attitude.i, attitude.j, attitude.k];
+            let off = |sign: f64| length(&[0, 1, 2, 3].map(|i| ours[i] - sign * q[i]));
+            let spin = length(&[0, 1, 2].map(|i| omega[i] - w[i]));
+            let spin = if length(&w) > 0.0 { spin / length(&w) } else { spin };
+            let errors = [spin, off(1.0).min(off(-1.0))];
+            for (i, (column, error)) in
+                [("kappa_w", 0), ("kappa_q", 1), ("kappas_w", 0), ("kappas_q", 1)].into_iter().enumerate()
+            {
+                let kappa = case[column].as_array().map_or(1.0, |_| numbers(&case[column])[k]).max(1.0);
+                let units = errors[error] / (kappa * ROUNDING);
+                if units > worst[i].0 {
+                    worst[i] = (units, format!("{} at {t:e}", case["name"]));
+                }
+            }
+            // Exact to the rounding of the four squares' own computation here.
+            assert!((length(&ours) - 1.0).abs() <= 4.0 * ROUNDING, "{} at {t:e}", case["name"]);
+        }
+    }
+    worst
+}
+
+#[test]
+fn the_table_of_40_digits_is_met_to_what_the_rounding_of_the_inputs_allows() {
+    let worst = judge(include_str!("../data/free-motion.json"));
+    assert!(worst.iter().all(|(units, _)| *units <= 8.0), "{worst:#?}");
+}
+
+#[test]
+fn random_hard_motions_are_met_as_well() {
+    let worst = judge(include_str!("../data/sweep.json"));
+    assert!(worst.iter().all(|(units, _)| *units <= 8.0), "{worst:#?}");
+}
+
+proptest! {
+    #[test]
+    fn the_momentum_stays_where_it_is_in_the_world(m in moments(), omega in generic_spin(), t in -1e4..1e4_f64) {
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let momentum = at.attitude * m.component_mul(&at.omega);
+        let start = m.component_mul(&omega);
+        // The direction is of the phase's doing only through the spin's: both carry errors of 1e4 turns.
+        prop_assert!((momentum - start).norm() < 1e-11 * start.norm(), "{}", (momentum - start).norm());
+        let energy = |w: &Vector3<f64>| m.component_mul(w).dot(w);
+        prop_assert!((energy(&at.omega) / energy(&omega) - 1.0).abs() < 2e-14);
+    }
+
+    // Independent of all formulas: the equations of motion themselves, by central differences.
+    #[test]
+    fn spin_and_attitude_obey_the_equations_of_motion(m in moments(), omega in generic_spin(), t in -9.0..9.0_f64) {
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let h = 1e-4;
+        let [before, at, after] = [t - h, t, t + h].map(|t| motion.at(t).unwrap());
+        let slope = (after.omega - before.omega) / (2.0 * h);
+        let law = tumbling::dynamics::euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
+        let fast = 1.0 + at.omega.norm().powi(3);
+        prop_assert!((slope - law).norm() < 1e-5 * fast, "{slope} {law}");
+        let sign = if before.attitude.coords.dot(&after.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
+        let turn = (after.attitude.coords * sign - before.attitude.coords) / (2.0 * h);
+        let sign = if sign * before.attitude.coords.dot(&at.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
+        let rate: Quaternion<f64> = tumbling::attitude::rate(at.attitude.quaternion(), &at.omega);
+        let off = (turn - rate.coords * sign).norm().min((turn + rate.coords * sign).norm());
+        prop_assert!(off < 1e-5 * fast, "{off:e}");
+    }
+
+    #[test]
+    fn there_and_back_is_the_start(m in moments(), omega in generic_spin(), t in -100.0..100.0_f64) {
+        prop_assume!(distinct(&m));
+        let there = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let back = FreeMotion::new(m.try_into().unwrap(), &there.omega).unwrap().at(-t).unwrap();
+        // A rounding at the far end grows as the motion's own sensitivity, some hundreds here.
+        prop_assert!((back.omega - omega).norm() < 1e-10);
+        prop_assert!(apart(&(there.attitude * back.attitude), &UnitQuaternion::identity()) < 1e-10);
+    }
+
+    #[test]
+    fn two_stretches_of_time_are_one(m in moments(), omega in generic_spin(), s in -50.0..50.0_f64, t in -50.0..50.0_f64) {
+        prop_assume!(distinct(&m));
+        let first = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let half = first.at(s).unwrap();
+        let then = FreeMotion::new(m.try_into().unwrap(), &half.omega).unwrap().at(t).unwrap();
+        let whole = first.at(s + t).unwrap();
+        prop_assert!((then.omega - whole.omega).norm() < 1e-10);
+        prop_assert!(apart(&(half.attitude * then.attitude), &whole.attitude) < 1e-10);
+    }
+
+    #[test]
+    fn renaming_and_turning_the_axes_changes_nothing(m in moments(), omega in generic_spin(), t in -20.0..20.0_f64) {
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        // All 24 ways to lay a right-handed frame along the axes.
+        for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
+            for signs in 0..8 {
+                let sign = [0, 1, 2].map(|k| if signs >> k & 1 == 1 { -1.0 } else { 1.0 });
+                let frame = Matrix3::from_fn(|i, j| if order[i] == j { sign[i] } else { 0.0 });
+                if frame.determinant() < 0.0 {
+                    continue;
+                }
+                let other = Vector3::from_fn(|i, _| m[order[i]]);
+                let turned = FreeMotion::new(other.try_into().unwrap(), &(frame * omega)).unwrap().at(t).unwrap();
+                prop_assert!((turned.omega - frame * at.omega).norm() < 1e-13);
+                let seen = frame * at.attitude.to_rotation_matrix().matrix() * frame.transpose();
+                let seen_there = turned.attitude.to_rotation_matrix().into_inner();
+                prop_assert!((seen - seen_there).norm() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn a_body_in_any_axes_and_attitude_moves_as_its_principal_axes_do(
+        m in moments(), omega in generic_spin(), frame in attitude(), start in attitude(), t in -20.0..20.0_f64,
+    ) {
+        prop_assume!(distinct(&m));
+        let plain = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&frame).unwrap();
+        let body = Body::spinning(inertia, start, &(frame * omega)).unwrap();
+        let motion = FreeMotion::of(&body).unwrap();
+        prop_assert_eq!(motion.at(0.0).unwrap(), Instant { omega: body.omega_body(), attitude: start });
+        let at = motion.at(t).unwrap();
+        prop_assert!((at.omega - frame * plain.omega).norm() < 1e-11);
+        prop_assert!(apart(&at.attitude, &(start * frame * plain.attitude * frame.inverse())) < 1e-11);
+    }
+
+    #[test]
+    fn only_ratios_of_moments_matter_and_time_runs_with_the_spin(
+        m in moments(), omega in generic_spin(), t in -20.0..20.0_f64, heavier in -600..500_i32, faster in -600..490_i32,
+    ) {
+        let (i, w) = (2_f64.powi(heavier), 2_f64.powi(faster));
+        let at = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let scaled = FreeMotion::new((m * i).try_into().unwrap(), &(omega * w)).unwrap().at(t / w).unwrap();
+        prop_assert_eq!(scaled.omega, at.omega * w);
+        prop_assert_eq!(scaled.attitude, at.attitude);
+    }
+
+    #[test]
+    fn no_input_at_all_makes_it_panic_and_what_is_accepted_gives_numbers(
+        m in prop_oneof![any_vector(), moments()], omega in any_vector(), t in anything(), u in anything(),
+    ) {
+        let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) else { return Ok(()) };
+        let _ = (motion.period(), motion.growth_rate(), motion.next_flip(t), motion.regime());
+        let _ = (motion.twist_of_half_period(), motion.rotation_number(), motion.angles_to_momentum(1));
+        let _ = (motion.polhode(3), motion.herpolhode(t, 3));
+        if let Ok(flips) = motion.flips(t, u) {
+            let _ = flips.take(4).count();
+        }
+        match motion.at(t) {
+            Ok(at) => {
+                prop_assert!(t.is_finite() && at.omega.iter().all(|x| x.is_finite()), "{at:?}");
+                prop_assert!((at.attitude.norm() - 1.0).abs() < 1e-15, "{at:?}");
+            }
+            Err(error) => {
+                let named = error.kind() == ErrorKind::NotFinite;
+                prop_assert!(!t.is_finite() && named, "{error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_start_comes_back_to_the_bit() {
+    let omega = Vector3::new(0.1, -0.7, 0.3);
+    let at = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), &omega).unwrap().at(0.0).unwrap();
+    assert_eq!(at, Instant { omega, attitude: UnitQuaternion::identity() });
+}
+
+#[test]
+fn what_no_body_can_do_is_named() {
+    let new = |m: [f64; 3], w: [f64; 3]| FreeMotion::new(m.try_into()?, &w.into());
+    let error = |m: [f64; 3], w: [f64; 3]| new(m, w).unwrap_err().to_string();
+    assert!(error([1.0, 1.0, 3.0], [1.0, 0.0, 0.0]).contains("triangle inequality"));
+    assert!(error([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("principal moment"));
+    assert!(error([1.0, 1.0, 1.0], [f64::NAN, 0.0, 0.0]).contains("the spin"));
+    assert!(error([1e-120, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("1e-100 of the largest moment"));
+    assert!(error([1.0, 2.0, 2.5], [5e-324, 1e300, 0.0]).contains("how close to the separatrix"));
+    // It swings round to w3² + (2/3.75) w2² about the third axis (mathematics), more than can be written.
+    assert!(error([1.0, 2.0, 2.5], [0.0, 1.7e308, 1.7e308]).contains("the greatest spin"));
+}
+
+/// A tensor given askew has each entry rounded relative to the largest moment, and the smallest moment of a
+/// needle with it: what the documentation of `FreeMotion::of` says.
+#[test]
+fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
+    let mut random = proptest::test_runner::TestRunner::deterministic();
+    let mut value = |range: std::ops::Range<f64>| range.new_tree(&mut random).unwrap().current();
+    for thin in [1e-6, 1e-12] {
+        let mut worst = [0.0_f64; 2];
+        for _ in 0..200 {
+            let m = Vector3::new(thin, 1.0, 1.0 + 0.4 * thin);
+            let turned =
+                UnitQuaternion::from_euler_angles(value(0.0..6.0), value(-1.5..1.5), value(0.0..6.0));
+            let omega = Vector3::from_fn(|_, _| value(-0.5..0.5));
+            let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&turned).unwrap();
+            let body = Body::spinning(inertia, turned.inverse(), &(turned * omega)).unwrap();
+            let askew = FreeMotion::of(&body).unwrap();
+            let t = value(0.0..3.0);
+            let (at, plain) = (
+                askew.at(t).unwrap(),
+                FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap(),
+            );
+            let spin = (at.omega - turned * plain.omega).norm() / omega.norm();
+            let attitude = apart(&at.attitude, &(plain.attitude * turned.inverse()));
+            worst = [
+                worst[0].max((askew.moments().smallest() / thin - 1.0).abs()),
+                worst[1].max(spin.max(attitude)),
+            ];
+        }
+        let unit = 0.5 * f64::EPSILON / thin;
+        assert!(worst[0] < 4.0 * unit && worst[1] < 8.0 * unit, "{thin:e}: {worst:?}");
+        // And not better: the sentence is no bound out of the air.
+        assert!(worst[0] > unit && worst[1] > unit, "{thin:e}: {worst:?}");
+    }
+}
+
+#[test]
+fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
+    let new =
+        |thin: f64| FreeMotion::new(PrincipalMoments::new(thin, 1.0, 1.0)?, &Vector3::new(1.0, 0.5, 0.25));
+    assert!(new(1.001e-100).is_ok());
+    assert!(new(0.999e-100).unwrap_err().to_string().contains("1e-100 of the largest moment"));
+}
+
+proptest! {
+    // Continuity: the motion is prepared so that it starts where it was told to, to the few roundings that
+    // any answer may have.
+    #[test]
+    fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {
+        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let soon = motion.omega(1e-300).unwrap();
+        let off = (soon - omega).norm() / (omega.norm() * 0.5 * f64::EPSILON);
+        prop_assert!(off <= 8.0, "{off}");
+    }
+}
+
+#[test]
+fn several_instants_at_once_are_each_to_the_bit_what_they_are_alone() {
+    let times = [0.0, -0.0, 1.5, -3.25, 1e9, 1e-300, 0.75];
+    let askew = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let askew = askew.turned(&UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9)).unwrap();
+    let body = Body::spinning(
+        askew,
+        UnitQuaternion::from_euler_angles(1.0, 0.2, -0.5),
+        &Vector3::new(0.5, -1.0, 0.2),
+    );
+    let motions = [
+        FreeMotion::of(&body.unwrap()).unwrap(),
+        motion([1.0, 2.0, 2.5], [0.3, 0.2, 1.0]),
+        motion([1.0, 2.0, 2.5], [1e-9, 1.0, 0.0]),
+        motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]),
+        motion([1.0, 1.0, 1.5], [0.5, 0.2, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]),
+        motion([1.0, 2.0, 3.0], [0.0, 0.0, 0.0]),
+    ];
+    for motion in motions {
+        let alone: Vec<_> = times.iter().map(|&t| motion.at(t).unwrap()).collect();
+        assert_eq!(motion.at_each(&times).unwrap(), alone);
+        assert!(motion.at_each(&[1.0, f64::NAN]).is_err() && motion.at_each(&[]).unwrap().is_empty());
+    }
+}
+
+#[test]
+fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
+    // Along its principal axes a motion may reach the largest numbers; a turn of its axes needs room for a
+    // sum of products.
+    let principal = Vector3::new(1.1, 0.46, 1.05);
+    let fast = Vector3::new(0.3, 1.1, -0.2) * 1e308;
+    let along = motion(principal.into(), fast.into());
+    assert!(along.omega(1e-309).unwrap().iter().all(|x| x.is_finite()));
+    let axes = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    let leaning =
+        Inertia::from_moments(principal.x, principal.y, principal.z).unwrap().turned(&axes).unwrap();
+    let body = Body::spinning(leaning, UnitQuaternion::identity(), &fast).unwrap();
+    refused(FreeMotion::of(&body), ErrorKind::Unrepresentable, "the greatest spin");
+    let slower = Body::spinning(leaning, UnitQuaternion::identity(), &(fast * 0.05)).unwrap();
+    assert!(FreeMotion::of(&slower).unwrap().omega(1e-307).unwrap().iter().all(|x| x.is_finite()));
+    // In the world.
+    for moments in [[1.1, 0.46, 1.05], [1.0, 1.0, 1.0]] {
+        let motion = motion(moments, [1.5e308, 0.0, 0.2e308]);
+        if let Ok(points) = motion.herpolhode(1e-300, 5) {
+            assert!(points.iter().flatten().all(|x| x.is_finite()), "{points:?}");
+        }
+    }
+    let sphere = PrincipalMoments::new(1.0, 1.0, 1.0).unwrap();
+    let speed = FreeMotion::new(sphere, &Vector3::new(-1.4e308, 1.5e308, 0.0));
+    refused(speed, ErrorKind::Unrepresentable, "the greatest spin");
+}

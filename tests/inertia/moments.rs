@@ -1,0 +1,189 @@
+//! Principal moments: their order, what a body can have, and the nearest moments to printed ones.
+
+use crate::common::{anything, moments, refused};
+use nalgebra::Vector3;
+use proptest::prelude::*;
+use tumbling::{Axis, ErrorKind, Inertia, PrincipalMoments};
+
+/// The axes with the smallest, middle and largest moment.
+fn order(moments: &PrincipalMoments) -> [usize; 3] {
+    Axis::ALL.map(|axis| moments.axis(axis))
+}
+
+const ARRANGEMENTS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+
+proptest! {
+    #[test]
+    fn moments_stay_in_the_order_given_and_their_axes_are_sorted(given in moments()) {
+        for arrangement in ARRANGEMENTS {
+            let [a, b, c] = arrangement.map(|i| given[i]);
+            let moments = PrincipalMoments::new(a, b, c).unwrap();
+            prop_assert_eq!(moments.vector(), Vector3::new(a, b, c));
+            prop_assert_eq!([moments[0], moments[1], moments[2]], <[f64; 3]>::from(moments));
+            let [low, middle, high] = order(&moments);
+            prop_assert!(moments[low] <= moments[middle] && moments[middle] <= moments[high]);
+            prop_assert_eq!(low + middle + high, 3);
+            prop_assert_eq!((moments.smallest(), moments.largest()), (moments[low], moments[high]));
+            prop_assert_eq!(Inertia::from(moments), Inertia::from_moments(a, b, c).unwrap());
+        }
+    }
+
+    #[test]
+    fn a_unit_of_mass_changes_neither_order_nor_verdict(
+        given in prop::array::uniform3(0.1..2.0_f64), power in -900..900_i32,
+    ) {
+        let [a, b, c] = given;
+        let unit = 2.0_f64.powi(power);
+        let scaled = PrincipalMoments::new(a * unit, b * unit, c * unit);
+        match PrincipalMoments::new(a, b, c) {
+            Ok(moments) => prop_assert_eq!(order(&moments), order(&scaled.unwrap())),
+            Err(error) => prop_assert_eq!(error.kind(), scaled.unwrap_err().kind()),
+        }
+        // The nearest possible ones: the same, and as far away.
+        if let Ok(near) = PrincipalMoments::within(given, 0.2) {
+            let far = PrincipalMoments::within(given.map(|x| x * unit), 0.2).unwrap();
+            prop_assert_eq!(far.value.vector(), near.value.vector() * unit);
+            prop_assert_eq!(far.moved, near.moved);
+        }
+    }
+
+    #[test]
+    fn a_body_of_three_masses_has_its_moments_and_none_flatter_than_a_plate(
+        masses in prop::array::uniform3(0.01..2.0_f64), beyond in 20.0..1e6_f64,
+    ) {
+        let [p, q, r] = masses;
+        PrincipalMoments::new(q + r, p + r, p + q).unwrap();
+        let plate = PrincipalMoments::new(p, p + q, q).unwrap();
+        prop_assert_eq!(plate.axis(Axis::Largest), 1);
+        // Far more than rounding above a plate is refused, whichever of the three is the largest.
+        let too_large = (p + q) * (1.0 + beyond * f64::EPSILON);
+        for [a, b, c] in [[p, q, too_large], [too_large, p, q], [q, too_large, p]] {
+            refused(PrincipalMoments::new(a, b, c), ErrorKind::Impossible, "triangle inequality");
+        }
+    }
+
+    #[test]
+    fn the_nearest_moments_are_a_plates_and_are_no_farther_than_stated(
+        first in 0.3..1.0_f64, second in 0.3..1.0_f64, excess in 1e-9..1e-3_f64, turn in 0..3_usize,
+    ) {
+        let mut given = [first, second, (first + second) * (1.0 + excess)];
+        given.rotate_left(turn);
+        prop_assert!(PrincipalMoments::new(given[0], given[1], given[2]).is_err());
+        let nearest = PrincipalMoments::within(given, 2.0 * excess).unwrap();
+        let change = nearest.value.vector() - Vector3::from(given);
+        let largest = nearest.value.axis(Axis::Largest);
+        let (a, b) = ((largest + 1) % 3, (largest + 2) % 3);
+        // A third of the excess to each of the smaller two, and off the largest: at right angles to the
+        // plates' face of the cone.
+        let third = (first + second) * excess / 3.0;
+        let expected = Vector3::from_fn(|i, _| if i == largest { -third } else { third });
+        prop_assert!((change - expected).amax() < 1e-15, "{change:?} {expected:?}");
+        let plate = nearest.value[largest] - (nearest.value[a] + nearest.value[b]);
+        prop_assert!(plate.abs() < 1e-15, "{plate:e}");
+        let moved = change.norm() / given.into_iter().fold(0.0, f64::max);
+        prop_assert!((nearest.moved - moved).abs() <= 1e-15, "{} {moved}", nearest.moved);
+        // Nearer than that there is none.
+        refused(PrincipalMoments::within(given, 0.999 * moved), ErrorKind::Impossible, "tolerance");
+    }
+
+    #[test]
+    fn possible_moments_are_not_moved(given in moments(), tolerance in 0.0..1.0_f64) {
+        let nearest = PrincipalMoments::within(given.into(), tolerance).unwrap();
+        prop_assert_eq!(nearest.value.vector(), given);
+        prop_assert_eq!(nearest.moved, 0.0);
+    }
+
+    #[test]
+    fn any_three_numbers_are_moments_or_refused(given in prop::array::uniform3(anything()), tolerance in anything()) {
+        let [a, b, c] = given;
+        let possible = |m: &PrincipalMoments| {
+            m.smallest() > 0.0 && m.largest().is_finite()
+                && m.largest() - m[m.axis(Axis::Middle)] <= m.smallest() + 8.0 * f64::EPSILON * m.largest()
+        };
+        if let Ok(moments) = PrincipalMoments::new(a, b, c) {
+            prop_assert!(possible(&moments) && moments.vector() == Vector3::from(given));
+        }
+        if let Ok(nearest) = PrincipalMoments::within(given, tolerance) {
+            prop_assert!(possible(&nearest.value) && nearest.moved.is_finite(), "{nearest:?}");
+            prop_assert!(tolerance >= 0.0 && nearest.moved <= tolerance);
+        }
+    }
+}
+
+#[test]
+fn of_equal_moments_the_one_given_first_is_the_smaller() {
+    let order = |a, b, c| order(&PrincipalMoments::new(a, b, c).unwrap());
+    assert_eq!(order(2.0, 1.5, 2.0), [1, 0, 2]);
+    assert_eq!(order(2.0, 2.5, 2.0), [0, 2, 1]);
+    assert_eq!(order(2.0, 2.0, 1.0), [2, 0, 1]);
+    assert_eq!(order(0.4, 0.4, 0.4), [0, 1, 2]);
+}
+
+#[test]
+fn a_plate_may_miss_the_triangle_inequality_by_four_units_in_the_last_place() {
+    // Below 1 a unit in the last place is half of that at 1.
+    let (a, b, unit) = (0.3125, 0.5, f64::EPSILON / 2.0);
+    PrincipalMoments::new(a, a + b + 4.0 * unit, b).unwrap();
+    let error = refused(
+        PrincipalMoments::new(a, a + b + 5.0 * unit, b),
+        ErrorKind::Impossible,
+        "triangle inequality",
+    );
+    assert!(error.to_string().contains("within"), "{error}");
+    // Too far off to come from rounded digits: no way out is offered.
+    let error =
+        refused(PrincipalMoments::new(1.0, 2.0, 3.5), ErrorKind::Impossible, "2 + 1 >= 3.5 fails by 0.5");
+    assert!(!error.to_string().contains("within"), "{error}");
+}
+
+#[test]
+fn moments_printed_with_few_digits_become_those_of_the_nearest_body() {
+    // A flat panel with four digits; sums that were rounded to single precision.
+    for (given, moved) in
+        [([0.003333, 0.01333, 0.01667], 7e-6), ([f64::from(0.1_f32 + 0.2_f32), 0.1, 0.2], 7e-9)]
+    {
+        refused(PrincipalMoments::try_from(given), ErrorKind::Impossible, "triangle inequality");
+        let nearest = PrincipalMoments::within(given, 1e-3).unwrap();
+        assert!(nearest.moved > 0.0 && nearest.moved < 1e-3, "{}", nearest.moved);
+        assert!((nearest.value.vector() - Vector3::from(given)).amax() <= moved, "{}", nearest.value);
+    }
+    // The nearest of these is a rod, about which a momentum along it leaves the spin open.
+    refused(PrincipalMoments::within([-0.25, 1.0, 1.25], 0.5), ErrorKind::OutOfBounds, "a principal moment");
+}
+
+#[test]
+fn moments_that_are_no_numbers_above_zero_are_refused_by_value() {
+    for (value, kind) in [
+        (0.0, ErrorKind::OutOfBounds),
+        (-0.0, ErrorKind::OutOfBounds),
+        (-1.5, ErrorKind::OutOfBounds),
+        (f64::NAN, ErrorKind::NotFinite),
+        (f64::INFINITY, ErrorKind::NotFinite),
+    ] {
+        for place in 0..3 {
+            let mut given = [1.0, 1.5, 1.25];
+            given[place] = value;
+            let error =
+                refused(PrincipalMoments::try_from(given), kind, &format!("a principal moment is {value}"));
+            assert_eq!(error.subject(), "a principal moment");
+        }
+    }
+    refused(
+        PrincipalMoments::within([1.0, 2.0, 2.5], f64::NAN),
+        ErrorKind::NotFinite,
+        "the relative tolerance",
+    );
+    refused(
+        PrincipalMoments::within([1.0, 2.0, 2.5], -1e-9),
+        ErrorKind::OutOfBounds,
+        "the relative tolerance",
+    );
+    refused(PrincipalMoments::within([1.0, f64::NAN, 2.5], 1e-3), ErrorKind::NotFinite, "the moment Iyy");
+}
+
+#[test]
+fn moments_print_in_the_order_given() {
+    let book = PrincipalMoments::new(0.8, 1.1, 0.4).unwrap();
+    assert_eq!(format!("{book}"), "(0.8, 1.1, 0.4) kg m²");
+    assert_eq!(format!("{book:.2}"), "(0.80, 1.10, 0.40) kg m²");
+}

@@ -1,0 +1,94 @@
+//! The nearest tensor that a body can have, for digits that were printed.
+
+use super::any_tensor;
+use crate::common::*;
+use nalgebra::{Matrix3, Vector3};
+use num_traits::Signed;
+use proptest::prelude::*;
+use tumbling::{ErrorKind, Inertia};
+
+#[test]
+fn digits_that_were_printed_are_refused_by_default_and_taken_within_a_stated_tolerance() {
+    let tenth = f64::from(0.1_f32 + 0.2_f32);
+    for (m, excess, moved) in [
+        ([0.003333, 0.01333, 0.01667], 7e-6, 7e-6 / 3_f64.sqrt() / 0.01667),
+        ([tenth, 0.1, 0.2], 1.192_092_895_5e-8, 1.192_092_895_5e-8 / 3_f64.sqrt() / tenth),
+    ] {
+        let error = refused(
+            Inertia::from_moments(m[0], m[1], m[2]),
+            ErrorKind::Impossible,
+            "`within` takes a tolerance",
+        );
+        assert!((number_after(&error, "fails by ") / excess - 1.0).abs() < 1e-6, "{error}");
+        let given = Matrix3::from_diagonal(&m.into());
+        let nearest = Inertia::within(&given, 1e-3).unwrap();
+        assert!((nearest.moved / moved - 1.0).abs() < 1e-6, "{:e}, not {moved:e}", nearest.moved);
+        // A third of the excess on each moment: the foot of the perpendicular on the plane of the flat
+        // bodies.
+        let change = (nearest.value.matrix() - given).diagonal();
+        assert!(change.iter().all(|x| (x.abs() / (excess / 3.0) - 1.0).abs() < 1e-6), "{change:e}");
+        refused(
+            Inertia::within(&given, 0.9 * moved),
+            ErrorKind::Impossible,
+            "of the largest moment away, more than the tolerance",
+        );
+        let again = Inertia::within(&nearest.value.matrix(), 0.0).unwrap();
+        assert_eq!((again.value, again.moved), (nearest.value, 0.0));
+    }
+    // By a large margin the digits are not to blame, and the message does not say so.
+    let error = Inertia::from_moments(1.0, 2.0, 3.5).unwrap_err();
+    assert!(!error.to_string().contains("within"), "{error}");
+    for bad in [f64::NAN, -1e-3, f64::INFINITY] {
+        assert!(Inertia::within(&Matrix3::identity(), bad).is_err(), "{bad}");
+    }
+    refused(
+        Inertia::within(&Matrix3::zeros(), 0.5),
+        ErrorKind::OutOfBounds,
+        "the largest moment of inertia is 0.0",
+    );
+    refused(Inertia::within(&-Matrix3::identity(), 5.0), ErrorKind::Impossible, "the moment Ixx is -1");
+    let unfinite = Matrix3::from_diagonal(&Vector3::new(1.0, f64::NAN, 1.0));
+    refused(Inertia::within(&unfinite, 0.5), ErrorKind::NotFinite, "the moment Iyy is NaN");
+}
+
+proptest! {
+    /// The tensors of bodies are a convex cone: the nearest one `p` to `s` has `(s - p) . p = 0` and
+    /// `(s - p) . b <= 0` for every body `b`.
+    #[test]
+    fn the_nearest_tensor_meets_the_conditions_of_a_projection_onto_the_cone_of_bodies(
+        six in prop::array::uniform9(-1.0..1.0_f64), scale in -200..150_i32, bodies in prop::collection::vec(any_tensor(), 8),
+    ) {
+        let size = 10_f64.powi(scale);
+        // Rows that differ from columns too: the antisymmetric part is across every body's tensor.
+        let given = (Matrix3::from_row_slice(&six) + Matrix3::identity()) * size;
+        if let Ok(nearest) = Inertia::within(&given, 10.0) {
+            let (p, s) = (nearest.value.matrix() / size, given / size);
+            let off = s - p;
+            let largest = ((s + s.transpose()) * 0.5).symmetric_eigenvalues().max();
+            prop_assert!((nearest.moved - off.norm() / largest).abs() <= 1e-14 * (1.0 + nearest.moved));
+            prop_assert!(off.dot(&p).abs() <= 1e-13, "{:e}", off.dot(&p));
+            for body in &bodies {
+                prop_assert!(off.dot(&body.matrix()) <= 1e-13, "{:e}", off.dot(&body.matrix()));
+            }
+            // The principal axes stay.
+            let middle = (s + s.transpose()) * 0.5;
+            prop_assert!((middle * p - p * middle).amax() <= 1e-14);
+        }
+    }
+}
+
+#[test]
+fn a_leaning_tensor_is_moved_along_its_own_principal_axes_and_no_farther_than_its_moments() {
+    // A panel with four printed digits, in axes that no turn of a coordinate axis gives.
+    let axes = nalgebra::UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9).to_rotation_matrix().into_inner();
+    let printed = [0.003333, 0.01333, 0.01667];
+    let leaning = |moments: Vector3<f64>| {
+        let tensor = axes * Matrix3::from_diagonal(&moments) * axes.transpose();
+        (tensor + tensor.transpose()) * 0.5
+    };
+    let along = tumbling::PrincipalMoments::within(printed, 1e-3).unwrap();
+    let nearest = Inertia::within(&leaning(printed.into()), 1e-3).unwrap();
+    let off = (nearest.value.matrix() - leaning(along.value.vector())).amax();
+    assert!(off < 1e-15, "{off:e}");
+    assert!((nearest.moved - along.moved).abs() < 1e-13, "{} {}", nearest.moved, along.moved);
+}

@@ -1,0 +1,98 @@
+//! Which tensors a body can have, to rounding, and how the others are refused.
+
+use crate::common::*;
+use nalgebra::{Matrix3, Vector3};
+use proptest::prelude::*;
+use tumbling::{ErrorKind, Inertia};
+
+proptest! {
+    #[test]
+    fn a_flat_plate_passes_at_any_scale_and_attitude(a in 0.01..2.0_f64, b in 0.01..2.0_f64, q in attitude(), scale in -200..150_i32) {
+        let s = 10_f64.powi(scale);
+        let (ix, iy) = (a * s, b * s);
+        prop_assert!(Inertia::from_moments(ix, iy, ix + iy).is_ok());
+        let r = q.to_rotation_matrix().into_inner();
+        let world = r * Matrix3::from_diagonal(&Vector3::new(ix, iy, ix + iy)) * r.transpose();
+        prop_assert!(Inertia::from_matrix(&world).is_ok());
+        // A thousandth of a millionth too much does not pass, at any scale either.
+        prop_assert!(Inertia::from_moments(ix, iy, (ix + iy) * (1.0 + 1e-9)).is_err());
+    }
+
+    #[test]
+    fn a_value_that_is_not_finite_is_named(place in 0..6_usize, bad in prop::sample::select(vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY])) {
+        let mut six = [1.0, 2.0, 2.5, 0.1, 0.2, 0.3];
+        six[place] = bad;
+        let names = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+        let error = Inertia::new([six[0], six[1], six[2]], [six[3], six[4], six[5]]).unwrap_err();
+        prop_assert_eq!(error.kind(), ErrorKind::NotFinite);
+        prop_assert!(error.to_string().contains(&format!("{} is {bad}:", names[place])), "{}", error);
+    }
+}
+
+#[test]
+fn real_violators_of_the_triangle_inequality_are_refused_with_the_margin() {
+    // The first is from a robot's model file, refused by a simulator; the last two differ by little or much.
+    for (moments, excess) in [
+        ([1.486e-6, 2e-7, 8.31e-7], 1.486e-6 - 2e-7 - 8.31e-7),
+        ([1.11, 100.11, 1.01], 97.99),
+        ([1.0, 2.0, 3.0 + 1e-9], 1e-9),
+    ] {
+        let error = Inertia::from_moments(moments[0], moments[1], moments[2]).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Impossible);
+        let mut named = moments;
+        named.sort_by(f64::total_cmp);
+        let [a, b, largest] = named;
+        let found = number_after(&error, "fails by ");
+        assert!((found - excess).abs() < 1e-15 * excess.max(1.0), "{found} {excess}");
+        assert!(number_after(&error, "rounding (") < 1e-13 * largest);
+        assert!(error.to_string().contains(&format!("moments {a}, {b}, {largest}")), "{error}");
+    }
+}
+
+#[test]
+fn what_rounding_alone_breaks_is_let_through() {
+    for moments in [[1e-12, 1.0, 1.0 + 1e-12], [0.3, 0.7, 1.0], [0.1, 0.2, 0.3]] {
+        assert!(Inertia::from_moments(moments[0], moments[1], moments[2]).is_ok(), "{moments:?}");
+    }
+}
+
+#[test]
+fn negative_and_zero_moments_and_asymmetric_tensors_are_refused() {
+    refused(Inertia::from_moments(1.0, -0.1, 1.0), ErrorKind::Impossible, "the moment Iyy is -0.1");
+    refused(
+        Inertia::from_moments(0.0, 0.0, 0.0),
+        ErrorKind::OutOfBounds,
+        "inertia is 0.0: it must be above zero",
+    );
+    // Off the diagonal it is the smallest principal moment that is negative.
+    let negative = Inertia::new([1.0, 1.0, 2.0], [1.5, 0.0, 0.0]);
+    refused(negative, ErrorKind::Impossible, "the smallest principal moment is -0.5");
+    let lopsided = Matrix3::new(2.0, 0.1, 0.0, 0.1 + 1e-12, 2.0, 0.0, 0.0, 0.0, 2.0);
+    let error = refused(Inertia::from_matrix(&lopsided), ErrorKind::Impossible, "entry (0, 1) is 0.1");
+    assert!(error.to_string().contains("differ by 1.000e-12"), "{error}");
+}
+
+#[test]
+fn the_top_of_the_range_has_no_tolerance_without_end() {
+    refused(
+        Inertia::from_moments(1.0, 1.0, f64::MAX),
+        ErrorKind::Impossible,
+        "the triangle inequality 1 + 1 >= 17976931348",
+    );
+    let lopsided = Matrix3::new(f64::MAX, 1e300, 0.0, 0.0, f64::MAX, 0.0, 0.0, 0.0, f64::MAX);
+    refused(Inertia::from_matrix(&lopsided), ErrorKind::Impossible, "(0, 1) is 1e300, entry (1, 0) is 0.0");
+    let beyond = Inertia::new([1.7e308; 3], [-1.7e308, -1.7e308, 1.7e308]);
+    refused(beyond, ErrorKind::Unrepresentable, "a principal moment comes out as inf");
+}
+
+#[test]
+fn mirrored_entries_one_unit_apart_are_stored_as_equal() {
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        let mut tensor = Matrix3::new(2.0, 0.1, -0.2, 0.1, 2.5, 0.3, -0.2, 0.3, 3.0);
+        let above: f64 = tensor[(i, j)];
+        tensor[(j, i)] = above.next_up();
+        let stored = Inertia::from_matrix(&tensor).unwrap().matrix();
+        assert_eq!(stored, stored.transpose(), "({i}, {j})");
+        assert!((above..=above.next_up()).contains(&stored[(i, j)]));
+    }
+}

@@ -1,0 +1,187 @@
+//! The tensor: the angle between spin and momentum against exact arithmetic, parallel axes, turning.
+
+use super::any_tensor;
+use crate::common::*;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use num_traits::Signed;
+use proptest::prelude::*;
+use tumbling::{Body, ErrorKind, Inertia};
+
+/// The gap of the very numbers given, with no rounding before the last step.
+fn exact_gap(inertia: &Inertia, omega: &Vector3<f64>) -> f64 {
+    let w = exact_vector(omega);
+    let l = times(&exact_matrix(&inertia.matrix()), &w);
+    let c = cross(&w, &l);
+    // tan² of the gap is rational; its root is taken after rounding.
+    let tangent_squared = dot(&c, &c) / (dot(&w, &l) * dot(&w, &l));
+    rounded(&tangent_squared).sqrt().atan()
+}
+
+/// Eight roundings on the way (three components, a length, a dot product, the angle; root and angle of the
+/// truth), each of half a unit in the last place at most.
+const GAP_MARGIN: f64 = 4.0 * f64::EPSILON;
+
+proptest! {
+    #[test]
+    fn the_gap_is_right_to_its_last_digits_for_any_spin(inertia in any_tensor(), omega in vector(3.0)) {
+        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_gap(&inertia, &omega));
+        prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
+    }
+
+    // Along an axis as the library finds it the gap is rounding; tilt by 1e-12 and it must still be right.
+    #[test]
+    fn the_gap_is_right_to_its_last_digits_a_hair_off_a_principal_axis(
+        inertia in any_tensor(), hair in vector(1.0), exponent in -14..-3_i32, axis in 0..3_usize, size in -150..150_i32,
+    ) {
+        let along = inertia.principal().frame().column(axis).into_owned();
+        let omega = (along + hair * 10_f64.powi(exponent)) * 10_f64.powi(size);
+        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_gap(&inertia, &omega));
+        prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
+    }
+
+    #[test]
+    fn parallel_axes_there_and_back_is_the_same_tensor(
+        inertia in any_tensor(), mass in 0.1..3.0_f64, offset in vector(2.0),
+    ) {
+        let there = inertia.shifted_from_centre(mass, &offset).unwrap();
+        let back = there.shifted_to_centre(mass, &offset).unwrap();
+        prop_assert!((back.matrix() - inertia.matrix()).amax() <= 8.0 * ulp(there.matrix().amax()));
+        // Away from the centre every moment is larger, by mass times squared distance from the axis.
+        let axis = Vector3::new(1.0, -2.0, 0.5);
+        let n = axis.normalize();
+        let more = there.about_axis(&axis).unwrap() - inertia.about_axis(&axis).unwrap();
+        prop_assert!((more - mass * offset.cross(&n).norm_squared()).abs() < 1e-13);
+    }
+
+    #[test]
+    fn turning_to_the_world_keeps_the_moments_and_carries_momentum_along(
+        inertia in any_tensor(), q in attitude(), omega in vector(2.0),
+    ) {
+        let world = inertia.turned(&q).unwrap();
+        let before = inertia.principal().moments();
+        prop_assert!((world.principal().moments() - before).amax() < 1e-14);
+        prop_assert!((world.momentum(&(q * omega)) - q * inertia.momentum(&omega)).norm() < 1e-14);
+        let inverse = inertia.inverse().unwrap().turned(&q).unwrap();
+        prop_assert!((inverse.omega(&world.momentum(&omega)) - omega).norm() < 1e-12);
+    }
+
+    #[test]
+    fn the_moment_about_an_axis_does_not_depend_on_the_axis_vectors_length(inertia in any_tensor(), axis in vector(1.0)) {
+        let moment = inertia.about_axis(&axis).unwrap();
+        for factor in [1e-300, 1e-10, 1e300] {
+            prop_assert!((inertia.about_axis(&(axis * factor)).unwrap() - moment).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn turning_at_the_end_of_the_range_is_finite_or_refused() {
+    let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
+    for scale in [1e-320, 1e-308, 1e307, 1.5e308] {
+        let Ok(inertia) = Inertia::from_moments(scale, scale, 1.1 * scale) else {
+            panic!("a body at {scale:e}")
+        };
+        match inertia.turned(&q) {
+            Ok(turned) => assert!(turned.matrix().iter().all(|x| x.is_finite()), "{scale:e}"),
+            Err(error) => assert_eq!(error.kind(), ErrorKind::Unrepresentable, "{error}"),
+        }
+    }
+}
+
+#[test]
+fn flat_and_thin_bodies_come_back_from_a_far_point_where_the_rounding_is_that_of_the_far_tensor() {
+    for q in [UnitQuaternion::identity(), UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7)] {
+        for (ix, iy) in [(0.1369 / 12.0, 0.01 / 12.0), (0.2, 1e-9), (0.3, 0.0)] {
+            let body = Inertia::from_moments(ix, iy, ix + iy).unwrap().turned(&q).unwrap();
+            for offset in [Vector3::new(0.0, 0.0, 1.0), Vector3::new(3.0, -2.0, 0.5)] {
+                let far = body.shifted_from_centre(1.0, &offset).unwrap();
+                let back = far.shifted_to_centre(1.0, &offset).unwrap();
+                assert!((back.matrix() - body.matrix()).amax() <= 8.0 * ulp(far.matrix().amax()));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tensor_about_a_point_too_far_from_the_centre_is_refused_for_that_distance() {
+    let near = Inertia::from_moments(1.0, 1.0, 1.0).unwrap();
+    let cases = [
+        (near, Vector3::new(1.0, 1.0, 0.0), "1.0 kg with its centre of mass 1.4142135623730951 m away"),
+        (near, Vector3::new(1e200, 0.0, 0.0), "1.0 kg with its centre of mass 1e200 m away"),
+        // Of a point mass nothing is left about its centre: zero exactly, which is not beyond what f64 holds.
+        (
+            Inertia::from_moments(0.0, 1.0, 1.0).unwrap(),
+            Vector3::x(),
+            "about that centre, the largest moment of inertia is 0.0",
+        ),
+    ];
+    for (tensor, offset, words) in cases {
+        refused(tensor.shifted_to_centre(1.0, &offset), ErrorKind::Impossible, words);
+    }
+}
+
+#[test]
+fn along_a_turned_rod_there_is_no_momentum_and_so_no_gap() {
+    let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
+    let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap().turned(&q).unwrap();
+    refused(
+        rod.angle_to_momentum(&(q * Vector3::z())),
+        ErrorKind::Undefined,
+        "the angular momentum is the zero vector",
+    );
+    // A needle of 1e-12 is no rod: along itself it has momentum, and the gap is small.
+    let needle = Inertia::from_moments(1.0, 1.0, 1e-12).unwrap();
+    assert_eq!(needle.angle_to_momentum(&Vector3::z()).unwrap(), 0.0);
+}
+
+#[test]
+fn an_attitude_that_has_drifted_turns_as_its_direction_says_and_one_far_off_is_refused() {
+    let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let (true_one, omega) = (UnitQuaternion::from_euler_angles(0.4, 0.3, -1.0), Vector3::new(1.0, 1.0, 0.0));
+    let stretched = |by: f64| UnitQuaternion::new_unchecked(true_one.into_inner() * by);
+    let body = Body::spinning(tensor, stretched(1.0 + 9e-10), &omega).unwrap();
+    // To the rounding of a turn there and back; without it the stretch itself would show, at 4e-9.
+    assert!((body.energy() - 1.5).abs() < 5e-15 && (body.omega_body() - omega).norm() < 5e-15);
+    let run = tumbling::step::Engine::Turned.run(&body, 0.01, 1).unwrap();
+    assert!((run[0].energy() - 1.5).abs() < 5e-15);
+    for by in [1.0 + 2e-9, 1.0 - 2e-9, 0.5, 0.0] {
+        let body = Body::spinning(tensor, stretched(by), &omega);
+        refused(body, ErrorKind::OutOfBounds, "it must be 1 to within 1.0e-9");
+    }
+}
+
+#[test]
+fn a_spin_without_direction_has_no_gap() {
+    let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    refused(tensor.angle_to_momentum(&Vector3::zeros()), ErrorKind::Undefined, "the spin is the zero vector");
+    refused(tensor.about_axis(&Vector3::zeros()), ErrorKind::Undefined, "the axis is the zero vector");
+    let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap();
+    refused(
+        rod.angle_to_momentum(&Vector3::z()),
+        ErrorKind::Undefined,
+        "the angular momentum is the zero vector",
+    );
+    assert!(exact(tensor.angle_to_momentum(&Vector3::new(1.0, 5e-324, 0.0)).unwrap()).is_positive());
+}
+
+#[test]
+fn zeros_of_a_tensor_its_inverse_and_its_axes_have_no_sign() {
+    let signed = |m: &Matrix3<f64>| m.iter().any(|x| *x == 0.0 && x.is_sign_negative());
+    let half = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::PI);
+    for (moments, products) in [
+        ([2.0, 3.0, 4.0], [-0.0, -0.0, -0.0]),
+        ([2.0, 3.0, 4.0], [-0.5, 0.0, 0.0]),
+        ([2.0, 3.0, 4.0], [0.0, -0.5, 0.0]),
+        ([4.0, 3.0, 2.0], [0.0, 0.0, -0.5]),
+        ([-0.0, 1.0, 1.0], [0.0; 3]),
+    ] {
+        let tensor = Inertia::new(moments, products).unwrap();
+        for tensor in [tensor, tensor.turned(&half).unwrap()] {
+            assert!(!signed(&tensor.matrix()), "{:?}", tensor.matrix());
+            assert!(!signed(&tensor.principal().frame()), "{:?}", tensor.principal().frame());
+            if let Ok(inverse) = tensor.inverse() {
+                assert!(!signed(&inverse.matrix()), "{:?}", inverse.matrix());
+            }
+        }
+    }
+}

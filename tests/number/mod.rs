@@ -1,0 +1,2 @@
+mod counted;
+mod lane;

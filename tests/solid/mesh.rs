@@ -1,0 +1,308 @@
+//! Solids bounded by triangles: the divergence theorem against closed forms, to rounding at every size.
+
+use super::cloud::{assert_same, size, vector};
+use super::surface::{Surface, both, brick, inside_out, solid, turned_and_carried};
+use crate::common::{number_after, refused};
+use nalgebra::{UnitQuaternion, Vector3};
+use num_rational::Ratio;
+use proptest::prelude::*;
+use tumbling::ErrorKind;
+use tumbling::solid::*;
+
+/// A regular icosahedron with corners on the unit sphere.
+fn icosahedron() -> Surface {
+    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
+    let mut corners = Vec::new();
+    for (s, t) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+        corners.push(Vector3::new(0.0, s, t * golden).normalize());
+        corners.push(Vector3::new(s, t * golden, 0.0).normalize());
+        corners.push(Vector3::new(t * golden, 0.0, s).normalize());
+    }
+    let edge = 2.0 / (1.0 + golden * golden).sqrt();
+    let near = |a: &Vector3<f64>, b: &Vector3<f64>| ((a - b).norm() - edge).abs() < 1e-9;
+    let mut faces = Vec::new();
+    for i in 0..12 {
+        for j in i + 1..12 {
+            for k in j + 1..12 {
+                let (a, b, c) = (corners[i], corners[j], corners[k]);
+                if near(&a, &b) && near(&b, &c) && near(&c, &a) {
+                    let outward = a.dot(&b.cross(&c)) > 0.0;
+                    faces.push(if outward { [i, j, k] } else { [i, k, j] });
+                }
+            }
+        }
+    }
+    assert_eq!(faces.len(), 20);
+    (corners, faces)
+}
+
+/// Each face cut in four, the new corners pushed out to the unit sphere.
+fn finer((mut corners, faces): Surface) -> Surface {
+    let mut middles = std::collections::HashMap::new();
+    let mut middle = |a: usize, b: usize| {
+        *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+            corners.push((corners[a] + corners[b]).normalize());
+            corners.len() - 1
+        })
+    };
+    let mut cut = Vec::new();
+    for [a, b, c] in faces {
+        let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
+        cut.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+    }
+    (corners, cut)
+}
+
+/// A ring round z, `n` steps each way.
+fn torus(ring: f64, tube: f64, n: usize) -> Surface {
+    let angle = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
+    let corner = |i: usize, j: usize| {
+        let out = ring + tube * angle(j).cos();
+        Vector3::new(out * angle(i).cos(), out * angle(i).sin(), tube * angle(j).sin())
+    };
+    let number = |i: usize, j: usize| (i % n) * n + j % n;
+    let mut surface = Surface::default();
+    for i in 0..n {
+        for j in 0..n {
+            surface.0.push(corner(i, j));
+            let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+            surface.1.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    surface
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn a_meshed_box_is_the_box_wherever_it_lies(
+        a in size(), b in size(), c in size(), low in vector(-5.0..5.0), angles in proptest::array::uniform3(-3.0..3.0_f64),
+    ) {
+        let edges = Vector3::new(a, b, c);
+        let turn = UnitQuaternion::from_euler_angles(angles[0], angles[1], angles[2]);
+        let (mut corners, faces) = brick(low, edges);
+        corners.iter_mut().for_each(|v| *v = turn * *v);
+        let mesh = Mesh::new(&corners, &faces).unwrap().with_density(2.0).unwrap();
+        let cuboid = Cuboid::new(a, b, c).unwrap().with_density(2.0).unwrap();
+        let placed = cuboid.moved(&(low + edges * 0.5)).unwrap().turned(&turn).unwrap();
+        // The corners are rounded at their distance, up to 20 m, on edges from 0.1 m up.
+        assert_same("box", &mesh, &placed, 1e-12, 20.0);
+    }
+
+    #[test]
+    fn a_meshed_tetrahedron_is_the_tetrahedron(corners in proptest::array::uniform4(vector(-2.0..2.0))) {
+        let [a, b, c, d] = corners;
+        let six_volume = (b - a).dot(&(c - a).cross(&(d - a)));
+        prop_assume!(six_volume > 1e-2);
+        let mesh = Mesh::new(&corners, &[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]).unwrap();
+        let direct = Tetrahedron::new(corners).unwrap().with_mass(1.5).unwrap();
+        assert_same("tetrahedron", &mesh.with_mass(1.5).unwrap(), &direct, 1e-12, 2.0);
+    }
+
+    // In fractions the reference point cannot matter, and the box must come out to the last digit.
+    #[test]
+    fn the_sums_over_a_box_are_exact_in_fractions_from_any_reference(
+        edges in proptest::array::uniform3(1_i32..9), low in proptest::array::uniform3(-9_i32..9),
+        reference in proptest::array::uniform3(-20_i32..20),
+    ) {
+        let n = |x: i32| Ratio::from_integer(i128::from(x));
+        let (corners, faces) = brick(Vector3::from(low).map(f64::from), Vector3::from(edges).map(f64::from));
+        let corners: Vec<_> = corners.iter().map(|v| v.map(|x| n(x as i32))).collect();
+        let reference = Vector3::from(reference).map(n);
+        let sums = mesh_sums(faces.iter().map(|face| face.map(|v| &corners[v])), &reference);
+        let body = mesh_moments(&sums, &reference);
+        let [a, b, c] = edges.map(n);
+        prop_assert_eq!(body.mass, a * b * c);
+        prop_assert_eq!(body.centre, Vector3::from(low).map(n) + Vector3::new(a, b, c) * Ratio::new(1, 2));
+        let moments = cuboid_moments(&(a * b * c), &a, &b, &c);
+        prop_assert_eq!(body.inertia, nalgebra::Matrix3::from_diagonal(&moments));
+    }
+
+    #[test]
+    fn a_cavity_takes_away_what_would_fill_it(
+        at in vector(0.05..0.4), hole in vector(0.1..0.5),
+    ) {
+        let (low, edges) = (Vector3::new(-1.0, 2.0, 0.5), Vector3::new(2.0, 1.0, 3.0));
+        let (start, size) = (at.component_mul(&edges), hole.component_mul(&edges));
+        let hollow = solid(&both(brick(low, edges), inside_out(brick(low + start, size)))).unwrap();
+        let filling = solid(&brick(low + start, size)).unwrap();
+        let full = solid(&brick(low, edges)).unwrap().with_density(3.0).unwrap();
+        let parts = [hollow.with_density(3.0).unwrap(), filling.with_density(3.0).unwrap()];
+        assert_same("filled", &MassProperties::combine(&parts).unwrap(), &full, 1e-13, 3.0);
+    }
+}
+
+// Second order: a surface four times as fine is off by a quarter as much, and what that extrapolates to is
+// the ball's.
+#[test]
+fn a_finer_and_finer_sphere_becomes_the_ball() {
+    let mut surface = icosahedron();
+    let mut results = Vec::new();
+    for _ in 0..5 {
+        surface = finer(surface);
+        let mesh = solid(&surface).unwrap();
+        results.push((mesh.measure().unwrap(), mesh.with_mass(1.0).unwrap().inertia().matrix()));
+    }
+    let ball = Ball::new(1.0).unwrap();
+    let (volume, moment) = (ball.measure().unwrap(), 0.4);
+    // The ratio itself is off 4 by the next order, which falls by four as well.
+    let mut off = 0.3;
+    for pair in results.windows(2) {
+        let ratio = (volume - pair[0].0) / (volume - pair[1].0);
+        assert!((ratio - 4.0).abs() < off, "{ratio}");
+        for i in 0..3 {
+            let ratio = (moment - pair[0].1[(i, i)]) / (moment - pair[1].1[(i, i)]);
+            assert!((ratio - 4.0).abs() < off, "{ratio}");
+        }
+        off /= 4.0;
+    }
+    let [.., coarse, fine] = results[..] else { panic!() };
+    let limit = (fine.1 * 4.0 - coarse.1) / 3.0;
+    assert!((limit - nalgebra::Matrix3::from_diagonal_element(0.4)).amax() < 1e-6, "{limit}");
+}
+
+// A regular icosahedron with edge s has m s^2 phi^2 / 10 about every axis, and volume 5/12 (3 + sqrt 5) s^3.
+#[test]
+fn an_icosahedron_has_its_textbook_moment() {
+    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
+    let edge = 2.0 / (1.0 + golden * golden).sqrt();
+    let mesh = solid(&icosahedron()).unwrap();
+    let volume = 5.0 / 12.0 * (3.0 + 5.0_f64.sqrt()) * edge.powi(3);
+    assert!((mesh.measure().unwrap() - volume).abs() < 1e-14);
+    let tensor = mesh.with_mass(10.0).unwrap().inertia().matrix();
+    let expected = nalgebra::Matrix3::from_diagonal_element((edge * golden).powi(2));
+    assert!((tensor - expected).amax() < 1e-14, "{tensor}");
+}
+
+// Pappus: volume 2 pi^2 R r^2; moments m (R^2 + 3/4 r^2) about the ring's axis, m (R^2/2 + 5/8 r^2) across.
+#[test]
+fn a_ring_with_a_hole_through_it_becomes_the_torus() {
+    let (ring, tube) = (2.0_f64, 0.75_f64);
+    let at = |n: usize| {
+        let mesh = solid(&torus(ring, tube, n)).unwrap();
+        (mesh.measure().unwrap(), mesh.with_mass(1.0).unwrap().inertia().matrix())
+    };
+    let (coarse, fine) = (at(60), at(120));
+    let volume = (4.0 * fine.0 - coarse.0) / 3.0;
+    let expected = 2.0 * std::f64::consts::PI.powi(2) * ring * tube * tube;
+    assert!((volume - expected).abs() < 1e-5 * expected, "{volume} {expected}");
+    let tensor = (fine.1 * 4.0 - coarse.1) / 3.0;
+    let across = ring * ring / 2.0 + 0.625 * tube * tube;
+    let expected = Vector3::new(across, across, ring * ring + 0.75 * tube * tube);
+    assert!((tensor - nalgebra::Matrix3::from_diagonal(&expected)).amax() < 1e-5, "{tensor} {expected}");
+}
+
+#[test]
+fn a_mesh_far_from_the_origin_keeps_its_digits() {
+    // The corners are exact at 2^30 m away, so the solid is exactly the same.
+    let far = Vector3::new(2.0_f64.powi(30), -(2.0_f64.powi(30)), 2.0_f64.powi(29));
+    let (low, edges) = (Vector3::new(1.0, 2.0, -3.0), Vector3::new(0.5, 2.0, 1.25));
+    let near = solid(&brick(low, edges)).unwrap().with_density(1.0).unwrap();
+    let away = solid(&brick(low + far, edges)).unwrap().with_density(1.0).unwrap();
+    assert_same("far box", &away, &near.moved(&far).unwrap(), 4e-16, 1.0);
+}
+
+// Half the corners belong to a speck 1 km off: their mean is 500 m from the centre.
+#[test]
+fn a_speck_far_away_does_not_blur_the_solid() {
+    let (edges, speck) = (Vector3::new(0.5, 2.0, 1.25), Vector3::repeat(2.0_f64.powi(-13)));
+    let (low, away) = (Vector3::new(0.25, 0.0, -1.0), Vector3::new(600.0, -640.0, 480.0));
+    let mesh = solid(&both(brick(low, edges), brick(away, speck))).unwrap().with_density(1.0).unwrap();
+    let part = |low: Vector3<f64>, e: Vector3<f64>| {
+        let cuboid = Cuboid::new(e.x, e.y, e.z).unwrap().with_density(1.0).unwrap();
+        cuboid.moved(&(low + e * 0.5)).unwrap()
+    };
+    let parts = [part(low, edges), part(away, speck)];
+    assert_same("with a speck", &mesh, &MassProperties::combine(&parts).unwrap(), 1e-14, 1.0);
+}
+
+#[test]
+fn a_mesh_of_any_size_is_measured_or_out_of_range() {
+    for scale in [1e-100, 1e70] {
+        let mesh = solid(&brick(Vector3::zeros(), Vector3::new(2.0, 1.0, 3.0) * scale)).unwrap();
+        let moments = mesh.with_mass(12.0).unwrap().inertia().matrix().diagonal();
+        let expected = Vector3::new(10.0, 13.0, 5.0) * scale * scale;
+        assert!((moments - expected).amax() <= 1e-14 * expected.amax(), "{moments:e}");
+    }
+    let huge = solid(&brick(Vector3::zeros(), Vector3::new(2.0, 1.0, 3.0) * 1e200)).unwrap();
+    refused(huge.measure(), ErrorKind::Unrepresentable, "the volume comes out as inf");
+    refused(huge.with_mass(1.0), ErrorKind::Unrepresentable, "a moment of inertia comes out as inf");
+}
+
+#[test]
+fn two_bricks_apart_or_touching_along_an_edge_are_one_solid() {
+    let (edges, unit) = (Vector3::new(1.0, 2.0, 3.0), Cuboid::new(1.0, 2.0, 3.0).unwrap());
+    let whole = |b: Vector3<f64>| {
+        let half = edges * 0.5;
+        let part = |low: Vector3<f64>| unit.with_density(1.0).unwrap().moved(&(low + half)).unwrap();
+        MassProperties::combine(&[part(Vector3::zeros()), part(b)]).unwrap()
+    };
+    let apart = Vector3::new(5.0, 0.5, -1.0);
+    let mesh = solid(&both(brick(Vector3::zeros(), edges), brick(apart, edges))).unwrap();
+    assert_same("apart", &mesh.with_density(1.0).unwrap(), &whole(apart), 1e-14, 5.0);
+    // Touching along an edge, with its two corners welded: that edge has four faces.
+    let beside = Vector3::new(1.0, 2.0, 0.0);
+    let (corners, mut faces) = both(brick(Vector3::zeros(), edges), brick(beside, edges));
+    for vertex in faces.iter_mut().flatten() {
+        *vertex = corners.iter().position(|v| *v == corners[*vertex]).unwrap();
+    }
+    let welded = Mesh::new(&corners, &faces).unwrap();
+    assert_same("welded", &welded.with_density(1.0).unwrap(), &whole(beside), 1e-14, 5.0);
+}
+
+// A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside
+// out.
+#[test]
+fn a_surface_through_itself_is_refused_where_no_body_has_such_a_tensor() {
+    let outline = [[-1.0, 0.0], [1.0, 0.0], [-0.95, 1.95], [0.95, 1.95]];
+    let corner = |x: f64| outline.map(|[y, z]| Vector3::new(x, y, z));
+    let corners = [corner(0.0), corner(1.0)].concat();
+    let mut faces = vec![[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]];
+    for i in 0..4 {
+        let j = (i + 1) % 4;
+        faces.extend([[i, j, j + 4], [i, j + 4, i + 4]]);
+    }
+    let error = refused(Mesh::new(&corners, &faces), ErrorKind::Impossible, "the triangle inequality");
+    assert!(number_after(&error, "fails by ") > number_after(&error, "rounding ("));
+    assert!(!error.to_string().contains("within"), "no digits were rounded: {error}");
+}
+
+// A wedge so thin that its volume is a known number of its own rounding bounds: the bound is half a unit for
+// each of eight roundings a face and one addition each, on the sum of all terms taken positive.
+#[test]
+fn a_mesh_is_flat_when_its_volume_is_within_its_own_rounding_and_only_then() {
+    let tilted = |x: f64, y: f64, up: f64| Vector3::new(x, y, 0.1 * x + 0.3 * y + up);
+    let faces = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+    let wedge = |up: f64| {
+        let corners =
+            [tilted(0.0, 0.1, 0.0), tilted(1.0, 0.2, 0.0), tilted(0.3, 1.0, 0.0), tilted(0.7, 0.9, up)];
+        Mesh::new(&corners, &faces).map(|mesh| mesh.measure().unwrap())
+    };
+    // Each coordinate is up to 1, off by up to half a unit, and the base is about half a square metre: at
+    // 1e-17 nothing is left of the height, at 1e-13 three digits of it are.
+    for up in [0.0, 1e-17, 5e-17, -1e-16] {
+        let error = refused(wedge(up), ErrorKind::BadMesh, "not above zero by more than rounding");
+        let (volume, tolerance) = (number_after(&error, "comes out as "), number_after(&error, "rounding ("));
+        assert!(volume.abs() <= 1.05 * tolerance && tolerance > 1e-17 && tolerance < 1e-15, "{error}");
+    }
+    for up in [1e-14, 1e-13] {
+        let base = 0.5 * (1.0 * 0.9 - 0.3 * 0.1);
+        let volume = wedge(up).unwrap();
+        assert!((volume - base * up / 3.0).abs() < 1e-16, "{volume:e}");
+    }
+}
+
+// A flat body has I1 + I2 = I3; its moments, off by rounding, may exceed that by a little.
+#[test]
+fn a_body_as_flat_as_can_be_passes_however_it_lies() {
+    let mut exceeded = 0;
+    for i in 0..200 {
+        let angles = [0.1 + 0.37 * f64::from(i), 1.3 * f64::from(i), -0.7 * f64::from(i)];
+        let plate = brick(Vector3::new(-0.3, -0.6, 0.0), Vector3::new(0.7, 1.3, 3e-9));
+        let mesh = solid(&turned_and_carried(plate, angles, Vector3::zeros())).unwrap();
+        let moments = mesh.with_mass(1.0).unwrap().inertia().principal().moments();
+        exceeded += usize::from(moments[2] - moments[1] > moments[0]);
+    }
+    assert!(exceeded > 0, "none of the plates tries the rule");
+}

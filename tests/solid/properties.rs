@@ -1,0 +1,237 @@
+//! Parts, places and axes: the parallel-axis theorem, turning, and what is refused.
+
+use super::cloud::{anything, assert_same, size, vector};
+use crate::common::{number_after, refused};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use num_rational::Ratio;
+use proptest::prelude::*;
+use tumbling::solid::*;
+use tumbling::{ErrorKind, Inertia, body::named};
+
+fn attitude() -> impl Strategy<Value = UnitQuaternion<f64>> {
+    proptest::array::uniform4(-1.0..1.0_f64)
+        .prop_filter("no direction", |q| q.iter().map(|x| x * x).sum::<f64>() > 0.01)
+        .prop_map(|[w, x, y, z]| UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)))
+}
+
+/// A lopsided body: its centre is nowhere special and all its products are there.
+fn lopsided() -> MassProperties {
+    let turn = UnitQuaternion::from_euler_angles(0.3, -0.7, 1.1);
+    Compound::new()
+        .at(Cuboid::new(1.0, 2.0, 3.5).unwrap().with_mass(2.0).unwrap(), Vector3::new(0.1, -0.2, 0.3))
+        .with(Cone::new(0.5, 2.0).unwrap().with_mass(1.5).unwrap(), Vector3::new(1.0, 2.0, -1.0), turn)
+        .at(ThinRod::new(3.0).unwrap().with_mass(0.4).unwrap(), Vector3::new(-1.0, 0.5, 0.25))
+        .properties()
+        .unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn moving_the_parts_moves_the_whole(offset in vector(-5.0..5.0)) {
+        let parts = [lopsided(), named::hammer().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
+        let moved = parts.map(|p| p.moved(&offset).unwrap());
+        let whole = MassProperties::combine(&parts).unwrap().moved(&offset).unwrap();
+        assert_same("moved", &MassProperties::combine(&moved).unwrap(), &whole, 1e-14, 10.0);
+    }
+
+    #[test]
+    fn turning_the_parts_turns_the_whole(q in attitude()) {
+        let parts = [lopsided(), named::hammer().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
+        let turned = parts.map(|p| p.turned(&q).unwrap());
+        let whole = MassProperties::combine(&parts).unwrap().turned(&q).unwrap();
+        assert_same("turned", &MassProperties::combine(&turned).unwrap(), &whole, 1e-14, 10.0);
+    }
+
+    // Independent: the definition, on four point masses turned one by one.
+    #[test]
+    fn a_turned_body_is_the_body_of_its_turned_points(q in attitude(), far in vector(-3.0..3.0)) {
+        let points = [
+            (1.0, Vector3::new(1.0, 0.5, -0.25)),
+            (2.5, Vector3::new(-1.0, 2.0, 0.0)),
+            (0.5, Vector3::new(0.0, -1.0, 3.0)),
+            (1.25, far),
+        ];
+        let turned = points.map(|(m, p)| (m, q * p));
+        let whole = PointMasses::new(&points).unwrap().properties().turned(&q).unwrap();
+        assert_same("points", &PointMasses::new(&turned).unwrap().properties(), &whole, 1e-14, 10.0);
+    }
+
+    #[test]
+    fn turning_there_and_back_leaves_moments_and_centre(q in attitude()) {
+        let body = lopsided();
+        let back = body.turned(&q).unwrap().turned(&q.inverse()).unwrap();
+        assert_same("back", &back, &body, 1e-14, 1.0);
+    }
+
+    #[test]
+    fn the_parallel_axis_theorem_leads_there_and_back(point in vector(-5.0..5.0)) {
+        let body = lopsided();
+        let about = body.about(&point).unwrap();
+        let back = about.shifted_to_centre(body.mass(), &(body.centre() - point)).unwrap();
+        let off = (back.matrix() - body.inertia().matrix()).amax();
+        prop_assert!(off <= 1e-14 * about.matrix().amax(), "{off:e}");
+    }
+
+    // In exact arithmetic, from any reference, and grouped in any way.
+    #[test]
+    fn combining_parts_one_by_one_or_all_at_once_is_exactly_the_same_in_fractions(
+        masses in proptest::array::uniform3(1_i128..9),
+        places in proptest::array::uniform9(-9_i128..9), reference in proptest::array::uniform3(-9_i128..9),
+    ) {
+        let n = Ratio::<i128>::from_integer;
+        let part = |i: usize| MassMoments {
+            mass: n(masses[i]),
+            centre: Vector3::new(places[3 * i], places[3 * i + 1], places[3 * i + 2]).map(n),
+            inertia: Matrix3::from_diagonal(&cuboid_moments(&n(masses[i]), &n(2), &n(1), &n(3))),
+        };
+        let [origin, elsewhere] = [[0; 3], reference].map(|r| Vector3::from(r).map(n));
+        let at_once = combined(&[part(0), part(1), part(2)], &origin);
+        let pair = combined(&[part(0), part(1)], &elsewhere);
+        prop_assert_eq!(&combined(&[pair, part(2)], &elsewhere), &at_once);
+        // Independent: sum about the origin, then off with the whole as a point.
+        let mut about_origin = Matrix3::repeat(n(0));
+        for i in 0..3 {
+            about_origin += part(i).inertia + tumbling::inertia::point_mass(&part(i).mass, &part(i).centre);
+        }
+        about_origin -= tumbling::inertia::point_mass(&at_once.mass, &at_once.centre);
+        prop_assert_eq!(about_origin, at_once.inertia);
+    }
+
+    #[test]
+    fn point_masses_match_their_sums_in_fractions(
+        masses in proptest::array::uniform4(1_u8..9), places in proptest::array::uniform12(-9_i8..9),
+    ) {
+        let place = |i: usize| Vector3::new(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
+        prop_assume!((1..4).any(|i| place(i) != place(0)));
+        let exact: Vec<_> = (0..4)
+            .map(|i| (Ratio::from_integer(i128::from(masses[i])), place(i).map(|x| Ratio::from_integer(x.into()))))
+            .collect();
+        let exact = point_masses_moments(&exact, &Vector3::repeat(Ratio::from_integer(0)));
+        let float: Vec<_> = (0..4).map(|i| (f64::from(masses[i]), place(i).map(f64::from))).collect();
+        let ours = PointMasses::new(&float).unwrap().properties();
+        let to_f64 = |q: &Ratio<i128>| *q.numer() as f64 / *q.denom() as f64;
+        let exact = exact.map(to_f64);
+        let off = (ours.inertia().matrix() - exact.inertia).amax();
+        prop_assert!(off <= 1e-14 * exact.inertia.amax(), "{off:e}");
+        prop_assert!((ours.centre() - exact.centre).amax() <= 1e-14 * 9.0);
+    }
+
+    #[test]
+    fn any_numbers_at_all_give_properties_or_a_typed_error(
+        mass in anything(), at in vector(anything()), moments in vector(anything()), offset in vector(anything()),
+        q in proptest::array::uniform4(anything()),
+    ) {
+        let [w, x, y, z] = q;
+        let attitude = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
+        let inertia = Inertia::from_moments(moments.x, moments.y, moments.z);
+        let inertia = inertia.unwrap_or(Inertia::from_moments(1.0, 2.0, 2.5).unwrap());
+        let body = MassProperties::new(mass, at, inertia);
+        let body = body.unwrap_or(MassProperties::new(1.0, Vector3::zeros(), inertia).unwrap());
+        let turn = UnitQuaternion::from_euler_angles(1.0, 2.0, 3.0);
+        let results = [
+            Ok(body),
+            body.moved(&offset),
+            body.turned(&attitude),
+            body.turned(&turn),
+            body.about(&offset).and_then(|i| MassProperties::new(1.0, offset, i)),
+            MassProperties::combine(&[body, lopsided()]),
+            body.moved(&offset).and_then(|moved| MassProperties::combine(&[body, moved])),
+            Compound::new().at(lopsided(), Vector3::zeros()).with(body, offset, attitude).properties(),
+            PointMasses::new(&[(mass, at), (1.0, offset)]).map(|p| p.properties()),
+        ];
+        for result in results {
+            match result {
+                Ok(p) => {
+                    prop_assert!(p.mass() > 0.0 && p.mass().is_finite());
+                    prop_assert!(p.centre().iter().chain(p.inertia().matrix().iter()).all(|x| x.is_finite()));
+                    prop_assert!(p.inertia().matrix().diagonal().max() > 0.0);
+                }
+                Err(e) => prop_assert!(!e.to_string().is_empty()),
+            }
+        }
+    }
+
+    #[test]
+    fn masses_on_one_line_make_a_rod_that_can_be_turned_and_joined(q in attitude(), a in size(), b in size()) {
+        let line = PointMasses::new(&[
+            (1.0, Vector3::new(0.0, 0.0, -a)), (2.0, Vector3::zeros()), (0.5, Vector3::new(0.0, 0.0, b)),
+        ]).unwrap().properties();
+        prop_assert_eq!(line.inertia().matrix()[(2, 2)], 0.0);
+        let singular = line.inertia().inverse().is_err_and(|error| error.kind() == ErrorKind::NotInvertible);
+        prop_assert!(singular);
+        let cross = MassProperties::combine(&[line, line.turned(&q).unwrap()]).unwrap();
+        prop_assert!((cross.mass() - 7.0).abs() < 1e-15);
+    }
+}
+
+// The same box and ball, near and 2^30 m away: offsets are exact there, so not a digit may change.
+#[test]
+fn a_body_far_from_the_origin_keeps_every_digit() {
+    let far = Vector3::new(2.0_f64.powi(30), -(2.0_f64.powi(29)), 2.0_f64.powi(31));
+    let parts = [
+        Cuboid::new(1.0, 2.0, 3.0).unwrap().with_mass(3.0).unwrap(),
+        Ball::new(0.7).unwrap().with_mass(0.9).unwrap().moved(&Vector3::new(0.5, 1.25, -2.0)).unwrap(),
+    ];
+    let near = MassProperties::combine(&parts).unwrap();
+    let away = MassProperties::combine(&parts.map(|p| p.moved(&far).unwrap())).unwrap();
+    assert_eq!(away.inertia(), near.inertia());
+    assert_eq!(away.centre(), near.centre() + far);
+}
+
+#[test]
+fn parts_of_opposite_extremes_combine_without_overflow_on_the_way() {
+    // 1e200 apart, masses 1e-100: m d^2 / 2 with 1e-100 * 1e400 / 2 is beyond; with masses 1e-250 it is not.
+    let at = |mass: f64| [(mass, Vector3::zeros()), (mass, Vector3::new(0.0, 1e200, 0.0))];
+    refused(PointMasses::new(&at(1e-90)), ErrorKind::Unrepresentable, "a moment of inertia comes out as inf");
+    let pair = PointMasses::new(&at(1e-250)).unwrap().properties();
+    let moment = pair.inertia().matrix()[(0, 0)];
+    assert!((moment - 5e149).abs() <= 1e-15 * moment, "{moment:e}");
+}
+
+#[test]
+fn what_is_no_body_is_refused_by_name() {
+    let one = Vector3::new(1.0, 2.0, 3.0);
+    let too_few = |points: &[_], words| refused(PointMasses::new(points), ErrorKind::OutOfBounds, words);
+    too_few(&[], "0 distinct points given: at least 2 needed");
+    for points in [vec![(1.0, one)], vec![(1.0, one); 3]] {
+        too_few(&points, "1 distinct points given: at least 2 needed");
+    }
+    let error = PointMasses::new(&[(1.0, one), (-2.0, Vector3::zeros())]).unwrap_err();
+    assert_eq!(error.to_string(), "part 1: the mass is -2.0: it must be above zero");
+    refused(MassProperties::combine(&[]), ErrorKind::OutOfBounds, "0 parts given: at least 1 needed");
+    refused(Compound::new().properties(), ErrorKind::OutOfBounds, "0 parts given: at least 1 needed");
+    let half = UnitQuaternion::new_unchecked(Quaternion::new(0.5, 0.0, 0.0, 0.0));
+    let bad = Compound::new().at(lopsided(), one).with(lopsided(), one, half).properties();
+    let bad = refused(bad, ErrorKind::OutOfBounds, "part 1: the attitude quaternion has length 0.5");
+    let of_the_part = std::error::Error::source(&bad).unwrap();
+    assert_eq!(bad.to_string(), format!("part 1: {of_the_part}"));
+}
+
+#[test]
+fn known_violators_are_refused_with_the_inequality_and_its_margin() {
+    // Moments that published bodies have been given, and what they miss by.
+    for (m, margin) in [([1.486e-6, 2e-7, 8.31e-7], 4.55e-7), ([1.11, 100.11, 1.01], 97.99)] {
+        let error =
+            refused(Inertia::from_moments(m[0], m[1], m[2]), ErrorKind::Impossible, "triangle inequality");
+        let (excess, tolerance) = (number_after(&error, "fails by "), number_after(&error, "rounding ("));
+        assert!((excess - margin).abs() <= 1e-12 * margin, "{excess}");
+        assert!(tolerance < 1e-14 * m[0].max(m[1]));
+    }
+}
+
+#[test]
+fn flat_plates_are_bodies_at_every_scale_in_every_attitude() {
+    for power in -20..=20 {
+        let scale = 10.0_f64.powi(power);
+        for mass in [1e-20, 0.3, 1e20] {
+            let plate = ThinPlate::new(0.7 * scale, 1.9 * scale).unwrap().with_mass(mass).unwrap();
+            let [x, y, z] = <[f64; 3]>::from(plate.inertia().matrix().diagonal());
+            assert!(Inertia::from_moments(x, y, z).is_ok(), "{scale:e}");
+            let turn = UnitQuaternion::from_euler_angles(0.3 * f64::from(power), 1.0, 2.0);
+            let turned = plate.turned(&turn).unwrap().inertia().matrix();
+            assert!(Inertia::from_matrix(&turned).is_ok(), "{scale:e}");
+        }
+    }
+}

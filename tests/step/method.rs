@@ -1,0 +1,155 @@
+//! Every stepping method against the exact motion, and against what it says of itself.
+
+use super::{in_world, start};
+use crate::common::*;
+use nalgebra::{Quaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, State, System, adaptive};
+
+/// Errors of spin (relative) and attitude at `t`.
+fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
+    let system = System::free((*moments).try_into().unwrap()).unwrap();
+    let end = run(method, &system, &start(&system, omega), t / count as f64, count);
+    let truth = FreeMotion::new((*moments).try_into().unwrap(), omega).unwrap().at(t).unwrap();
+    let spin = (system.omega(&end.momentum) - truth.omega).norm() / omega.norm();
+    let q = truth.attitude.coords;
+    spin.max((end.attitude.coords - q).norm().min((end.attitude.coords + q).norm()))
+}
+
+#[test]
+fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
+    let (moments, omega) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.9, 1.1, -0.7));
+    for &method in Method::ALL {
+        let order = method.info().order;
+        if order == 0 {
+            // It does not converge to the true motion.
+            assert!(error(method, &moments, &omega, 2.0, 4096) > 0.1, "{method:?}");
+            continue;
+        }
+        // Fine enough that the leading term leads, coarse enough that rounding does not count: 16 to 512
+        // steps.
+        let count = 8 << (9 / order).min(6);
+        let errors = [1, 2].map(|finer| error(method, &moments, &omega, 2.0, count * finer));
+        let seen = (errors[0] / errors[1]).log2();
+        assert!((seen - f64::from(order)).abs() < 0.35, "{method:?}: {seen} for {order}, errors {errors:?}");
+    }
+}
+
+#[test]
+fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
+    // Steps of a fifth of a radian and more, ten thousand of them, of a body that flips.
+    let moments = Vector3::new(1.3, 2.0, 2.6);
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let from = start(&system, &Vector3::new(0.3, 2.0, -0.4));
+    let (h, count) = (0.1, 10_000);
+    for &method in Method::ALL {
+        let keeps = method.info().conserved;
+        let mut worst = [0.0_f64; 4];
+        let mut motion = from;
+        for _ in 0..count {
+            motion = method.step(&system, &motion, h).unwrap();
+            let l = from.momentum.norm();
+            let found = [
+                system.energy(&motion) / system.energy(&from) - 1.0,
+                motion.momentum.norm() / l - 1.0,
+                (in_world(&motion) - in_world(&from)).norm() / l,
+                motion.attitude.norm() - 1.0,
+            ];
+            for (worst, found) in worst.iter_mut().zip(found) {
+                *worst = worst.max(found.abs());
+            }
+            if worst.iter().any(|x| *x > 1e3) {
+                break;
+            }
+        }
+        let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit];
+        let names = ["energy", "|L|", "L in the world", "|q|"];
+        for ((name, said), worst) in names.iter().zip(said).zip(worst) {
+            // A random walk of 1e4 roundings, or a line of them at worst.
+            assert_eq!(worst < 3e-12, said, "{method:?}: {name} off by {worst:e}, said to be kept: {said}");
+        }
+        let there = run(method, &system, &from, h, 20);
+        let back = run(method, &system, &there, -h, 20);
+        let off =
+            (back.momentum - from.momentum).norm() + (back.attitude.coords - from.attitude.coords).norm();
+        assert_eq!(off < 1e-12, keeps.reversible, "{method:?}: the way back off by {off:e}");
+    }
+}
+
+#[test]
+fn single_precision_runs_the_same_methods() {
+    let moments = Vector3::new(1.0_f32, 2.0, 2.5);
+    let single = System::of_numbers(moments, Vec::new());
+    let double = System::free(moments.cast().try_into().unwrap()).unwrap();
+    let omega = Vector3::new(0.5, 1.0, -0.25);
+    for &method in Method::ALL {
+        let mut a = State { attitude: Quaternion::identity(), momentum: single.momentum(&omega) };
+        let mut b = start(&double, &omega.cast());
+        for _ in 0..100 {
+            a = method.step(&single, &a, 0.0625).unwrap();
+            b = method.step(&double, &b, 0.0625).unwrap();
+        }
+        let off =
+            (a.momentum.cast() - b.momentum).norm() + (a.attitude.cast().coords - b.attitude.coords).norm();
+        assert!(off < 1e-4, "{method:?} {off}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn no_input_makes_a_method_panic(moments in any_vector(), momentum in any_vector(), q in [anything(), anything(), anything(), anything()], h in anything()) {
+        let from = State { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), momentum };
+        // Also numbers that the constructor refuses.
+        for system in [moments.try_into().and_then(System::free).ok(), Some(System::of_numbers(moments, Vec::new()))].into_iter().flatten() {
+            for &method in Method::ALL {
+                if let Ok(end) = method.step(&system, &from, h) {
+                    prop_assert!(end.attitude.coords.iter().chain(&end.momentum).all(|x| x.is_finite()), "{method:?} {end:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let slow = start(&system, &(Vector3::new(0.3, 1.0, -0.4) * 1e-162));
+    for &method in Method::ALL {
+        // A step that turns it by a hundredth of a radian, and one in which it does not move.
+        assert!(method.step(&system, &slow, 1e160).is_err(), "{method:?}");
+        let end = method.step(&system, &slow, 0.01).unwrap();
+        let moved =
+            (end.attitude.coords - slow.attitude.coords).norm() + (end.momentum - slow.momentum).norm();
+        assert!(moved < 1e-160, "{method:?}: {moved:e}");
+    }
+    assert!(adaptive(&system, &slow, 1e162, 1e-10).is_err());
+}
+
+#[test]
+fn buss_augments_the_mean_spin_by_a_twelfth() {
+    // The turn of a step is h w + h^2 w'/2 + h^3 (w'' / 6 + w' x w / 12) + ...: of the third power he keeps
+    // the last term, so that h^3 w'' / 6 is all that is missing.
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let omega = Vector3::new(0.9, 1.1, -0.7);
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let none = Vector3::zeros();
+    let rate = |w: &Vector3<f64>| tumbling::dynamics::euler::angular_acceleration(&moments, w, &none);
+    let e = 1e-4;
+    let second = (rate(&(omega + rate(&omega) * e)) - rate(&(omega - rate(&omega) * e))) / (2.0 * e);
+    // In the axes of the start the spin changes by w'' + w' x w, turned along with the body.
+    let missing = second + omega.cross(&rate(&omega));
+    let h = 1e-2;
+    let end = Method::Buss.step(&system, &start(&system, &omega), h).unwrap();
+    let truth = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at(h).unwrap().attitude;
+    let turn = |q: Quaternion<f64>| nalgebra::UnitQuaternion::new_normalize(q).scaled_axis();
+    let off = (turn(truth.into_inner()) - turn(end.attitude)) / h.powi(3) * 6.0;
+    assert!((off - missing).norm() < 0.03 * missing.norm(), "{off} {missing}");
+}
+
+fn run(method: Method, system: &System<f64>, from: &State<f64>, h: f64, count: usize) -> State<f64> {
+    (0..count).fold(*from, |motion, _| method.step(system, &motion, h).unwrap())
+}

@@ -1,0 +1,62 @@
+//! Stepping through time.
+
+mod adaptive;
+mod engine_rules;
+mod fixed_rate;
+mod geometric;
+mod method;
+mod moser_veselov;
+mod order;
+mod pitfalls;
+mod rk4;
+mod stepper;
+mod torque;
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use tumbling::Inertia;
+use tumbling::step::{Method, State, System};
+
+fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
+    let turn =
+        (a.attitude.coords - b.attitude.coords).norm().min((a.attitude.coords + b.attitude.coords).norm());
+    turn + (a.momentum - b.momentum).norm() / b.momentum.norm()
+}
+
+fn in_world(motion: &State<f64>) -> Vector3<f64> {
+    tumbling::attitude::rotation_matrix(&motion.attitude.normalize()) * motion.momentum
+}
+
+fn start(system: &System<f64>, omega: &Vector3<f64>) -> State<f64> {
+    State { attitude: Quaternion::identity(), momentum: system.momentum(omega) }
+}
+
+/// Energy, momentum, its direction and the attitude's length: how far each has moved, of one.
+fn changes(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 4] {
+    let relative = |x: f64, y: f64| (x / y - 1.0).abs();
+    [
+        relative(system.energy(end), system.energy(start)),
+        relative(end.momentum.norm(), start.momentum.norm()),
+        (in_world(end) - in_world(start)).norm() / start.momentum.norm(),
+        relative(end.attitude.norm(), start.attitude.norm()),
+    ]
+}
+
+fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
+    let turn = axes.to_rotation_matrix();
+    let tensor = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
+    Inertia::from_matrix(&((tensor + tensor.transpose()) * 0.5)).unwrap()
+}
+
+/// The same state along axes that `turn` takes to the old ones.
+fn seen_along(state: &State<f64>, turn: &UnitQuaternion<f64>) -> State<f64> {
+    State { attitude: state.attitude * turn.into_inner(), momentum: turn.inverse() * state.momentum }
+}
+
+fn steppers() -> impl Iterator<Item = Option<Method>> {
+    let to_the_truth = Method::ALL.iter().filter(|method| method.info().order > 0);
+    to_the_truth.copied().map(Some).chain([None])
+}
+
+fn finite(state: &State<f64>) -> bool {
+    state.attitude.coords.iter().chain(&state.momentum).all(|x| x.is_finite())
+}

@@ -1,0 +1,101 @@
+//! The order of every method under torques that depend on time, attitude and spin. Orders are proven on power
+//! series by the proofs; here they are seen in `f64`.
+
+use super::{apart, in_axes, seen_along, steppers};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use tumbling::step::{Method, State, Stepper, System, Torque, adaptive};
+use tumbling::{Body, Inertia};
+
+/// Errors at `t` in `count` steps and in twice as many, as a power of two.
+fn order(
+    method: Option<Method>,
+    body: &Body,
+    torque: &Torque<f64>,
+    truth: &State<f64>,
+    t: f64,
+    count: u32,
+) -> (f64, f64) {
+    let error = |count: u32| {
+        let stepper = match method {
+            Some(method) => Stepper::new(body, method),
+            None => Stepper::fixed_rate(body),
+        };
+        let mut stepper = stepper.unwrap().with_torques([torque.clone()]).unwrap();
+        let end = stepper.run(t / f64::from(count), count as usize).last().unwrap().unwrap();
+        apart(&end, truth)
+    };
+    let errors = [error(count), error(2 * count)];
+    ((errors[0] / errors[1]).log2(), errors[1])
+}
+
+/// What a method's order is under a torque.
+fn claimed(method: Option<Method>) -> f64 {
+    match method {
+        Some(
+            Method::RungeKutta4
+            | Method::DormandPrince5
+            | Method::MuntheKaas4
+            | Method::Gauss4
+            | Method::Gauss6
+            | Method::TurnedRungeKutta4,
+        ) => f64::from(method.unwrap().info().order),
+        Some(method) => f64::from(method.info().order.min(2)),
+        None => 2.0,
+    }
+}
+
+#[test]
+fn under_a_cosine_torque_about_a_principal_axis_every_method_has_its_order() {
+    // I w' = a cos(b t): w = w0 + a sin(b t) / (b I), angle = w0 t + a (1 - cos(b t)) / (b^2 I).
+    let (moment, spin, a, b, t) = (2.5, 0.7, 1.5, 3.0_f64, 2.0);
+    let inertia = Inertia::from_moments(1.0, 2.0, moment).unwrap();
+    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, spin)).unwrap();
+    let torque = Torque::function(move |time: f64, _, _| Vector3::z() * (a * (b * time).cos()));
+    let angle = spin * t + a * (1.0 - (b * t).cos()) / (b * b * moment);
+    let truth = State {
+        attitude: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner(),
+        momentum: Vector3::z() * (moment * spin + a * (b * t).sin() / b),
+    };
+    for method in steppers() {
+        let said = claimed(method);
+        let count = if said > 3.0 { 16 } else { 256 };
+        let (seen, error) = order(method, &body, &torque, &truth, t, count);
+        // About one axis some errors cancel, and the order is higher.
+        assert!(seen > said - 0.2 || error < 1e-12, "{method:?}: {seen}, {error:e}");
+        assert!(error < if said > 1.0 { 1e-4 } else { 2e-2 }, "{method:?}: {error:e}");
+    }
+}
+
+#[test]
+fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
+    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+    let body =
+        Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::new(0.9, 1.1, -0.7))
+            .unwrap();
+    let law = |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
+        rotation.tr_mul(&Vector3::new((2.0 * time).sin(), 0.3, 0.5 * time.cos()))
+            - omega.component_mul(&Vector3::new(0.2, 0.1, 0.3)) * omega.norm()
+    };
+    // The truth by a fine adaptive run along the principal axes, with the law written for them.
+    let t = 1.0;
+    let principal = body.inertia().principal();
+    let (frame, turn) = (principal.frame(), principal.rotation());
+    let turned = Torque::function(move |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
+        frame.tr_mul(&law(time, &(rotation * frame.transpose()), &(frame * omega)))
+    });
+    let system = System::with(principal.moments().try_into().unwrap(), vec![turned]).unwrap();
+    let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14).unwrap().end;
+    let truth = seen_along(&end, &turn.inverse());
+    for method in steppers() {
+        let said = claimed(method);
+        let count = if said > 5.5 {
+            6
+        } else if said > 3.0 {
+            24
+        } else {
+            200
+        };
+        let (seen, error) = order(method, &body, &Torque::function(law), &truth, t, count);
+        assert!((seen - said).abs() < 0.3, "{method:?}: {seen} for {said}, {error:e}");
+    }
+}

@@ -1,0 +1,80 @@
+//! The three wrong engines must be wrong in the way their pitfall says, and right where it says.
+
+use crate::common::*;
+use nalgebra::{UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::step::Engine;
+use tumbling::{Body, Inertia};
+
+fn start(moments: &Vector3<f64>, q: UnitQuaternion<f64>, omega: &Vector3<f64>) -> Body {
+    Body::spinning(Inertia::from_moments(moments.x, moments.y, moments.z).unwrap(), q, omega).unwrap()
+}
+
+/// By how much a motion strays: in energy, and in the direction of the momentum.
+fn strays(bodies: &[Body]) -> (f64, f64) {
+    let first = bodies[0];
+    let energy = |b: &Body| (b.energy() / first.energy() - 1.0).abs();
+    let turn = |b: &Body| b.momentum_world().angle(&first.momentum_world());
+    (bodies.iter().map(energy).fold(0.0, f64::max), bodies.iter().map(turn).fold(0.0, f64::max))
+}
+
+proptest! {
+    #[test]
+    fn on_a_sphere_nobody_can_tell_the_four_engines_apart(moment in 0.1..2.0_f64, q in attitude(), omega in generic_spin()) {
+        let sphere = start(&Vector3::repeat(moment), q, &omega);
+        // A step so short that the integrator's own error, which differs between them, is below the bound.
+        let right = Engine::Turned.run(&sphere, 0.001, 100).unwrap();
+        for engine in Engine::ALL {
+            let other = engine.run(&sphere, 0.001, 100).unwrap();
+            let apart = right[100].attitude().angle_to(&other[100].attitude());
+            prop_assert!(apart < 1e-12, "{engine:?} {apart:e}");
+        }
+    }
+
+    #[test]
+    fn without_a_gyroscopic_term_the_spin_stays_and_the_momentum_wanders(q in attitude(), omega in generic_spin()) {
+        let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), q, &omega);
+        let run = Engine::NoGyroscopicTerm.run(&body, 0.01, 600).unwrap();
+        let (energy, turn) = strays(&run);
+        prop_assert!((run[600].omega_body() - omega).norm() < 1e-9);
+        prop_assert!(energy < 1e-9 && turn > 0.01);
+    }
+
+    #[test]
+    fn momentum_taken_for_spin_points_the_spin_along_the_momentum(q in attitude(), omega in generic_spin()) {
+        let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), q, &omega);
+        let shown = Engine::MomentumForSpin.run(&body, 0.01, 0).unwrap()[0];
+        prop_assert!(shown.omega_world().angle(&body.momentum_world()) < 1e-7);
+        prop_assert!(shown.omega_world().angle(&body.omega_world()) > 0.01);
+    }
+
+    // The frozen tensor solves Euler's equations for the wrong axes: the world components of its spin are the
+    // body components of the true one.
+    #[test]
+    fn the_frozen_tensor_takes_body_components_for_world_ones(omega in generic_spin()) {
+        let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), UnitQuaternion::identity(), &omega);
+        let (right, wrong) = (Engine::Turned.run(&body, 0.005, 400).unwrap(), Engine::Frozen.run(&body, 0.005, 400).unwrap());
+        prop_assert!((right[400].omega_body() - wrong[400].omega_world()).norm() < 1e-8);
+        let (energy, turn) = strays(&wrong);
+        prop_assert!(energy > 1e-3 && turn > 1e-2, "{energy} {turn}");
+        let (energy, turn) = strays(&right);
+        prop_assert!(energy < 1e-9 && turn < 1e-6, "{energy} {turn}");
+    }
+}
+
+#[test]
+fn a_run_starts_with_the_body_itself_and_refuses_a_step_that_is_no_number() {
+    let body = start(&Vector3::new(1.0, 2.0, 2.5), UnitQuaternion::identity(), &Vector3::new(0.3, 1.0, -0.2));
+    let run = Engine::Turned.run(&body, 0.1, 0).unwrap();
+    assert_eq!(run.len(), 1);
+    assert_eq!(run[0].attitude(), body.attitude());
+    assert!(Engine::Turned.run(&body, f64::NAN, 1).is_err());
+    assert!(Engine::Turned.run(&body, f64::INFINITY, 1).is_err());
+    refused(
+        Engine::Turned.run(&body, 0.01, usize::MAX),
+        tumbling::ErrorKind::TooMany,
+        "18446744073709551615 steps",
+    );
+    // So coarse that the attitude overflows: an error, not a NaN carried on.
+    assert!(Engine::Turned.run(&body, 1e200, 3).is_err());
+}

@@ -1,0 +1,305 @@
+//! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin.
+
+use super::{apart, finite, in_axes, seen_along, steppers};
+use crate::common::*;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, State, Stepper, System, Torque, adaptive_within};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn a_stepper_answers_in_the_axes_of_the_tensor_whatever_they_are(
+        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(),
+    ) {
+        let body = Body::spinning(in_axes(moments, &axes), q, &omega).unwrap();
+        let mut stepper = Stepper::new(&body, Method::Gauss6).unwrap();
+        prop_assert!(apart(&stepper.state(), &body.state()) < 1e-13);
+        prop_assert!((stepper.omega() - body.omega_body()).norm() < 1e-12);
+        let end = stepper.run(0.05, 40).last().unwrap().unwrap();
+        let truth = FreeMotion::of(&body).unwrap().at(2.0).unwrap();
+        // Attitude, spin and momentum of the closed form, in the same axes.
+        let moment = body.inertia().momentum(&truth.omega);
+        let truth = State { attitude: truth.attitude.into_inner(), momentum: moment };
+        prop_assert!(apart(&end, &truth) < 1e-7);
+        // Of a method that conserves the momentum in the world; Gauss's conserve its length alone.
+        let mut splitting = Stepper::new(&body, Method::RotationSplitting4).unwrap();
+        let _ = splitting.run(0.05, 40).last().unwrap().unwrap();
+        let now = splitting.body().unwrap();
+        prop_assert!((now.momentum_world() - body.momentum_world()).norm() < 1e-12 * body.momentum_world().norm());
+        // Back: what is stepped is the same as if it had never been asked.
+        for state in stepper.run(-0.05, 40) {
+            state.unwrap();
+        }
+        prop_assert!(apart(&stepper.state(), &body.state()) < 1e-12);
+        prop_assert!(stepper.time().abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_turn_of_the_bodys_axes_turns_the_answer_and_nothing_else(
+        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(), force in crate::common::vector(1.0),
+    ) {
+        // Every kind of torque, in the axes of the body.
+        let torques = |turn: UnitQuaternion<f64>| {
+            let here = move |v: Vector3<f64>| turn.inverse() * v;
+            [
+                Torque::InBody(here(force)),
+                Torque::InWorld(force.yzx()),
+                Torque::Aligning { arm: here(force.zxy()), field: Vector3::new(0.3, -0.2, 0.5) },
+                Torque::Damping(Vector3::repeat(0.2)),
+                Torque::Dissipation(0.1),
+                Torque::function(move |time: f64, rotation, omega| {
+                    let (rotation, omega) = (rotation * turn.inverse().to_rotation_matrix(), turn * omega);
+                    let wind = Vector3::new((3.0 * time).sin(), 0.4, -0.3);
+                    here(rotation.tr_mul(&wind) - omega.component_mul(&Vector3::new(0.1, 0.3, 0.2)))
+                }),
+            ]
+        };
+        let principal = Inertia::from_moments(moments.x, moments.y, moments.z).unwrap();
+        let plain = Body::spinning(principal, q, &omega).unwrap();
+        let turned = Body::spinning(in_axes(moments, &axes.inverse()), q * axes, &(axes.inverse() * omega)).unwrap();
+        for method in [Method::RungeKutta4, Method::RotationSplitting2, Method::Gauss4] {
+            let mut a = Stepper::new(&plain, method).unwrap().with_torques(torques(UnitQuaternion::identity())).unwrap();
+            let mut b = Stepper::new(&turned, method).unwrap().with_torques(torques(axes)).unwrap();
+            for (a, b) in a.run(0.02, 50).zip(b.run(0.02, 50)) {
+                let (a, b) = (seen_along(&a.unwrap(), &axes), b.unwrap());
+                // Two splittings of the same body differ where its axes come in another order.
+                let bound = if method == Method::RotationSplitting2 { 2e-2 } else { 1e-4 };
+                prop_assert!(apart(&a, &b) < bound, "{method:?} {}", apart(&a, &b));
+            }
+        }
+    }
+}
+
+#[test]
+fn of_a_diagonal_tensor_a_stepper_is_the_method_itself_to_the_bit() {
+    let moments = Vector3::new(2.5, 1.0, 2.0);
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let q = UnitQuaternion::from_euler_angles(0.2, -0.5, 1.0);
+    let body = Body::spinning(Inertia::from_moments(2.5, 1.0, 2.0).unwrap(), q, &Vector3::new(0.2, 1.0, 0.4))
+        .unwrap();
+    for &method in Method::ALL {
+        let mut stepper = Stepper::new(&body, method).unwrap();
+        let mut state = body.state();
+        for stepped in stepper.run(0.03, 20) {
+            state = method.step(&system, &state, 0.03).unwrap();
+            assert_eq!(stepped.unwrap(), state, "{method:?}");
+        }
+    }
+    let mut stepper = Stepper::<f64>::fixed_rate(&body).unwrap();
+    let once = tumbling::step::fixed_rate(&system, &body.state(), 0.1).unwrap();
+    assert_eq!(stepper.step(0.1).unwrap(), once);
+}
+
+#[test]
+fn a_run_to_a_time_ends_there_forth_and_back_and_never_goes_round_for_ever() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(0.1, 2.0, 0.3),
+    )
+    .unwrap();
+    let mut stepper = Stepper::<f64>::new(&body, Method::Gauss6).unwrap();
+    // A minute at 60 Hz: no sliver of a step at the end.
+    assert_eq!(stepper.run_until(1.0 / 60.0, 60.0).count(), 3600);
+    assert_eq!(stepper.run_until(1.0 / 60.0, 60.01).count(), 1);
+    assert_eq!(stepper.run_until(1.0 / 60.0, 60.01).count(), 0);
+    assert_eq!(stepper.run_until(1.0, 0.0).count(), 61);
+    assert_eq!(stepper.time(), 0.0);
+    for (h, end) in
+        [(0.0, 1.0), (-1.0, 1.0), (f64::NAN, 1.0), (1.0, f64::NAN), (1.0, f64::INFINITY), (1e-300, 1.0)]
+    {
+        let mut stepper = stepper.clone();
+        let first: Vec<_> = stepper.run_until(h, end).take(3).collect();
+        if h == 1e-300 {
+            // From time 0 it moves, but never arrives.
+            continue;
+        }
+        assert!(first.len() == 1 && first[0].is_err(), "{h} {end}: {first:?}");
+    }
+    // A refused step leaves the body where it was.
+    let before = stepper.state();
+    assert!(stepper.step(1e6).is_err());
+    assert_eq!((stepper.state(), stepper.time()), (before, 0.0));
+    assert_eq!(stepper.run(1e6, 10).count(), 1);
+}
+
+#[test]
+fn single_precision_follows_double_for_every_method_and_refuses_what_it_cannot_hold() {
+    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+    let omega = Vector3::new(0.5, 1.0, -0.25);
+    let body = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &omega).unwrap();
+    for &method in Method::ALL {
+        let mut single = Stepper::<f32>::new(&body, method)
+            .unwrap()
+            .with_torques([Torque::gravity(Vector3::x(), 0.1)])
+            .unwrap();
+        let mut double = Stepper::<f64>::new(&body, method)
+            .unwrap()
+            .with_torques([Torque::gravity(Vector3::x(), 0.1)])
+            .unwrap();
+        for (a, b) in single.run(0.0625, 100).zip(double.run(0.0625, 100)) {
+            let (a, b) = (a.unwrap(), b.unwrap());
+            let a = State { attitude: a.attitude.cast(), momentum: a.momentum.cast() };
+            assert!(apart(&a, &b) < 1e-4, "{method:?} {}", apart(&a, &b));
+        }
+        let off = single.body().unwrap().attitude().angle_to(&double.body().unwrap().attitude());
+        assert!(off < 1e-3, "{method:?} {off}");
+    }
+    let mut single = Stepper::<f32>::fixed_rate(&body).unwrap();
+    let mut double = Stepper::<f64>::fixed_rate(&body).unwrap();
+    for _ in 0..600 {
+        single.step(1.0 / 64.0).unwrap();
+        double.step(1.0 / 64.0).unwrap();
+    }
+    assert!((single.omega().cast() - double.omega()).norm() < 1e-4);
+    let small = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5) * 1e-42, &axes), axes, &omega).unwrap();
+    assert_eq!(Stepper::<f32>::new(&small, Method::Buss).unwrap_err().kind(), ErrorKind::Unrepresentable);
+    assert!(Stepper::<f64>::new(&small, Method::Buss).is_ok());
+}
+
+#[test]
+fn a_kick_by_a_law_without_the_spin_leaves_a_reversible_method_reversible() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(0.9, 1.1, -0.7),
+    )
+    .unwrap();
+    let wind = Torque::function(|time: f64, rotation, _| {
+        rotation.tr_mul(&Vector3::new(time.sin(), 0.3, time * 0.1))
+    });
+    for method in
+        [Method::RotationSplitting4, Method::MoserVeselov10, Method::SymmetricTop, Method::ImplicitMidpoint]
+    {
+        let mut stepper = Stepper::new(&body, method).unwrap().with_torques([wind.clone()]).unwrap();
+        assert_eq!(stepper.run(0.1, 50).chain([]).filter(Result::is_ok).count(), 50);
+        assert!(apart(&stepper.state(), &body.state()) > 0.1);
+        assert_eq!(stepper.run(-0.1, 50).filter(Result::is_ok).count(), 50);
+        assert!(apart(&stepper.state(), &body.state()) < 1e-12, "{method:?}");
+    }
+}
+
+#[test]
+fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused_and_bad_torques_by_name() {
+    let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+    let body = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::x()).unwrap();
+    let stepper = Stepper::<f64>::new(&body, Method::Buss).unwrap();
+    let refused = stepper.clone().with_torques([Torque::Damping(Vector3::new(0.1, 0.2, 0.3))]);
+    assert!(refused.unwrap_err().to_string().contains("damping"));
+    assert!(stepper.clone().with_torques([Torque::Damping(Vector3::repeat(0.1))]).is_ok());
+    assert!(
+        stepper
+            .clone()
+            .with_torques([Torque::Dissipation(-1.0)])
+            .unwrap_err()
+            .to_string()
+            .contains("dissipation")
+    );
+    assert!(stepper.with_torques([Torque::InBody(Vector3::x() * f64::NAN)]).is_err());
+}
+
+#[test]
+fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::new(0.1, 2.0, 0.3),
+    )
+    .unwrap();
+    // A thruster whose law ends at 0.25 s.
+    let law = |time: f64, _: &Matrix3<f64>, _: &Vector3<f64>| Vector3::y() * (0.25 - time).sqrt();
+    for method in steppers() {
+        let stepper = match method {
+            Some(method) => Stepper::<f64>::new(&body, method),
+            None => Stepper::fixed_rate(&body),
+        };
+        let mut stepper = stepper.unwrap().with_torques([Torque::function(law)]).unwrap();
+        let error = stepper.run(0.1, 4).find_map(Result::err).unwrap();
+        assert_eq!(error.kind(), ErrorKind::NotFinite, "{method:?}: {error}");
+        assert_eq!(error.subject(), "the torque", "{method:?}");
+        assert!(stepper.time() < 0.35 && finite(&stepper.state()), "{method:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    /// Extreme moments, spins, steps, times and torques, by all methods.
+    #[test]
+    fn no_numbers_make_a_stepper_panic_or_answer_with_what_is_no_number(
+        moments in any_vector(),
+        [momentum, torque, field] in [any_vector(), any_vector(), any_vector()],
+        axes in attitude(),
+        h in anything(),
+        tolerance in anything(),
+        leaning in any::<bool>(),
+    ) {
+        let inertia = if leaning {
+            let turn = axes.to_rotation_matrix();
+            Inertia::from_matrix(&(turn * Matrix3::from_diagonal(&moments) * turn.transpose()))
+        } else {
+            Inertia::from_moments(moments.x, moments.y, moments.z)
+        };
+        let inertia = inertia.unwrap_or(Inertia::from_moments(1.0, 2.0, 2.5).unwrap());
+        let Ok(body) = Body::new(inertia, axes, &momentum) else { return Ok(()) };
+        let kinds = [
+            Torque::InBody(torque),
+            Torque::InWorld(torque),
+            Torque::Aligning { arm: torque, field },
+            Torque::Damping(Vector3::repeat(torque.x.abs())),
+            Torque::Dissipation(torque.y.abs()),
+            Torque::function(move |time: f64, rotation, omega| rotation.tr_mul(&field) * time - omega.component_mul(&torque)),
+        ];
+        for torque in kinds {
+            for method in steppers() {
+                let stepper = method.map_or_else(|| Stepper::fixed_rate(&body), |method| Stepper::new(&body, method));
+                let Ok(mut stepper) = stepper.and_then(|stepper| stepper.with_torques([torque.clone()])) else { continue };
+                for state in stepper.run(h, 2) {
+                    prop_assert!(state.as_ref().map_or(true, finite), "{method:?} {torque:?}: {state:?}");
+                }
+                let _ = stepper.body();
+                let single = method.map_or_else(|| Stepper::<f32>::fixed_rate(&body), |method| Stepper::new(&body, method));
+                if let Ok(mut single) = single {
+                    for state in single.run(h as f32, 2).flatten() {
+                        prop_assert!(state.momentum.iter().all(|x| x.is_finite()), "{method:?}");
+                    }
+                }
+            }
+            if let Ok(system) = PrincipalMoments::try_from(moments).and_then(|moments| System::with(moments, vec![torque.clone()])) {
+                let start = State { attitude: axes.into_inner(), momentum };
+                let run = adaptive_within(&system, &start, h, tolerance.abs(), &mut 300);
+                prop_assert!(run.as_ref().map_or(true, |run| finite(&run.end)), "{torque:?}: {run:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_step_to_a_spin_or_a_time_beyond_its_numbers_fails_and_leaves_the_body_where_it_was() {
+    let inertia = Inertia::from_moments(1e-30, 1.2e-30, 0.9e-30).unwrap();
+    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.2, 1.0, -0.3)).unwrap();
+    // The momentum stays far within single precision, the spin does not.
+    let push = Torque::InBody(Vector3::new(1e12_f32, 2e12, 3e12));
+    let mut stepper =
+        Stepper::<f32>::new(&body, Method::ExplicitEuler).unwrap().with_torques([push]).unwrap();
+    let before = stepper.clone();
+    refused(stepper.step(0.01), ErrorKind::Unrepresentable, "the spin");
+    assert_eq!(stepper, before);
+
+    let resting = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let mut stepper = Stepper::<f64>::new(&resting, Method::ExplicitEuler).unwrap();
+    stepper.step(1e308).unwrap();
+    refused(stepper.step(1e308), ErrorKind::Unrepresentable, "the time after a step");
+    assert_eq!(stepper.time(), 1e308);
+
+    // A spin whose turn to the body's axes leaves the range.
+    let axes = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    let leaning = in_axes(Vector3::new(1.1, 0.46, 1.05), &axes);
+    let fast = Body::spinning(leaning, UnitQuaternion::identity(), &Vector3::new(0.3e308, 1.1e308, -0.2e308))
+        .unwrap();
+    refused(Stepper::<f64>::new(&fast, Method::Buss), ErrorKind::Unrepresentable, "comes out as inf");
+}
