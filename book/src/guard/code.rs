@@ -22,9 +22,22 @@ pub(crate) struct Code {
 #[derive(Debug, Clone)]
 pub(crate) struct Phrase {
     pub(crate) text: String,
+    /// The same as a sentence begins.
+    pub(crate) first: String,
     /// Whether an assertion expects it, so that the text must repeat it; otherwise it is the note at a line's end.
     pub(crate) asserted: bool,
     pub(crate) line: usize,
+}
+
+impl Phrase {
+    fn new(text: &str, asserted: bool, line: usize) -> Self {
+        let text = text.replace('\u{2212}', "-");
+        let mut first = text.clone();
+        if let Some(letter) = first.get_mut(..1) {
+            letter.make_ascii_uppercase();
+        }
+        Self { text, first, asserted, line }
+    }
 }
 
 /// A literal in a block: its line, from zero, and its bytes there.
@@ -196,8 +209,7 @@ impl<'a> Reader<'a> {
                     let found = format!("`{wrong}` in a note");
                     self.code.hollow.push((at.line, found, "a literal of its line of code"));
                 } else if !(numbers.is_empty() && words.is_empty()) {
-                    let text = phrase.to_owned();
-                    self.code.phrases.push(Phrase { text, asserted: false, line: at.line });
+                    self.code.phrases.push(Phrase::new(phrase, false, at.line));
                 }
             }
         }
@@ -217,13 +229,13 @@ impl<'a> Reader<'a> {
         digits.parse().map(|v: f64| if minus { -v } else { v }).into_iter().collect()
     }
 
-    /// One side of `assert_eq!`: a string, or an array of such, is what the text must repeat.
+    /// One side of `assert_eq!`: strings with numbers are what the text must repeat.
     fn expected(&mut self, expr: &Expr) {
         match expr {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
-                let text = text.value().replace('\u{2212}', "-");
-                self.code.phrases.push(Phrase { text, asserted: true, line: at.line });
+                let phrase = Phrase::new(&text.value(), true, at.line);
+                self.code.phrases.extend(Some(phrase).filter(|p| !numerals::plain(&p.text).is_empty()));
             }
             Expr::Array(array) => array.elems.iter().for_each(|e| self.expected(e)),
             Expr::Reference(inner) => self.expected(&inner.expr),

@@ -93,7 +93,7 @@ pub(crate) struct Findings {
 struct Phrase<'a> {
     text: &'a str,
     /// The same as a sentence begins.
-    first: String,
+    first: &'a str,
     asserted: bool,
     /// Its line in the chapter's file.
     line: usize,
@@ -102,11 +102,6 @@ struct Phrase<'a> {
 }
 
 impl Phrase<'_> {
-    /// Whether the text must say it.
-    fn is_number(&self) -> bool {
-        self.asserted && !numerals::plain(self.text).is_empty()
-    }
-
     fn is_row(&self) -> bool {
         self.text.starts_with('|')
     }
@@ -115,7 +110,7 @@ impl Phrase<'_> {
     fn quotations<'b>(&'b self, text: &'b str) -> impl Iterator<Item = Range<usize>> + 'b {
         let row = (self.is_row() && text.trim() == self.text).then_some(0..text.len());
         let phrase = (!self.is_row()).then_some(self.text);
-        let first = phrase.and(Some(self.first.as_str()).filter(|first| *first != self.text));
+        let first = phrase.and(Some(self.first).filter(|first| *first != self.text));
         let words = phrase.into_iter().chain(first);
         row.into_iter().chain(words.flat_map(|words| numerals::quotations(text, words)))
     }
@@ -159,7 +154,7 @@ impl Checker<'_> {
         for block in &section.blocks {
             phrases.extend(block.code.phrases.iter().map(|phrase| Phrase {
                 text: &phrase.text,
-                first: capital(&phrase.text),
+                first: &phrase.first,
                 asserted: phrase.asserted,
                 line: self.chapter.line(block.source(phrase.line, 0)),
                 said: Cell::new(None),
@@ -183,7 +178,7 @@ impl Checker<'_> {
     fn asserted_is_said(&mut self, phrases: &[Phrase<'_>]) {
         for rows in [true, false] {
             let mut latest: Option<(&Phrase<'_>, usize)> = None;
-            for phrase in phrases.iter().filter(|p| p.is_number() && p.is_row() == rows) {
+            for phrase in phrases.iter().filter(|p| p.asserted && p.is_row() == rows) {
                 let found = format!("`{}`", phrase.text);
                 let line = phrase.line;
                 match (phrase.said.get(), latest) {
@@ -376,23 +371,19 @@ fn name(kind: Kind) -> &'static str {
     }
 }
 
-/// The phrase as a sentence begins.
-fn capital(phrase: &str) -> String {
-    let mut letters = phrase.chars();
-    letters.next().map_or(String::new(), |first| first.to_ascii_uppercase().to_string() + letters.as_str())
-}
-
-/// The phrase that is most like these words.
+/// The phrase that is most like these words: that begins and ends as they do.
 fn nearest(phrases: &[Phrase<'_>], own: &str) -> String {
-    let like = |phrase: &&Phrase<'_>| strsim::normalized_damerau_levenshtein(own, phrase.text);
-    let near = phrases.iter().max_by(|a, b| like(a).total_cmp(&like(b)));
-    near.map_or_else(
+    let alike = |phrase: &&Phrase<'_>| {
+        let (a, b) = (own.bytes(), phrase.text.bytes());
+        let begin = a.clone().zip(b.clone()).take_while(|(a, b)| a == b).count();
+        let end = a.rev().zip(b.rev()).take_while(|(a, b)| a == b).count();
+        (begin + end, std::cmp::Reverse(phrase.text.len()))
+    };
+    phrases.iter().max_by_key(alike).map_or_else(
         || "a Rust block in this section that asserts it".into(),
         |near| {
-            format!(
-                "words that the section's code asserts or notes; nearest is `{}` in line {}",
-                near.text, near.line
-            )
+            let (text, line) = (near.text, near.line);
+            format!("words that the section's code asserts or notes; nearest is `{text}` in line {line}")
         },
     )
 }
