@@ -35,6 +35,7 @@ mod decimal;
 mod equations;
 mod exercises;
 mod facts;
+mod laws;
 mod mutants;
 mod numbers;
 mod offence;

@@ -7,6 +7,10 @@ use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
 use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, ExprLit, Lit, Pat, Token, UnOp};
+use tumbling::dynamics::stability::of_spin;
+use tumbling::solid::{Ball, Capsule, Cuboid, Cylinder, Solid as _, ThinPlate};
+use tumbling::step::Engine;
+use tumbling::{Inertia, PrincipalMoments};
 
 /// What a block says in numbers, in its order.
 #[derive(Debug, Default)]
@@ -176,17 +180,47 @@ fn unit_by_name(name: &str) -> Option<&'static str> {
     })
 }
 
-/// The units of the library's functions' arguments, as far as chapters give them literals.
+/// The name of a function of the library with these arguments, in its last two words where it belongs to a type. Where there is no
+/// such function any more, this does not compile.
+macro_rules! function {
+    ($type:ident::$name:ident: $arguments:ty) => {{
+        let _: $arguments = $type::$name;
+        concat!(stringify!($type), "::", stringify!($name))
+    }};
+    (.$name:ident of $type:ident: $arguments:ty) => {{
+        let _: $arguments = $type::$name;
+        stringify!($name)
+    }};
+    ($name:ident: $arguments:ty) => {{
+        let _: $arguments = $name;
+        stringify!($name)
+    }};
+}
+
+/// A run of the engines of the pitfalls: body, step, number of steps.
+const RUN: &str = function!(.run of Engine: fn(_, &_, f64, usize) -> _);
+
+const MOMENTS: &str = function!(PrincipalMoments::new: fn(f64, f64, f64) -> _);
+
+/// The units of the library's functions' arguments, as far as chapters give them literals: of one argument, or of all.
+const ARGUMENTS: &[(&str, Option<usize>, &str)] = &[
+    (function!(Ball::new: fn(f64) -> _), None, "m"),
+    (function!(Capsule::new: fn(f64, f64) -> _), None, "m"),
+    (function!(Cuboid::new: fn(f64, f64, f64) -> _), None, "m"),
+    (function!(Cylinder::new: fn(f64, f64) -> _), None, "m"),
+    (function!(ThinPlate::new: fn(f64, f64) -> _), None, "m"),
+    (function!(.with_mass of Cuboid: fn(&_, f64) -> _), Some(0), "kg"),
+    (function!(Inertia::from_moments: fn(f64, f64, f64) -> _), None, "kg m²"),
+    (MOMENTS, None, "kg m²"),
+    (function!(of_spin: fn(_, _, f64) -> _), Some(2), "rad/s"),
+    (RUN, Some(1), "s"),
+    (RUN, Some(2), "steps"),
+];
+
+/// The unit of an argument, counted from zero, of a function of the library.
 fn unit_of_argument(function: &str, argument: usize) -> Option<&'static str> {
-    Some(match (function, argument) {
-        ("Ball::new" | "Capsule::new" | "Cuboid::new" | "Cylinder::new" | "ThinPlate::new", _) => "m",
-        ("with_mass", 0) => "kg",
-        ("Inertia::from_moments" | "PrincipalMoments::new", _) => "kg m²",
-        ("of_spin", 2) => "rad/s",
-        ("run", 1) => "s",
-        ("run", 2) => "steps",
-        _ => return None,
-    })
+    let known = |of: &&(&str, Option<usize>, &str)| of.0 == function && of.1.is_none_or(|at| at == argument);
+    ARGUMENTS.iter().find(known).map(|of| of.2)
 }
 
 impl Reader<'_> {
@@ -247,11 +281,7 @@ impl Reader<'_> {
         let members = match expr {
             Expr::Tuple(tuple) => &tuple.elems,
             Expr::Array(array) => &array.elems,
-            Expr::Call(call)
-                if ["Vector3::new", "PrincipalMoments::new"].contains(&path(&call.func)?.as_str()) =>
-            {
-                &call.args
-            }
+            Expr::Call(call) if ["Vector3::new", MOMENTS].contains(&path(&call.func)?.as_str()) => &call.args,
             Expr::Try(inner) => return self.numbers(&inner.expr),
             Expr::Reference(inner) => return self.numbers(&inner.expr),
             _ => return None,
@@ -491,7 +521,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         }
         self.arguments(&method, &call.args);
         // A run of so many steps of so many seconds lasts their product.
-        if method == "run"
+        if method == RUN
             && let (Some(dt), Some(steps)) = (call.args.get(1), call.args.get(2))
             && let (Some((dt, a)), Some((steps, b))) = (self.number(dt), self.number(steps))
             && let Some(lasts) = dt.times(steps)

@@ -2,8 +2,8 @@
 
 use tumbling_judge::{LawName, Outcome, Sure};
 
-const VERDICT: &str = include_str!("../../../book/widgets/page/judge.verdict.js");
-const PAGE: &str = include_str!("../../../book/widgets/page/judge.js");
+const VERDICT: &str = include_str!("../widgets/page/judge.verdict.js");
+const PAGE: &str = include_str!("../widgets/page/judge.js");
 
 /// The keys of a table `const NAME = { key: "words", "other key": "words" };` or `[["key", "words"], ...]` of a script.
 fn has(script: &str, name: &str, key: &str) -> bool {
