@@ -17,6 +17,7 @@
 pub mod atlas;
 pub mod campaign;
 pub mod contestant;
+pub mod ended;
 pub mod errors;
 pub mod instructions;
 pub mod long;

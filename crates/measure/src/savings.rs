@@ -4,7 +4,7 @@
 //! Each run renews its own tables and leaves the others as they are.
 
 use crate::instructions::{Again, counted};
-use crate::record::{Record, Row, Wrong};
+use crate::record::{Record, Saving, Wrong};
 use nalgebra::Vector3;
 use std::hint::black_box;
 use std::path::Path;
@@ -12,33 +12,6 @@ use std::process::Command;
 use std::time::Instant;
 use tumbling::step::Torque;
 use tumbling_scenes::{Error, InitialState, Outputs, Scene, Times};
-
-/// One number of one table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Saving {
-    /// `executed` or `compiled`.
-    pub table: String,
-    /// What it is of.
-    pub row: String,
-    /// What is counted.
-    pub what: String,
-    /// How many.
-    pub value: f64,
-}
-
-impl Row for Saving {
-    const COLUMNS: &'static [&'static str] = &["table", "row", "what", "value"];
-
-    fn fields(&self) -> Vec<String> {
-        vec![self.table.clone(), self.row.clone(), self.what.clone(), format!("{}", self.value)]
-    }
-
-    fn read(fields: &[&str]) -> Result<Self, Wrong> {
-        let [table, row, what, value] = fields else { return Err(format!("{} fields", fields.len())) };
-        let value = value.parse().map_err(|_| format!("`{value}` is no number"))?;
-        Ok(Self { table: (*table).into(), row: (*row).into(), what: (*what).into(), value })
-    }
-}
 
 /// Instructions for a state.
 pub const STATE: &str = "instructions for a state";
