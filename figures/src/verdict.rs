@@ -4,7 +4,7 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::figures::power_of_ten;
 use crate::ink::Ink;
 use std::fmt::Write as _;
-use tumbling_judge::{Law, LawName, Outcome, Point, Sure, Verdict, plain_number};
+use tumbling_judge::{Law, LawName, Outcome, Point, Verdict, plain_number};
 
 const LEFT: f64 = 74.0;
 const RIGHT: f64 = 500.0;
@@ -53,13 +53,7 @@ pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> 
 /// What made the record, in a line.
 fn diagnosis(verdict: &Verdict) -> String {
     let Some(diagnosis) = &verdict.diagnosis else { return "no rule is told".into() };
-    let name = diagnosis.best.rule.name();
-    match diagnosis.sure {
-        Sure::ToRounding => format!("made by: {name}"),
-        Sure::MostSteps => format!("most steps made by: {name}"),
-        Sure::Near => format!("most like: {name}"),
-        _ => "made by none of the known rules".into(),
-    }
+    format!("{}: {}", diagnosis.sure.words(), diagnosis.best.rule.name())
 }
 
 fn grade(verdict: &Verdict) -> String {

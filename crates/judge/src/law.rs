@@ -48,6 +48,16 @@ impl LawName {
         }
     }
 
+    /// The same with its unit, where the words alone leave it open.
+    #[must_use]
+    pub const fn heading(self) -> &'static str {
+        match self {
+            Self::Direction => "direction of L, rad",
+            Self::Phase => "phase, times round",
+            name => name.words(),
+        }
+    }
+
     /// A name for programs.
     #[must_use]
     pub const fn key(self) -> &'static str {

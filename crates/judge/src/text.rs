@@ -199,11 +199,7 @@ impl Verdict {
 
 impl fmt::Display for Law {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self.name {
-            LawName::Direction => "direction of L, rad",
-            LawName::Phase => "phase, times round",
-            name => name.words(),
-        };
+        let name = self.name.heading();
         write!(f, "{name:22} {:>11.3e} {:>11.3e}   {}", self.most, self.last, self.growth)
     }
 }

@@ -24,6 +24,7 @@ pub mod long;
 pub mod measure;
 pub mod operations;
 pub mod record;
+pub mod saving;
 pub mod savings;
 pub mod scale;
 pub mod setup;

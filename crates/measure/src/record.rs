@@ -271,33 +271,6 @@ impl Row for Long {
     }
 }
 
-/// One number of one table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Saving {
-    /// `executed` or `compiled`.
-    pub table: String,
-    /// What it is of.
-    pub row: String,
-    /// What is counted.
-    pub what: String,
-    /// How many.
-    pub value: f64,
-}
-
-impl Row for Saving {
-    const COLUMNS: &'static [&'static str] = &["table", "row", "what", "value"];
-
-    fn fields(&self) -> Vec<String> {
-        vec![self.table.clone(), self.row.clone(), self.what.clone(), format!("{}", self.value)]
-    }
-
-    fn read(fields: &[&str]) -> Result<Self, Wrong> {
-        let [table, row, what, value] = fields else { return Err(format!("{} fields", fields.len())) };
-        let value = value.parse().map_err(|_| format!("`{value}` is no number"))?;
-        Ok(Self { table: (*table).into(), row: (*row).into(), what: (*what).into(), value })
-    }
-}
-
 impl<R: Row> Record<R> {
     /// As a file has it.
     #[must_use]
@@ -351,14 +324,6 @@ impl<R: Row> Record<R> {
 /// A record that cannot be read.
 pub fn work() -> Result<Record<Work>, Wrong> {
     Record::read(include_str!("../record/work.csv"))
-}
-
-/// The committed record of what scenes cost.
-///
-/// # Errors
-/// A record that cannot be read.
-pub fn scenes() -> Result<Record<Saving>, Wrong> {
-    Record::read(include_str!("../record/scenes.csv"))
 }
 
 /// The committed record of long runs.

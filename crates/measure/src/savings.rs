@@ -4,7 +4,8 @@
 //! Each run renews its own tables and leaves the others as they are.
 
 use crate::instructions::{Again, counted};
-use crate::record::{Record, Saving, Wrong};
+use crate::record::{Record, Wrong};
+use crate::saving::Saving;
 use nalgebra::Vector3;
 use std::hint::black_box;
 use std::path::Path;
