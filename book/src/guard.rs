@@ -28,6 +28,7 @@ mod code;
 mod equations;
 mod exercises;
 mod facts;
+mod laws;
 mod mutants;
 mod numbers;
 mod numerals;
