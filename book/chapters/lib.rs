@@ -73,6 +73,10 @@ mod test_your_engine {}
 mod proofs {}
 
 #[cfg(doctest)]
+#[doc = include_str!("where-next.md")]
+mod where_next {}
+
+#[cfg(doctest)]
 #[doc = include_str!("about.md")]
 mod about {}
 

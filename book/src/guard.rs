@@ -1,51 +1,45 @@
-//! The guard: says of every number and every equation in the book what holds it, and objects where nothing does.
+//! The guard: names what holds each number and each equation in the book, and objects where nothing does.
 //!
-//! It reads the chapters (and the README, and the exercises) with the Markdown parser that makes the pages, and their Rust with a
-//! parser of Rust. A chapter is cut at its headings. Within each section, every number in prose, captions, tables,
-//! the words for figures, TeX and the comments of the code must be one of these:
+//! It reads the chapters (and the README, and the exercises) with the Markdown parser that makes the pages, and their
+//! Rust with a parser of Rust. A chapter is cut at its headings. Within each section, the code holds phrases, and
+//! every number in prose, captions, tables, TeX and comments must stand in one of them, word for word:
 //!
-//! - **asserted**: an expected value of `assert_eq!`, or what `assert!` compares with. A value that the code formats
-//!   must be printed with the very same digits, and with its unit where the string has one; that the digits are the right
-//!   rounding is then the doc-test's affair. Other values must be equal, exactly, as decimals;
-//! - **an input** of the code: equal, exactly, and in the unit that the code gives it (the function it goes to, or the
-//!   name it gets: `code::unit_of_argument`, `code::unit_by_name`). A run of so many steps also gives its whole time;
-//! - **a fact**: the number of a fact of `facts.toml`, within the fact's own words. A fact that is told no more is an
-//!   offence too. The versions in the README are facts of the manifests;
-//! - **drawn**, in captions and words for figures: in the description inside the drawing, which is made from computed values. The
-//!   words for a figure may bring no other number, and bring them in the drawing's order.
+//! - **asserted**: a string that an `assert_eq!` expects. That its digits are right is the doc-test's affair. The text
+//!   must say it, and say first what is asserted first. One that begins with `|` is a whole row of a table;
+//! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line, one
+//!   after the other, so that inputs too are said as they are;
+//! - **a fact** of `facts.toml`, which must be told. The versions in the README are facts of the manifests;
+//! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from computed
+//!   values. The words for a figure bring no other number, and in the drawing's order.
 //!
-//! Some numbers are bound only together: a tuple `(1, 1, 0)` to a vector, a tuple or the same in a printed string; the
-//! members of a list `a, b and c` to values that follow one another in the code; a row of a table, where the section
-//! asserts rows, to a whole row. A formula `$a = 2$` is bound to `let a = 2.0`, by name.
-//!
-//! And the other way round: what an assertion prints must be said in its section. So a number cannot quietly become
-//! another that the section happens to have.
+//! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so that no
+//! unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`, and a phrase may
+//! begin a sentence.
 //!
 //! Equations are proven from their TeX, against the library's own functions: see `tumbling_proofs::equations`.
 //!
-//! Not bound, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`), and the list of references,
-//! whose years, volumes and pages are the entries themselves. Numbers before headings (`2. ...`) count up. Whole
-//! numbers inside a formula with symbols (an index, an exponent, a factor, a matrix's zero) are a part of the formula, and
-//! counted. Quantities in words (`a twentieth`, `twice`, `ten radians a second`) need a value of the code; words
-//! that count are counted: see `words`.
+//! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers before
+//! headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a factor, a
+//! matrix's zero) are a part of the formula, and counted. Quantities in words (`a twentieth`, `twice`, `ten radians a
+//! second`) are held like numbers; words that count are counted: see `words`.
 
 mod chapter;
 mod code;
-mod decimal;
 mod equations;
 mod exercises;
 mod facts;
 mod mutants;
 mod numbers;
+mod numerals;
 mod offence;
-mod token;
 mod words;
 
 use crate::{paths, preprocess};
 use chapter::{Chapter, Reader};
 pub(crate) use mutants::Tally;
-use numbers::{Beside, Counts, Drawing, Drawings};
+use numbers::{Beside, Counts};
 use offence::Offence;
+use std::collections::HashMap;
 use std::path::Path;
 use std::{fmt, fs};
 
@@ -63,28 +57,16 @@ pub(crate) struct Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let c = &self.counts;
+        let mut places: Vec<String> =
+            c.places.iter().map(|(place, count)| format!("{place} {count}")).collect();
+        places.sort();
+        writeln!(f, "numbers: {} in {} files ({})", c.all(), self.chapters, places.join(", "))?;
         writeln!(
             f,
-            "numbers: {} in {} files (prose {}, tables {}, captions {}, alt texts {}, TeX {}, comments {})",
-            c.all(),
-            self.chapters,
-            c.prose,
-            c.tables,
-            c.captions,
-            c.alts,
-            c.tex,
-            c.comments
+            "held by: assertions {}, notes {}, facts {}, drawings {}; headings in order {}",
+            c.by_assertion, c.by_note, c.by_fact, c.by_drawing, c.ordinals
         )?;
-        writeln!(
-            f,
-            "bound to: assertions {}, inputs {}, facts {}, drawings {}, order of headings {}",
-            c.by_assertion, c.by_input, c.by_fact, c.by_drawing, c.ordinals
-        )?;
-        writeln!(
-            f,
-            "words: {} quantities bound; {} counting words and {} numbers inside formulas not bound",
-            c.quantities, c.counting, c.structural
-        )?;
+        writeln!(f, "not held: {} counting words, {} numbers inside formulas", c.counting, c.structural)?;
         let e = &self.equations;
         writeln!(
             f,
@@ -131,7 +113,7 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     Ok(report)
 }
 
-/// Alters the chapters in this folder one digit at a time, and tells what became of it.
+/// Alters the chapters in this folder one digit at a time, and returns what became of it.
 ///
 /// # Errors
 /// What could not be read, or what the guard objects to already.
@@ -252,7 +234,6 @@ fn versions() -> Result<Vec<facts::Fact>, String> {
             Ok(facts::Fact {
                 chapter: "README".into(),
                 text: format!("{name} {version}"),
-                number: version.into(),
                 source: "the manifests".into(),
                 certainty: "certain".into(),
             })
@@ -269,8 +250,8 @@ fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
 }
 
 /// What the drawings of these chapters say of themselves.
-fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<Drawings, String> {
-    let mut drawings = Drawings::new();
+fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, String>, String> {
+    let mut drawings = HashMap::new();
     let passages = chapters.iter().flat_map(|c| &c.sections).flat_map(|s| &s.passages);
     for name in passages.filter_map(|p| p.figure.as_ref()) {
         let beside = folder.join("../../figures").join(format!("{name}.svg"));
@@ -278,7 +259,7 @@ fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<Drawings, String> {
         let svg = fs::read_to_string(&file)
             .map_err(|e| format!("cannot read the drawing figures/{name}.svg: {e}"))?;
         let words = ["title", "desc"].map(|element| inside(&svg, element)).join(". ");
-        drawings.insert(name.clone(), Drawing::new(&words));
+        drawings.insert(name.clone(), words.replace('\u{2212}', "-"));
     }
     Ok(drawings)
 }

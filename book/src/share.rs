@@ -72,7 +72,12 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
 
 /// The page with its own description; nothing if it has none to replace.
 fn with_head(html: &str, sentence: &str, address: &str, site: Option<&Site>) -> Option<String> {
-    let title = between(html, "<title>", "</title>")?;
+    let written = between(html, "<title>", "</title>")?;
+    // The first page has the book's own name.
+    let title = match written.split_once(" - ") {
+        Some((page, book)) if page == book => book,
+        _ => written,
+    };
     let old = between(html, "<meta name=\"description\" content=\"", "\">")?;
     let sentence = escaped(sentence);
     let mut head = format!(
@@ -86,6 +91,7 @@ fn with_head(html: &str, sentence: &str, address: &str, site: Option<&Site>) -> 
              <meta name=\"twitter:card\" content=\"summary_large_image"
         ));
     }
+    let html = html.replacen(&format!("<title>{written}</title>"), &format!("<title>{title}</title>"), 1);
     Some(html.replacen(&format!("content=\"{old}\">"), &format!("content=\"{head}\">"), 1))
 }
 
@@ -110,6 +116,11 @@ mod tests {
             "{told}"
         );
         assert!(!told.contains("canonical"));
+        let first = with_head(&PAGE.replace("Axes", "Tumbling"), "A flip.", "", None).unwrap();
+        assert!(
+            first.contains("<title>Tumbling</title>") && first.contains("og:title\" content=\"Tumbling\">"),
+            "{first}"
+        );
         assert_eq!(with_head("<head></head>", "A.", "a.html", None), None);
     }
 

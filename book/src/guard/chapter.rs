@@ -49,9 +49,12 @@ pub(crate) enum Kind {
     Alt,
     /// A comment in Rust.
     Comment,
+    /// A comment behind code, on its line.
+    Note,
 }
 
-/// Running text. Code is a single `\u{fffc}` in it; TeX stands in it without its dollars.
+/// Running text as phrases quote it: a minus is `-`, code a single `\u{fffc}`, and TeX stands without its dollars and
+/// its thin spaces, a power of ten as `3e-13`.
 #[derive(Debug)]
 pub(crate) struct Passage {
     pub(crate) kind: Kind,
@@ -68,6 +71,7 @@ pub(crate) struct Passage {
 pub(crate) struct Tex {
     /// Its bytes in the passage's text.
     pub(crate) at: Range<usize>,
+    pub(crate) written: String,
     /// Whether it stands by itself, between double dollars.
     pub(crate) display: bool,
 }
@@ -78,8 +82,47 @@ impl Passage {
     }
 
     fn push(&mut self, text: &str, source: usize) {
-        self.places.push((self.text.len(), source));
-        self.text.push_str(text);
+        for (at, piece) in text.split_inclusive('\u{2212}').scan(0, |end, piece| {
+            *end += piece.len();
+            Some((*end - piece.len(), piece))
+        }) {
+            self.places.push((self.text.len(), source + at));
+            match piece.strip_suffix('\u{2212}') {
+                Some(before) => {
+                    self.text.push_str(before);
+                    self.places.push((self.text.len(), source + at + before.len()));
+                    self.text.push('-');
+                }
+                None => self.text.push_str(piece),
+            }
+        }
+    }
+
+    fn push_tex(&mut self, tex: &str, source: usize) {
+        let mut at = 0;
+        while let Some(next) = tex[at..].find(['\\', '1']).map(|n| at + n) {
+            let (head, rest) = (&tex[at..next], &tex[next..]);
+            let times = rest.starts_with('\\');
+            let number = head.trim_end().ends_with(|c: char| c.is_ascii_digit());
+            let power = power_of_ten(rest).filter(|_| times == number);
+            let (before, taken) = match (power, rest.get(..2)) {
+                (Some((power, length)), _) => {
+                    self.push(if times { head.trim_end() } else { head }, source + at);
+                    self.push(if times { "e" } else { "1e" }, source + next);
+                    self.push(power, source + next + rest[..length].rfind(power).unwrap_or(0));
+                    ("", length)
+                }
+                (None, Some("\\," | "\\;")) => (head, 2),
+                _ => {
+                    self.push(&tex[at..=next], source + at);
+                    at = next + 1;
+                    continue;
+                }
+            };
+            self.push(before, source + at);
+            at = next + taken;
+        }
+        self.push(&tex[at..], source + at);
     }
 
     /// The byte of the chapter that this byte of the text came from.
@@ -88,6 +131,13 @@ impl Passage {
         let place = self.places[..after].last();
         place.map_or(0, |(here, source)| source + (at - here))
     }
+}
+
+/// The power in `10^{-12}` or `\times 10^{-13}`, where the text begins with that, and its length.
+fn power_of_ten(text: &str) -> Option<(&str, usize)> {
+    let ten = text.strip_prefix("\\times").unwrap_or(text).trim_start();
+    let (power, rest) = ten.strip_prefix("10^{")?.split_once('}')?;
+    power.parse::<i32>().ok().map(|_| (power, text.len() - rest.len()))
 }
 
 /// A Rust block.
@@ -181,9 +231,9 @@ impl Reader {
 
 /// The comments of a block, each a passage.
 fn comments<'a>(block: &'a Block, text: &'a str) -> impl Iterator<Item = Passage> + 'a {
-    block.code.comments.iter().map(|lines| {
-        let mut passage = Passage::new(Kind::Comment);
-        for part in lines {
+    block.code.comments.iter().map(|comment| {
+        let mut passage = Passage::new(if comment.note { Kind::Note } else { Kind::Comment });
+        for part in &comment.lines {
             let (start, end) = (block.source(part.line, part.start), block.source(part.line, part.end));
             passage.push(text.get(start..end).unwrap_or_default(), start);
         }
@@ -329,10 +379,11 @@ impl Reading {
     }
 
     fn formula(&mut self, tex: &str, source: usize, display: bool) {
-        self.add(tex, source, false);
+        self.add("", source, false);
         if let Some(passage) = self.alt.as_mut().or(self.open.as_mut()) {
-            let end = passage.text.len();
-            passage.tex.push(Tex { at: end - tex.len()..end, display });
+            let start = passage.text.len();
+            passage.push_tex(tex, source);
+            passage.tex.push(Tex { at: start..passage.text.len(), written: tex.to_owned(), display });
         }
     }
 }

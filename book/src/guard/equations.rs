@@ -21,7 +21,7 @@ fn maths(chapter: &Chapter) -> Vec<Equation> {
         .flat_map(|passage| {
             passage.tex.iter().map(|tex| Equation {
                 line: chapter.line(passage.source(tex.at.start)),
-                tex: passage.text[tex.at.clone()].to_owned(),
+                tex: tex.written.clone(),
                 display: tex.display,
             })
         })

@@ -49,9 +49,9 @@ mod tests {
     use super::*;
 
     const WHOLE: &str = "# T\n\nA mass of 2 kg falls for 3 s.\n\n```rust\n// -- your turn --\n\
-                         let mass = todo!(\"kg\");\n// -- until here --\nlet seconds = 3.0; // s\n```\n\n\
-                         ## Hint\n\nThink of 2 kg.\n\n## Solution\n\nIt is 2 kg.\n\n```rust\nlet mass = 2.0; // kg\n```\n\n\
-                         ## Wrong: twice as much, ö\n\n```rust\nlet mass = 4.0; // kg\n```\n";
+                         let mass = todo!(\"kg\");\n// -- until here --\nlet seconds = 3.0; // 3 s\n```\n\n\
+                         ## Hint\n\nThink of 2 kg.\n\n## Solution\n\nIt is 2 kg.\n\n```rust\nlet mass = 2.0; // 2 kg\n```\n\n\
+                         ## Wrong: twice as much, ö\n\n```rust\nlet mass = 4.0; // 4 kg\n```\n";
 
     fn offences(text: &str) -> Vec<String> {
         let chapter = Reader::default().chapter("t_1", "whole/t_1.md", &as_chapter(text)).unwrap();

@@ -10,9 +10,10 @@
 
 use super::chapter::{Chapter, Reader};
 use super::code::Role;
-use super::numbers::{self, Beside, Findings};
+use super::numbers::{self, Beside, Findings, WORDS};
 use super::words;
 use std::fmt;
+use std::ops::Range;
 use tumbling_proofs::equations::Alterations;
 
 /// What became of the alterations of one chapter.
@@ -99,39 +100,32 @@ pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> 
         Err(_) => true,
     };
     for place in &places {
-        let mut altered: Vec<(usize, String)> = Vec::new();
-        for &at in &place.digits {
-            altered.extend(other_digits(&chapter.text, at).map(|text| (at, text)));
-        }
-        if let Some(first) = place.digits.first()
-            && let Some(text) = without_minus(&chapter.text, *first)
-        {
-            altered.push((*first, text));
-        }
-        if let Some(range) = &place.words {
-            let (before, after) = (&chapter.text[..range.start], &chapter.text[range.end..]);
-            let others = words::altered(&chapter.text[range.clone()]);
-            altered.extend(others.iter().map(|other| (range.start, format!("{before}{other}{after}"))));
-        }
-        for (at, text) in altered {
-            let score = if place.words.is_some() { &mut tally.words } else { &mut tally.text };
+        let own = &chapter.text[place.at.clone()];
+        let (before, after) = (&chapter.text[..place.at.start], &chapter.text[place.at.end..]);
+        let mut altered: Vec<String> = Vec::new();
+        let score = if place.kind == WORDS {
+            altered.extend(words::altered(own).iter().map(|other| format!("{before}{other}{after}")));
+            &mut tally.words
+        } else {
+            altered.extend(digits(&chapter.text, &place.at).flat_map(|at| other_digits(&chapter.text, at)));
+            let positive = own.strip_prefix(['-', '\u{2212}']);
+            altered.extend(positive.map(|positive| format!("{before}{positive}{after}")));
+            &mut tally.text
+        };
+        for text in altered {
             score.made += 1;
             if noticed(&text) {
                 score.killed += 1;
             } else {
-                let line = chapter.line(at);
+                let line = chapter.line(place.at.start);
                 let row = |text: &str| text.lines().nth(line - 1).unwrap_or_default().to_owned();
-                tally.survivors.push(format!(
-                    "{}:{line}: {} `{}`",
-                    chapter.path,
-                    place.kind,
-                    near(&row(&text), &row(&chapter.text))
-                ));
+                let (path, kind, near) = (&chapter.path, place.kind, near(&row(&text), &row(&chapter.text)));
+                tally.survivors.push(format!("{path}:{line}: {kind} `{near}`"));
             }
         }
     }
     for claim in &claims {
-        for text in claim.digits.iter().flat_map(|&at| other_digits(&chapter.text, at)) {
+        for text in digits(&chapter.text, &claim.at).flat_map(|at| other_digits(&chapter.text, at)) {
             match claim.role {
                 _ if noticed(&text) => tally.claims_by_guard += 1,
                 Role::Tolerance => tally.tolerances += 1,
@@ -140,6 +134,13 @@ pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> 
         }
     }
     tally
+}
+
+/// The digits in this range, but not those of a type's name: `3_f64`.
+fn digits(text: &str, at: &Range<usize>) -> impl Iterator<Item = usize> {
+    let own = &text[at.clone()];
+    let end = if own.starts_with('"') { own.len() } else { own.find("_f").unwrap_or(own.len()) };
+    (at.start..at.start + end).filter(|&i| text.as_bytes()[i].is_ascii_digit())
 }
 
 /// The text with each other digit at this byte.
@@ -151,12 +152,6 @@ fn other_digits(text: &str, at: usize) -> impl Iterator<Item = String> {
         }
         String::from_utf8(altered).unwrap_or_default()
     })
-}
-
-/// The text without the minus right before this byte, if there is one.
-fn without_minus(text: &str, at: usize) -> Option<String> {
-    let before = text[..at].strip_suffix(['-', '\u{2212}'])?;
-    Some(format!("{before}{}", &text[at..]))
 }
 
 /// The altered line from shortly before where it differs.

@@ -5,18 +5,55 @@
 //! `three tenths`), a multiple (`twice`, `tenfold`, `ten times smaller`), a ratio (`one to four`), or has a unit
 //! after it (`two turns a second`).
 
-use super::decimal::Decimal;
-use super::token::unit_at;
 use std::ops::Range;
 
 /// A quantity in words.
 #[derive(Debug, Clone)]
 pub(crate) struct Spelled {
+    /// Its bytes, with the unit.
     pub(crate) at: Range<usize>,
-    pub(crate) value: Decimal,
-    pub(crate) unit: Option<&'static str>,
+    value: f64,
     /// Whether it is a fraction, which may be written as what it is or as a division.
-    pub(crate) part: bool,
+    part: bool,
+}
+
+impl Spelled {
+    /// Whether it is this number in words.
+    pub(crate) fn says(&self, number: f64) -> bool {
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
+        same(self.value, number) || (self.part && same(self.value * number, 1.0))
+    }
+}
+
+/// What makes a quantity of the number word before it.
+const UNITS: [&str; 18] = [
+    "radians a second",
+    "radian a second",
+    "turns a second",
+    "turn a second",
+    "radians",
+    "radian",
+    "per second",
+    "per cent",
+    "percent",
+    "degrees",
+    "seconds",
+    "second",
+    "minutes",
+    "joules",
+    "metres",
+    "kilograms",
+    "kilogram",
+    "hours",
+];
+
+/// The length of the unit, with the blank before it, that the text begins with.
+fn unit(text: &str) -> Option<usize> {
+    let text = text.strip_prefix(' ')?;
+    let whole = |unit: &&&str| {
+        text.strip_prefix(**unit).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
+    };
+    UNITS.iter().find(whole).map(|unit| 1 + unit.len())
 }
 
 const CARDINALS: [&str; 21] = [
@@ -42,42 +79,36 @@ const CARDINALS: [&str; 21] = [
     "nineteen",
     "twenty",
 ];
-const TENS: [&str; 7] = ["thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"];
-const POWERS: [(&str, i32); 4] = [("hundred", 2), ("thousand", 3), ("million", 6), ("billion", 9)];
-/// Fractions by the number they are one part of, as mantissa and power of ten.
-const PARTS: [(&str, i128, i32); 9] = [
-    ("fifth", 2, -1),
-    ("tenth", 1, -1),
-    ("twentieth", 5, -2),
-    ("fiftieth", 2, -2),
-    ("hundredth", 1, -2),
-    ("thousandth", 1, -3),
-    ("millionth", 1, -6),
-    ("billionth", 1, -9),
-    ("twenty-fifth", 4, -2),
+const TENS: [&str; 8] = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"];
+const POWERS: [(&str, f64); 4] = [("hundred", 1e2), ("thousand", 1e3), ("million", 1e6), ("billion", 1e9)];
+/// Fractions by the number that they are one part of.
+const PARTS: [(&str, f64); 9] = [
+    ("fifth", 5.0),
+    ("tenth", 10.0),
+    ("twentieth", 20.0),
+    ("fiftieth", 50.0),
+    ("hundredth", 100.0),
+    ("thousandth", 1e3),
+    ("millionth", 1e6),
+    ("billionth", 1e9),
+    ("twenty-fifth", 25.0),
 ];
-const MULTIPLES: [(&str, i128); 5] =
-    [("twice", 2), ("thrice", 3), ("tenfold", 10), ("hundredfold", 100), ("twofold", 2)];
+const MULTIPLES: [(&str, f64); 5] =
+    [("twice", 2.0), ("thrice", 3.0), ("tenfold", 10.0), ("hundredfold", 100.0), ("twofold", 2.0)];
 
-fn cardinal(word: &str) -> Option<Decimal> {
-    let small = CARDINALS.iter().position(|&c| c == word).and_then(|n| i128::try_from(n).ok());
-    let power = || POWERS.iter().find(|(name, _)| *name == word).map(|&(_, p)| Decimal::new(1, p));
-    let ten = |word: &str| TENS.iter().position(|&t| t == word).and_then(|n| i128::try_from(n + 3).ok());
-    let tens = || match word.split_once('-') {
-        Some((tens, ones)) => {
-            let tens = if tens == "twenty" { Some(2) } else { ten(tens) };
-            let ones =
-                CARDINALS[1..10].iter().position(|&c| c == ones).and_then(|n| i128::try_from(n + 1).ok());
-            Some(Decimal::new(tens? * 10 + ones?, 0))
-        }
-        None => Some(Decimal::new(ten(word)?, 1)),
-    };
-    small.map(|n| Decimal::new(n, 0)).or_else(tens).or_else(power)
+fn cardinal(word: &str) -> Option<f64> {
+    let small =
+        |word: &str| CARDINALS.iter().zip(0_u8..).find(|(c, _)| **c == word).map(|(_, n)| f64::from(n));
+    let tens =
+        |word: &str| TENS.iter().zip(2_u8..).find(|(t, _)| **t == word).map(|(_, n)| f64::from(n * 10));
+    let both = || word.split_once('-').and_then(|(ten, one)| Some(tens(ten)? + small(one)?));
+    let power = || POWERS.iter().find(|(name, _)| *name == word).map(|&(_, p)| p);
+    small(word).or_else(|| tens(word)).or_else(both).or_else(power)
 }
 
-fn part(word: &str) -> Option<Decimal> {
+fn part(word: &str) -> Option<f64> {
     let single = word.strip_suffix('s').unwrap_or(word);
-    PARTS.iter().find(|(name, ..)| *name == single).map(|&(_, m, e)| Decimal::new(m, e))
+    PARTS.iter().find(|(name, ..)| *name == single).map(|&(_, n)| 1.0 / n)
 }
 
 /// The quantities in this text, and how many number words only count.
@@ -89,15 +120,14 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
     let mut i = 0;
     while i < words.len() {
         let start = words[i].1.start;
-        let mut take = |last: usize, value: Decimal, part: bool| {
+        let mut take = |last: usize, value: f64, part: bool| {
             let end = words[last].1.end;
-            let unit = unit_at(text, end).map(|(unit, _)| unit).filter(|u| *u != "times");
-            found.push(Spelled { at: start..end, value, unit, part });
+            found.push(Spelled { at: start..end + unit(&text[end..]).unwrap_or(0), value, part });
             last + 1
         };
         let multiple = MULTIPLES.iter().find(|(name, _)| *name == word(i));
         if let Some(&(_, n)) = multiple {
-            i = take(i, Decimal::new(n, 0), false);
+            i = take(i, n, false);
             continue;
         }
         if let Some(value) = part(word(i)) {
@@ -112,29 +142,21 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
         };
         let mut last = first;
         while let Some(power) = POWERS.iter().find(|(name, _)| *name == word(last + 1)).map(|p| p.1) {
-            let Some(product) = value.times(Decimal::new(1, power)) else { break };
-            value = product;
+            value *= power;
             last += 1;
         }
         let next = word(last + 1);
-        let of_parts = part(next).and_then(|p| value.times(p));
+        let of_parts = part(next).map(|p| value * p);
         let compares =
             matches!(word(last + 2), "as" | "smaller" | "larger" | "less" | "more" | "that" | "the" | "its");
-        let ratio = cardinal(word(last + 2)).filter(|_| next == "to").map(|to| {
-            // A ratio that is no whole number is nothing the code could say in one literal.
-            to.whole_ratio(value).unwrap_or(Decimal::new(-1, 0))
-        });
+        let ratio = cardinal(word(last + 2)).filter(|_| next == "to").map(|to| to / value);
         i = if let Some(parts) = of_parts {
             take(last + 1, parts, true)
         } else if next == "times" && compares {
             take(last + 1, value, false)
         } else if let Some(ratio) = ratio {
             take(last + 2, ratio, false)
-        } else if next != "times"
-            // A single letter behind a number word is a symbol.
-            && unit_at(text, words[last].1.end).is_some()
-            && next.len() != 1
-        {
+        } else if unit(&text[words[last].1.end..]).is_some() {
             take(last, value, false)
         } else {
             counting += 1;
