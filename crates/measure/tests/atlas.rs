@@ -1,4 +1,4 @@
-//! The committed atlas against the methods: what it records of each, happens.
+//! Regression test: the committed atlas is what the methods do. That they are right, `tests/step` shows.
 
 use tumbling_measure::atlas::{Fate, Place, Precision, atlas, recorded, written};
 
