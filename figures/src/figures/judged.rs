@@ -13,7 +13,7 @@ const ENGINES: [(&str, &str); 6] = [
     ("bullet-3.2.7-rigid", "Bullet, rigid body"),
     ("rapier3d-f64-0.36.1", "Rapier (default)"),
     ("mujoco-4.0.0-euler", "MuJoCo, Euler (default)"),
-    ("bullet-3.2.7-multibody", "Bullet, multibody (default)"),
+    ("bullet-3.2.7-multibody", "Bullet, multibody (pybullet)"),
 ];
 
 const STORIES: [(&str, &str); 6] = [
