@@ -10,7 +10,7 @@ pub use state::{Rate, State};
 
 use crate::attitude;
 use crate::error::{Error, Refusal, finite_vector};
-use crate::inertia::{Inertia, InverseInertia, omega_world};
+use crate::inertia::{Inertia, omega_world};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -36,7 +36,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 #[cfg_attr(feature = "serde", serde(try_from = "serial::Flight", into = "serial::Flight"))]
 pub struct Body {
     inertia: Inertia,
-    inverse: InverseInertia,
+    inverse: Matrix3<f64>,
     attitude: UnitQuaternion<f64>,
     rotation: Matrix3<f64>,
     momentum: Vector3<f64>,
@@ -61,12 +61,12 @@ impl Body {
     /// A body whose momentum is finite, and whose spin is too and has not vanished.
     fn in_range(
         inertia: Inertia,
-        inverse: InverseInertia,
+        inverse: Matrix3<f64>,
         attitude: UnitQuaternion<f64>,
         momentum_world: &Vector3<f64>,
     ) -> Result<Self, Error> {
         finite_vector("the angular momentum", momentum_world)?;
-        let attitude = attitude::checked(&attitude)?;
+        let attitude = attitude::checked(attitude)?;
         let rotation = attitude::rotation_matrix(attitude.quaternion());
         let body = Self { inertia, inverse, attitude, rotation, momentum: *momentum_world };
         let (in_body, in_world) = (body.omega_body(), body.omega_world());
@@ -88,7 +88,7 @@ impl Body {
         omega_body: &Vector3<f64>,
     ) -> Result<Self, Error> {
         finite_vector("the spin", omega_body)?;
-        let momentum = attitude::matrix(&attitude)? * inertia.momentum(omega_body);
+        let momentum = attitude::matrix(attitude)? * inertia.momentum(omega_body);
         let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
         if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
             return Err(Refusal::OutOfRange { what: "the angular momentum", value }.into());
@@ -96,12 +96,12 @@ impl Body {
         Self::new(inertia, attitude, &momentum)
     }
 
-    /// The same body with another attitude and momentum (world axes, kg m²/s); its inverse is not
-    /// computed again.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn with(&self, attitude: UnitQuaternion<f64>, momentum_world: &Vector3<f64>) -> Result<Self, Error> {
+    /// The same body with another attitude and momentum in world axes; its inverse is not computed again.
+    pub(crate) fn with(
+        &self,
+        attitude: UnitQuaternion<f64>,
+        momentum_world: &Vector3<f64>,
+    ) -> Result<Self, Error> {
         Self::in_range(self.inertia, self.inverse, attitude, momentum_world)
     }
 
@@ -111,9 +111,9 @@ impl Body {
         self.inertia
     }
 
-    /// Its inverse in the body frame, computed when the body was made.
+    /// The inverse of its tensor in the body frame, 1/(kg m²), computed when the body was made.
     #[must_use]
-    pub fn inverse(&self) -> InverseInertia {
+    pub fn inverse(&self) -> Matrix3<f64> {
         self.inverse
     }
 
@@ -144,13 +144,13 @@ impl Body {
     /// Angular velocity in world axes, rad/s: `R J R^T L`.
     #[must_use]
     pub fn omega_world(&self) -> Vector3<f64> {
-        omega_world(&self.rotation, &self.inverse.matrix(), &self.momentum)
+        omega_world(&self.rotation, &self.inverse, &self.momentum)
     }
 
     /// Angular velocity in body axes, rad/s.
     #[must_use]
     pub fn omega_body(&self) -> Vector3<f64> {
-        self.inverse.omega(&self.momentum_body())
+        self.inverse * self.momentum_body()
     }
 
     /// Attitude and angular momentum, the momentum in body axes.
@@ -159,7 +159,7 @@ impl Body {
         State { attitude: self.attitude.into_inner(), momentum: self.momentum_body() }
     }
 
-    /// The same body in another state.
+    /// The same body in another state; its inverse is not computed again.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -176,7 +176,7 @@ impl Body {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
-        let attitude = attitude::checked(&UnitQuaternion::new_unchecked(state.attitude))?;
+        let attitude = attitude::checked(UnitQuaternion::new_unchecked(state.attitude))?;
         self.with(attitude, &(attitude::rotation_matrix(attitude.quaternion()) * state.momentum))
     }
 

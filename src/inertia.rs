@@ -14,7 +14,6 @@ mod serial;
 
 use crate::number::functions::atan2;
 use alloc::boxed::Box;
-pub use inverse::InverseInertia;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
 pub use nearest::Adjusted;
@@ -130,7 +129,7 @@ impl Inertia {
     pub fn new(moments: [f64; 3], products: [f64; 3]) -> Result<Self, Error> {
         let [ixx, iyy, izz] = moments;
         let [ixy, ixz, iyz] = products;
-        Self::from_matrix(&Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz))
+        Self::try_from(Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz))
     }
 
     /// The tensor's matrix, kg m².
@@ -192,21 +191,9 @@ impl Inertia {
         }
     }
 
-    /// The same body's tensor about a point `offset` (m) away, given that this one is about its centre of
-    /// mass and that it weighs `mass` (kg): the parallel-axis theorem.
-    ///
-    /// # Errors
-    /// A mass that is not finite and positive, an offset that is not finite, or a result beyond `f64`.
-    pub fn shifted_from_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
-        positive("the mass", mass)?;
-        finite_vector("the offset", offset)?;
-        let shifted = self.tensor + point_mass(&mass, offset);
-        in_range("a shifted moment", &shifted)?;
-        Self::from_matrix(&shifted)
-    }
-
     /// The tensor about the centre of mass, given that this one is about a point from which the centre is
-    /// `offset` (m) away: the parallel-axis theorem backwards.
+    /// `offset` (m) away: the parallel-axis theorem backwards; forth goes
+    /// [`MassProperties::about`](crate::MassProperties::about).
     ///
     /// # Errors
     /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that
@@ -226,7 +213,7 @@ impl Inertia {
     ///
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
-    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+    pub fn turned(&self, attitude: UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
@@ -241,12 +228,17 @@ impl Inertia {
     }
 }
 
-/// As [`Inertia::from_matrix`].
+/// From the whole matrix, kg m². Mirrored entries may differ by rounding, as they do after `R I R^T`; then their mean
+/// is kept.
+///
+/// # Errors
+/// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below zero, or a
+/// tensor that no distribution of mass has.
 impl TryFrom<Matrix3<f64>> for Inertia {
     type Error = Error;
 
     fn try_from(tensor: Matrix3<f64>) -> Result<Self, Error> {
-        Self::from_matrix(&tensor)
+        Self::rounded(&tensor, 0.0)
     }
 }
 

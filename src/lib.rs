@@ -62,7 +62,7 @@
 //!
 //! The laws ([`dynamics::euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in
 //! [`solid`]) are generic over [`number::Ring`] or [`number::Field`]: the same functions run on `f64`, on
-//! exact rationals, on dual numbers, or on numbers that [count](number::counted) what a formula costs.
+//! exact rationals, on dual numbers, or on numbers that count what a formula costs.
 //!
 //! # Errors
 //!
@@ -72,8 +72,7 @@
 //!
 //! # Features
 //!
-//! - `std`, on by default: without it the library needs only `core` and `alloc`; [`number::counted`] is left
-//!   out.
+//! - `std`, on by default: without it the library needs only `core` and `alloc`.
 //! - `serde`: reads and writes tensors, mass properties, bodies and states; what is read is checked.
 //!
 //! The library computes the same bits on every machine: its elementary functions are its own.
@@ -99,5 +98,5 @@ mod error;
 
 pub use body::{Body, Rate, State};
 pub use error::{Error, ErrorKind};
-pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
+pub use inertia::{Axis, Inertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

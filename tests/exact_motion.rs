@@ -34,7 +34,7 @@ fn judge(table: &str) -> [(f64, String); 4] {
         for (k, t) in numbers(&case["t"]).into_iter().enumerate() {
             let Instant { omega, attitude } = motion.at(t).unwrap();
             assert_eq!(motion.omega(t).unwrap(), omega);
-            assert_eq!(motion.attitude(t).unwrap(), attitude);
+            assert_eq!(motion.at(t).unwrap().attitude, attitude);
             let (w, q) = (numbers(&case["w"][k]), numbers(&case["q"][k]));
             let ours = [attitude.w, attitude.i, attitude.j, attitude.k];
             let off = |sign: f64| length(&[0, 1, 2, 3].map(|i| ours[i] - sign * q[i]));
@@ -161,7 +161,7 @@ proptest! {
     ) {
         prop_assume!(distinct(&m));
         let plain = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
-        let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(&frame).unwrap();
+        let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(frame).unwrap();
         let body = Body::spinning(inertia, start, &(frame * omega)).unwrap();
         let motion = FreeMotion::of(&body).unwrap();
         prop_assert_eq!(motion.at(0.0).unwrap(), Instant { omega: body.omega_body(), attitude: start });
@@ -210,7 +210,7 @@ proptest! {
         prop_assume!(complement > 1e-3);
         let mut order = [0, 1, 2];
         order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
-        let c = order[about.index()];
+        let c = order[about as usize];
         let half = motion.period().unwrap().unwrap() / 2.0;
         let momentum = m.component_mul(&omega).norm();
         let twice_energy = m.component_mul(&omega).dot(&omega);
@@ -227,9 +227,8 @@ proptest! {
         axis[c] = std::f64::consts::PI;
         let start = m.component_mul(&omega);
         let expected = UnitQuaternion::from_scaled_axis(start.normalize() * (twist + std::f64::consts::PI)) * UnitQuaternion::from_scaled_axis(axis);
-        let ours = motion.attitude(half).unwrap();
+        let ours = motion.at(half).unwrap().attitude;
         prop_assert!(apart(&ours, &expected) < 1e-12, "{ours} {expected}");
-        prop_assert!((motion.rotation_number().unwrap() * std::f64::consts::PI - twist).abs() < 1e-13 * twist);
     }
 
     #[test]
@@ -244,7 +243,8 @@ proptest! {
         let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let momentum = m.component_mul(&omega);
         let height = momentum.dot(&omega);
-        for point in motion.herpolhode(30.0, 50).unwrap() {
+        for k in 0..50 {
+            let point = motion.at(30.0 / 49.0 * f64::from(k)).unwrap().omega_world();
             prop_assert!((point.dot(&momentum) / height - 1.0).abs() < 1e-13);
         }
     }
@@ -305,8 +305,7 @@ proptest! {
     ) {
         let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) else { return Ok(()) };
         let _ = (motion.period(), motion.growth_rate(), motion.next_flip(t), motion.regime());
-        let _ = (motion.twist_of_half_period(), motion.rotation_number(), motion.angles_to_momentum(1));
-        let _ = (motion.polhode(3), motion.herpolhode(t, 3));
+        let _ = (motion.twist_of_half_period(), motion.angles_to_momentum(1));
         if let Ok(flips) = motion.flips(t, u) {
             let _ = flips.take(4).count();
         }
@@ -428,7 +427,7 @@ fn the_side_of_the_separatrix_is_decided_without_rounding() {
 fn a_sphere_and_a_symmetric_top_move_as_their_elementary_formulas_say() {
     let sphere = motion([2.0, 2.0, 2.0], [0.3, -0.4, 1.2]);
     assert!(matches!(sphere.regime(), Regime::Steady { speed } if (speed - 1.3).abs() < 1e-15));
-    let half_turn = sphere.attitude(std::f64::consts::PI / 1.3).unwrap();
+    let half_turn = sphere.at(std::f64::consts::PI / 1.3).unwrap().attitude;
     assert!(half_turn.w.abs() < 1e-15 && (half_turn.k - 12.0 / 13.0).abs() < 1e-15);
     // (I3 - I1) w3/I1 = 0.5 * 2 = 1 rad/s: a quarter turn of the spin in pi/2 s; L/I1 = |(1, 0, 3)|.
     let top = motion([1.0, 1.0, 1.5], [1.0, 0.0, 2.0]);

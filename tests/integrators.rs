@@ -119,14 +119,14 @@ fn the_error_of_a_controlled_run_follows_its_tolerance() {
         let mut before = f64::INFINITY;
         let mut steps = 0;
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
-            let run = adaptive(&system, &start(&system, &omega), t, tolerance).unwrap();
+            let run = adaptive(&system, &start(&system, &omega), t, tolerance, &mut 1_000_000).unwrap();
             let off = (run.end.attitude.coords - truth.attitude.coords).norm();
             assert!(off < 1e4 * tolerance, "{tolerance:e}: {off:e}");
             assert!(off < 0.1 * before && run.steps > steps, "{tolerance:e}: {off:e} after {before:e}");
             (before, steps) = (off, run.steps);
         }
     }
-    let finest = adaptive(&system, &start(&system, &omega), 40.0, 1e-17);
+    let finest = adaptive(&system, &start(&system, &omega), 40.0, 1e-17, &mut 1_000_000);
     let error = finest.unwrap_err().to_string();
     assert!(error.contains("rounding") && error.contains("1e-17"), "{error}");
 }
@@ -161,7 +161,7 @@ fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
             (end.attitude.coords - slow.attitude.coords).norm() + (end.momentum - slow.momentum).norm();
         assert!(moved < 1e-160, "{method:?}: {moved:e}");
     }
-    assert!(adaptive(&system, &slow, 1e162, 1e-10).is_err());
+    assert!(adaptive(&system, &slow, 1e162, 1e-10, &mut 1_000_000).is_err());
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::cloud::{assert_same, size, vector};
+use common::cloud::{assert_same, size, together, vector};
 use common::{number_after, refused};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_rational::Ratio;
@@ -116,7 +116,7 @@ proptest! {
         corners.iter_mut().for_each(|v| *v = turn * *v);
         let mesh = Mesh::new(&corners, &faces).unwrap().with_density(2.0).unwrap();
         let cuboid = Cuboid::new(a, b, c).unwrap().with_density(2.0).unwrap();
-        let placed = cuboid.moved(&(low + edges * 0.5)).unwrap().turned(&turn).unwrap();
+        let placed = cuboid.moved(&(low + edges * 0.5)).unwrap().turned(turn).unwrap();
         // The corners are rounded at their distance, up to 20 m, on edges from 0.1 m up.
         assert_same("box", &mesh, &placed, 1e-12, 20.0);
     }
@@ -142,8 +142,7 @@ proptest! {
         #[allow(clippy::cast_possible_truncation)] // small integers
         let corners: Vec<_> = corners.iter().map(|v| v.map(|x| n(x as i32))).collect();
         let reference = Vector3::from(reference).map(n);
-        let sums = mesh_sums(faces.iter().map(|face| face.map(|v| &corners[v])), &reference);
-        let body = mesh_moments(&sums, &reference);
+        let body = mesh_moments(faces.iter().map(|face| face.map(|v| &corners[v])), &reference);
         let [a, b, c] = edges.map(n);
         prop_assert_eq!(body.mass, a * b * c);
         prop_assert_eq!(body.centre, Vector3::from(low).map(n) + Vector3::new(a, b, c) * Ratio::new(1, 2));
@@ -161,7 +160,7 @@ proptest! {
         let filling = solid(&brick(low + start, size)).unwrap();
         let full = solid(&brick(low, edges)).unwrap().with_density(3.0).unwrap();
         let parts = [hollow.with_density(3.0).unwrap(), filling.with_density(3.0).unwrap()];
-        assert_same("filled", &MassProperties::combine(&parts).unwrap(), &full, 1e-13, 3.0);
+        assert_same("filled", &together(&parts).unwrap(), &full, 1e-13, 3.0);
     }
 
     #[test]
@@ -260,7 +259,7 @@ fn a_speck_far_away_does_not_blur_the_solid() {
         cuboid.moved(&(low + e * 0.5)).unwrap()
     };
     let parts = [part(low, edges), part(away, speck)];
-    assert_same("with a speck", &mesh, &MassProperties::combine(&parts).unwrap(), 1e-14, 1.0);
+    assert_same("with a speck", &mesh, &together(&parts).unwrap(), 1e-14, 1.0);
 }
 
 #[test]
@@ -282,7 +281,7 @@ fn two_bricks_apart_or_touching_along_an_edge_are_one_solid() {
     let whole = |b: Vector3<f64>| {
         let half = edges * 0.5;
         let part = |low: Vector3<f64>| unit.with_density(1.0).unwrap().moved(&(low + half)).unwrap();
-        MassProperties::combine(&[part(Vector3::zeros()), part(b)]).unwrap()
+        together(&[part(Vector3::zeros()), part(b)]).unwrap()
     };
     let apart = Vector3::new(5.0, 0.5, -1.0);
     let mesh = solid(&both(brick(Vector3::zeros(), edges), brick(apart, edges))).unwrap();

@@ -1,7 +1,6 @@
 //! What is read off a sampled motion.
 
 use tumbling::dynamics::observe::sign_changes;
-use tumbling::number::counted::Counted;
 
 #[test]
 fn a_sample_of_exactly_zero_is_where_the_sign_changes() {
@@ -17,12 +16,4 @@ fn changes_between_the_ends_of_the_range_are_where_the_straight_line_has_them() 
     assert_eq!(sign_changes([(0.0, 1e308), (1.0, -1e308)]), [0.5]);
     assert_eq!(sign_changes([(-1e308, 1.0), (1e308, -1.0)]), [0.0]);
     assert_eq!(sign_changes([(0.0, 1e-300), (1.0, f64::NAN), (2.0, -3e-300)]), [0.5]);
-}
-
-#[test]
-fn a_counting_number_compares_by_its_value() {
-    use num_traits::One;
-    assert_eq!(Counted::new(1.0), Counted::one());
-    assert!(Counted::new(1.0).is_one());
-    assert!(Counted::new(0.5) < Counted::one());
 }

@@ -24,8 +24,7 @@ impl Axis {
     pub const ALL: [Self; 3] = [Self::Smallest, Self::Middle, Self::Largest];
 
     /// Its place among the sorted moments: 0, 1 or 2.
-    #[must_use]
-    pub const fn index(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         match self {
             Self::Smallest => 0,
             Self::Middle => 1,

@@ -41,12 +41,6 @@ impl Ball {
     pub fn new(radius: f64) -> Result<Self, Error> {
         Ok(Self { radius: positive("the radius", radius)? })
     }
-
-    /// The radius, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
 }
 
 impl Solid for Ball {

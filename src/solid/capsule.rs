@@ -59,18 +59,6 @@ impl Capsule {
         not_negative("the length", length)?;
         Ok(Self { radius, length })
     }
-
-    /// The radius, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// The length of the cylindrical part, m.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.length
-    }
 }
 
 impl Solid for Capsule {

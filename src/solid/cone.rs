@@ -52,18 +52,6 @@ impl Cone {
         positive("the height", height)?;
         Ok(Self { radius, height })
     }
-
-    /// The radius of the base, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// The height, m.
-    #[must_use]
-    pub fn height(&self) -> f64 {
-        self.height
-    }
 }
 
 impl Solid for Cone {

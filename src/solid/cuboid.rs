@@ -48,12 +48,6 @@ impl Cuboid {
         positive("the edge along z", c)?;
         Ok(Self { edges: [a, b, c] })
     }
-
-    /// The edges along x, y and z, m.
-    #[must_use]
-    pub fn edges(&self) -> [f64; 3] {
-        self.edges
-    }
 }
 
 impl Solid for Cuboid {

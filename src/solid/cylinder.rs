@@ -48,18 +48,6 @@ impl Cylinder {
         positive("the height", height)?;
         Ok(Self { radius, height })
     }
-
-    /// The radius, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// The height, m.
-    #[must_use]
-    pub fn height(&self) -> f64 {
-        self.height
-    }
 }
 
 impl Solid for Cylinder {

@@ -43,12 +43,6 @@ impl ThinDisk {
     pub fn new(radius: f64) -> Result<Self, Error> {
         Ok(Self { radius: positive("the radius", radius)? })
     }
-
-    /// The radius, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
 }
 
 impl Solid for ThinDisk {

@@ -48,12 +48,6 @@ impl Ellipsoid {
         positive("the semi-axis along z", c)?;
         Ok(Self { semi_axes: [a, b, c] })
     }
-
-    /// The semi-axes along x, y and z, m.
-    #[must_use]
-    pub fn semi_axes(&self) -> [f64; 3] {
-        self.semi_axes
-    }
 }
 
 impl Solid for Ellipsoid {

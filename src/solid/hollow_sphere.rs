@@ -56,18 +56,6 @@ impl HollowSphere {
         ordered(inner, outer)?;
         Ok(Self { inner, outer })
     }
-
-    /// The inner radius, m.
-    #[must_use]
-    pub fn inner(&self) -> f64 {
-        self.inner
-    }
-
-    /// The outer radius, m.
-    #[must_use]
-    pub fn outer(&self) -> f64 {
-        self.outer
-    }
 }
 
 impl Solid for HollowSphere {

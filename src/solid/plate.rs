@@ -47,12 +47,6 @@ impl ThinPlate {
         positive("the edge along y", b)?;
         Ok(Self { edges: [a, b] })
     }
-
-    /// The edges along x and y, m.
-    #[must_use]
-    pub fn edges(&self) -> [f64; 2] {
-        self.edges
-    }
 }
 
 impl Solid for ThinPlate {

@@ -43,12 +43,6 @@ impl ThinRod {
     pub fn new(length: f64) -> Result<Self, Error> {
         Ok(Self { length: positive("the length", length)? })
     }
-
-    /// The length, m.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.length
-    }
 }
 
 impl Solid for ThinRod {

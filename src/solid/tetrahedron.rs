@@ -65,12 +65,6 @@ impl Tetrahedron {
         let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
         Err(Refusal::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) }.into())
     }
-
-    /// The vertices, m.
-    #[must_use]
-    pub fn vertices(&self) -> [Vector3<f64>; 4] {
-        self.vertices
-    }
 }
 
 impl Solid for Tetrahedron {

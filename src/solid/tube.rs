@@ -54,24 +54,6 @@ impl Tube {
         ordered(inner, outer)?;
         Ok(Self { inner, outer, height })
     }
-
-    /// The inner radius, m.
-    #[must_use]
-    pub fn inner(&self) -> f64 {
-        self.inner
-    }
-
-    /// The outer radius, m.
-    #[must_use]
-    pub fn outer(&self) -> f64 {
-        self.outer
-    }
-
-    /// The height, m.
-    #[must_use]
-    pub fn height(&self) -> f64 {
-        self.height
-    }
 }
 
 impl Solid for Tube {

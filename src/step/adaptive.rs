@@ -24,9 +24,6 @@ pub struct AdaptiveRun {
 /// Below this tolerance a step's error is rounding, and no step meets it.
 pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// The most steps, taken or rejected, of one run of [`adaptive`].
-pub const MOST_STEPS: usize = 1_000_000;
-
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
 ///
@@ -41,31 +38,19 @@ pub const MOST_STEPS: usize = 1_000_000;
 /// let (moments, omega) = (PrincipalMoments::new(1.0, 2.0, 2.5)?, Vector3::new(0.3, 2.0, 0.1));
 /// let system = System::free(moments)?;
 /// let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-/// let run = adaptive(&system, &start, 10.0, 1e-10)?;
+/// let run = adaptive(&system, &start, 10.0, 1e-10, &mut 1000)?;
 /// let truth = FreeMotion::new(moments, &omega)?.at(10.0)?;
 /// assert!((run.end.attitude.coords - truth.attitude.coords).norm() < 1e-8);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
-/// # Errors
-/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error
-/// that stays too large however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after
-/// [`MOST_STEPS`], or as soon as stiff losses would need more.
-pub fn adaptive(
-    system: &System<f64>,
-    start: &State<f64>,
-    duration: f64,
-    tolerance: f64,
-) -> Result<AdaptiveRun, Error> {
-    adaptive_within(system, start, duration, tolerance, &mut { MOST_STEPS })
-}
-
-/// As [`adaptive`], in at most `budget` steps, taken or rejected; those used are subtracted from it, also
-/// where the run fails.
+/// It takes at most `budget` steps, taken or rejected; those used are subtracted from it, also where the run fails.
 ///
 /// # Errors
-/// As [`adaptive`], with this budget for [`MOST_STEPS`].
-pub fn adaptive_within(
+/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error
+/// that stays too large however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after `budget`
+/// steps, or as soon as stiff losses would need more.
+pub fn adaptive(
     system: &System<f64>,
     start: &State<f64>,
     duration: f64,

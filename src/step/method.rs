@@ -134,8 +134,7 @@ pub struct Conserved {
 }
 
 impl Conserved {
-    /// None of them.
-    pub const NONE: Self =
+    pub(crate) const NONE: Self =
         Self { energy: false, momentum: false, direction: false, unit: false, reversible: false };
 }
 

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
 ///
-/// All turn the body by the same integrator; they differ in [`carried`](Self::carried), in
+/// All turn the body by the same integrator; they differ in the vector they carry, in its
 /// [`carried_rate`](Self::carried_rate) and in [`omega_world`](Self::omega_world), and in nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -143,8 +143,7 @@ impl Engine {
     }
 
     /// The world vector that this engine carries for `body`: its momentum, or its spin.
-    #[must_use]
-    pub fn carried(self, body: &Body) -> Vector3<f64> {
+    fn carried(self, body: &Body) -> Vector3<f64> {
         match self {
             Self::Frozen | Self::NoGyroscopicTerm => body.omega_world(),
             Self::Turned | Self::MomentumForSpin => body.momentum_world(),
@@ -179,7 +178,7 @@ impl Engine {
         finite("the step", h)?;
         let carried = self.carried(body);
         let tensor = body.inertia().matrix();
-        let inverse = body.inverse().matrix();
+        let inverse = body.inverse();
         let law = |motion: &Carried<f64>| self.rate(&tensor, &inverse, motion);
         let mut motion = Carried { attitude: body.attitude().into_inner(), vector: carried };
         let length = count.saturating_add(1);

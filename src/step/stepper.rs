@@ -24,7 +24,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// use tumbling::step::{Method, Stepper};
 /// use tumbling::{Body, Inertia};
 /// // A T-handle whose stem leans in its axes, spun about the axis that flips.
-/// let inertia = Inertia::from_matrix(&Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
+/// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
 /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
 /// let mut stepper = Stepper::<f32>::new(&handle, Method::RotationSplitting4)?;
 /// for state in stepper.run(1.0 / 60.0, 600) {

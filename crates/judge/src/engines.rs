@@ -179,7 +179,7 @@ impl PhysicsEngine {
         let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
         let free = System::of_numbers(*system.moments(), Vec::new());
         (0..self.parts).try_fold(*start, |mut motion, _| {
-            if !system.is_free() {
+            if !system.torques().is_empty() {
                 let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
                 motion.momentum += system.momentum(&inside);
             }

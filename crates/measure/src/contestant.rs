@@ -243,7 +243,7 @@ impl Contestant for Exact {
     }
 
     fn takes(&self, story: &Story) -> bool {
-        story.system.is_free()
+        story.system.torques().is_empty()
     }
 
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
@@ -276,7 +276,7 @@ impl Contestant for Prepared {
     }
 
     fn takes(&self, story: &Story) -> bool {
-        story.system.is_free()
+        story.system.torques().is_empty()
     }
 
     fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {

@@ -85,7 +85,7 @@ impl InitialState {
     pub fn motion(&self) -> Result<FreeMotion, Error> {
         match self.start {
             Start::Spin(omega) if self.products == Vector3::zeros() => {
-                Ok(FreeMotion::new(self.moments.try_into()?, &omega)?.with_attitude(&self.attitude)?)
+                Ok(FreeMotion::new(self.moments.try_into()?, &omega)?.with_attitude(self.attitude)?)
             }
             _ => Ok(FreeMotion::of(&self.body()?)?),
         }
@@ -103,7 +103,7 @@ impl InitialState {
     }
 
     fn checked_attitude(&self) -> Result<UnitQuaternion<f64>, Error> {
-        attitude::checked(&self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
+        attitude::checked(self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
     }
 
     /// Along the principal axes, checked.

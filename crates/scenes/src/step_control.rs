@@ -3,7 +3,7 @@
 use crate::cost;
 use crate::error::Error;
 use crate::exact_drift;
-use tumbling::step::{LEAST_TOLERANCE, Method, State, System, adaptive_within};
+use tumbling::step::{LEAST_TOLERANCE, Method, State, System, adaptive};
 
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +49,7 @@ impl StepControl {
     ) -> Result<State<f64>, Stop> {
         let (step, method) = match self {
             Self::Tolerance(tolerance) => {
-                let run = adaptive_within(system, start, duration, tolerance, left);
+                let run = adaptive(system, start, duration, tolerance, left);
                 return match run {
                     Ok(run) => Ok(run.end),
                     Err(_) if *left == 0 => Err(Stop::OutOfSteps),

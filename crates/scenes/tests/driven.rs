@@ -47,7 +47,7 @@ fn driven_scenes_are_as_accurate_as_asked_against_the_truth() {
     for entry in table["stories"].as_array().unwrap() {
         let mut torques = Vec::new();
         if entry["weight"].as_f64().is_some_and(|weight| weight != 0.0) {
-            torques.push(Torque::gravity(three(&entry["arm"]), number(&entry["weight"])));
+            torques.push(Torque::gravity(&three(&entry["arm"]), number(&entry["weight"])));
         }
         if entry["damping"].is_array() && three(&entry["damping"]) != Vector3::zeros() {
             torques.push(Torque::Damping(three(&entry["damping"])));
@@ -90,7 +90,7 @@ fn driven_scenes_are_as_accurate_as_asked_against_the_truth() {
 fn the_method_follows_from_the_torque_and_the_accuracy() {
     let top = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
     let way = |weight: f64, accuracy: f64, times: Times| {
-        let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
+        let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(top, vec![torque], times, BOTH, accuracy);
         match scene.plan(0).unwrap().strategy() {
             Strategy::FixedStep(driven) => driven.method().unwrap().info().name,
@@ -308,7 +308,7 @@ fn the_energy_under_a_torque_is_as_right_as_asked() {
 fn a_driven_scene_that_would_take_for_ever_is_refused_at_once() {
     let body = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
     for (weight, end) in [(4.0, 3e7), (1e300, 10.0), (4.0, 1e300)] {
-        let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
+        let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(body, vec![torque], Times::every(end, end), BOTH, 1e-9);
         let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!("{weight} {end}") };
         assert!(matches!(*source, Error::Value { .. } | Error::OutOfRange { .. }), "{source}");

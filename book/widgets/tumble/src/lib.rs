@@ -242,8 +242,13 @@ mod tests {
 
     #[test]
     fn the_bodies_are_those_of_the_book() {
-        let theirs =
-            [named::the_box(), named::book(), named::phone(), named::tennis_racket(), named::wing_nut()];
+        let theirs = [
+            named::NamedBody::TheBox.properties(),
+            named::NamedBody::Book.properties(),
+            named::NamedBody::Phone.properties(),
+            named::NamedBody::TennisRacket.properties(),
+            named::NamedBody::WingNut.properties(),
+        ];
         for (which, theirs) in theirs.into_iter().enumerate() {
             let theirs = theirs.unwrap();
             let (moments, centre) = body(which as f64);

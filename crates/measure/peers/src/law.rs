@@ -54,7 +54,7 @@ impl Law {
             n * x - l * z,
             l * v - m * x,
         ];
-        if !self.system.is_free() {
+        if !self.system.torques().is_empty() {
             let torque = self.system.torque(&self.motion(y)) / self.size;
             rate[4] += torque.x;
             rate[5] += torque.y;

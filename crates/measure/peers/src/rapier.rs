@@ -27,7 +27,7 @@ impl Contestant for Rapier {
     }
 
     fn takes(&self, story: &Story) -> bool {
-        story.system.is_free()
+        story.system.torques().is_empty()
     }
 
     #[allow(clippy::cast_precision_loss)]
