@@ -40,7 +40,7 @@ fn report(what: &str, body: &MassProperties) -> Result<(), Error> {
     let axes = body.inertia().principal();
     println!("{what}: {:.3} kg, centre {:.4?}", body.mass(), body.centre().as_slice());
     for axis in Axis::ALL {
-        let fate = match of_spin(axes.principal_moments()?, axis, 1.0)? {
+        let fate = match of_spin(axes.try_into()?, axis, 1.0)? {
             Stability::Growth { rate } => format!("a push grows, {rate:.3} per radian turned"),
             Stability::Libration { rate } => format!("a push circles, {rate:.3} rounds per turn"),
             _ => "a push drifts".to_string(),

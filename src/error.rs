@@ -1,8 +1,12 @@
 //! Why a value was refused.
 
+mod mesh_refusal;
 mod refusal;
+mod tensor_refusal;
 
+pub(crate) use mesh_refusal::MeshRefusal;
 pub(crate) use refusal::Refusal;
+pub(crate) use tensor_refusal::TensorRefusal;
 
 use alloc::boxed::Box;
 use core::fmt;
@@ -59,12 +63,6 @@ impl Error {
         self.refusal.subject()
     }
 
-    /// For what builds on the library: a value given, named as in "the time", that is NaN or infinite.
-    #[must_use]
-    pub fn not_finite(what: &'static str, value: f64) -> Self {
-        Refusal::NotFinite { what, value }.into()
-    }
-
     /// For what builds on the library: a result that came out as `value`, since its true value is beyond
     /// `f64`.
     #[must_use]
@@ -84,6 +82,18 @@ impl From<Refusal> for Error {
     }
 }
 
+impl From<TensorRefusal> for Error {
+    fn from(refusal: TensorRefusal) -> Self {
+        Refusal::Tensor(refusal).into()
+    }
+}
+
+impl From<MeshRefusal> for Error {
+    fn from(refusal: MeshRefusal) -> Self {
+        Refusal::Mesh(refusal).into()
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.refusal.fmt(f)
@@ -93,7 +103,9 @@ impl fmt::Display for Error {
 impl core::error::Error for Error {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.refusal {
-            Refusal::Part { source, .. } | Refusal::OffCentre { source, .. } => Some(source.as_ref()),
+            Refusal::Part { source, .. } | Refusal::Tensor(TensorRefusal::OffCentre { source, .. }) => {
+                Some(source.as_ref())
+            }
             _ => None,
         }
     }

@@ -164,7 +164,7 @@ impl FreeMotion {
             (PrincipalMoments::of_tensor(tensor.diagonal())?, UnitQuaternion::identity())
         } else {
             let principal = body.inertia().principal();
-            (principal.principal_moments()?, principal.rotation())
+            (principal.try_into()?, principal.rotation())
         };
         let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
         if frame != UnitQuaternion::identity() {

@@ -19,7 +19,7 @@ pub(crate) use moments::ascending;
 pub use nearest::Adjusted;
 pub use principal::{Axis, PrincipalAxes};
 
-use crate::error::{Error, Refusal, finite_vector, positive};
+use crate::error::{Error, Refusal, TensorRefusal, finite_vector, positive};
 use crate::number::Ring;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -205,7 +205,7 @@ impl Inertia {
         let shifted = self.tensor - point_mass(&mass, offset);
         Self::rounded(&shifted, self.tensor.amax()).map_err(|error| {
             let source = Box::new(error);
-            Refusal::OffCentre { mass, distance: length(offset), source }.into()
+            TensorRefusal::OffCentre { mass, distance: length(offset), source }.into()
         })
     }
 

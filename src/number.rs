@@ -13,7 +13,7 @@ mod lane;
 pub(crate) mod power_of_two;
 
 pub use lane::Lane;
-pub(crate) use lane::{Gather, gather_fields};
+pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two};
 
 use core::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};

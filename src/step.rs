@@ -16,7 +16,7 @@ mod system;
 mod torque;
 
 pub use crate::body::{Rate, State};
-pub use adaptive::{AdaptiveRun, LEAST_TOLERANCE, adaptive};
+pub use adaptive::{LEAST_TOLERANCE, adaptive};
 pub use fixed_rate::fixed_rate;
 pub use method::{Conserved, Method, MethodInfo};
 pub use methods::rk4::rk4;

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::cloud::{anything, assert_same, size, together, vector};
+use common::cloud::{anything, assert_same, moved, size, together, vector};
 use common::{number_after, refused};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_rational::Ratio;
@@ -32,15 +32,15 @@ proptest! {
 
     #[test]
     fn moving_the_parts_moves_the_whole(offset in vector(-5.0..5.0)) {
-        let parts = [lopsided(), NamedBody::Hammer.properties().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
-        let moved = parts.map(|p| p.moved(&offset).unwrap());
-        let whole = together(&parts).unwrap().moved(&offset).unwrap();
+        let parts = [lopsided(), moved(&NamedBody::Hammer.properties().unwrap(), &Vector3::new(1.0, 1.0, 2.0)).unwrap()];
+        let whole = moved(&together(&parts).unwrap(), &offset).unwrap();
+        let moved = parts.map(|p| moved(&p, &offset).unwrap());
         assert_same("moved", &together(&moved).unwrap(), &whole, 1e-14, 10.0);
     }
 
     #[test]
     fn turning_the_parts_turns_the_whole(q in attitude()) {
-        let parts = [lopsided(), NamedBody::Hammer.properties().unwrap().moved(&Vector3::new(1.0, 1.0, 2.0)).unwrap()];
+        let parts = [lopsided(), moved(&NamedBody::Hammer.properties().unwrap(), &Vector3::new(1.0, 1.0, 2.0)).unwrap()];
         let turned = parts.map(|p| p.turned(q).unwrap());
         let whole = together(&parts).unwrap().turned(q).unwrap();
         assert_same("turned", &together(&turned).unwrap(), &whole, 1e-14, 10.0);
@@ -86,7 +86,7 @@ proptest! {
         let part = |i: usize| MassMoments {
             mass: n(masses[i]),
             centre: Vector3::new(places[3 * i], places[3 * i + 1], places[3 * i + 2]).map(n),
-            inertia: Matrix3::from_diagonal(&cuboid_moments(&n(masses[i]), &n(2), &n(1), &n(3))),
+            inertia: Matrix3::from_diagonal(&Cuboid::moments(&n(masses[i]), [&n(2), &n(1), &n(3)])),
         };
         let [origin, elsewhere] = [[0; 3], reference].map(|r| Vector3::from(r).map(n));
         let at_once = combined(&[part(0), part(1), part(2)], &origin);
@@ -138,12 +138,12 @@ proptest! {
         let turn = UnitQuaternion::from_euler_angles(1.0, 2.0, 3.0);
         let results = [
             Ok(body),
-            body.moved(&offset),
+            moved(&body, &offset),
             body.turned(attitude),
             body.turned(turn),
             body.about(&offset).and_then(|i| MassProperties::new(1.0, &offset, i)),
             together(&[body, lopsided()]),
-            body.moved(&offset).and_then(|moved| together(&[body, moved])),
+            moved(&body, &offset).and_then(|moved| together(&[body, moved])),
             Compound::new().at(lopsided(), &Vector3::zeros()).with(body, &offset, attitude).properties(),
             MassProperties::of_points(&[(mass, at), (1.0, offset)]),
         ];
@@ -178,10 +178,10 @@ fn a_body_far_from_the_origin_keeps_every_digit() {
     let far = Vector3::new(2.0_f64.powi(30), -(2.0_f64.powi(29)), 2.0_f64.powi(31));
     let parts = [
         Cuboid::new(1.0, 2.0, 3.0).unwrap().with_mass(3.0).unwrap(),
-        Ball::new(0.7).unwrap().with_mass(0.9).unwrap().moved(&Vector3::new(0.5, 1.25, -2.0)).unwrap(),
+        moved(&Ball::new(0.7).unwrap().with_mass(0.9).unwrap(), &Vector3::new(0.5, 1.25, -2.0)).unwrap(),
     ];
     let near = together(&parts).unwrap();
-    let away = together(&parts.map(|p| p.moved(&far).unwrap())).unwrap();
+    let away = together(&parts.map(|p| moved(&p, &far).unwrap())).unwrap();
     assert_eq!(away.inertia(), near.inertia());
     assert_eq!(away.centre(), near.centre() + far);
 }

@@ -231,17 +231,18 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
     }
     let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
     for tolerance in [1e-6, 1e-9, 1e-12] {
-        let run = tumbling::step::adaptive(&system, &from, period, tolerance, &mut 1_000_000).unwrap();
-        let off = (run.end.attitude.coords - attitude.coords).norm() + run.end.momentum.norm();
+        let mut left = 1_000_000;
+        let end = tumbling::step::adaptive(&system, &from, period, tolerance, &mut left).unwrap();
+        let off = (end.attitude.coords - attitude.coords).norm() + end.momentum.norm();
         assert!(off < 100.0 * tolerance, "{tolerance:e}: {off:e}");
-        assert!(run.steps > 5);
+        assert!(left < 999_995);
     }
     let pushed =
         System::with(PrincipalMoments::new(1.0, 1.5, 2.0).unwrap(), vec![Torque::InBody(Vector3::z())])
             .unwrap();
     let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
-    let run = tumbling::step::adaptive(&pushed, &rest, 2.0, 1e-10, &mut 1_000_000).unwrap();
-    assert!((run.end.momentum - Vector3::z() * 2.0).norm() < 1e-9);
+    let end = tumbling::step::adaptive(&pushed, &rest, 2.0, 1e-10, &mut 1_000_000).unwrap();
+    assert!((end.momentum - Vector3::z() * 2.0).norm() < 1e-9);
 }
 
 #[test]
@@ -257,22 +258,4 @@ fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
         assert!((end.momentum.z - 1.0 / (1.0 + strength)).abs() < 1e-15, "{strength}: {end:?}");
         assert!(end.momentum.z > 0.0);
     }
-}
-
-#[test]
-fn a_controlled_run_takes_back_steps_that_were_too_long() {
-    // A needle let go a thousandth of a radian from standing against the field: it hardly moves for long, then swings through. Energy, of
-    // motion and of place, must be the same wherever the run ends.
-    let (moment, pull) = (2.0_f64, 3.0_f64);
-    let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * -pull };
-    let system = System::with(PrincipalMoments::new(1.0, 1.5, moment).unwrap(), vec![aligning]).unwrap();
-    let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 1e-3).into_inner();
-    let from = State { attitude, momentum: Vector3::zeros() };
-    let energy = |m: &State<f64>| {
-        let arm = tumbling::attitude::rotation_matrix(&m.attitude).column(0).x;
-        system.energy(m) + pull * arm
-    };
-    let run = tumbling::step::adaptive(&system, &from, 40.0, 1e-9, &mut 1_000_000).unwrap();
-    assert!(run.rejected > 0, "{run:?}");
-    assert!((energy(&run.end) - energy(&from)).abs() < 1e-6, "{run:?}");
 }

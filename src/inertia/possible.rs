@@ -1,7 +1,7 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
 use super::{Adjusted, Inertia, PrincipalAxes, in_range, is_diagonal, nearest, symmetrized, turned};
-use crate::error::{Error, ErrorKind, Refusal, finite, not_negative, positive};
+use crate::error::{Error, ErrorKind, Refusal, TensorRefusal, finite, not_negative, positive};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
@@ -48,7 +48,9 @@ impl Inertia {
             let difference = (value - mirrored).abs();
             if difference > tolerance {
                 let printed = difference <= PRINTED * tensor.amax();
-                return Err(Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into());
+                return Err(
+                    TensorRefusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into()
+                );
             }
         }
         let tensor = symmetrized(tensor);
@@ -135,9 +137,13 @@ pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Res
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess > tolerance {
         let printed = excess <= PRINTED * moments[2];
-        return Err(
-            Refusal::TriangleInequality { moments: (*moments).into(), excess, tolerance, printed }.into()
-        );
+        return Err(TensorRefusal::TriangleInequality {
+            moments: (*moments).into(),
+            excess,
+            tolerance,
+            printed,
+        }
+        .into());
     }
     Ok(())
 }
@@ -146,7 +152,7 @@ fn not_below_zero(what: &'static str, value: f64, largest: f64, tolerance: f64) 
     if value >= -tolerance {
         return Ok(());
     }
-    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
+    Err(TensorRefusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
 }
 
 /// That the largest principal moment is a finite number: it can exceed every entry of the tensor.

@@ -140,10 +140,7 @@ impl MassProperties {
     }
 
     /// The same body carried along by `offset` (m).
-    ///
-    /// # Errors
-    /// An offset that is not finite, or a centre beyond `f64`.
-    pub fn moved(&self, offset: &Vector3<f64>) -> Result<Self, Error> {
+    pub(super) fn moved(&self, offset: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the offset", offset)?;
         let centre = self.centre + offset;
         match centre.iter().find(|x| !x.is_finite()) {

@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
 ///
 /// All turn the body by the same integrator; they differ in the vector they carry, in its
-/// [`carried_rate`](Self::carried_rate) and in [`omega_world`](Self::omega_world), and in nothing else.
+/// [`rate`](Self::rate) and in [`omega_world`](Self::omega_world), and in nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
@@ -87,19 +87,7 @@ impl Engine {
     }
 
     /// The rate of the world vector that this engine carries, while no torque acts.
-    ///
-    /// ```
-    /// use nalgebra::{Matrix3, Vector3};
-    /// use tumbling::step::Engine;
-    /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
-    /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
-    /// let carried = Vector3::new(1.0, 1.0, 0.0);
-    /// let rate = |engine: Engine| engine.carried_rate(&tensor, &inverse, &carried);
-    /// assert_eq!(rate(Engine::Turned), Vector3::zeros());
-    /// assert_eq!(rate(Engine::Frozen), Vector3::new(0.0, 0.0, -0.25));
-    /// ```
-    #[must_use]
-    pub fn carried_rate<T: Field>(
+    fn carried_rate<T: Field>(
         self,
         tensor: &Matrix3<T>,
         inverse: &Matrix3<T>,
@@ -126,6 +114,8 @@ impl Engine {
     /// let (attitude, vector) = Engine::Turned.rate(&tensor, &inverse, &start);
     /// assert_eq!(attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
     /// assert_eq!(vector, Vector3::zeros());
+    /// let (_, vector) = Engine::Frozen.rate(&tensor, &inverse, &start);
+    /// assert_eq!(vector, Vector3::new(0.0, 0.0, -0.5));
     /// ```
     #[must_use]
     pub fn rate<T: Field>(

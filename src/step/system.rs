@@ -70,8 +70,7 @@ impl<T: Field> System<T> {
     }
 
     /// The inverses of the principal moments, 1/(kg m²).
-    #[must_use]
-    pub fn inverse(&self) -> &Vector3<T> {
+    pub(crate) fn inverse(&self) -> &Vector3<T> {
         &self.inverse
     }
 

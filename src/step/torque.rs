@@ -91,10 +91,10 @@ impl<T: Field> Torque<T> {
     /// use tumbling::solid::{Ellipsoid, Solid};
     /// use tumbling::step::{Method, Stepper, Torque};
     /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as work.
-    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?.moved(&Vector3::new(0.0, 0.0, 0.03))?;
-    /// let (arm, weight) = (egg.centre(), egg.mass() * 9.81);
+    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?;
+    /// let (arm, weight) = (Vector3::new(0.0, 0.0, 0.03), egg.mass() * 9.81);
     /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);
-    /// let body = Body::spinning(egg.about(&Vector3::zeros())?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
+    /// let body = Body::spinning(egg.about(&-arm)?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
     /// let mut stepper = Stepper::new(&body, Method::Gauss6)?.with_torques([Torque::gravity(&arm, weight)])?;
     /// stepper.run(1e-3, 1000).try_for_each(|state| state.map(drop))?;
     /// let height = |body: &Body| (body.attitude() * arm).z;

@@ -97,6 +97,11 @@ pub fn assert_same(what: &str, a: &MassProperties, b: &MassProperties, relative:
     assert!((m - n).amax() <= relative * n.amax(), "{what}: {m} {n}");
 }
 
+/// A body carried along by `offset`.
+pub fn moved(body: &MassProperties, offset: &Vector3<f64>) -> Result<MassProperties, tumbling::Error> {
+    Compound::new().at(*body, offset).properties()
+}
+
 /// Parts that stay where they are, as one body.
 pub fn together(parts: &[MassProperties]) -> Result<MassProperties, tumbling::Error> {
     parts.iter().fold(Compound::new(), |whole, part| whole.at(*part, &Vector3::zeros())).properties()

@@ -158,7 +158,6 @@ impl PhysicsEngine {
     /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back to the
     /// beginning.
     pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
-        finite("the step", h)?;
         if let Some(most) = self.limits.rate {
             let omega = system.omega(&start.momentum);
             let rate = system.omega(&system.rate(start).momentum);
@@ -228,9 +227,8 @@ impl PhysicsEngine {
     }
 }
 
-/// `value`, which `what` names, must be finite.
 fn finite(what: &'static str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::not_finite(what, value)) }
+    if value.is_finite() { Ok(()) } else { Err(Error::unrepresentable(what, value)) }
 }
 
 /// `start` times `turn`, at length 1.

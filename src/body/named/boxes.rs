@@ -1,7 +1,7 @@
 //! The named bodies that are evenly filled boxes. Where their sizes come from stands at [`super::NamedBody`].
 
 use super::{Fill, Part, Section};
-use crate::solid::cuboid_moments;
+use crate::solid::{Cuboid, Shape};
 use nalgebra::Vector3;
 
 /// An evenly filled box about the origin.
@@ -29,7 +29,7 @@ impl EvenBox {
     #[must_use]
     pub fn moments(&self) -> Vector3<f64> {
         let [a, b, c] = &self.edges;
-        cuboid_moments(&self.mass, a, b, c)
+        Cuboid::moments(&self.mass, [a, b, c])
     }
 
     pub(super) fn part(&self, name: &'static str, material: &'static str) -> Part {

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::number::functions::{atan2, hypot, sin_cos};
-use crate::solid::{Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
+use crate::solid::{Cuboid, Cylinder, MassProperties, Solid, ThinRod};
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -101,7 +101,7 @@ impl Part {
             Section::Line => self.filled(&ThinRod::new(length)?),
             Section::Rectangle { wide, thick } => self.filled(&Cuboid::new(wide, thick, length)?),
             Section::Round { radius } => self.filled(&Cylinder::new(radius, length)?),
-            Section::Ring { inner, outer } => self.filled(&Tube::new(inner, outer, length)?),
+            Section::Ring { inner, outer } => self.filled(&Cylinder::hollow(inner, outer, length)?),
         }
     }
 

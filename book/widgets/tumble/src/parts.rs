@@ -49,7 +49,7 @@ fn numbers(part: &Part) -> [f64; SIZE] {
 mod tests {
     use super::*;
     use nalgebra::{Rotation3, UnitQuaternion, Vector3};
-    use tumbling::solid::{Compound, Cuboid, MassProperties, Solid, ThinRod, Tube};
+    use tumbling::solid::{Compound, Cuboid, MassProperties, Solid, ThinRod};
 
     /// A body put together from its parts; bars that lean, and strings, as thin rods if so asked.
     fn made(which: usize, thin: bool) -> MassProperties {
@@ -64,7 +64,7 @@ mod tests {
                 UnitQuaternion::from_rotation_matrix(&Rotation3::from_basis_unchecked(&[y.cross(&z), y, z]))
             };
             if kind == 1.0 {
-                let tube = Tube::new(c, d, b - a).unwrap().with_mass(mass).unwrap();
+                let tube = Cylinder::hollow(c, d, b - a).unwrap().with_mass(mass).unwrap();
                 body = body.with(tube, &Vector3::new(0.5 * (a + b), 0.0, 0.0), turned(Vector3::x()));
                 continue;
             }

@@ -20,7 +20,7 @@ impl Law {
     /// The law of a story, and the state at its start.
     pub fn of(story: &Story) -> (Self, Packed) {
         let size = story.start.momentum.norm();
-        let inverse = story.system.inverse().map(|x| x * size).into();
+        let inverse = story.system.moments().map(|x| size / x).into();
         let law = Self { system: story.system.clone(), inverse, size };
         let start = law.state(&story.start);
         (law, start)

@@ -263,7 +263,7 @@ pub fn laws() -> &'static [Law] {
             "three-pitfalls",
             r"I_{\text{body}}\dot{\boldsymbol{\omega}}",
             &[frozen],
-            "Engine::Frozen's carried_rate, wrong as it is",
+            "Engine::Frozen's rate, wrong as it is",
         ),
         law(
             "three-pitfalls",

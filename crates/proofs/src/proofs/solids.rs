@@ -8,10 +8,31 @@ use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use tumbling::inertia::point_mass;
 use tumbling::solid::{
-    MassMoments, ball_moment, capsule_moments, cone_moments, cuboid_moments, cylinder_moments, disk_moments,
-    ellipsoid_moments, hollow_sphere_moment, mesh_moments, plate_moments, rod_moments, tetrahedron_moments,
-    tube_moments,
+    Ball, Capsule, Cone, Cuboid, Cylinder, Ellipsoid, MassMoments, Shape, ThinDisk, ThinPlate, ThinRod,
+    mesh_moments, tetrahedron_moments,
 };
+
+/// The law of a shape as a function of its mass and each of its sizes.
+macro_rules! laws {
+    ($($law:ident: $Shape:ident($($size:ident),+);)+) => {$(
+        fn $law(mass: &Fraction, $($size: &Fraction),+) -> Vector {
+            $Shape::moments(mass, [$($size),+])
+        }
+    )+};
+}
+laws! {
+    ball_moments: Ball(r);
+    hollow_sphere_moments: Ball(inner, outer);
+    ellipsoid_moments: Ellipsoid(a, b, c);
+    cuboid_moments: Cuboid(a, b, c);
+    plate_moments: ThinPlate(a, b);
+    rod_moments: ThinRod(length);
+    disk_moments: ThinDisk(r);
+    cylinder_moments: Cylinder(r, h);
+    tube_moments: Cylinder(inner, outer, h);
+    cone_moments: Cone(r, h);
+    capsule_moments: Capsule(r, l);
+}
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -58,10 +79,10 @@ pub(super) const PROOFS: &[Proof] = &[
         name: "ball",
         part: "solid",
         statement: "The moment of every ball about any axis through its centre is 2/5 m r².",
-        check: || ball(ball_moment),
+        check: || ball(ball_moments),
         mutants: &[Mutant {
             change: "2/5 becomes 2/3, that of a shell",
-            check: || ball(|m, r| ball_moment(&times(m, 5, 3), r)),
+            check: || ball(|m, r| ball_moments(&times(m, 5, 3), r)),
         }],
     },
     Proof {
@@ -69,10 +90,10 @@ pub(super) const PROOFS: &[Proof] = &[
         part: "solid",
         statement: "The moment of every hollow sphere is that of a ball less that of its hole, for the mass that is left; \
                     with equal radii it is 2/3 m r².",
-        check: || hollow_sphere(hollow_sphere_moment),
+        check: || hollow_sphere(hollow_sphere_moments),
         mutants: &[Mutant {
             change: "the hole filled",
-            check: || hollow_sphere(|m, _, o| ball_moment(m, o)),
+            check: || hollow_sphere(|m, _, o| ball_moments(m, o)),
         }],
     },
     Proof {
@@ -290,16 +311,16 @@ fn ellipsoid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector)
     has_moments(&ellipsoid_part(&Vector3::new(a, b, c), &Fraction::zero(), -1, 1)?, &centred(&m, &moments))
 }
 
-fn ball(law: impl Fn(&Fraction, &Fraction) -> Fraction) -> Outcome {
+fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Outcome {
     let [m, r] = variables(["m", "r"]);
-    has_moments(&ball_sums(&r)?, &centred(&m, &Vector::repeat(law(&m, &r))))
+    has_moments(&ball_sums(&r)?, &centred(&m, &law(&m, &r)))
 }
 
-fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
+fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
     let [m, i, o] = variables(["m", "i", "o"]);
     let solid = ball_sums(&o)?.without(&ball_sums(&i)?);
-    has_moments(&solid, &centred(&m, &Vector::repeat(law(&m, &i, &o))))?;
-    same("a thin shell", &law(&m, &o, &o), &(Fraction::ratio(2, 3) * &m * &o * &o))
+    has_moments(&solid, &centred(&m, &law(&m, &i, &o)))?;
+    same("a thin shell", &law(&m, &o, &o).x, &(Fraction::ratio(2, 3) * &m * &o * &o))
 }
 
 /// A cylinder of the given radius about z, between two heights.
@@ -444,8 +465,8 @@ fn triangle_inequality(cuboid: impl Fn(&Fraction, &Fraction, &Fraction, &Fractio
     let all = [
         ("box", cuboid(&m, &a, &b, &c)),
         ("ellipsoid", ellipsoid_moments(&m, &a, &b, &c)),
-        ("ball", Vector::repeat(ball_moment(&m, &r))),
-        ("hollow sphere", Vector::repeat(hollow_sphere_moment(&m, &r, &outer))),
+        ("ball", ball_moments(&m, &r)),
+        ("hollow sphere", hollow_sphere_moments(&m, &r, &outer)),
         ("cylinder", cylinder_moments(&m, &r, &h)),
         ("tube", tube_moments(&m, &r, &outer, &h)),
         ("cone", cone_moments(&m, &r, &h)),
