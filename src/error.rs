@@ -49,6 +49,23 @@ pub enum ErrorKind {
     BadMesh,
 }
 
+/// A margin to three digits, without zeros at their end: `0.5`, `7e-6`.
+struct Margin(f64);
+
+impl fmt::Display for Margin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = alloc::format!("{:.2e}", self.0);
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let digits =
+            if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+        let plain = (1e-3..1e3).contains(&self.0.abs()) || self.0 == 0.0;
+        match alloc::format!("{digits}e{power}").parse::<f64>() {
+            Ok(rounded) if plain => write!(f, "{rounded}"),
+            _ => write!(f, "{digits}e{power}"),
+        }
+    }
+}
+
 impl Error {
     /// Which kind it is; of a part of a whole, what is wrong with that part.
     #[must_use]

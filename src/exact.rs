@@ -46,7 +46,7 @@ pub use regime::Regime;
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, Refusal, finite, finite_vector};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{PrincipalMoments, product};
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
@@ -91,10 +91,15 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// Angular velocity in world axes, rad/s.
+    /// Angular velocity in world axes, rad/s. Infinite where a component is beyond `f64`, as it can be within a factor
+    /// of two of the largest number.
     #[must_use]
     pub fn omega_world(&self) -> Vector3<f64> {
-        self.attitude * self.omega
+        let turned = self.attitude * self.omega;
+        if turned.iter().all(|x| x.is_finite()) {
+            return turned;
+        }
+        product(&crate::attitude::rotation_matrix(self.attitude.quaternion()), &self.omega)
     }
 }
 
@@ -104,7 +109,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
-    /// motion passes through a spin beyond `f64`, or one so close to the separatrix (a push of less than
+    /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a push of less than
     /// 1e-570 of the spin) that the two cannot be told apart.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;

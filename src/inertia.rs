@@ -263,6 +263,17 @@ fn in_range(what: &'static str, tensor: &Matrix3<f64>) -> Result<(), Error> {
     }
 }
 
+/// `matrix * vector`, infinite only where the result is beyond `f64`.
+pub(crate) fn product(matrix: &Matrix3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+    let plain = matrix * vector;
+    if plain.iter().all(|x| x.is_finite()) {
+        return plain;
+    }
+    let (a, b) = (exponent(matrix.amax()), exponent(vector.amax()));
+    let scaled = matrix.map(|x| times_power_of_two(x, -a)) * vector.map(|x| times_power_of_two(x, -b));
+    scaled.map(|x| times_power_of_two(x, a + b))
+}
+
 /// The length of a vector without overflow or underflow on the way.
 pub(crate) fn length(v: &Vector3<f64>) -> f64 {
     let scale = exponent(v.amax());

@@ -58,6 +58,10 @@
 //! makes `L = I w` hold. Names end in `_body` or `_world` where it matters. What is given or returned along
 //! principal axes says so.
 //!
+//! Numbers, attitudes, tensors, moments, mass properties and choices such as [`Axis`] are given by value;
+//! vectors, matrices, states, bodies and systems by reference. The generic laws take all by reference, since
+//! their numbers may be large.
+//!
 //! # Many kinds of number
 //!
 //! The laws ([`dynamics::euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in
@@ -67,7 +71,8 @@
 //! # Errors
 //!
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
-//! [kind](ErrorKind) for programs. No public function panics on any `f64`. The generic laws do what their
+//! [kind](ErrorKind) for programs. No public function panics on any `f64` or any count: what memory cannot
+//! hold is refused. The generic laws do what their
 //! numbers do: integers, say, overflow and divide by zero in their own way.
 //!
 //! # Features

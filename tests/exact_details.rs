@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use std::f64::consts::PI;
-use tumbling::exact::{FreeMotion, Regime};
+use tumbling::exact::{FreeMotion, Instant, Regime};
 use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
@@ -239,5 +239,51 @@ fn a_top_that_hardly_leaves_its_plane_turns_too_far_in_a_period_to_say() {
     for omega in [[-3.8e-159, 1e300, 0.0], [5e-324, 0.3, 0.7]] {
         let top = motion([0.66, 1.0, 1.0], omega);
         assert_eq!(top.twist_of_half_period(), None);
+    }
+}
+
+#[test]
+fn a_top_that_precesses_faster_than_any_number_is_refused() {
+    let moments = PrincipalMoments::new(1.0, 1.5, 1.0).unwrap();
+    let spin = Vector3::new(1.42e308, -8.1e307, 0.0);
+    refused(FreeMotion::new(moments, &spin), ErrorKind::Unrepresentable, "the greatest spin");
+    let slower = FreeMotion::new(moments, &(spin * 0.9)).unwrap().regime();
+    let Regime::SymmetricTop { precession, nutation, .. } = slower else { panic!("{slower:?}") };
+    assert!(precession.is_finite() && nutation.is_finite(), "{slower:?}");
+}
+
+#[test]
+fn a_spin_near_the_largest_number_is_seen_from_the_world_without_overflow_on_the_way() {
+    let attitude = UnitQuaternion::from_euler_angles(0.4, -1.1, 2.0);
+    for omega in [Vector3::new(1.2e308, -0.9e308, 0.4e308), Vector3::new(0.0, 0.0, f64::MAX)] {
+        let seen = Instant { omega, attitude }.omega_world();
+        // The same at a size where nothing can overflow.
+        let expected = (attitude * (omega * 2_f64.powi(-100))) * 2_f64.powi(100);
+        assert!((seen - expected).amax() <= 1e-15 * f64::MAX, "{seen:?} {expected:?}");
+    }
+}
+
+#[test]
+fn the_least_angle_to_the_momentum_is_never_above_the_greatest() {
+    // Two nearly equal moments: the angle of the third axis hardly changes, and each end of it is rounded on its own.
+    for (moments, spin) in [
+        (
+            [1.5463115524768785, 0.15793951781592125, 1.546311552476878],
+            [2.9443699667069355e-12, 0.008461038541345722, 2.337619889869514e-12],
+        ),
+        (
+            [0.32208655359701216, 1.5075885918855068, 1.5075885918855072],
+            [0.3305833545466712, -1.3463766437893453e-13, 2.9300662807181733e-12],
+        ),
+        (
+            [0.1599023396688262, 1.5881908226623311, 1.5881908226623322],
+            [0.0048208142785995944, 1.9955963649353153e-7, 1.6650504418126145e-7],
+        ),
+    ] {
+        let motion = motion(moments, spin);
+        for axis in 0..3 {
+            let [least, most] = motion.angles_to_momentum(axis).unwrap();
+            assert!(least <= most, "{moments:?} {axis}: {least:?} {most:?}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Why the faces of a mesh do not bound a solid.
 
+use super::Margin;
 use core::fmt;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -62,8 +63,9 @@ impl fmt::Display for MeshRefusal {
             }
             Self::NoVolume { volume, tolerance } => write!(
                 f,
-                "the volume comes out as {volume:?}, not above zero by more than rounding ({tolerance:.1e}): the solid \
-                 is flat, or its faces do not run counter-clockwise seen from outside"
+                "the volume comes out as {volume:?}, not above zero by more than rounding ({}): the solid \
+                 is flat, or its faces do not run counter-clockwise seen from outside",
+                Margin(*tolerance)
             ),
             Self::RepeatedFace { face, before, vertices: [a, b, c] } => {
                 write!(f, "face {face}, ({a}, {b}, {c}), is face {before} again: each must be listed once")

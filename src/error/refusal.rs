@@ -2,7 +2,7 @@
 
 use super::mesh_refusal::MeshRefusal;
 use super::tensor_refusal::TensorRefusal;
-use super::{Error, ErrorKind};
+use super::{Error, ErrorKind, Margin};
 use alloc::boxed::Box;
 use core::fmt;
 
@@ -152,8 +152,9 @@ impl fmt::Display for Refusal {
             Self::ZeroVector { what } => write!(f, "{what} is the zero vector: it has no direction"),
             Self::NotUnit { norm, tolerance } => write!(
                 f,
-                "the attitude quaternion has length {norm:?}, off 1 by {:.3e}: it must be 1 to within {tolerance:.1e}",
-                (norm - 1.0).abs()
+                "the attitude quaternion has length {norm:?}, off 1 by {}: it must be 1 to within {}",
+                Margin((norm - 1.0).abs()),
+                Margin(*tolerance)
             ),
             Self::NoSuchAxis { axis } => {
                 write!(f, "there is no principal axis number {axis}: they are numbered 0, 1 and 2")
@@ -166,7 +167,8 @@ impl fmt::Display for Refusal {
             }
             Self::NotConverged { what, iterations, residual } => write!(
                 f,
-                "{what} was not found in {iterations} rounds: the last still moved by {residual:.3e}, more than rounding"
+                "{what} was not found in {iterations} rounds: the last still moved by {}, more than rounding",
+                Margin(*residual)
             ),
             Self::Unfinished { what, steps, reached, duration, why } => {
                 write!(f, "{what} came to {reached:e} s of {duration:e} s in {steps} steps: {why}")

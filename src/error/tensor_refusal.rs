@@ -1,6 +1,6 @@
 //! What is wrong with a tensor or its principal moments.
 
-use super::Error;
+use super::{Error, Margin};
 use alloc::boxed::Box;
 use core::fmt;
 
@@ -72,8 +72,9 @@ impl fmt::Display for TensorRefusal {
             Self::Asymmetric { row, column, value, mirrored, tolerance, printed } => write!(
                 f,
                 "the tensor is not symmetric: entry ({row}, {column}) is {value:?}, entry ({column}, {row}) is \
-                 {mirrored:?}; they differ by {:.3e}, more than rounding ({tolerance:.1e}){}",
-                (value - mirrored).abs(),
+                 {mirrored:?}; they differ by {}, more than rounding ({}){}",
+                Margin((value - mirrored).abs()),
+                Margin(*tolerance),
                 hint(*printed)
             ),
             Self::NegativeMoment { what, value, printed } => {
@@ -83,13 +84,15 @@ impl fmt::Display for TensorRefusal {
             Self::TriangleInequality { moments: [a, b, c], excess, tolerance, printed } => write!(
                 f,
                 "no body has principal moments {a}, {b}, {c}: the triangle inequality {b} + {a} >= {c} fails \
-                 by {excess}, more than rounding ({tolerance:.1e}){}",
+                 by {excess}, more than rounding ({}){}",
+                Margin(*tolerance),
                 hint(*printed)
             ),
             Self::TooFar { moved, tolerance } => write!(
                 f,
-                "no body has this tensor: the nearest one that a body has is {moved:.3e} of the largest moment away, \
-                 more than the tolerance of {tolerance:e}"
+                "no body has this tensor: the nearest one that a body has is {} of the largest moment away, \
+                 more than the tolerance of {tolerance:e}",
+                Margin(*moved)
             ),
             Self::OffCentre { mass, distance, source } => write!(
                 f,

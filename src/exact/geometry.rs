@@ -19,7 +19,9 @@ impl FreeMotion {
         let greatest = match &self.law {
             Law::AtRest => 0.0,
             Law::Steady(turn) => times_power_of_two(turn.rate(), self.exponent),
-            Law::Symmetric(top) => top.greatest_spin(),
+            Law::Symmetric(top) => {
+                top.greatest_spin().max(times_power_of_two(top.precession(), self.exponent))
+            }
             Law::Elliptic(motion) => motion.greatest_spin(),
         };
         if (greatest * room).is_finite() {
@@ -132,7 +134,11 @@ impl FreeMotion {
             Law::AtRest | Law::Steady(_) => [atan2(off(axis), share[axis]); 2],
             Law::Symmetric(top) if top.axis() == axis => [atan2(off(axis), share[axis]); 2],
             Law::Symmetric(top) => swing(off(top.axis()), share[top.axis()].abs()),
-            Law::Elliptic(motion) => motion.angles(axis),
+            Law::Elliptic(motion) => {
+                // Where the two are nearly the same, each is rounded on its own.
+                let [a, b] = motion.angles(axis);
+                [a.min(b), a.max(b)]
+            }
         })
     }
 

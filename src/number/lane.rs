@@ -38,7 +38,7 @@ pub trait Lane:
     /// Yes or no in each lane.
     type Mask: Copy + Debug;
 
-    /// The number of lanes.
+    /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers so many bodies at once.
     const WIDTH: usize;
 
     /// The number that `of` gives for each lane.
@@ -49,7 +49,8 @@ pub trait Lane:
     #[must_use]
     fn lane(&self, k: usize) -> f64;
 
-    /// Whether it is less than `other`; no where either is not a number.
+    /// In each lane whether the number is less than that of `other`: false where either is NaN, and -0 is not less
+    /// than 0.
     #[must_use]
     fn lt(self, other: Self) -> Self::Mask;
 
@@ -61,11 +62,11 @@ pub trait Lane:
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// Without its sign.
+    /// The absolute value in each lane: the sign bit cleared, also of -0 and NaN.
     #[must_use]
     fn abs(self) -> Self;
 
-    /// 1 with its sign, that of zero too.
+    /// In each lane 1 or -1, by the sign bit: -1 for -0.
     #[must_use]
     fn sign(self) -> Self;
 

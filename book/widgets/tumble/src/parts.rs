@@ -49,7 +49,7 @@ fn numbers(part: &Part) -> [f64; SIZE] {
 mod tests {
     use super::*;
     use nalgebra::{Rotation3, UnitQuaternion, Vector3};
-    use tumbling::solid::{Compound, Cuboid, MassProperties, Solid, ThinRod};
+    use tumbling::solid::{Compound, Cuboid, Cylinder, MassProperties, Solid, ThinRod};
 
     /// A body put together from its parts; bars that lean, and strings, as thin rods if so asked.
     fn made(which: usize, thin: bool) -> MassProperties {
