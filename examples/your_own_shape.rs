@@ -13,7 +13,7 @@ fn main() -> Result<(), Error> {
     let head = Cuboid::new(0.12, 0.06, 0.06)?.with_density(1100.0)?;
     let tilted = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.1);
     let mallet =
-        Compound::new().at(handle, &Vector3::zeros()).with(head, &Vector3::new(0.0, 0.0, 0.18), tilted);
+        Compound::new().at(handle, &Vector3::zeros()).at(head.turned(tilted)?, &Vector3::new(0.0, 0.0, 0.18));
     report("a mallet of two parts", &mallet.properties()?)?;
 
     // A wedge from six vertices and eight triangles, counter-clockwise seen from outside.

@@ -21,7 +21,10 @@ fn lopsided() -> MassProperties {
     let turn = UnitQuaternion::from_euler_angles(0.3, -0.7, 1.1);
     Compound::new()
         .at(Cuboid::new(1.0, 2.0, 3.5).unwrap().with_mass(2.0).unwrap(), &Vector3::new(0.1, -0.2, 0.3))
-        .with(Cone::new(0.5, 2.0).unwrap().with_mass(1.5).unwrap(), &Vector3::new(1.0, 2.0, -1.0), turn)
+        .at(
+            Cone::new(0.5, 2.0).unwrap().with_mass(1.5).unwrap().turned(turn).unwrap(),
+            &Vector3::new(1.0, 2.0, -1.0),
+        )
         .at(ThinRod::new(3.0).unwrap().with_mass(0.4).unwrap(), &Vector3::new(-1.0, 0.5, 0.25))
         .properties()
         .unwrap()
@@ -144,7 +147,7 @@ proptest! {
             body.about(&offset).and_then(|i| MassProperties::new(1.0, &offset, i)),
             together(&[body, lopsided()]),
             moved(&body, &offset).and_then(|moved| together(&[body, moved])),
-            Compound::new().at(lopsided(), &Vector3::zeros()).with(body, &offset, attitude).properties(),
+            body.turned(attitude).and_then(|body| Compound::new().at(lopsided(), &Vector3::zeros()).at(body, &offset).properties()),
             MassProperties::of_points(&[(mass, at), (1.0, offset)]),
         ];
         for result in results {
@@ -213,9 +216,9 @@ fn what_is_no_body_is_refused_by_name() {
     assert_eq!(error.to_string(), "part 1: the mass is -2.0: it must be above zero");
     refused(together(&[]), ErrorKind::OutOfBounds, "0 parts given: at least 1 needed");
     refused(Compound::new().properties(), ErrorKind::OutOfBounds, "0 parts given: at least 1 needed");
-    let half = UnitQuaternion::new_unchecked(Quaternion::new(0.5, 0.0, 0.0, 0.0));
-    let bad = Compound::new().at(lopsided(), &one).with(lopsided(), &one, half).properties();
-    let bad = refused(bad, ErrorKind::OutOfBounds, "part 1: the attitude quaternion has length 0.5");
+    let nowhere = Vector3::new(0.0, f64::NAN, 0.0);
+    let bad = Compound::new().at(lopsided(), &one).at(lopsided(), &nowhere).properties();
+    let bad = refused(bad, ErrorKind::NotFinite, "part 1: the offset is NaN");
     let of_the_part = std::error::Error::source(&bad).unwrap();
     assert_eq!(bad.to_string(), format!("part 1: {of_the_part}"));
 }

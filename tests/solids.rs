@@ -122,7 +122,7 @@ proptest! {
         let built = Compound::new()
             .at(Cylinder::new(r, l).unwrap().with_density(1.0).unwrap(), &Vector3::zeros())
             .at(half, &Vector3::new(0.0, 0.0, 0.5 * l))
-            .with(half, &Vector3::new(0.0, 0.0, -0.5 * l), over)
+            .at(half.turned(over).unwrap(), &Vector3::new(0.0, 0.0, -0.5 * l))
             .properties()
             .unwrap();
         let capsule = Capsule::new(r, l).unwrap().with_density(1.0).unwrap();

@@ -115,7 +115,7 @@ impl NamedBody {
         let mut parts = Vec::new();
         self.each_part(&mut |part| parts.push(part));
         let put = |whole: Compound, part: &Part| {
-            Ok::<_, Error>(whole.with(part.properties()?, &part.middle, part.attitude()))
+            Ok::<_, Error>(whole.at(part.properties()?.turned(part.attitude())?, &part.middle))
         };
         parts.iter().try_fold(Compound::new(), put)?.properties()
     }

@@ -184,7 +184,7 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
 
 impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
     /// That its numbers are finite, and its coefficients of loss not below zero.
-    pub fn validate(&self) -> Result<(), Error> {
+    pub(crate) fn validate(&self) -> Result<(), Error> {
         let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
         let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
         match self {

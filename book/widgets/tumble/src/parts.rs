@@ -65,7 +65,8 @@ mod tests {
             };
             if kind == 1.0 {
                 let tube = Cylinder::hollow(c, d, b - a).unwrap().with_mass(mass).unwrap();
-                body = body.with(tube, &Vector3::new(0.5 * (a + b), 0.0, 0.0), turned(Vector3::x()));
+                let along_x = tube.turned(turned(Vector3::x())).unwrap();
+                body = body.at(along_x, &Vector3::new(0.5 * (a + b), 0.0, 0.0));
                 continue;
             }
             let (from, to) = (Vector3::new(a, 0.0, b), Vector3::new(c, 0.0, d));
@@ -75,7 +76,8 @@ mod tests {
             } else {
                 Cuboid::new(wide, thick, long).unwrap().with_mass(mass)
             };
-            body = body.with(solid.unwrap(), &(0.5 * (from + to)), turned(to - from));
+            let leaning = solid.unwrap().turned(turned(to - from)).unwrap();
+            body = body.at(leaning, &(0.5 * (from + to)));
         }
         body.properties().unwrap()
     }
