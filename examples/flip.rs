@@ -6,10 +6,10 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 use tumbling::exact::time_between_flips;
 use tumbling::step::Engine;
-use tumbling::{Axis, Body, body::named};
+use tumbling::{Axis, Body, body::named::NamedBody};
 
 fn main() -> Result<(), tumbling::Error> {
-    let book = named::book()?.inertia();
+    let book = NamedBody::Book.properties()?.inertia();
     let axes = book.principal();
     // Two turns a second about the middle axis, and a twentieth of that about the others.
     let along = Vector3::new(0.05, 1.0, 0.05) * (2.0 * TAU);
@@ -32,7 +32,7 @@ fn main() -> Result<(), tumbling::Error> {
             rest = 40_usize.saturating_sub(column),
         );
     }
-    match time_between_flips(axes.principal_moments()?, &along)? {
+    match time_between_flips(axes.try_into()?, &along)? {
         Some(beat) => println!("Theory: a flip every {beat:.3} s."),
         None => println!("Theory: it never flips."),
     }

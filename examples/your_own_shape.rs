@@ -13,7 +13,7 @@ fn main() -> Result<(), Error> {
     let head = Cuboid::new(0.12, 0.06, 0.06)?.with_density(1100.0)?;
     let tilted = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.1);
     let mallet =
-        Compound::new().at(handle, Vector3::zeros()).with(head, Vector3::new(0.0, 0.0, 0.18), tilted);
+        Compound::new().at(handle, &Vector3::zeros()).at(head.turned(tilted)?, &Vector3::new(0.0, 0.0, 0.18));
     report("a mallet of two parts", &mallet.properties()?)?;
 
     // A wedge from six vertices and eight triangles, counter-clockwise seen from outside.
@@ -40,7 +40,7 @@ fn report(what: &str, body: &MassProperties) -> Result<(), Error> {
     let axes = body.inertia().principal();
     println!("{what}: {:.3} kg, centre {:.4?}", body.mass(), body.centre().as_slice());
     for axis in Axis::ALL {
-        let fate = match of_spin(axes.principal_moments()?, axis, 1.0)? {
+        let fate = match of_spin(axes.try_into()?, axis, 1.0)? {
             Stability::Growth { rate } => format!("a push grows, {rate:.3} per radian turned"),
             Stability::Libration { rate } => format!("a push circles, {rate:.3} rounds per turn"),
             _ => "a push drifts".to_string(),

@@ -95,16 +95,7 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
 
 /// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an
 /// attitude.
-///
-/// ```
-/// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::attitude::{rotate_inverse, turn};
-/// let quarter = turn(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
-/// let seen = rotate_inverse(&quarter, &Vector3::new(1.0, 0.0, 0.0));
-/// assert!((seen - Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-15);
-/// ```
-#[must_use]
-pub fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
+pub(crate) fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
     // v - 2 w (u x v) + 2 u x (u x v), with u the vector part: no matrix.
     let part = Vector3::new(q.coords.x.clone(), q.coords.y.clone(), q.coords.z.clone());
     let across = part.cross(vector);
@@ -113,7 +104,7 @@ pub fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector
 }
 
 /// The rotation matrix of an attitude.
-pub(crate) fn matrix(attitude: &UnitQuaternion<f64>) -> Result<Matrix3<f64>, Error> {
+pub(crate) fn matrix(attitude: UnitQuaternion<f64>) -> Result<Matrix3<f64>, Error> {
     Ok(rotation_matrix(checked(attitude)?.quaternion()))
 }
 
@@ -122,12 +113,12 @@ pub(crate) fn matrix(attitude: &UnitQuaternion<f64>) -> Result<Matrix3<f64>, Err
 ///
 /// # Errors
 /// A length that is not finite, or not 1 to a billionth.
-pub fn checked(attitude: &UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
+pub fn checked(attitude: UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
     let q = attitude.quaternion();
     let norm = finite("the length of the attitude quaternion", q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {
         return Err(Refusal::NotUnit { norm, tolerance: UNIT_TOLERANCE }.into());
     }
     let drifted = (norm - 1.0).abs() > 2.0 * f64::EPSILON;
-    Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { *attitude })
+    Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { attitude })
 }

@@ -10,7 +10,7 @@ pub use state::{Rate, State};
 
 use crate::attitude;
 use crate::error::{Error, Refusal, finite_vector};
-use crate::inertia::{Inertia, InverseInertia, omega_world};
+use crate::inertia::{Inertia, length, omega_world, product};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -36,7 +36,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 #[cfg_attr(feature = "serde", serde(try_from = "serial::Flight", into = "serial::Flight"))]
 pub struct Body {
     inertia: Inertia,
-    inverse: InverseInertia,
+    inverse: Matrix3<f64>,
     attitude: UnitQuaternion<f64>,
     rotation: Matrix3<f64>,
     momentum: Vector3<f64>,
@@ -47,7 +47,7 @@ impl Body {
     ///
     /// # Errors
     /// An inertia without inverse, an attitude whose length is not 1 to a billionth, a value that is not
-    /// finite, or a spin beyond `f64`. (A length that is nearly 1 is made 1: a quaternion's direction alone
+    /// finite, or a momentum or spin whose length is beyond `f64`. (A length that is nearly 1 is made 1: a quaternion's direction alone
     /// is the attitude.)
     pub fn new(
         inertia: Inertia,
@@ -58,24 +58,29 @@ impl Body {
         Self::in_range(inertia, inverse, attitude, momentum_world)
     }
 
-    /// A body whose momentum is finite, and whose spin is too and has not vanished.
+    /// A body whose momentum and spin are finite along all axes, and whose spin has not vanished.
     fn in_range(
         inertia: Inertia,
-        inverse: InverseInertia,
+        inverse: Matrix3<f64>,
         attitude: UnitQuaternion<f64>,
         momentum_world: &Vector3<f64>,
     ) -> Result<Self, Error> {
         finite_vector("the angular momentum", momentum_world)?;
-        let attitude = attitude::checked(&attitude)?;
+        let attitude = attitude::checked(attitude)?;
         let rotation = attitude::rotation_matrix(attitude.quaternion());
         let body = Self { inertia, inverse, attitude, rotation, momentum: *momentum_world };
-        let (in_body, in_world) = (body.omega_body(), body.omega_world());
-        let off = in_body.iter().chain(&in_world).find(|x| !x.is_finite());
-        let gone = (in_body == Vector3::zeros() && *momentum_world != Vector3::zeros()).then_some(&0.0);
-        match off.or(gone) {
-            Some(&value) => Err(Refusal::OutOfRange { what: "the spin", value }.into()),
-            None => Ok(body),
+        let omega = body.omega_body();
+        // With room for the rounding of a turn, so that they are finite along all axes.
+        for (what, vector) in [("the angular momentum", momentum_world), ("the spin", &omega)] {
+            let value = length(vector) * (1.0 + 1e-12);
+            if !value.is_finite() {
+                return Err(Refusal::OutOfRange { what, value }.into());
+            }
         }
+        if omega == Vector3::zeros() && *momentum_world != Vector3::zeros() {
+            return Err(Refusal::OutOfRange { what: "the spin", value: 0.0 }.into());
+        }
+        Ok(body)
     }
 
     /// A body with the given spin in body axes, rad/s.
@@ -88,7 +93,7 @@ impl Body {
         omega_body: &Vector3<f64>,
     ) -> Result<Self, Error> {
         finite_vector("the spin", omega_body)?;
-        let momentum = attitude::matrix(&attitude)? * inertia.momentum(omega_body);
+        let momentum = product(&attitude::matrix(attitude)?, &product(&inertia.matrix(), omega_body));
         let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
         if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
             return Err(Refusal::OutOfRange { what: "the angular momentum", value }.into());
@@ -96,12 +101,12 @@ impl Body {
         Self::new(inertia, attitude, &momentum)
     }
 
-    /// The same body with another attitude and momentum (world axes, kg m²/s); its inverse is not
-    /// computed again.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn with(&self, attitude: UnitQuaternion<f64>, momentum_world: &Vector3<f64>) -> Result<Self, Error> {
+    /// The same body with another attitude and momentum in world axes; its inverse is not computed again.
+    pub(crate) fn with(
+        &self,
+        attitude: UnitQuaternion<f64>,
+        momentum_world: &Vector3<f64>,
+    ) -> Result<Self, Error> {
         Self::in_range(self.inertia, self.inverse, attitude, momentum_world)
     }
 
@@ -111,9 +116,9 @@ impl Body {
         self.inertia
     }
 
-    /// Its inverse in the body frame, computed when the body was made.
+    /// The inverse of its tensor in the body frame, 1/(kg m²), computed when the body was made.
     #[must_use]
-    pub fn inverse(&self) -> InverseInertia {
+    pub fn inverse(&self) -> Matrix3<f64> {
         self.inverse
     }
 
@@ -138,19 +143,21 @@ impl Body {
     /// Angular momentum in body axes, kg m²/s: constant in length only.
     #[must_use]
     pub fn momentum_body(&self) -> Vector3<f64> {
-        self.rotation.transpose() * self.momentum
+        product(&self.rotation.transpose(), &self.momentum)
     }
 
     /// Angular velocity in world axes, rad/s: `R J R^T L`.
     #[must_use]
     pub fn omega_world(&self) -> Vector3<f64> {
-        omega_world(&self.rotation, &self.inverse.matrix(), &self.momentum)
+        let omega = omega_world(&self.rotation, &self.inverse, &self.momentum);
+        // The inverse along the world's axes may be beyond `f64` where the spin is not.
+        if omega.iter().all(|x| x.is_finite()) { omega } else { product(&self.rotation, &self.omega_body()) }
     }
 
     /// Angular velocity in body axes, rad/s.
     #[must_use]
     pub fn omega_body(&self) -> Vector3<f64> {
-        self.inverse.omega(&self.momentum_body())
+        product(&self.inverse, &self.momentum_body())
     }
 
     /// Attitude and angular momentum, the momentum in body axes.
@@ -159,7 +166,7 @@ impl Body {
         State { attitude: self.attitude.into_inner(), momentum: self.momentum_body() }
     }
 
-    /// The same body in another state.
+    /// The same body in another state; its inverse is not computed again.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -176,8 +183,8 @@ impl Body {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
-        let attitude = attitude::checked(&UnitQuaternion::new_unchecked(state.attitude))?;
-        self.with(attitude, &(attitude::rotation_matrix(attitude.quaternion()) * state.momentum))
+        let attitude = attitude::checked(UnitQuaternion::new_unchecked(state.attitude))?;
+        self.with(attitude, &product(&attitude::rotation_matrix(attitude.quaternion()), &state.momentum))
     }
 
     /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or

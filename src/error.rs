@@ -1,8 +1,12 @@
 //! Why a value was refused.
 
+mod mesh_refusal;
 mod refusal;
+mod tensor_refusal;
 
+pub(crate) use mesh_refusal::MeshRefusal;
 pub(crate) use refusal::Refusal;
+pub(crate) use tensor_refusal::TensorRefusal;
 
 use alloc::boxed::Box;
 use core::fmt;
@@ -45,6 +49,23 @@ pub enum ErrorKind {
     BadMesh,
 }
 
+/// A margin to three digits, without zeros at their end: `0.5`, `7e-6`.
+struct Margin(f64);
+
+impl fmt::Display for Margin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = alloc::format!("{:.2e}", self.0);
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let digits =
+            if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+        let plain = (1e-3..1e3).contains(&self.0.abs()) || self.0 == 0.0;
+        match alloc::format!("{digits}e{power}").parse::<f64>() {
+            Ok(rounded) if plain => write!(f, "{rounded}"),
+            _ => write!(f, "{digits}e{power}"),
+        }
+    }
+}
+
 impl Error {
     /// Which kind it is; of a part of a whole, what is wrong with that part.
     #[must_use]
@@ -57,12 +78,6 @@ impl Error {
     #[must_use]
     pub fn subject(&self) -> &'static str {
         self.refusal.subject()
-    }
-
-    /// For what builds on the library: a value given, named as in "the time", that is NaN or infinite.
-    #[must_use]
-    pub fn not_finite(what: &'static str, value: f64) -> Self {
-        Refusal::NotFinite { what, value }.into()
     }
 
     /// For what builds on the library: a result that came out as `value`, since its true value is beyond
@@ -84,6 +99,18 @@ impl From<Refusal> for Error {
     }
 }
 
+impl From<TensorRefusal> for Error {
+    fn from(refusal: TensorRefusal) -> Self {
+        Refusal::Tensor(refusal).into()
+    }
+}
+
+impl From<MeshRefusal> for Error {
+    fn from(refusal: MeshRefusal) -> Self {
+        Refusal::Mesh(refusal).into()
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.refusal.fmt(f)
@@ -93,7 +120,9 @@ impl fmt::Display for Error {
 impl core::error::Error for Error {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.refusal {
-            Refusal::Part { source, .. } | Refusal::OffCentre { source, .. } => Some(source.as_ref()),
+            Refusal::Part { source, .. } | Refusal::Tensor(TensorRefusal::OffCentre { source, .. }) => {
+                Some(source.as_ref())
+            }
             _ => None,
         }
     }

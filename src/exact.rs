@@ -37,7 +37,6 @@ mod polhode;
 mod regime;
 mod sensitivity;
 
-use alloc::vec::Vec;
 pub use batch::{Batch, Spins};
 pub use flips::Flips;
 pub use period::time_between_flips;
@@ -47,7 +46,7 @@ pub use regime::Regime;
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, Refusal, finite, finite_vector};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{PrincipalMoments, product};
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
@@ -95,10 +94,15 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// Angular velocity in world axes, rad/s.
+    /// Angular velocity in world axes, rad/s. Infinite where a component is beyond `f64`, as it can be within a factor
+    /// of two of the largest number.
     #[must_use]
     pub fn omega_world(&self) -> Vector3<f64> {
-        self.attitude * self.omega
+        let turned = self.attitude * self.omega;
+        if turned.iter().all(|x| x.is_finite()) {
+            return turned;
+        }
+        product(&crate::attitude::rotation_matrix(self.attitude.quaternion()), &self.omega)
     }
 }
 
@@ -108,7 +112,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
-    /// motion passes through a spin beyond `f64`, or one so close to the separatrix (a push of less than
+    /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a push of less than
     /// 1e-570 of the spin) that the two cannot be told apart.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;
@@ -150,7 +154,7 @@ impl FreeMotion {
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use tumbling::{Body, Inertia, exact::FreeMotion};
     /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?.turned(&turned)?;
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?.turned(turned)?;
     /// let body = Body::spinning(inertia, turned.inverse(), &Vector3::new(0.5, -1.0, 0.2))?;
     /// let after = FreeMotion::of(&body)?.at(123.0)?;
     /// let momentum = after.attitude * inertia.momentum(&after.omega);
@@ -168,7 +172,7 @@ impl FreeMotion {
             (PrincipalMoments::of_tensor(tensor.diagonal())?, UnitQuaternion::identity())
         } else {
             let principal = body.inertia().principal();
-            (principal.principal_moments()?, principal.rotation())
+            (principal.try_into()?, principal.rotation())
         };
         let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
         if frame != UnitQuaternion::identity() {
@@ -185,15 +189,15 @@ impl FreeMotion {
     /// use tumbling::{PrincipalMoments, exact::FreeMotion};
     /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(0.5, -1.0, 0.2))?;
     /// let start = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
-    /// let turned = motion.with_attitude(&start)?;
-    /// assert_eq!(turned.attitude(0.0)?, start);
-    /// assert!(turned.attitude(7.0)?.angle_to(&(start * motion.attitude(7.0)?)) < 1e-15);
+    /// let turned = motion.with_attitude(start)?;
+    /// assert_eq!(turned.at(0.0)?.attitude, start);
+    /// assert!(turned.at(7.0)?.attitude.angle_to(&(start * motion.at(7.0)?.attitude)) < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
     /// An attitude whose length is not 1 to a billionth, or that is not finite.
-    pub fn with_attitude(self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+    pub fn with_attitude(self, attitude: UnitQuaternion<f64>) -> Result<Self, Error> {
         let attitude = crate::attitude::checked(attitude)?;
         let (frame, omega) = match &self.mount {
             Some(mount) => (mount.frame, mount.omega),
@@ -226,18 +230,6 @@ impl FreeMotion {
         }
     }
 
-    /// Attitude at time `t`, body to world.
-    ///
-    /// # Errors
-    /// A time that is not finite.
-    pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
-        let time = finite("the time", t)? * self.clock;
-        if time == 0.0 {
-            return Ok(self.first().attitude);
-        }
-        Ok(self.in_world(self.turned(time).into_inner()))
-    }
-
     /// The attitude of the principal axes, from where they are at the start.
     #[inline(always)]
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
@@ -266,22 +258,6 @@ impl FreeMotion {
             Law::Elliptic(motion) => motion.at(time),
         };
         Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
-    }
-
-    /// Spin and attitude at each of `times`: to the bit those of [`at`](Self::at), at the same cost for each.
-    ///
-    /// What the instants of one motion have in common is in the preparation already. What is left to share is
-    /// to ask once what kind of motion it is, which saves less than a twentieth; a recurrence from one time
-    /// to the next would save more, and lose digits.
-    ///
-    /// # Errors
-    /// A time that is not finite.
-    pub fn at_each(&self, times: &[f64]) -> Result<Vec<Instant>, Error> {
-        let mut instants = Vec::with_capacity(times.len());
-        for &t in times {
-            instants.push(self.at(t)?);
-        }
-        Ok(instants)
     }
 
     /// The start, as it was given.

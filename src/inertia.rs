@@ -14,13 +14,12 @@ mod serial;
 
 use crate::number::functions::atan2;
 use alloc::boxed::Box;
-pub use inverse::InverseInertia;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
 pub use nearest::Adjusted;
 pub use principal::{Axis, PrincipalAxes};
 
-use crate::error::{Error, Refusal, finite_vector, positive};
+use crate::error::{Error, Refusal, TensorRefusal, finite_vector, positive};
 use crate::number::Ring;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -130,7 +129,7 @@ impl Inertia {
     pub fn new(moments: [f64; 3], products: [f64; 3]) -> Result<Self, Error> {
         let [ixx, iyy, izz] = moments;
         let [ixy, ixz, iyz] = products;
-        Self::from_matrix(&Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz))
+        Self::try_from(Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz))
     }
 
     /// The tensor's matrix, kg m².
@@ -192,21 +191,9 @@ impl Inertia {
         }
     }
 
-    /// The same body's tensor about a point `offset` (m) away, given that this one is about its centre of
-    /// mass and that it weighs `mass` (kg): the parallel-axis theorem.
-    ///
-    /// # Errors
-    /// A mass that is not finite and positive, an offset that is not finite, or a result beyond `f64`.
-    pub fn shifted_from_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
-        positive("the mass", mass)?;
-        finite_vector("the offset", offset)?;
-        let shifted = self.tensor + point_mass(&mass, offset);
-        in_range("a shifted moment", &shifted)?;
-        Self::from_matrix(&shifted)
-    }
-
     /// The tensor about the centre of mass, given that this one is about a point from which the centre is
-    /// `offset` (m) away: the parallel-axis theorem backwards.
+    /// `offset` (m) away: the parallel-axis theorem backwards; forth goes
+    /// [`MassProperties::about`](crate::MassProperties::about).
     ///
     /// # Errors
     /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that
@@ -218,7 +205,7 @@ impl Inertia {
         let shifted = self.tensor - point_mass(&mass, offset);
         Self::rounded(&shifted, self.tensor.amax()).map_err(|error| {
             let source = Box::new(error);
-            Refusal::OffCentre { mass, distance: length(offset), source }.into()
+            TensorRefusal::OffCentre { mass, distance: length(offset), source }.into()
         })
     }
 
@@ -226,7 +213,7 @@ impl Inertia {
     ///
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
-    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+    pub fn turned(&self, attitude: UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
@@ -241,12 +228,17 @@ impl Inertia {
     }
 }
 
-/// As [`Inertia::from_matrix`].
+/// From the whole matrix, kg m². Mirrored entries may differ by rounding, as they do after `R I R^T`; then their mean
+/// is kept.
+///
+/// # Errors
+/// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below zero, or a
+/// tensor that no distribution of mass has.
 impl TryFrom<Matrix3<f64>> for Inertia {
     type Error = Error;
 
     fn try_from(tensor: Matrix3<f64>) -> Result<Self, Error> {
-        Self::from_matrix(&tensor)
+        Self::rounded(&tensor, 0.0)
     }
 }
 
@@ -269,6 +261,17 @@ fn in_range(what: &'static str, tensor: &Matrix3<f64>) -> Result<(), Error> {
         Some(&value) => Err(Refusal::OutOfRange { what, value }.into()),
         None => Ok(()),
     }
+}
+
+/// `matrix * vector`, infinite only where the result is beyond `f64`.
+pub(crate) fn product(matrix: &Matrix3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+    let plain = matrix * vector;
+    if plain.iter().all(|x| x.is_finite()) {
+        return plain;
+    }
+    let (a, b) = (exponent(matrix.amax()), exponent(vector.amax()));
+    let scaled = matrix.map(|x| times_power_of_two(x, -a)) * vector.map(|x| times_power_of_two(x, -b));
+    scaled.map(|x| times_power_of_two(x, a + b))
 }
 
 /// The length of a vector without overflow or underflow on the way.

@@ -58,22 +58,26 @@
 //! makes `L = I w` hold. Names end in `_body` or `_world` where it matters. What is given or returned along
 //! principal axes says so.
 //!
+//! Numbers, attitudes, tensors, moments, mass properties and choices such as [`Axis`] are given by value;
+//! vectors, matrices, states, bodies and systems by reference. The generic laws take all by reference, since
+//! their numbers may be large.
+//!
 //! # Many kinds of number
 //!
 //! The laws ([`dynamics::euler`], [`inertia::turned`], [`attitude::rate`], [`step::rk4`], the moments in
 //! [`solid`]) are generic over [`number::Ring`] or [`number::Field`]: the same functions run on `f64`, on
-//! exact rationals, on dual numbers, or on numbers that [count](number::counted) what a formula costs.
+//! exact rationals, on dual numbers, or on numbers that count what a formula costs.
 //!
 //! # Errors
 //!
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
-//! [kind](ErrorKind) for programs. No public function panics on any `f64`. The generic laws do what their
+//! [kind](ErrorKind) for programs. No public function panics on any `f64` or any count: what memory cannot
+//! hold is refused. The generic laws do what their
 //! numbers do: integers, say, overflow and divide by zero in their own way.
 //!
 //! # Features
 //!
-//! - `std`, on by default: without it the library needs only `core` and `alloc`; [`number::counted`] is left
-//!   out.
+//! - `std`, on by default: without it the library needs only `core` and `alloc`.
 //! - `serde`: reads and writes tensors, mass properties, bodies and states; what is read is checked.
 //!
 //! The library computes the same bits on every machine: its elementary functions are its own.
@@ -99,5 +103,5 @@ mod error;
 
 pub use body::{Body, Rate, State};
 pub use error::{Error, ErrorKind};
-pub use inertia::{Axis, Inertia, InverseInertia, PrincipalAxes, PrincipalMoments};
+pub use inertia::{Axis, Inertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

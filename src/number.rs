@@ -2,12 +2,10 @@
 //!
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
 //! [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64` and `f32`, exact
-//! rationals, dual numbers, or the counting number [`Counted`](crate::number::counted::Counted). Whatever
+//! rationals, dual numbers, or a number that counts what a formula costs. Whatever
 //! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64`
 //! at once.
 
-#[cfg(feature = "std")]
-pub mod counted;
 pub(crate) mod double_double;
 pub(crate) mod extended;
 pub(crate) mod functions;
@@ -15,7 +13,7 @@ mod lane;
 pub(crate) mod power_of_two;
 
 pub use lane::Lane;
-pub(crate) use lane::{Gather, gather_fields};
+pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two};
 
 use core::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};

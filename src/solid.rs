@@ -1,8 +1,8 @@
 //! Solids: from a shape to its mass, its centre, and how hard it is to turn.
 //!
 //! Each shape is checked when it is made; then [`Solid::with_mass`] or [`Solid::with_density`] gives its
-//! [`MassProperties`]. Next to each shape stands its formula, generic over the number type (such as
-//! [`cuboid_moments`]): the shape itself calls that very function. [`Compound`] puts parts together.
+//! [`MassProperties`]. The law of its moments is a [`Shape`]'s, generic over
+//! the number type: [`Solid::with_mass`] runs that very function. [`Compound`] puts parts together.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -22,7 +22,6 @@ mod cuboid;
 mod cylinder;
 mod disk;
 mod ellipsoid;
-mod hollow_sphere;
 mod mesh;
 mod plate;
 mod point_masses;
@@ -33,28 +32,24 @@ mod serial;
 mod shells;
 mod tetrahedron;
 mod topology;
-mod tube;
 
-pub use ball::{Ball, ball_moment};
-pub use capsule::{Capsule, capsule_moments};
+pub use ball::Ball;
+pub use capsule::Capsule;
 pub use compound::Compound;
-pub use cone::{Cone, cone_moments};
-pub use cuboid::{Cuboid, cuboid_moments};
-pub use cylinder::{Cylinder, cylinder_moments};
-pub use disk::{ThinDisk, disk_moments};
-pub use ellipsoid::{Ellipsoid, ellipsoid_moments};
-pub use hollow_sphere::{HollowSphere, hollow_sphere_moment};
-pub use mesh::{Mesh, MeshSums, mesh_moments, mesh_sums};
-pub use plate::{ThinPlate, plate_moments};
-pub use point_masses::{PointMasses, point_masses_moments};
+pub use cone::Cone;
+pub use cuboid::Cuboid;
+pub use cylinder::Cylinder;
+pub use disk::ThinDisk;
+pub use ellipsoid::Ellipsoid;
+pub use mesh::{Mesh, mesh_moments};
+pub use plate::ThinPlate;
 pub use properties::{MassMoments, MassProperties, combined};
-pub use rod::{ThinRod, rod_moments};
+pub use rod::ThinRod;
 pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
-pub use tube::{Tube, tube_moments};
 
-use crate::error::{Error, positive};
-use crate::number::Ring;
+use crate::error::{Error, Refusal, not_negative, positive};
 use crate::number::extended::Extended;
+use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
 
 /// A shape filled evenly with mass.
@@ -86,26 +81,41 @@ pub trait Solid {
     }
 }
 
-/// The properties of a shape whose centre is the origin and whose axes are principal.
-fn centred(mass: f64, law: impl FnOnce(&Extended) -> Vector3<Extended>) -> Result<MassProperties, Error> {
-    centred_at(Vector3::zeros(), mass, law)
+/// A shape whose moments follow from its sizes, by one law for every number type.
+pub trait Shape<const N: usize> {
+    /// Its principal moments about its centre, kg m², along its own axes, from its mass (kg) and its sizes (m) in the
+    /// order of its constructor; unchecked.
+    #[must_use]
+    fn moments<T: Field>(mass: &T, sizes: [&T; N]) -> Vector3<T>;
+}
+
+/// The properties of a shape with these sizes whose centre is the origin.
+fn centred<S: Shape<N>, const N: usize>(mass: f64, sizes: [f64; N]) -> Result<MassProperties, Error> {
+    centred_at::<S, N>(Vector3::zeros(), mass, sizes)
 }
 
 /// The same with its centre elsewhere.
-fn centred_at(
+fn centred_at<S: Shape<N>, const N: usize>(
     centre: Vector3<Extended>,
     mass: f64,
-    law: impl FnOnce(&Extended) -> Vector3<Extended>,
+    sizes: [f64; N],
 ) -> Result<MassProperties, Error> {
-    let mass = Extended::from(positive("the mass", mass)?);
-    let inertia = Matrix3::from_diagonal(&law(&mass));
+    let (mass, sizes) = (Extended::from(positive("the mass", mass)?), sizes.map(Extended::from));
+    let inertia = Matrix3::from_diagonal(&S::moments(&mass, sizes.each_ref()));
     MassMoments { mass, centre, inertia }.checked()
+}
+
+/// That these can be the radii of a hole and of the whole.
+fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
+    not_negative("the inner radius", inner)?;
+    positive("the outer radius", outer)?;
+    if inner <= outer {
+        return Ok(());
+    }
+    let (smaller, larger) = ("the inner radius", "the outer radius");
+    Err(Refusal::Order { smaller, small: inner, larger, large: outer }.into())
 }
 
 fn square<T: Ring>(x: &T) -> T {
     x.clone() * x.clone()
-}
-
-fn cube<T: Ring>(x: &T) -> T {
-    square(x) * x.clone()
 }

@@ -1,7 +1,7 @@
 //! What is written with serde is read back the same, and what no body has is not read.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::body::named;
+use tumbling::body::named::NamedBody;
 use tumbling::{Body, Inertia, MassProperties, State};
 
 fn there_and_back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + std::fmt::Debug>(
@@ -13,13 +13,13 @@ fn there_and_back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq 
 
 fn turned() -> Inertia {
     let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
-    Inertia::from_moments(0.003, 0.1, 0.102).unwrap().turned(&q).unwrap()
+    Inertia::from_moments(0.003, 0.1, 0.102).unwrap().turned(q).unwrap()
 }
 
 #[test]
 fn tensors_bodies_and_states_come_back_to_the_last_bit() {
     there_and_back(&turned());
-    for body in named::all() {
+    for body in NamedBody::ALL {
         there_and_back(&body.properties().unwrap());
     }
     let attitude = UnitQuaternion::from_euler_angles(-0.1, 2.0, 0.3);

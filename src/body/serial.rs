@@ -77,7 +77,7 @@ impl TryFrom<Instant> for State<f64> {
     fn try_from(instant: Instant) -> Result<Self, Error> {
         let momentum = Vector3::from(instant.momentum);
         finite_vector("the momentum", &momentum)?;
-        Ok(Self { attitude: attitude::checked(&instant.attitude.attitude())?.into_inner(), momentum })
+        Ok(Self { attitude: attitude::checked(instant.attitude.attitude())?.into_inner(), momentum })
     }
 }
 

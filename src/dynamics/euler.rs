@@ -24,7 +24,7 @@ pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T>
 }
 
 /// Angular acceleration `w'` along principal axes, rad/s²: `I1 w1' = (I2 - I3) w2 w3 + torque1` and so
-/// on round, divided by the moments.
+/// on round, divided by the moments (kg m²), for a spin in rad/s and a torque in N m along the same axes.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -68,18 +68,6 @@ impl<T: Lane> Batch<T> {
         Self { kinds: Kinds::new(motions, true) }
     }
 
-    /// The number of bodies.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.kinds.starts.len()
-    }
-
-    /// Whether it has no bodies.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// The memory it holds, bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
@@ -114,18 +102,6 @@ impl<T: Lane> Spins<T> {
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
         Self { kinds: Kinds::new(motions, false) }
-    }
-
-    /// The number of bodies.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.kinds.starts.len()
-    }
-
-    /// Whether it has no bodies.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// The memory it holds, bytes.

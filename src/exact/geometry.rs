@@ -2,13 +2,11 @@
 
 use super::{FreeMotion, Law, Regime};
 use crate::dynamics::stability::{Stability, of_spin};
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal};
 use crate::inertia::Axis;
 use crate::inertia::unit;
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::times_power_of_two;
-use alloc::vec;
-use alloc::vec::Vec;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 
@@ -21,7 +19,9 @@ impl FreeMotion {
         let greatest = match &self.law {
             Law::AtRest => 0.0,
             Law::Steady(turn) => times_power_of_two(turn.rate(), self.exponent),
-            Law::Symmetric(top) => top.greatest_spin(),
+            Law::Symmetric(top) => {
+                top.greatest_spin().max(times_power_of_two(top.precession(), self.exponent))
+            }
             Law::Elliptic(motion) => motion.greatest_spin(),
         };
         if (greatest * room).is_finite() {
@@ -134,7 +134,11 @@ impl FreeMotion {
             Law::AtRest | Law::Steady(_) => [atan2(off(axis), share[axis]); 2],
             Law::Symmetric(top) if top.axis() == axis => [atan2(off(axis), share[axis]); 2],
             Law::Symmetric(top) => swing(off(top.axis()), share[top.axis()].abs()),
-            Law::Elliptic(motion) => motion.angles(axis),
+            Law::Elliptic(motion) => {
+                // Where the two are nearly the same, each is rounded on its own.
+                let [a, b] = motion.angles(axis);
+                [a.min(b), a.max(b)]
+            }
         })
     }
 
@@ -146,7 +150,8 @@ impl FreeMotion {
     /// to the momentum, which is never undefined. After half a period the two small components of the spin
     /// have changed sign, so the body stands as at first but turned by half a turn about the circled axis,
     /// and then by the twist and half a turn about the momentum; after a whole period, by two twists about
-    /// the momentum.
+    /// the momentum. Divided by π it is the rotation number; where that is a ratio of integers, the motion in the
+    /// world closes.
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {
@@ -155,59 +160,4 @@ impl FreeMotion {
             Law::Elliptic(motion) => motion.twist_of_half_period(),
         }
     }
-
-    /// The rotation number: turns about the angular momentum in one whole period of the spin. Where it is a
-    /// ratio of integers, the motion in the world closes.
-    #[must_use]
-    pub fn rotation_number(&self) -> Option<f64> {
-        self.twist_of_half_period().map(|twist| twist / PI)
-    }
-
-    /// `count` points of the polhode, the curve that the spin's tip draws in the body: evenly spaced in time
-    /// over one period from the start (rad/s, in the axes of [`omega`](Self::omega)). One point where the
-    /// spin is constant, none on the separatrix, which has no period: use [`omega`](Self::omega) there.
-    ///
-    /// # Errors
-    /// A period beyond `f64`, or more points than there is memory for.
-    pub fn polhode(&self, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
-        match (self.period()?, self.regime()) {
-            (Some(period), _) => {
-                let step = period / (count.max(1) as f64);
-                points(count, |k| self.omega(step * k as f64))
-            }
-            (None, Regime::Separatrix { .. }) => Ok(Vec::new()),
-            (None, _) => Ok(vec![self.omega(0.0)?]),
-        }
-    }
-
-    /// `count` points of the herpolhode, the curve that the spin's tip draws in the world, on the plane
-    /// across the angular momentum: evenly spaced in time from the start over `duration` seconds, before it
-    /// if negative, both ends included (rad/s, world axes).
-    ///
-    /// # Errors
-    /// A duration that is not finite, a point beyond `f64`, or more points than there is memory for.
-    pub fn herpolhode(&self, duration: f64, count: usize) -> Result<Vec<Vector3<f64>>, Error> {
-        finite("the duration", duration)?;
-        let step = duration / (count.saturating_sub(1).max(1) as f64);
-        points(count, |k| {
-            let point = self.at(step * k as f64)?.omega_world();
-            match point.iter().find(|x| !x.is_finite()) {
-                Some(&value) => Err(Refusal::OutOfRange { what: "a point of the herpolhode", value }.into()),
-                None => Ok(point),
-            }
-        })
-    }
-}
-
-/// Requests the memory at once, so that more points than it holds are refused before the first is computed.
-fn points(
-    count: usize,
-    point: impl Fn(usize) -> Result<Vector3<f64>, Error>,
-) -> Result<Vec<Vector3<f64>>, Error> {
-    let mut points = Vec::new();
-    points.try_reserve_exact(count).map_err(|_| Refusal::TooMany { what: "points", count })?;
-    for k in 0..count {
-        points.push(point(k)?);
-    }
-    Ok(points)
 }

@@ -28,7 +28,7 @@ pub enum Regime {
     /// The spin is constant: about a principal axis, or any axis of a sphere, or one in the plane of two
     /// equal moments.
     Steady {
-        /// Angular speed, rad/s.
+        /// The length of the spin, rad/s, not below 0.
         speed: f64,
     },
     /// Two moments are equal and the spin is oblique: it circles the axis of symmetry at a constant rate,

@@ -70,7 +70,7 @@ impl FreeMotion {
     /// use tumbling::{Body, Inertia, exact::FreeMotion};
     /// // A CubeSat whose attitude is known to 1 mrad and whose spin is known to 0.1 mrad/s.
     /// let frame = UnitQuaternion::from_euler_angles(0.0, 0.1, 0.02);
-    /// let inertia = Inertia::from_moments(0.05, 0.03, 0.07)?.turned(&frame)?;
+    /// let inertia = Inertia::from_moments(0.05, 0.03, 0.07)?.turned(frame)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.01, -0.02, 0.03))?;
     /// let motion = FreeMotion::of(&body)?;
     /// let sigma = Vector6::new(1e-3, 1e-3, 1e-3, 1e-4, 1e-4, 1e-4);

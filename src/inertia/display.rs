@@ -1,6 +1,6 @@
 //! Tensors and axes as text.
 
-use super::{Axis, Inertia, InverseInertia, PrincipalAxes};
+use super::{Axis, Inertia, PrincipalAxes};
 use alloc::format;
 use alloc::string::String;
 use alloc::string::ToString as _;
@@ -30,13 +30,6 @@ fn table(matrix: &Matrix3<f64>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 impl fmt::Display for Inertia {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        table(&self.matrix(), f)
-    }
-}
-
-/// The matrix in 1/(kg m²), a row a line; a precision goes to each entry.
-impl fmt::Display for InverseInertia {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         table(&self.matrix(), f)
     }

@@ -1,62 +1,32 @@
 //! The inverse tensor, which takes momentum to spin.
 
-use super::{Inertia, in_range, is_diagonal, symmetrized, turned};
-use crate::error::{Error, Refusal};
+use super::{Inertia, in_range, is_diagonal};
+use crate::error::{Error, TensorRefusal};
 use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-
-/// The inverse of an inertia tensor, `w = J L`, in 1/(kg m²), from [`Inertia::inverse`].
-///
-/// ```
-/// use nalgebra::Vector3;
-/// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
-/// assert_eq!(inverse.omega(&Vector3::new(2.0, 2.0, 0.0)), Vector3::new(1.0, 0.5, 0.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InverseInertia {
-    matrix: Matrix3<f64>,
-}
-
-impl InverseInertia {
-    /// The matrix, 1/(kg m²).
-    #[must_use]
-    pub fn matrix(&self) -> Matrix3<f64> {
-        self.matrix
-    }
-
-    /// Angular velocity in rad/s from angular momentum in kg m²/s, both in this tensor's axes.
-    #[must_use]
-    pub fn omega(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
-        self.matrix * momentum
-    }
-
-    /// The inverse in axes turned by `attitude`: `R J R^T`.
-    ///
-    /// # Errors
-    /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
-    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
-        let rotation = crate::attitude::matrix(attitude)?;
-        let matrix = symmetrized(&turned(&rotation, &self.matrix));
-        in_range("an inverse moment", &matrix)?;
-        Ok(Self { matrix })
-    }
-}
+use nalgebra::Matrix3;
 
 impl Inertia {
-    /// The inverse, computed once, to be kept and turned instead of inverting at each step.
+    /// The inverse matrix `J` in 1/(kg m²), `w = J L`, along the same axes: to be computed once and turned, instead of
+    /// inverting at each step.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
+    /// assert_eq!(inverse * Vector3::new(2.0, 2.0, 0.0), Vector3::new(1.0, 0.5, 0.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
     ///
     /// # Errors
     /// A smallest moment that is zero to rounding (an ideal rod), or an inverse beyond `f64`.
-    pub fn inverse(&self) -> Result<InverseInertia, Error> {
+    pub fn inverse(&self) -> Result<Matrix3<f64>, Error> {
         let m = &self.tensor;
         let diagonal = is_diagonal(m);
         let moments = self.principal().moments();
         // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
         let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
         if moments[0] <= rounding {
-            return Err(Refusal::Singular { smallest: moments[0], largest: moments[2] }.into());
+            return Err(TensorRefusal::Singular { smallest: moments[0], largest: moments[2] }.into());
         }
         let inverse = if diagonal {
             Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
@@ -64,7 +34,7 @@ impl Inertia {
             adjugate_inverse(m)
         };
         in_range("an inverse moment", &inverse)?;
-        Ok(InverseInertia { matrix: inverse })
+        Ok(inverse)
     }
 }
 

@@ -16,8 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 /// ```
 /// use tumbling::{Axis, PrincipalMoments};
 /// let book = PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
-/// assert_eq!(book.axis(Axis::Middle), 0);
-/// assert_eq!(book.largest(), 13.0 / 12.0);
+/// assert_eq!(book[book.axis(Axis::Largest)], 13.0 / 12.0);
 /// let error = PrincipalMoments::new(1.0, 2.0, 3.5).unwrap_err();
 /// assert!(error.to_string().contains("by 0.5"));
 /// # Ok::<(), tumbling::Error>(())
@@ -74,14 +73,12 @@ impl PrincipalMoments {
     }
 
     /// The smallest, kg m².
-    #[must_use]
-    pub fn smallest(&self) -> f64 {
+    pub(crate) fn smallest(&self) -> f64 {
         self[self.axis(Axis::Smallest)]
     }
 
     /// The largest, kg m².
-    #[must_use]
-    pub fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         self[self.axis(Axis::Largest)]
     }
 

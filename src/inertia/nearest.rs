@@ -1,7 +1,7 @@
 //! The nearest moments that a body can have, for those whose digits were rounded.
 
 use super::ascending;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, TensorRefusal};
 use nalgebra::Vector3;
 
 /// A value that was moved to where it is possible, and how far.
@@ -46,7 +46,7 @@ pub(super) fn possible(moments: &Vector3<f64>) -> Vector3<f64> {
 
 /// `moved` if it is within the tolerance.
 pub(super) fn near_enough(moved: f64, tolerance: f64) -> Result<f64, Error> {
-    if moved <= tolerance { Ok(moved) } else { Err(Refusal::TooFar { moved, tolerance }.into()) }
+    if moved <= tolerance { Ok(moved) } else { Err(TensorRefusal::TooFar { moved, tolerance }.into()) }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
 use super::{Adjusted, Inertia, PrincipalAxes, in_range, is_diagonal, nearest, symmetrized, turned};
-use crate::error::{Error, ErrorKind, Refusal, finite, not_negative, positive};
+use crate::error::{Error, ErrorKind, Refusal, TensorRefusal, finite, not_negative, positive};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
@@ -38,17 +38,7 @@ impl Inertia {
         Ok(Self { tensor: symmetrized(&tensor) })
     }
 
-    /// From the whole matrix. Mirrored entries may differ by rounding, as they do after `R I R^T`; then
-    /// their mean is kept.
-    ///
-    /// # Errors
-    /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below
-    /// zero, or a tensor that no distribution of mass has.
-    pub fn from_matrix(tensor: &Matrix3<f64>) -> Result<Self, Error> {
-        Self::rounded(tensor, 0.0)
-    }
-
-    /// As [`from_matrix`](Self::from_matrix), of a tensor computed from entries of the size of `origin`,
+    /// The tensor with this matrix, computed from entries of the size of `origin`,
     /// whose rounding it carries.
     pub(super) fn rounded(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
         tensor.iter().zip(ENTRIES).try_for_each(|(&entry, what)| finite(what, entry).map(drop))?;
@@ -58,7 +48,9 @@ impl Inertia {
             let difference = (value - mirrored).abs();
             if difference > tolerance {
                 let printed = difference <= PRINTED * tensor.amax();
-                return Err(Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into());
+                return Err(
+                    TensorRefusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into()
+                );
             }
         }
         let tensor = symmetrized(tensor);
@@ -84,7 +76,7 @@ impl Inertia {
     /// The tensor nearest to one whose digits were rounded, as printed tables, files in single precision and
     /// other programs give it: symmetric, without a negative moment, and within the triangle inequality.
     ///
-    /// What [`from_matrix`](Self::from_matrix) takes is taken as there. Otherwise it is the tensor with the
+    /// What `try_from` takes is taken as there. Otherwise it is the tensor with the
     /// least distance in the Frobenius norm: mirrored entries get their mean, the principal axes stay, and
     /// the principal moments go to the nearest that a body can have. A flat body or a rod comes out where the
     /// given one was impossible.
@@ -97,7 +89,7 @@ impl Inertia {
     /// use tumbling::Inertia;
     /// // A flat panel with four digits: the largest moment exceeds the sum of the others by 7e-6.
     /// let printed = Matrix3::from_diagonal(&Vector3::new(0.003333, 0.01333, 0.01667));
-    /// assert!(Inertia::from_matrix(&printed).is_err());
+    /// assert!(Inertia::try_from(printed).is_err());
     /// let panel = Inertia::within(&printed, 1e-3)?;
     /// assert_eq!(format!("{:.1e}", panel.moved), "2.4e-4");
     /// assert_eq!(format!("{:.6}", panel.value.matrix().m33), "0.016668");
@@ -110,7 +102,7 @@ impl Inertia {
     /// farther away than the tolerance or zero, or moments beyond `f64`.
     pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
         not_negative("the relative tolerance", relative_tolerance)?;
-        let strict = Self::from_matrix(tensor);
+        let strict = Self::rounded(tensor, 0.0);
         if strict.as_ref().is_err_and(|error| error.kind() == ErrorKind::NotFinite) || tensor.amax() == 0.0 {
             return strict.map(|value| Adjusted { value, moved: 0.0 });
         }
@@ -133,7 +125,7 @@ impl Inertia {
             symmetrized(&(symmetric + turned(&principal.frame(), &Matrix3::from_diagonal(&change))))
         };
         let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
-        let value = Self::from_matrix(&adjusted.map(|x| times_power_of_two(x, scale)))?;
+        let value = Self::try_from(adjusted.map(|x| times_power_of_two(x, scale)))?;
         Ok(Adjusted { value, moved })
     }
 }
@@ -145,9 +137,13 @@ pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Res
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess > tolerance {
         let printed = excess <= PRINTED * moments[2];
-        return Err(
-            Refusal::TriangleInequality { moments: (*moments).into(), excess, tolerance, printed }.into()
-        );
+        return Err(TensorRefusal::TriangleInequality {
+            moments: (*moments).into(),
+            excess,
+            tolerance,
+            printed,
+        }
+        .into());
     }
     Ok(())
 }
@@ -156,7 +152,7 @@ fn not_below_zero(what: &'static str, value: f64, largest: f64, tolerance: f64) 
     if value >= -tolerance {
         return Ok(());
     }
-    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
+    Err(TensorRefusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
 }
 
 /// That the largest principal moment is a finite number: it can exceed every entry of the tensor.

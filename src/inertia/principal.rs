@@ -24,8 +24,7 @@ impl Axis {
     pub const ALL: [Self; 3] = [Self::Smallest, Self::Middle, Self::Largest];
 
     /// Its place among the sorted moments: 0, 1 or 2.
-    #[must_use]
-    pub const fn index(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         match self {
             Self::Smallest => 0,
             Self::Middle => 1,
@@ -56,14 +55,6 @@ impl PrincipalAxes {
         self.moments
     }
 
-    /// The moments as those of a body that can turn about each axis, smallest first.
-    ///
-    /// # Errors
-    /// A smallest moment that is not positive, such as that of an ideal rod.
-    pub fn principal_moments(&self) -> Result<PrincipalMoments, Error> {
-        PrincipalMoments::of_tensor(self.moments)
-    }
-
     /// The moment about `axis`, kg m².
     #[must_use]
     pub fn moment(&self, axis: Axis) -> f64 {
@@ -84,8 +75,7 @@ impl PrincipalAxes {
     }
 
     /// The same turn as [`frame`](Self::frame), as a unit quaternion.
-    #[must_use]
-    pub fn rotation(&self) -> UnitQuaternion<f64> {
+    pub(crate) fn rotation(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }
 
@@ -114,6 +104,18 @@ impl PrincipalAxes {
             frame: canonical_frame(&moments, &axes),
             moments: moments.map(|x| times_power_of_two(x, scale)),
         }
+    }
+}
+
+/// The moments as those of a body that can turn about each axis, smallest first.
+///
+/// # Errors
+/// A smallest moment that is not positive, such as that of an ideal rod.
+impl TryFrom<PrincipalAxes> for PrincipalMoments {
+    type Error = Error;
+
+    fn try_from(axes: PrincipalAxes) -> Result<Self, Error> {
+        Self::of_tensor(axes.moments)
     }
 }
 

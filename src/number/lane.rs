@@ -38,7 +38,7 @@ pub trait Lane:
     /// Yes or no in each lane.
     type Mask: Copy + Debug;
 
-    /// The number of lanes.
+    /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers so many bodies at once.
     const WIDTH: usize;
 
     /// The number that `of` gives for each lane.
@@ -49,7 +49,8 @@ pub trait Lane:
     #[must_use]
     fn lane(&self, k: usize) -> f64;
 
-    /// Whether it is less than `other`; no where either is not a number.
+    /// In each lane whether the number is less than that of `other`: false where either is NaN, and -0 is not less
+    /// than 0.
     #[must_use]
     fn lt(self, other: Self) -> Self::Mask;
 
@@ -61,11 +62,11 @@ pub trait Lane:
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// Without its sign.
+    /// The absolute value in each lane: the sign bit cleared, also of -0 and NaN.
     #[must_use]
     fn abs(self) -> Self;
 
-    /// 1 with its sign, that of zero too.
+    /// In each lane 1 or -1, by the sign bit: -1 for -0.
     #[must_use]
     fn sign(self) -> Self;
 
@@ -81,10 +82,6 @@ pub trait Lane:
     /// left off.
     #[must_use]
     fn two_product_error(self, other: Self, product: Self) -> Self;
-
-    /// Two to this power: an integer from -1022 to 1023.
-    #[must_use]
-    fn power_of_two(self) -> Self;
 
     /// The same number in every lane.
     #[must_use]
@@ -150,13 +147,14 @@ impl Lane for f64 {
     fn two_product_error(self, other: Self, product: Self) -> Self {
         Float::mul_add(self, other, -product)
     }
+}
 
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        // The exponent's bits are the last of a number that large.
-        const SHIFT: f64 = 4_503_599_627_370_496.0 + 1023.0;
-        Self::from_bits((self + SHIFT).to_bits() << 52)
-    }
+/// Two to this power in each lane: an integer from -1022 to 1023.
+#[inline(always)]
+pub(crate) fn power_of_two<T: Lane>(power: T) -> T {
+    // The exponent's bits are the last of a number that large.
+    const SHIFT: f64 = 4_503_599_627_370_496.0 + 1023.0;
+    T::from_lanes(|k| f64::from_bits((power.lane(k) + SHIFT).to_bits() << 52))
 }
 
 /// Lanes from as many single numbers: of one, or of all those of a structure.
@@ -202,3 +200,15 @@ macro_rules! gather_fields {
     };
 }
 pub(crate) use gather_fields;
+
+#[cfg(test)]
+mod tests {
+    use super::power_of_two;
+
+    #[test]
+    fn powers_of_two_are_exact_over_the_whole_range() {
+        for n in [-1022, -1, 0, 1, 1023] {
+            assert_eq!(power_of_two(f64::from(n)), 2_f64.powi(n));
+        }
+    }
+}

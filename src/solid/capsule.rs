@@ -1,38 +1,11 @@
 //! A capsule: a cylinder capped by two half balls.
 
-use super::{MassProperties, Solid, centred, square};
+use super::{MassProperties, Shape, Solid, centred, square};
 use crate::error::{Error, not_negative, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
-
-/// The moments of a capsule about its centre: a cylinder of length `l` and two half balls, axis along z.
-///
-/// The volumes are as `3l` to `4r`, which shares out the mass. The cylinder adds `m (3r² + l²)/12` across and
-/// `m r²/2` along. The half balls together add `2/5 m r²` along; across, the parallel-axis theorem applied
-/// to each, whose centre is `3r/8` from its flat side, comes to `m (2/5 r² + 3/8 l r + l²/4)`.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// // l = 4, r = 1: 3 parts cylinder, 1 part caps.
-/// let moments = tumbling::solid::capsule_moments(&4.0, &1.0, &4.0);
-/// let across = 3.0 * (3.0 + 16.0) / 12.0 + (0.4 + 1.5 + 4.0);
-/// assert_eq!(moments, Vector3::new(across, across, 1.5 + 0.4));
-/// ```
-#[must_use]
-pub fn capsule_moments<T: Field>(mass: &T, radius: &T, length: &T) -> Vector3<T> {
-    let n = T::integer;
-    let (middle, caps) = (n(3) * length.clone(), n(4) * radius.clone());
-    let whole = middle.clone() + caps.clone();
-    let cylinder = super::cylinder_moments(&(mass.clone() * middle / whole.clone()), radius, length);
-    let caps = mass.clone() * caps / whole;
-    let (rr, ll) = (square(radius), square(length));
-    let lr = length.clone() * radius.clone();
-    let round = n(2) * rr / n(5);
-    let across = caps.clone() * (round.clone() + n(3) * lr / n(8) + ll / n(4));
-    cylinder + Vector3::new(across.clone(), across, caps * round)
-}
 
 /// A capsule with its axis along z, centred at the origin. A cylindrical part of length 0 leaves a ball.
 ///
@@ -59,17 +32,34 @@ impl Capsule {
         not_negative("the length", length)?;
         Ok(Self { radius, length })
     }
+}
 
-    /// The radius, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// The length of the cylindrical part, m.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.length
+impl Shape<2> for Capsule {
+    /// The moments of a capsule about its centre: a cylinder of length `l` and two half balls, axis along z.
+    ///
+    /// The volumes are as `3l` to `4r`, which shares out the mass. The cylinder adds `m (3r² + l²)/12` across and
+    /// `m r²/2` along. The half balls together add `2/5 m r²` along; across, the parallel-axis theorem applied
+    /// to each, whose centre is `3r/8` from its flat side, comes to `m (2/5 r² + 3/8 l r + l²/4)`.
+    ///
+    /// ```
+    /// use tumbling::solid::{Capsule, Shape};
+    /// use nalgebra::Vector3;
+    /// // l = 4, r = 1: 3 parts cylinder, 1 part caps.
+    /// let moments = Capsule::moments(&4.0, [&1.0, &4.0]);
+    /// let across = 3.0 * (3.0 + 16.0) / 12.0 + (0.4 + 1.5 + 4.0);
+    /// assert_eq!(moments, Vector3::new(across, across, 1.5 + 0.4));
+    /// ```
+    fn moments<T: Field>(mass: &T, [radius, length]: [&T; 2]) -> Vector3<T> {
+        let n = T::integer;
+        let (middle, caps) = (n(3) * length.clone(), n(4) * radius.clone());
+        let whole = middle.clone() + caps.clone();
+        let cylinder = super::Cylinder::moments(&(mass.clone() * middle / whole.clone()), [radius, length]);
+        let caps = mass.clone() * caps / whole;
+        let (rr, ll) = (square(radius), square(length));
+        let lr = length.clone() * radius.clone();
+        let round = n(2) * rr / n(5);
+        let across = caps.clone() * (round.clone() + n(3) * lr / n(8) + ll / n(4));
+        cylinder + Vector3::new(across.clone(), across, caps * round)
     }
 }
 
@@ -81,7 +71,6 @@ impl Solid for Capsule {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (r, l) = (Extended::from(self.radius), Extended::from(self.length));
-        centred(mass, |m| capsule_moments(m, &r, &l))
+        centred::<Self, 2>(mass, [self.radius, self.length])
     }
 }

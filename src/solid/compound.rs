@@ -1,14 +1,14 @@
 //! Compounds: parts placed and turned, held rigidly together.
 
-use super::MassProperties;
+use super::properties::combined_about_heaviest;
+use super::{MassMoments, MassProperties};
 use crate::error::Error;
 use alloc::vec::Vec;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 
 /// A body made of parts, each put in its place.
 ///
-/// Parts may touch or overlap; where they overlap, the masses add. A part's place is where the origin of its
-/// own axes goes, after it has been turned about that origin.
+/// Parts may touch or overlap; where they overlap, the masses add.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -18,9 +18,9 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// let rod = ThinRod::new(6.0)?.with_mass(1.0)?;
 /// let ball = Ball::new(0.5)?.with_mass(10.0)?;
 /// let dumbbell = Compound::new()
-///     .at(rod, Vector3::zeros())
-///     .at(ball, Vector3::new(0.0, 0.0, 3.0))
-///     .at(ball, Vector3::new(0.0, 0.0, -3.0))
+///     .at(rod, &Vector3::zeros())
+///     .at(ball, &Vector3::new(0.0, 0.0, 3.0))
+///     .at(ball, &Vector3::new(0.0, 0.0, -3.0))
 ///     .properties()?;
 /// assert_eq!(dumbbell.mass(), 21.0);
 /// // About x: the rod's 3, and for each ball its own 1 and its 10 * 3^2.
@@ -29,46 +29,35 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Compound {
-    parts: Vec<(MassProperties, Vector3<f64>, UnitQuaternion<f64>)>,
+    parts: Vec<(MassProperties, Vector3<f64>)>,
 }
 
 impl Compound {
-    /// A compound without parts, to which [`at`](Self::at) and [`with`](Self::with) add them.
+    /// A compound without parts, to which [`at`](Self::at) adds them.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a part, turned by `attitude` (part to compound) about its own origin, which is then put at
-    /// `position` (m).
+    /// Adds a part with its own origin at `position` (m). One that is to be turned is
+    /// [turned](MassProperties::turned) before, about that origin.
     #[must_use]
-    pub fn with(
-        mut self,
-        part: MassProperties,
-        position: Vector3<f64>,
-        attitude: UnitQuaternion<f64>,
-    ) -> Self {
-        self.parts.push((part, position, attitude));
+    pub fn at(mut self, part: MassProperties, position: &Vector3<f64>) -> Self {
+        self.parts.push((part, *position));
         self
     }
 
-    /// Adds a part that is not turned, with its own origin at `position` (m).
-    #[must_use]
-    pub fn at(self, part: MassProperties, position: Vector3<f64>) -> Self {
-        self.with(part, position, UnitQuaternion::identity())
-    }
-
-    /// The whole's mass, centre and inertia.
+    /// The whole's mass, centre and inertia, by the parallel-axis theorem. Distances are taken from the heaviest part,
+    /// so that a body far from the origin keeps its digits.
     ///
     /// # Errors
-    /// No parts; a position that is not finite or an attitude not of length 1, with the part's number; or a
-    /// result that `f64` does not hold.
+    /// No parts; a position that is not finite, with the part's number; or a result that `f64` does not hold.
     pub fn properties(&self) -> Result<MassProperties, Error> {
         let mut placed = Vec::with_capacity(self.parts.len());
-        for (index, (part, position, attitude)) in self.parts.iter().enumerate() {
-            let put = part.turned(attitude).and_then(|p| p.moved(position));
-            placed.push(put.map_err(|e| e.of_part(index))?);
+        for (index, (part, position)) in self.parts.iter().enumerate() {
+            placed.push(part.moved(position).map_err(|e| e.of_part(index))?);
         }
-        MassProperties::combine(&placed)
+        let wide: Vec<_> = placed.iter().map(|&part| MassMoments::from(part)).collect();
+        combined_about_heaviest(&wide, placed.iter().map(MassProperties::mass), "parts")?.checked()
     }
 }

@@ -1,29 +1,12 @@
 //! A full cone.
 
-use super::{MassProperties, Solid, centred_at, square};
+use super::{MassProperties, Shape, Solid, centred_at, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 use num_traits::Zero;
-
-/// The moments of a full cone about its centre of mass: `3/80 m (4r² + h²)` across, `3/10 m r²` along its
-/// axis, z. Source:
-/// [LL76](crate::references), section 32, problem 2e.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// let moments = tumbling::solid::cone_moments(&80.0, &1.0, &4.0);
-/// assert_eq!(moments, Vector3::new(60.0, 60.0, 24.0));
-/// ```
-#[must_use]
-pub fn cone_moments<T: Field>(mass: &T, radius: &T, height: &T) -> Vector3<T> {
-    let rr = square(radius);
-    let three_m = T::integer(3) * mass.clone();
-    let across = three_m.clone() * (T::integer(4) * rr.clone() + square(height)) / T::integer(80);
-    Vector3::new(across.clone(), across, three_m * rr / T::integer(10))
-}
 
 /// A full cone: its base in the plane z = 0 around the origin, its tip at `z = height`. Its centre of mass
 /// is a quarter of the way up.
@@ -52,17 +35,24 @@ impl Cone {
         positive("the height", height)?;
         Ok(Self { radius, height })
     }
+}
 
-    /// The radius of the base, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// The height, m.
-    #[must_use]
-    pub fn height(&self) -> f64 {
-        self.height
+impl Shape<2> for Cone {
+    /// The moments of a full cone about its centre of mass: `3/80 m (4r² + h²)` across, `3/10 m r²` along its
+    /// axis, z. Source:
+    /// [LL76](crate::references), section 32, problem 2e.
+    ///
+    /// ```
+    /// use tumbling::solid::{Cone, Shape};
+    /// use nalgebra::Vector3;
+    /// let moments = Cone::moments(&80.0, [&1.0, &4.0]);
+    /// assert_eq!(moments, Vector3::new(60.0, 60.0, 24.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, [radius, height]: [&T; 2]) -> Vector3<T> {
+        let rr = square(radius);
+        let three_m = T::integer(3) * mass.clone();
+        let across = three_m.clone() * (T::integer(4) * rr.clone() + square(height)) / T::integer(80);
+        Vector3::new(across.clone(), across, three_m * rr / T::integer(10))
     }
 }
 
@@ -73,8 +63,8 @@ impl Solid for Cone {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
-        let centre = Vector3::new(Extended::zero(), Extended::zero(), h / Extended::from(4.0));
-        centred_at(centre, mass, |m| cone_moments(m, &r, &h))
+        let up = Extended::from(self.height) / Extended::from(4.0);
+        let centre = Vector3::new(Extended::zero(), Extended::zero(), up);
+        centred_at::<Self, 2>(centre, mass, [self.radius, self.height])
     }
 }

@@ -1,25 +1,10 @@
 //! A box with three different edges: the book's first body.
 
-use super::{MassProperties, Solid, centred, square};
+use super::{MassProperties, Shape, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
-
-/// The moments of a box about its centre: `m/12 (b² + c²)` and cyclically. Source:
-/// [LL76](crate::references), section 32, problem 2d.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// let moments = tumbling::solid::cuboid_moments(&12.0, &2.0, &1.0, &3.0);
-/// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
-/// ```
-#[must_use]
-pub fn cuboid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
-    let twelfth = mass.clone() / T::integer(12);
-    let (aa, bb, cc) = (square(a), square(b), square(c));
-    Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * twelfth
-}
 
 /// A box with edges `a` along x, `b` along y and `c` along z, centred at the origin.
 ///
@@ -48,11 +33,22 @@ impl Cuboid {
         positive("the edge along z", c)?;
         Ok(Self { edges: [a, b, c] })
     }
+}
 
-    /// The edges along x, y and z, m.
-    #[must_use]
-    pub fn edges(&self) -> [f64; 3] {
-        self.edges
+impl Shape<3> for Cuboid {
+    /// The moments of a box about its centre: `m/12 (b² + c²)` and cyclically. Source:
+    /// [LL76](crate::references), section 32, problem 2d.
+    ///
+    /// ```
+    /// use tumbling::solid::{Cuboid, Shape};
+    /// use nalgebra::Vector3;
+    /// let moments = Cuboid::moments(&12.0, [&2.0, &1.0, &3.0]);
+    /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, [a, b, c]: [&T; 3]) -> Vector3<T> {
+        let twelfth = mass.clone() / T::integer(12);
+        let (aa, bb, cc) = (square(a), square(b), square(c));
+        Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * twelfth
     }
 }
 
@@ -63,7 +59,6 @@ impl Solid for Cuboid {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b, c] = self.edges.map(Extended::from);
-        centred(mass, |m| cuboid_moments(m, &a, &b, &c))
+        centred::<Self, 3>(mass, self.edges)
     }
 }

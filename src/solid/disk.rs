@@ -1,24 +1,11 @@
 //! An ideal round disk, without thickness.
 
-use super::{MassProperties, Solid, centred, square};
+use super::{MassProperties, Shape, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
-
-/// The moments of a thin disk in the xy plane about its centre: `m r²/4` across, `m r²/2` about z.
-/// A cylinder without height: [LL76](crate::references), section 32, problem 2c.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// assert_eq!(tumbling::solid::disk_moments(&3.0, &2.0), Vector3::new(3.0, 3.0, 6.0));
-/// ```
-#[must_use]
-pub fn disk_moments<T: Field>(mass: &T, radius: &T) -> Vector3<T> {
-    let across = mass.clone() * square(radius) / T::integer(4);
-    Vector3::new(across.clone(), across.clone(), across.clone() + across)
-}
 
 /// An ideal thin disk in the xy plane, centred at the origin.
 ///
@@ -43,11 +30,20 @@ impl ThinDisk {
     pub fn new(radius: f64) -> Result<Self, Error> {
         Ok(Self { radius: positive("the radius", radius)? })
     }
+}
 
-    /// The radius, m.
-    #[must_use]
-    pub fn radius(&self) -> f64 {
-        self.radius
+impl Shape<1> for ThinDisk {
+    /// The moments of a thin disk in the xy plane about its centre: `m r²/4` across, `m r²/2` about z.
+    /// A cylinder without height: [LL76](crate::references), section 32, problem 2c.
+    ///
+    /// ```
+    /// use tumbling::solid::{ThinDisk, Shape};
+    /// use nalgebra::Vector3;
+    /// assert_eq!(ThinDisk::moments(&3.0, [&2.0]), Vector3::new(3.0, 3.0, 6.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, [radius]: [&T; 1]) -> Vector3<T> {
+        let across = mass.clone() * square(radius) / T::integer(4);
+        Vector3::new(across.clone(), across.clone(), across.clone() + across)
     }
 }
 
@@ -58,7 +54,6 @@ impl Solid for ThinDisk {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let r = Extended::from(self.radius);
-        centred(mass, |m| disk_moments(m, &r))
+        centred::<Self, 1>(mass, [self.radius])
     }
 }

@@ -1,26 +1,11 @@
 //! An ellipsoid with three semi-axes.
 
-use super::{MassProperties, Solid, centred, square};
+use super::{MassProperties, Shape, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
-
-/// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and cyclically. Source:
-/// [LL76](crate::references), section 32, problem 2f.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// let moments = tumbling::solid::ellipsoid_moments(&5.0, &2.0, &1.0, &3.0);
-/// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
-/// ```
-#[must_use]
-pub fn ellipsoid_moments<T: Field>(mass: &T, a: &T, b: &T, c: &T) -> Vector3<T> {
-    let fifth = mass.clone() / T::integer(5);
-    let (aa, bb, cc) = (square(a), square(b), square(c));
-    Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * fifth
-}
 
 /// A full ellipsoid with semi-axes `a` along x, `b` along y and `c` along z, centred at the origin.
 ///
@@ -48,11 +33,22 @@ impl Ellipsoid {
         positive("the semi-axis along z", c)?;
         Ok(Self { semi_axes: [a, b, c] })
     }
+}
 
-    /// The semi-axes along x, y and z, m.
-    #[must_use]
-    pub fn semi_axes(&self) -> [f64; 3] {
-        self.semi_axes
+impl Shape<3> for Ellipsoid {
+    /// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and cyclically. Source:
+    /// [LL76](crate::references), section 32, problem 2f.
+    ///
+    /// ```
+    /// use tumbling::solid::{Ellipsoid, Shape};
+    /// use nalgebra::Vector3;
+    /// let moments = Ellipsoid::moments(&5.0, [&2.0, &1.0, &3.0]);
+    /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, [a, b, c]: [&T; 3]) -> Vector3<T> {
+        let fifth = mass.clone() / T::integer(5);
+        let (aa, bb, cc) = (square(a), square(b), square(c));
+        Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * fifth
     }
 }
 
@@ -64,7 +60,6 @@ impl Solid for Ellipsoid {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b, c] = self.semi_axes.map(Extended::from);
-        centred(mass, |m| ellipsoid_moments(m, &a, &b, &c))
+        centred::<Self, 3>(mass, self.semi_axes)
     }
 }

@@ -1,12 +1,12 @@
 //! Any solid bounded by triangles, by the divergence theorem.
 //!
 //! Each face and a reference point span a tetrahedron, counted negative where the face looks towards the
-//! point; together they fill the solid. The sums over them are polynomials in the coordinates, so
-//! [`mesh_sums`] needs no division. Source: [Ebe02](crate::references).
+//! point; together they fill the solid. The sums over them are polynomials in the coordinates, and only
+//! what is made of them takes divisions. Source: [Ebe02](crate::references).
 
 use super::tetrahedron::{determinant, triple};
 use super::{MassMoments, MassProperties, Solid, shells, topology};
-use crate::error::{Error, Refusal, finite_vector, positive};
+use crate::error::{Error, MeshRefusal, Refusal, TensorRefusal, finite_vector, positive};
 use crate::inertia::PrincipalAxes;
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
@@ -15,33 +15,21 @@ use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 
-/// What [`mesh_sums`] adds up, about its reference point `p`: integer multiples of integrals over the solid.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MeshSums<T: Ring> {
+/// Integer multiples of integrals over a solid, about a reference point `p`.
+struct MeshSums<T: Ring> {
     /// Six times the volume.
-    pub six_volumes: T,
+    six_volumes: T,
     /// 24 times the integral of `x - p`.
-    pub first: Vector3<T>,
+    first: Vector3<T>,
     /// 120 times the integral of `(x - p)(x - p)^T`.
-    pub second: Matrix3<T>,
+    second: Matrix3<T>,
 }
 
 /// The sums over the tetrahedra between each triangle and `reference`, without a division.
 ///
 /// A tetrahedron from the origin to `a`, `b`, `c` has `6 V = a . (b x c)`; its first moments are
 /// `V/4 s` and its second `V/20 (a a^T + b b^T + c c^T + s s^T)`, with `s = a + b + c`.
-///
-/// ```
-/// use nalgebra::{Matrix3, Vector3};
-/// let [o, a, b, c] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Vector3::from);
-/// let corner = [[&o, &b, &a], [&o, &c, &b], [&o, &a, &c], [&a, &b, &c]];
-/// let sums = tumbling::solid::mesh_sums(corner, &o);
-/// assert_eq!(sums.six_volumes, 1);
-/// assert_eq!(sums.first, Vector3::new(1, 1, 1));
-/// assert_eq!(sums.second, Matrix3::new(2, 1, 1, 1, 2, 1, 1, 1, 2));
-/// ```
-#[must_use]
-pub fn mesh_sums<'a, T: Ring>(
+fn mesh_sums<'a, T: Ring>(
     triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
     reference: &Vector3<T>,
 ) -> MeshSums<T> {
@@ -61,19 +49,24 @@ pub fn mesh_sums<'a, T: Ring>(
     sums
 }
 
-/// Volume, centre and inertia about the centre for density 1, from the sums about `reference`.
+/// Volume, centre and inertia about the centre, for density 1, of the solid that the triangles bound: by tetrahedra
+/// between each of them and `reference`, whose choice changes nothing in exact numbers.
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::solid::{mesh_moments, mesh_sums};
+/// use tumbling::solid::mesh_moments;
 /// let [o, a, b, c] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
 /// let corner = [[&o, &b, &a], [&o, &c, &b], [&o, &a, &c], [&a, &b, &c]];
-/// let solid = mesh_moments(&mesh_sums(corner, &o), &o);
+/// let solid = mesh_moments(corner, &o);
 /// assert_eq!(solid.mass, 16.0);
 /// assert_eq!(solid.centre, Vector3::new(1.0, 1.0, 1.5));
 /// ```
 #[must_use]
-pub fn mesh_moments<T: Field>(sums: &MeshSums<T>, reference: &Vector3<T>) -> MassMoments<T> {
+pub fn mesh_moments<'a, T: Field>(
+    triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
+    reference: &Vector3<T>,
+) -> MassMoments<T> {
+    let sums = mesh_sums(triangles, reference);
     let n = T::integer;
     let mass = sums.six_volumes.clone() / n(6);
     let middle = sums.first.map(|x| x / (n(4) * sums.six_volumes.clone()));
@@ -122,8 +115,6 @@ fn spanned<T: Ring, M>(
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    vertices: Vec<Vector3<f64>>,
-    faces: Vec<[usize; 3]>,
     /// For density 1.
     moments: MassMoments<Extended>,
 }
@@ -152,22 +143,10 @@ impl Mesh {
         enclosed(triangles(), &near)?;
         shells::check(&wide, faces, &shell)?;
         // Once to find the centre; again about the centre, where the least cancels.
-        let rough = mesh_moments(&mesh_sums(triangles(), &near), &near);
-        let moments = mesh_moments(&mesh_sums(triangles(), &rough.centre), &rough.centre);
+        let rough = mesh_moments(triangles(), &near);
+        let moments = mesh_moments(triangles(), &rough.centre);
         possible(&moments.inertia, faces.len())?;
-        Ok(Self { vertices: vertices.to_vec(), faces: faces.to_vec(), moments })
-    }
-
-    /// The vertices, m.
-    #[must_use]
-    pub fn vertices(&self) -> &[Vector3<f64>] {
-        &self.vertices
-    }
-
-    /// The faces: three vertex numbers each.
-    #[must_use]
-    pub fn faces(&self) -> &[[usize; 3]] {
-        &self.faces
+        Ok(Self { moments })
     }
 }
 
@@ -215,7 +194,7 @@ fn enclosed<'a>(
         return Ok(());
     }
     let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-    Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
+    Err(MeshRefusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
@@ -232,7 +211,7 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
     }
     let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
-    Err(Refusal::TriangleInequality {
+    Err(TensorRefusal::TriangleInequality {
         moments,
         excess: size(excess),
         tolerance: size(tolerance),

@@ -1,25 +1,10 @@
 //! An ideal rectangular plate, without thickness.
 
-use super::{MassProperties, Solid, centred, square};
+use super::{MassProperties, Shape, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
-
-/// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about
-/// z, as for everything flat.
-/// A box without thickness: [LL76](crate::references), section 32, problem 2d.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// assert_eq!(tumbling::solid::plate_moments(&12.0, &2.0, &3.0), Vector3::new(9.0, 4.0, 13.0));
-/// ```
-#[must_use]
-pub fn plate_moments<T: Field>(mass: &T, a: &T, b: &T) -> Vector3<T> {
-    let about = |edge: &T| mass.clone() * square(edge) / T::integer(12);
-    let (x, y) = (about(b), about(a));
-    Vector3::new(x.clone(), y.clone(), x + y)
-}
 
 /// An ideal thin plate in the xy plane, `a` along x and `b` along y, centred at the origin.
 ///
@@ -47,11 +32,22 @@ impl ThinPlate {
         positive("the edge along y", b)?;
         Ok(Self { edges: [a, b] })
     }
+}
 
-    /// The edges along x and y, m.
-    #[must_use]
-    pub fn edges(&self) -> [f64; 2] {
-        self.edges
+impl Shape<2> for ThinPlate {
+    /// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about
+    /// z, as for everything flat.
+    /// A box without thickness: [LL76](crate::references), section 32, problem 2d.
+    ///
+    /// ```
+    /// use tumbling::solid::{ThinPlate, Shape};
+    /// use nalgebra::Vector3;
+    /// assert_eq!(ThinPlate::moments(&12.0, [&2.0, &3.0]), Vector3::new(9.0, 4.0, 13.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, [a, b]: [&T; 2]) -> Vector3<T> {
+        let about = |edge: &T| mass.clone() * square(edge) / T::integer(12);
+        let (x, y) = (about(b), about(a));
+        Vector3::new(x.clone(), y.clone(), x + y)
     }
 }
 
@@ -63,7 +59,6 @@ impl Solid for ThinPlate {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let [a, b] = self.edges.map(Extended::from);
-        centred(mass, |m| plate_moments(m, &a, &b))
+        centred::<Self, 2>(mass, self.edges)
     }
 }

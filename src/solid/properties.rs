@@ -4,7 +4,6 @@ use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
-use alloc::vec::Vec;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// Mass, centre and inertia tensor about the centre, over any number type: what the generic laws take and
@@ -52,25 +51,6 @@ pub fn combined<T: Field>(parts: &[MassMoments<T>], reference: &Vector3<T>) -> M
     MassMoments { mass, centre: reference + middle, inertia }
 }
 
-impl<T: Ring> MassMoments<T> {
-    /// The same in another number type.
-    ///
-    /// ```
-    /// # use tumbling::solid::{Ball, MassMoments, Solid};
-    /// let ball = MassMoments::from(Ball::new(0.5)?.with_mass(10.0)?);
-    /// assert_eq!(ball.map(|x| *x as f32).inertia[(2, 2)], 1.0_f32);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    #[must_use]
-    pub fn map<U: Ring>(&self, number: impl Fn(&T) -> U) -> MassMoments<U> {
-        MassMoments {
-            mass: number(&self.mass),
-            centre: self.centre.map(|x| number(&x)),
-            inertia: self.inertia.map(|x| number(&x)),
-        }
-    }
-}
-
 impl MassMoments<Extended> {
     /// As `f64`, if that can hold it.
     pub(crate) fn checked(&self) -> Result<MassProperties, Error> {
@@ -96,15 +76,22 @@ impl From<MassProperties> for MassMoments<f64> {
     }
 }
 
+impl From<MassProperties> for MassMoments<Extended> {
+    fn from(p: MassProperties) -> Self {
+        let (centre, tensor) = (p.centre.map(Extended::from), p.inertia.matrix());
+        Self { mass: p.mass.into(), centre, inertia: tensor.map(Extended::from) }
+    }
+}
+
 /// A body's mass, centre of mass, and inertia tensor about that centre, in the axes of the solid.
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::solid::{Cuboid, MassProperties, Solid};
+/// use tumbling::solid::{Compound, Cuboid, Solid};
 ///
 /// // Two bricks of 1 x 2 x 3, side by side along x, are one of 2 x 2 x 3.
 /// let brick = Cuboid::new(1.0, 2.0, 3.0)?.with_density(2.0)?;
-/// let pair = MassProperties::combine(&[brick, brick.moved(&Vector3::new(1.0, 0.0, 0.0))?])?;
+/// let pair = Compound::new().at(brick, &Vector3::zeros()).at(brick, &Vector3::new(1.0, 0.0, 0.0)).properties()?;
 /// let whole = Cuboid::new(2.0, 2.0, 3.0)?.with_density(2.0)?;
 /// assert_eq!(pair.mass(), 24.0);
 /// assert_eq!(pair.centre(), Vector3::new(0.5, 0.0, 0.0));
@@ -128,10 +115,10 @@ impl MassProperties {
     ///
     /// # Errors
     /// A mass that is not finite and positive, or a centre that is not finite.
-    pub fn new(mass: f64, centre: Vector3<f64>, inertia: Inertia) -> Result<Self, Error> {
+    pub fn new(mass: f64, centre: &Vector3<f64>, inertia: Inertia) -> Result<Self, Error> {
         positive("the mass", mass)?;
-        finite_vector("the centre of mass", &centre)?;
-        Ok(Self { mass, centre, inertia })
+        finite_vector("the centre of mass", centre)?;
+        Ok(Self { mass, centre: *centre, inertia })
     }
 
     /// The mass, kg.
@@ -153,10 +140,7 @@ impl MassProperties {
     }
 
     /// The same body carried along by `offset` (m).
-    ///
-    /// # Errors
-    /// An offset that is not finite, or a centre beyond `f64`.
-    pub fn moved(&self, offset: &Vector3<f64>) -> Result<Self, Error> {
+    pub(super) fn moved(&self, offset: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the offset", offset)?;
         let centre = self.centre + offset;
         match centre.iter().find(|x| !x.is_finite()) {
@@ -176,13 +160,13 @@ impl MassProperties {
     ///
     /// // A cone that stood on the xy plane now points along x.
     /// let quarter = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
-    /// let lying = Cone::new(1.0, 4.0)?.with_mass(1.0)?.turned(&quarter)?;
+    /// let lying = Cone::new(1.0, 4.0)?.with_mass(1.0)?.turned(quarter)?;
     /// assert!((lying.centre() - Vector3::new(1.0, 0.0, 0.0)).norm() < 1e-15);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
-    pub fn turned(&self, attitude: &UnitQuaternion<f64>) -> Result<Self, Error> {
+    pub fn turned(&self, attitude: UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::attitude::matrix(attitude)?.map(Extended::from);
-        let wide = MassMoments::from(*self).map(|x| Extended::from(*x));
+        let wide = MassMoments::<Extended>::from(*self);
         let m = turned(&rotation, &wide.inertia);
         // Mirrored entries differ by rounding: keep their mean.
         let inertia = (m + m.transpose()).map(|x| x / Extended::from(2.0));
@@ -206,26 +190,15 @@ impl MassProperties {
     /// ```
     pub fn about(&self, point: &Vector3<f64>) -> Result<Inertia, Error> {
         finite_vector("the point", point)?;
-        let mut wide = MassMoments::from(*self).map(|x| Extended::from(*x));
+        let mut wide = MassMoments::<Extended>::from(*self);
         let offset = point.map(Extended::from) - wide.centre;
         wide.inertia += point_mass(&wide.mass, &offset);
         Ok(wide.checked()?.inertia)
     }
-
-    /// Several parts as one body, by the parallel-axis theorem.
-    ///
-    /// Distances are taken from the heaviest part, so that a body far from the origin keeps its digits.
-    ///
-    /// # Errors
-    /// No parts, or a result that `f64` does not hold.
-    pub fn combine(parts: &[Self]) -> Result<Self, Error> {
-        let wide: Vec<_> = parts.iter().map(|p| MassMoments::from(*p).map(|x| Extended::from(*x))).collect();
-        combine_about_heaviest(&wide, parts.iter().map(|p| p.mass), "parts")?.checked()
-    }
 }
 
 /// [`combined`] about the centre of the part that weighs most.
-pub(crate) fn combine_about_heaviest(
+pub(crate) fn combined_about_heaviest(
     parts: &[MassMoments<Extended>],
     masses: impl Iterator<Item = f64>,
     what: &'static str,

@@ -1,23 +1,9 @@
 //! An ideal rod, without thickness.
 
-use super::{MassProperties, Solid, centred, square};
+use super::{MassProperties, Shape, Solid, centred, square};
 use crate::error::{Error, positive};
 use crate::number::Field;
-use crate::number::extended::Extended;
 use nalgebra::Vector3;
-
-/// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
-/// [LL76](crate::references), section 32, problem 2a.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// assert_eq!(tumbling::solid::rod_moments(&4.0, &3.0), Vector3::new(3.0, 3.0, 0.0));
-/// ```
-#[must_use]
-pub fn rod_moments<T: Field>(mass: &T, length: &T) -> Vector3<T> {
-    let across = mass.clone() * square(length) / T::integer(12);
-    Vector3::new(across.clone(), across, T::zero())
-}
 
 /// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so that alone it
 /// has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
@@ -43,11 +29,20 @@ impl ThinRod {
     pub fn new(length: f64) -> Result<Self, Error> {
         Ok(Self { length: positive("the length", length)? })
     }
+}
 
-    /// The length, m.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.length
+impl Shape<1> for ThinRod {
+    /// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
+    /// [LL76](crate::references), section 32, problem 2a.
+    ///
+    /// ```
+    /// use tumbling::solid::{ThinRod, Shape};
+    /// use nalgebra::Vector3;
+    /// assert_eq!(ThinRod::moments(&4.0, [&3.0]), Vector3::new(3.0, 3.0, 0.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, [length]: [&T; 1]) -> Vector3<T> {
+        let across = mass.clone() * square(length) / T::integer(12);
+        Vector3::new(across.clone(), across, T::zero())
     }
 }
 
@@ -58,7 +53,6 @@ impl Solid for ThinRod {
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let l = Extended::from(self.length);
-        centred(mass, |m| rod_moments(m, &l))
+        centred::<Self, 1>(mass, [self.length])
     }
 }

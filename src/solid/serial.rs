@@ -25,6 +25,6 @@ impl TryFrom<Properties> for MassProperties {
     type Error = Error;
 
     fn try_from(p: Properties) -> Result<Self, Error> {
-        Self::new(p.mass, p.centre.into(), p.inertia)
+        Self::new(p.mass, &p.centre.into(), p.inertia)
     }
 }

@@ -6,7 +6,7 @@
 //! triangle: [OS83](crate::references).
 
 use super::tetrahedron::triple;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, MeshRefusal};
 use crate::number::extended::Extended;
 use crate::number::functions::atan2;
 use alloc::vec::Vec;
@@ -50,7 +50,7 @@ pub(super) fn check(
             }
             // Refused only if neither 0 nor 1 whichever side rounding put the point on.
             if winding + doubt < -0.5 || winding - doubt > 1.5 {
-                return Err(Refusal::MisplacedShell {
+                return Err(MeshRefusal::MisplacedShell {
                     face: own.first,
                     volume: own.volume(vertices).nearest(),
                     winding: winding.round(),

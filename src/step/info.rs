@@ -5,8 +5,8 @@
 pub struct MethodInfo {
     /// Its usual name.
     pub name: &'static str,
-    /// Errors of free motion at a given time fall as this power of the step. Under a torque a [`Method`](super::Method) may
-    /// be of lower order.
+    /// Errors of free motion at a given time fall as this power of the step. Under a torque a
+    /// [`Method`](super::Method) may be of lower order.
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
@@ -34,7 +34,6 @@ pub struct Conserved {
 }
 
 impl Conserved {
-    /// None of them.
-    pub const NONE: Self =
+    pub(crate) const NONE: Self =
         Self { energy: false, momentum: false, direction: false, unit: false, reversible: false };
 }

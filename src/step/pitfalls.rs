@@ -11,8 +11,8 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
 ///
-/// All turn the body by the same integrator; they differ in [`carried`](Self::carried), in
-/// [`carried_rate`](Self::carried_rate) and in [`omega_world`](Self::omega_world), and in nothing else.
+/// All turn the body by the same integrator; they differ in the vector they carry, in its
+/// [`rate`](Self::rate) and in [`omega_world`](Self::omega_world), and in nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
@@ -87,19 +87,7 @@ impl Engine {
     }
 
     /// The rate of the world vector that this engine carries, while no torque acts.
-    ///
-    /// ```
-    /// use nalgebra::{Matrix3, Vector3};
-    /// use tumbling::step::Engine;
-    /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
-    /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
-    /// let carried = Vector3::new(1.0, 1.0, 0.0);
-    /// let rate = |engine: Engine| engine.carried_rate(&tensor, &inverse, &carried);
-    /// assert_eq!(rate(Engine::Turned), Vector3::zeros());
-    /// assert_eq!(rate(Engine::Frozen), Vector3::new(0.0, 0.0, -0.25));
-    /// ```
-    #[must_use]
-    pub fn carried_rate<T: Field>(
+    fn carried_rate<T: Field>(
         self,
         tensor: &Matrix3<T>,
         inverse: &Matrix3<T>,
@@ -126,6 +114,8 @@ impl Engine {
     /// let (attitude, vector) = Engine::Turned.rate(&tensor, &inverse, &start);
     /// assert_eq!(attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
     /// assert_eq!(vector, Vector3::zeros());
+    /// let (_, vector) = Engine::Frozen.rate(&tensor, &inverse, &start);
+    /// assert_eq!(vector, Vector3::new(0.0, 0.0, -0.5));
     /// ```
     #[must_use]
     pub fn rate<T: Field>(
@@ -143,8 +133,7 @@ impl Engine {
     }
 
     /// The world vector that this engine carries for `body`: its momentum, or its spin.
-    #[must_use]
-    pub fn carried(self, body: &Body) -> Vector3<f64> {
+    fn carried(self, body: &Body) -> Vector3<f64> {
         match self {
             Self::Frozen | Self::NoGyroscopicTerm => body.omega_world(),
             Self::Turned | Self::MomentumForSpin => body.momentum_world(),
@@ -179,7 +168,7 @@ impl Engine {
         finite("the step", h)?;
         let carried = self.carried(body);
         let tensor = body.inertia().matrix();
-        let inverse = body.inverse().matrix();
+        let inverse = body.inverse();
         let law = |motion: &Carried<f64>| self.rate(&tensor, &inverse, motion);
         let mut motion = Carried { attitude: body.attitude().into_inner(), vector: carried };
         let length = count.saturating_add(1);

@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 
-/// A body on its way through time by a method, under torques.
+/// Steps a body through time, by one method and under any torques.
 ///
 /// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
 /// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
@@ -24,7 +24,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// use tumbling::step::{Method, Stepper};
 /// use tumbling::{Body, Inertia};
 /// // A T-handle whose stem leans in its axes, spun about the axis that flips.
-/// let inertia = Inertia::from_matrix(&Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
+/// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
 /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
 /// let mut stepper = Stepper::<f32>::new(&handle, Method::RotationSplitting4)?;
 /// for state in stepper.run(1.0 / 60.0, 600) {
@@ -209,7 +209,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// ```
     ///
     /// # Errors
-    /// A step that is not above zero or does not move the time; of each as [`step`](Self::step).
+    /// A step that is not above zero; one of kind [`TooMany`](crate::ErrorKind::TooMany) where steps so short would be more
+    /// than 2^53 or would not move the time; of each as [`step`](Self::step).
     pub fn run_until(
         &mut self,
         h: T,
@@ -232,13 +233,22 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             self.set_time(end);
             return Ok(state);
         }
-        if self.time + length.copysign(left) == self.time {
-            return Err(Refusal::OutOfRange { what: "the change of time in a step", value: 0.0 }.into());
+        // The steps must be fewer than 2^53, and each must move the time.
+        let most = 9_007_199_254_740_992.0 * length;
+        if left.abs() > most || self.time + length.copysign(left) == self.time {
+            return Err(Refusal::Unfinished {
+                what: "a run",
+                steps: 0,
+                reached: self.time,
+                duration: end,
+                why: "its steps are so short that they would be too many, or would not move the time",
+            }
+            .into());
         }
         self.step(if left > 0.0 { h } else { -h })
     }
 
-    /// Seconds since the start: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6 us in
+    /// The time since the start, s: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6 us in
     /// two minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
@@ -261,8 +271,18 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// The spin along the body's axes, rad/s.
     #[must_use]
     pub fn omega(&self) -> Vector3<T> {
-        let omega = self.system.omega(&self.state.momentum);
-        self.frame.as_ref().map_or(omega, |frame| attitude::rotate_inverse(&conjugate(frame), &omega))
+        self.in_body(self.system.omega(&self.state.momentum))
+    }
+
+    /// The sum of the torques on the body as it is now, along its own axes, N m.
+    #[must_use]
+    pub fn torque(&self) -> Vector3<T> {
+        self.in_body(self.system.torque(&self.state))
+    }
+
+    /// A vector along the body's axes, from one along the principal axes.
+    fn in_body(&self, vector: Vector3<T>) -> Vector3<T> {
+        self.frame.as_ref().map_or(vector, |frame| attitude::rotate_inverse(&conjugate(frame), &vector))
     }
 
     /// The body as it is now, its attitude brought to length 1.

@@ -70,8 +70,7 @@ impl<T: Field> System<T> {
     }
 
     /// The inverses of the principal moments, 1/(kg m²).
-    #[must_use]
-    pub fn inverse(&self) -> &Vector3<T> {
+    pub(crate) fn inverse(&self) -> &Vector3<T> {
         &self.inverse
     }
 
@@ -81,21 +80,12 @@ impl<T: Field> System<T> {
         &self.torques
     }
 
-    /// The time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it
-    /// is set.
-    #[must_use]
-    pub fn time(&self) -> &T {
-        &self.time
-    }
-
-    /// Sets the time at which the next step begins, s.
-    pub fn set_time(&mut self, time: T) {
+    /// Sets the time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it is set.
+    pub(crate) fn set_time(&mut self, time: T) {
         self.time = time;
     }
 
-    /// Whether nothing acts on it.
-    #[must_use]
-    pub fn is_free(&self) -> bool {
+    pub(crate) fn is_free(&self) -> bool {
         self.torques.is_empty()
     }
 
@@ -119,7 +109,7 @@ impl<T: Field> System<T> {
 }
 
 impl<T: Analytic> System<T> {
-    /// The sum of all torques in body axes, N m, at the system's time.
+    /// The sum of all torques in body axes, N m, at the start of a step.
     #[must_use]
     pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
         self.torque_after(motion, &T::zero())

@@ -57,8 +57,8 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// and the spin in body axes (rad/s) to the torque in body axes (N m). `rotation.tr_mul(&v)` is the
     /// world's vector `v` in body axes.
     ///
-    /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it, or the system's own
-    /// ([`System::set_time`](crate::step::System::set_time)). Methods with kicks hold time and attitude for
+    /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it; a
+    /// [`Method`](crate::step::Method) by itself starts each step at zero. Methods with kicks hold time and attitude for
     /// each half kick and take the spin on the way by the explicit midpoint rule: of the second order, and
     /// reversible where the law does not depend on the spin.
     ///
@@ -92,11 +92,11 @@ impl<T: Field> Torque<T> {
     /// use tumbling::step::{Method, Stepper, Torque};
     /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as
     /// // work.
-    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?.moved(&Vector3::new(0.0, 0.0, 0.03))?;
-    /// let (arm, weight) = (egg.centre(), egg.mass() * 9.81);
+    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?;
+    /// let (arm, weight) = (Vector3::new(0.0, 0.0, 0.03), egg.mass() * 9.81);
     /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);
-    /// let body = Body::spinning(egg.about(&Vector3::zeros())?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
-    /// let mut stepper = Stepper::new(&body, Method::Gauss6)?.with_torques([Torque::gravity(arm, weight)])?;
+    /// let body = Body::spinning(egg.about(&-arm)?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
+    /// let mut stepper = Stepper::new(&body, Method::Gauss6)?.with_torques([Torque::gravity(&arm, weight)])?;
     /// stepper.run(1e-3, 1000).try_for_each(|state| state.map(drop))?;
     /// let height = |body: &Body| (body.attitude() * arm).z;
     /// let end = stepper.body()?;
@@ -105,23 +105,13 @@ impl<T: Field> Torque<T> {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     #[must_use]
-    pub fn gravity(arm: Vector3<T>, weight: T) -> Self {
-        Self::Aligning { arm, field: Vector3::new(T::zero(), T::zero(), -weight) }
+    pub fn gravity(arm: &Vector3<T>, weight: T) -> Self {
+        Self::Aligning { arm: arm.clone(), field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
 
     /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to
     /// world), with the momentum and spin in body axes.
-    ///
-    /// ```
-    /// use nalgebra::{Matrix3, Vector3};
-    /// use tumbling::step::Torque;
-    /// // A top lying along the world's x: its weight of 2 N half a metre out turns it about y.
-    /// let top = Torque::gravity(Vector3::new(0.5, 0.0, 0.0), 2.0);
-    /// let still = Vector3::zeros();
-    /// assert_eq!(top.at(0.0, &Matrix3::identity(), &still, &still), Vector3::new(0.0, 1.0, 0.0));
-    /// ```
-    #[must_use]
-    pub fn at(
+    pub(crate) fn at(
         &self,
         time: T,
         rotation: &Matrix3<T>,
@@ -145,17 +135,7 @@ impl<T: Analytic> Torque<T> {
     /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments
     /// at a standing attitude and time. Damping decays and dissipation turns by their own exact laws, so that
     /// neither overshoots however long the step; a function acts by the explicit midpoint rule.
-    ///
-    /// ```
-    /// use nalgebra::{Matrix3, Vector3};
-    /// use tumbling::step::Torque;
-    /// let drag = Torque::Damping(Vector3::new(4.0, 0.0, 2.0));
-    /// let (before, inverse) = (Vector3::new(1.0, 1.0, 1.0), Vector3::new(1.0, 0.5, 0.25));
-    /// let after = drag.kick(&inverse, 0.0, &Matrix3::identity(), &before, 1e3);
-    /// assert_eq!(after, Vector3::new(0.0, 1.0, (-500.0_f64).exp()));
-    /// ```
-    #[must_use]
-    pub fn kick(
+    pub(crate) fn kick(
         &self,
         inverse: &Vector3<T>,
         time: T,
@@ -205,7 +185,7 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
 
 impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
     /// That its numbers are finite, and its coefficients of loss not below zero.
-    pub fn validate(&self) -> Result<(), Error> {
+    pub(crate) fn validate(&self) -> Result<(), Error> {
         let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
         let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
         match self {

@@ -3,7 +3,8 @@
 use crate::common::*;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::{attitude, dynamics::euler};
+use tumbling::attitude;
+use tumbling::dynamics::euler;
 
 proptest! {
     // Independent of the stepper: the world momentum R I w, differenced in time, must come out constant.

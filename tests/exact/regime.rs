@@ -89,7 +89,7 @@ fn the_side_of_the_separatrix_is_decided_without_rounding() {
 fn a_sphere_and_a_symmetric_top_move_as_their_elementary_formulas_say() {
     let sphere = motion([2.0, 2.0, 2.0], [0.3, -0.4, 1.2]);
     assert!(matches!(sphere.regime(), Regime::Steady { speed } if (speed - 1.3).abs() < 1e-15));
-    let half_turn = sphere.attitude(std::f64::consts::PI / 1.3).unwrap();
+    let half_turn = sphere.at(std::f64::consts::PI / 1.3).unwrap().attitude;
     assert!(half_turn.w.abs() < 1e-15 && (half_turn.k - 12.0 / 13.0).abs() < 1e-15);
     // (I3 - I1) w3/I1 = 0.5 * 2 = 1 rad/s: a quarter turn of the spin in pi/2 s; L/I1 = |(1, 0, 3)|.
     let top = motion([1.0, 1.0, 1.5], [1.0, 0.0, 2.0]);

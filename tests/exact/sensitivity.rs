@@ -8,8 +8,9 @@ use crate::common::*;
 use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
 use proptest::prelude::*;
 use serde_json::Value;
+use tumbling::dynamics::euler;
 use tumbling::exact::FreeMotion;
-use tumbling::{Error, ErrorKind, PrincipalMoments, dynamics::euler};
+use tumbling::{Error, ErrorKind, PrincipalMoments};
 
 const NAMES: [&str; 4] = ["spin by spin", "spin by tensor", "turn by spin", "turn by tensor"];
 
@@ -26,7 +27,7 @@ struct Derivatives {
 
 fn derivatives(motion: &FreeMotion, t: f64) -> Result<Derivatives, Error> {
     let (transition, by_tensor) = (motion.state_transition(t)?, motion.tensor_sensitivity(t)?);
-    let rotation = motion.attitude(t)?.to_rotation_matrix();
+    let rotation = motion.at(t)?.attitude.to_rotation_matrix();
     Ok(Derivatives {
         omega_by_omega: transition.fixed_view::<3, 3>(3, 3).into(),
         omega_by_tensor: by_tensor.fixed_rows::<3>(3).into(),

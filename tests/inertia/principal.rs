@@ -34,7 +34,7 @@ proptest! {
         sorted.sort_by(f64::total_cmp);
         // Near-equal moments need no bracket (two roots may lie inside); the next tests see to them.
         prop_assume!(sorted[1] - sorted[0] > 1e-9 && sorted[2] - sorted[1] > 1e-9);
-        let inertia = Inertia::from_matrix(&turned(&moments, &attitude)).unwrap();
+        let inertia = Inertia::try_from(turned(&moments, &attitude)).unwrap();
         let matrix = exact_matrix(&inertia.matrix());
         let found = inertia.principal().moments();
         for moment in &found {
@@ -47,7 +47,7 @@ proptest! {
 
     #[test]
     fn the_frame_is_right_handed_and_gives_the_tensor_back(moments in moments(), attitude in attitude()) {
-        let inertia = Inertia::from_matrix(&turned(&moments, &attitude)).unwrap();
+        let inertia = Inertia::try_from(turned(&moments, &attitude)).unwrap();
         prop_assert!(right_handed(&inertia.principal().frame()));
         prop_assert!(misfit(&inertia) < 24.0, "{} ulps", misfit(&inertia));
         let found = inertia.principal().moments();
@@ -57,7 +57,7 @@ proptest! {
     // nalgebra's own decomposition agrees on the moments; it does not sort, fix signs, or keep a needle.
     #[test]
     fn an_independent_decomposition_finds_the_same_moments(moments in moments(), attitude in attitude()) {
-        let inertia = Inertia::from_matrix(&turned(&moments, &attitude)).unwrap();
+        let inertia = Inertia::try_from(turned(&moments, &attitude)).unwrap();
         let mut theirs: [f64; 3] = inertia.matrix().symmetric_eigenvalues().into();
         theirs.sort_by(f64::total_cmp);
         let ours = inertia.principal().moments();
@@ -73,7 +73,7 @@ proptest! {
         let tensor = turned(&moments, &attitude);
         let factor = 2_f64.powi(power);
         let (plain, scaled) =
-            (Inertia::from_matrix(&tensor).unwrap().principal(), Inertia::from_matrix(&(tensor * factor)).unwrap().principal());
+            (Inertia::try_from(tensor).unwrap().principal(), Inertia::try_from(tensor * factor).unwrap().principal());
         prop_assert_eq!(plain.moments() * factor, scaled.moments());
         prop_assert_eq!(plain.frame(), scaled.frame());
     }
@@ -96,7 +96,7 @@ proptest! {
         let own = if flat { across * (1.05 + 0.9 * along) } else { across * 0.9 * along };
         let moments = Vector3::new(across, across, own);
         let spin = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), about);
-        let [one, other] = [tilt, tilt * spin].map(|q| Inertia::from_matrix(&turned(&moments, &q)).unwrap().principal());
+        let [one, other] = [tilt, tilt * spin].map(|q| Inertia::try_from(turned(&moments, &q)).unwrap().principal());
         // A component at the very threshold of the sign rule may fall on either side of it.
         prop_assume!(one.frame().iter().all(|x| (x.abs() - 0.57).abs() > 1e-9));
         // The lone axis is known to rounding over the relative difference of the moments.
@@ -110,7 +110,7 @@ proptest! {
     ) {
         // Moments that differ by a few units in the last place up to about 1e-14.
         let moments = Vector3::new(1.0, 1.0 + f64::from(first) * f64::EPSILON, 1.0 + f64::from(second) * f64::EPSILON);
-        let inertia = Inertia::from_matrix(&turned(&moments, &attitude)).unwrap();
+        let inertia = Inertia::try_from(turned(&moments, &attitude)).unwrap();
         prop_assert!(right_handed(&inertia.principal().frame()));
         prop_assert!(misfit(&inertia) < 24.0, "{} ulps", misfit(&inertia));
     }
@@ -125,7 +125,7 @@ proptest! {
         let thin = 10_f64.powf(small / 2.0);
         let xy = 0.2 * xy * thin * thin;
         let tensor = Matrix3::new(1.0, xy, xz * thin, xy, 1.0, yz * thin, xz * thin, yz * thin, thin * thin);
-        let inertia = Inertia::from_matrix(&tensor).unwrap();
+        let inertia = Inertia::try_from(tensor).unwrap();
         let matrix = exact_matrix(&tensor);
         let moment = inertia.principal().moment(Axis::Smallest);
         let below = characteristic(&matrix, &exact(moment * (1.0 - 4e-15)));
@@ -137,7 +137,7 @@ proptest! {
 #[test]
 fn a_sphere_has_the_bodys_own_axes() {
     let q = UnitQuaternion::from_euler_angles(0.4, -1.0, 2.2);
-    let sphere = Inertia::from_matrix(&turned(&Vector3::new(0.7, 0.7, 0.7), &q)).unwrap();
+    let sphere = Inertia::try_from(turned(&Vector3::new(0.7, 0.7, 0.7), &q)).unwrap();
     assert_eq!(sphere.principal().frame(), Matrix3::identity());
 }
 
@@ -157,7 +157,7 @@ fn a_turned_needle_is_found_to_rounding_of_its_largest_moment() {
     let q = UnitQuaternion::from_euler_angles(0.3, 1.1, -2.0);
     for scale in [1e-200, 1.0, 1e150] {
         let moments = Vector3::new(1e-12 * scale, scale, scale);
-        let axes = Inertia::from_matrix(&turned(&moments, &q)).unwrap().principal();
+        let axes = Inertia::try_from(turned(&moments, &q)).unwrap().principal();
         assert!((axes.moment(Axis::Smallest) - 1e-12 * scale).abs() < 2e-15 * scale);
         let along = q * Vector3::x();
         assert!(axes.axis(Axis::Smallest).cross(&along).norm() < 1e-15);
@@ -167,7 +167,7 @@ fn a_turned_needle_is_found_to_rounding_of_its_largest_moment() {
 #[test]
 fn an_ideal_rod_has_one_zero_moment_to_rounding_however_it_is_turned() {
     let q = UnitQuaternion::from_euler_angles(1.3, 0.2, -0.7);
-    let rod = Inertia::from_matrix(&turned(&Vector3::new(2.0, 2.0, 0.0), &q)).unwrap();
+    let rod = Inertia::try_from(turned(&Vector3::new(2.0, 2.0, 0.0), &q)).unwrap();
     assert!(rod.principal().moment(Axis::Smallest).abs() < 2e-15);
     assert!(rod.principal().axis(Axis::Smallest).cross(&(q * Vector3::z())).norm() < 1e-15);
 }
@@ -178,14 +178,14 @@ fn an_ideal_rod_has_one_zero_moment_to_rounding_however_it_is_turned() {
 fn a_product_that_is_nothing_beside_the_large_moment_still_counts_for_the_small_one() {
     let (small, product) = (1e-34, 1e-18);
     let tensor = Matrix3::new(1.0, 0.0, product, 0.0, 1.0, 0.0, product, 0.0, small);
-    let moment = Inertia::from_matrix(&tensor).unwrap().principal().moment(Axis::Smallest);
+    let moment = Inertia::try_from(tensor).unwrap().principal().moment(Axis::Smallest);
     assert!((moment / 0.99e-34 - 1.0).abs() < 1e-14, "{moment:e}");
 }
 
 /// A tensor with the given moments about the columns of a rotation matrix.
 fn along(moments: [f64; 3], axes: Matrix3<f64>) -> Inertia {
     let m = axes * Matrix3::from_diagonal(&Vector3::from(moments)) * axes.transpose();
-    Inertia::from_matrix(&((m + m.transpose()) * 0.5)).unwrap()
+    Inertia::try_from((m + m.transpose()) * 0.5).unwrap()
 }
 
 // (2, 3, 6)/7, (3, -6, 2)/7, (6, 2, -3)/7 are perpendicular and right-handed in this order.

@@ -11,11 +11,6 @@ proptest! {
         let error = x.two_product_error(y, product);
         prop_assert_eq!(exact(product) + exact(error), exact(x) * exact(y));
     }
-
-    #[test]
-    fn a_power_of_two_is_exact(power in -1022..=1023_i32) {
-        prop_assert_eq!(Lane::power_of_two(f64::from(power)), 2_f64.powi(power));
-    }
 }
 
 #[test]

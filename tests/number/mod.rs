@@ -1,2 +1,1 @@
-mod counted;
 mod lane;

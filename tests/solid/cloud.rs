@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use tumbling::MassProperties;
+use tumbling::solid::Compound;
 
 /// Weighted points that integrate a shape: what they weigh together is its measure.
 #[derive(Default, Clone)]
@@ -93,6 +94,16 @@ pub fn assert_same(what: &str, a: &MassProperties, b: &MassProperties, relative:
     assert!(off <= relative * extent, "{what}: centre {} {}", a.centre(), b.centre());
     let (m, n) = (a.inertia().matrix(), b.inertia().matrix());
     assert!((m - n).amax() <= relative * n.amax(), "{what}: {m} {n}");
+}
+
+/// A body carried along by `offset`.
+pub fn moved(body: &MassProperties, offset: &Vector3<f64>) -> Result<MassProperties, tumbling::Error> {
+    Compound::new().at(*body, offset).properties()
+}
+
+/// Parts that stay where they are, as one body.
+pub fn together(parts: &[MassProperties]) -> Result<MassProperties, tumbling::Error> {
+    parts.iter().fold(Compound::new(), |whole, part| whole.at(*part, &Vector3::zeros())).properties()
 }
 
 /// A size or mass in sober range.

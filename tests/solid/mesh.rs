@@ -1,6 +1,6 @@
 //! Solids bounded by triangles: the divergence theorem against closed forms, to rounding at every size.
 
-use super::cloud::{assert_same, size, vector};
+use super::cloud::{assert_same, moved, size, together, vector};
 use super::surface::{Surface, both, brick, inside_out, solid, turned_and_carried};
 use crate::common::{number_after, refused};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -85,7 +85,7 @@ proptest! {
         corners.iter_mut().for_each(|v| *v = turn * *v);
         let mesh = Mesh::new(&corners, &faces).unwrap().with_density(2.0).unwrap();
         let cuboid = Cuboid::new(a, b, c).unwrap().with_density(2.0).unwrap();
-        let placed = cuboid.moved(&(low + edges * 0.5)).unwrap().turned(&turn).unwrap();
+        let placed = moved(&cuboid, &(low + edges * 0.5)).unwrap().turned(turn).unwrap();
         // The corners are rounded at their distance, up to 20 m, on edges from 0.1 m up.
         assert_same("box", &mesh, &placed, 1e-12, 20.0);
     }
@@ -110,12 +110,11 @@ proptest! {
         let (corners, faces) = brick(Vector3::from(low).map(f64::from), Vector3::from(edges).map(f64::from));
         let corners: Vec<_> = corners.iter().map(|v| v.map(|x| n(x as i32))).collect();
         let reference = Vector3::from(reference).map(n);
-        let sums = mesh_sums(faces.iter().map(|face| face.map(|v| &corners[v])), &reference);
-        let body = mesh_moments(&sums, &reference);
+        let body = mesh_moments(faces.iter().map(|face| face.map(|v| &corners[v])), &reference);
         let [a, b, c] = edges.map(n);
         prop_assert_eq!(body.mass, a * b * c);
         prop_assert_eq!(body.centre, Vector3::from(low).map(n) + Vector3::new(a, b, c) * Ratio::new(1, 2));
-        let moments = cuboid_moments(&(a * b * c), &a, &b, &c);
+        let moments = Cuboid::moments(&(a * b * c), [&a, &b, &c]);
         prop_assert_eq!(body.inertia, nalgebra::Matrix3::from_diagonal(&moments));
     }
 
@@ -129,7 +128,7 @@ proptest! {
         let filling = solid(&brick(low + start, size)).unwrap();
         let full = solid(&brick(low, edges)).unwrap().with_density(3.0).unwrap();
         let parts = [hollow.with_density(3.0).unwrap(), filling.with_density(3.0).unwrap()];
-        assert_same("filled", &MassProperties::combine(&parts).unwrap(), &full, 1e-13, 3.0);
+        assert_same("filled", &together(&parts).unwrap(), &full, 1e-13, 3.0);
     }
 }
 
@@ -200,7 +199,7 @@ fn a_mesh_far_from_the_origin_keeps_its_digits() {
     let (low, edges) = (Vector3::new(1.0, 2.0, -3.0), Vector3::new(0.5, 2.0, 1.25));
     let near = solid(&brick(low, edges)).unwrap().with_density(1.0).unwrap();
     let away = solid(&brick(low + far, edges)).unwrap().with_density(1.0).unwrap();
-    assert_same("far box", &away, &near.moved(&far).unwrap(), 4e-16, 1.0);
+    assert_same("far box", &away, &moved(&near, &far).unwrap(), 4e-16, 1.0);
 }
 
 // Half the corners belong to a speck 1 km off: their mean is 500 m from the centre.
@@ -211,10 +210,10 @@ fn a_speck_far_away_does_not_blur_the_solid() {
     let mesh = solid(&both(brick(low, edges), brick(away, speck))).unwrap().with_density(1.0).unwrap();
     let part = |low: Vector3<f64>, e: Vector3<f64>| {
         let cuboid = Cuboid::new(e.x, e.y, e.z).unwrap().with_density(1.0).unwrap();
-        cuboid.moved(&(low + e * 0.5)).unwrap()
+        moved(&cuboid, &(low + e * 0.5)).unwrap()
     };
     let parts = [part(low, edges), part(away, speck)];
-    assert_same("with a speck", &mesh, &MassProperties::combine(&parts).unwrap(), 1e-14, 1.0);
+    assert_same("with a speck", &mesh, &together(&parts).unwrap(), 1e-14, 1.0);
 }
 
 #[test]
@@ -235,8 +234,8 @@ fn two_bricks_apart_or_touching_along_an_edge_are_one_solid() {
     let (edges, unit) = (Vector3::new(1.0, 2.0, 3.0), Cuboid::new(1.0, 2.0, 3.0).unwrap());
     let whole = |b: Vector3<f64>| {
         let half = edges * 0.5;
-        let part = |low: Vector3<f64>| unit.with_density(1.0).unwrap().moved(&(low + half)).unwrap();
-        MassProperties::combine(&[part(Vector3::zeros()), part(b)]).unwrap()
+        let part = |low: Vector3<f64>| moved(&unit.with_density(1.0).unwrap(), &(low + half)).unwrap();
+        together(&[part(Vector3::zeros()), part(b)]).unwrap()
     };
     let apart = Vector3::new(5.0, 0.5, -1.0);
     let mesh = solid(&both(brick(Vector3::zeros(), edges), brick(apart, edges))).unwrap();

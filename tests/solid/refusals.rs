@@ -18,10 +18,10 @@ fn every_shape(a: f64, b: f64, c: f64) -> Vec<(&'static str, Made)> {
     vec![
         ("cuboid", boxed(Cuboid::new(a, b, c))),
         ("ball", boxed(Ball::new(a))),
-        ("hollow sphere", boxed(HollowSphere::new(a, b))),
+        ("hollow sphere", boxed(Ball::hollow(a, b))),
         ("ellipsoid", boxed(Ellipsoid::new(a, b, c))),
         ("cylinder", boxed(Cylinder::new(a, b))),
-        ("tube", boxed(Tube::new(a, b, c))),
+        ("tube", boxed(Cylinder::hollow(a, b, c))),
         ("capsule", boxed(Capsule::new(a, b))),
         ("cone", boxed(Cone::new(a, b))),
         ("rod", boxed(ThinRod::new(a))),
@@ -100,7 +100,7 @@ fn a_mass_or_density_that_is_none_is_named() {
 
 #[test]
 fn a_hole_larger_than_the_whole_is_refused_with_both_radii() {
-    for error in [HollowSphere::new(3.0, 2.0).unwrap_err(), Tube::new(3.0, 2.0, 1.0).unwrap_err()] {
+    for error in [Ball::hollow(3.0, 2.0).unwrap_err(), Cylinder::hollow(3.0, 2.0, 1.0).unwrap_err()] {
         assert_eq!(error.to_string(), "the inner radius is 3.0: it must be at most the outer radius, 2.0");
     }
 }

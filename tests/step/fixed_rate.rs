@@ -3,15 +3,15 @@
 use super::{changes, start};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::PrincipalMoments;
-use tumbling::body::named as bodies;
+use tumbling::body::named::NamedBody;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, System, Torque, fixed_rate};
 
 /// Moments of the named bodies, the box first among them: smallest, middle, largest.
-fn named() -> impl Iterator<Item = (&'static str, Vector3<f64>)> {
-    bodies::all()
-        .iter()
-        .map(|body| (body.name(), body.properties().expect("a body").inertia().principal().moments()))
+fn named() -> impl Iterator<Item = (NamedBody, Vector3<f64>)> {
+    NamedBody::ALL
+        .into_iter()
+        .map(|body| (body, body.properties().expect("a body").inertia().principal().moments()))
 }
 
 #[test]

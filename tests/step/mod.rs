@@ -44,7 +44,7 @@ fn changes(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 
 fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
     let turn = axes.to_rotation_matrix();
     let tensor = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
-    Inertia::from_matrix(&((tensor + tensor.transpose()) * 0.5)).unwrap()
+    Inertia::try_from((tensor + tensor.transpose()) * 0.5).unwrap()
 }
 
 /// The same state along axes that `turn` takes to the old ones.
@@ -59,4 +59,9 @@ fn steppers() -> impl Iterator<Item = Option<Method>> {
 
 fn finite(state: &State<f64>) -> bool {
     state.attitude.coords.iter().chain(&state.momentum).all(|x| x.is_finite())
+}
+
+/// The turn that a rotation matrix makes.
+fn turn_by(frame: &Matrix3<f64>) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(*frame))
 }

@@ -1,7 +1,7 @@
 //! The order of every method under torques that depend on time, attitude and spin. Orders are proven on power
 //! series by the proofs; here they are seen in `f64`.
 
-use super::{apart, in_axes, seen_along, steppers};
+use super::{apart, in_axes, seen_along, steppers, turn_by};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::step::{Method, State, Stepper, System, Torque, adaptive};
 use tumbling::{Body, Inertia};
@@ -79,12 +79,12 @@ fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
     // The truth by a fine adaptive run along the principal axes, with the law written for them.
     let t = 1.0;
     let principal = body.inertia().principal();
-    let (frame, turn) = (principal.frame(), principal.rotation());
+    let (frame, turn) = (principal.frame(), turn_by(&principal.frame()));
     let turned = Torque::function(move |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
         frame.tr_mul(&law(time, &(rotation * frame.transpose()), &(frame * omega)))
     });
     let system = System::with(principal.moments().try_into().unwrap(), vec![turned]).unwrap();
-    let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14).unwrap().end;
+    let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14, &mut 1_000_000).unwrap();
     let truth = seen_along(&end, &turn.inverse());
     for method in steppers() {
         let said = claimed(method);

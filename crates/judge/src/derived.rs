@@ -20,7 +20,7 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
     let mut least = f64::INFINITY;
     for _ in 0..SPIN_ROUNDS {
         let motion = FreeMotion::new((*moments).try_into().ok()?, &omega).ok()?;
-        let got = from * motion.attitude(pair.h).ok()?.into_inner();
+        let got = from * motion.at(pair.h).ok()?.attitude.into_inner();
         // What is left of the turn, in body axes.
         let left = Pair {
             from: Row { attitude: Some(got), ..pair.to },

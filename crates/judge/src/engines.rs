@@ -68,7 +68,6 @@ impl PhysicsEngine {
     /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back to the
     /// beginning.
     pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
-        finite("the step", h)?;
         if let Some(most) = self.limits.rate {
             let omega = system.omega(&start.momentum);
             let rate = system.omega(&system.rate(start).momentum);
@@ -102,7 +101,7 @@ pub(crate) fn parted(
     let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
     let free = System::of_numbers(*system.moments(), Vec::new());
     (0..parts).try_fold(*start, |mut motion, _| {
-        if !system.is_free() {
+        if !system.torques().is_empty() {
             let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
             motion.momentum += system.momentum(&inside);
         }
@@ -154,9 +153,8 @@ impl Limits {
     }
 }
 
-/// `value`, which `what` names, must be finite.
 fn finite(what: &'static str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::not_finite(what, value)) }
+    if value.is_finite() { Ok(()) } else { Err(Error::unrepresentable(what, value)) }
 }
 
 /// `start` times `turn`, at length 1.

@@ -78,18 +78,6 @@ fn works() -> Vec<Work> {
                 }),
             ));
         }
-        // A thousand at once count as the one instant that each is.
-        let (each, mut left) = (times[1..].to_vec(), 0);
-        works.push((
-            name("w and q of many"),
-            Box::new(move |_| {
-                if left == 0 {
-                    drop(black_box(motion.at_each(black_box(&each))));
-                    left = each.len();
-                }
-                left -= 1;
-            }),
-        ));
         works.push((
             name("preparing"),
             Box::new(move |_| drop(black_box(FreeMotion::new(black_box(body), black_box(&omega))))),

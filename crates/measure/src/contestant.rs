@@ -103,7 +103,7 @@ pub trait Contestant {
 
     /// Whether it can take this story on at all: the exact motion is of free bodies.
     fn takes(&self, story: &Story) -> bool {
-        !self.about().free_only || story.system.is_free()
+        !self.about().free_only || story.system.torques().is_empty()
     }
 
     /// From start to end, showing the watch each step where there is one.

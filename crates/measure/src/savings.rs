@@ -71,7 +71,7 @@ pub fn scenes() -> Result<Vec<Counted>, Error> {
             Scene::new(vec![InitialState::spinning(moments, omega)], Vec::new(), times(), wants, 1e-9)?;
         scenes.push(Counted { name, scene });
     }
-    let weight = || vec![Torque::gravity(Vector3::new(0.05, 0.0, 0.1), 0.5)];
+    let weight = || vec![Torque::gravity(&Vector3::new(0.05, 0.0, 0.1), 0.5)];
     for (name, accuracy) in
         [("three moments and a weight; to 1e-2", 1e-2), ("three moments and a weight; to 1e-8", 1e-8)]
     {

@@ -96,7 +96,7 @@ impl Story {
         let moments = vector(&entry["moments"])?;
         let mut torques = Vec::new();
         if entry["weight"].as_f64().is_some_and(|weight| weight != 0.0) {
-            torques.push(Torque::gravity(vector(&entry["arm"])?, number(&entry["weight"])?));
+            torques.push(Torque::gravity(&vector(&entry["arm"])?, number(&entry["weight"])?));
         }
         if entry["damping"].is_array() && vector(&entry["damping"])? != Vector3::zeros() {
             torques.push(Torque::Damping(vector(&entry["damping"])?));
@@ -107,7 +107,7 @@ impl Story {
         let [w, x, y, z] = numbers(&entry["attitude"])?;
         let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: vector(&entry["momentum"])? };
         let end = number(&entry["t"])?;
-        let flips = if system.is_free() { Some(flips(&system, &start, end)?) } else { None };
+        let flips = if system.torques().is_empty() { Some(flips(&system, &start, end)?) } else { None };
         let truth = Truth { motion, energy: number(&entry["energy"])?, flips };
         Ok(Self { name, title, system, start, end, truth })
     }

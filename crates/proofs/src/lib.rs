@@ -23,6 +23,7 @@ mod number;
 mod proofs;
 mod region;
 
+pub mod counted;
 pub mod equations;
 pub mod proof;
 pub mod symbols;

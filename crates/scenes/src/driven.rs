@@ -49,7 +49,7 @@ struct Rates {
 fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
     let omega = system.omega(&start.momentum);
     let (mut torque, mut loss, mut swing) = (0.0_f64, 0.0_f64, 0.0_f64);
-    let lightest = system.inverse().max();
+    let lightest = 1.0 / system.moments().min();
     for one in system.torques() {
         match one {
             Torque::InBody(value) | Torque::InWorld(value) => torque += value.norm(),
@@ -57,7 +57,7 @@ fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
                 torque += arm.norm() * field.norm();
                 swing = swing.max((arm.norm() * field.norm() * lightest).sqrt());
             }
-            Torque::Damping(c) => loss = loss.max(c.component_mul(system.inverse()).max()),
+            Torque::Damping(c) => loss = loss.max(c.component_div(system.moments()).max()),
             Torque::Dissipation(k) => loss = loss.max(k * start.momentum.norm_squared() * lightest),
             // `along` has refused others.
             _ => {}

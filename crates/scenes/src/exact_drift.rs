@@ -25,7 +25,7 @@ use tumbling::step::{State, System};
 /// let energy = |state: &State<f64>| free.energy(state);
 /// assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-14);
 /// // A step forth and one back, under a torque.
-/// let weight = Torque::gravity(Vector3::new(0.0, 0.0, 0.1), 3.0);
+/// let weight = Torque::gravity(&Vector3::new(0.0, 0.0, 0.1), 3.0);
 /// let top = System::with(moments, vec![weight])?;
 /// let there = exact_drift::step(&top, &start, 0.1)?;
 /// let back = exact_drift::step(&top, &there, -0.1)?;
@@ -39,14 +39,14 @@ use tumbling::step::{State, System};
 pub fn step(system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
     finite("the step", h)?;
     let half = 0.5 * h;
-    let kicked = if system.is_free() { *start } else { system.kick(start, half) };
+    let kicked = if system.torques().is_empty() { *start } else { system.kick(start, half) };
     let omega = system.omega(&kicked.momentum);
     let drift = FreeMotion::new((*system.moments()).try_into()?, &omega)?.at(h)?;
     let end = State {
         attitude: attitude::product(&kicked.attitude, &drift.attitude.into_inner()),
         momentum: system.momentum(&drift.omega),
     };
-    let end = if system.is_free() { end } else { system.adjoint_kick(&end, half) };
+    let end = if system.torques().is_empty() { end } else { system.adjoint_kick(&end, half) };
     let size: f64 = end.attitude.coords.iter().chain(&end.momentum).map(|x| x.abs()).sum();
     if size.is_finite() {
         Ok(end)

@@ -86,7 +86,7 @@ fn attainable(
         _ => 0.0,
     };
     let moments = motion.moments();
-    let thin = moments.largest() / moments.smallest();
+    let thin = moments.vector().max() / moments.vector().min();
     let bound = ROUNDINGS * f64::EPSILON * thin * coarsening(body) * (speed * end).max(1.0)
         / (complement * complement);
     if accuracy >= bound {

@@ -1,7 +1,7 @@
 //! A body at the start of a scene, as described and along its principal axes.
 
 use crate::error::{Error, Field, finite_vector};
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use tumbling::attitude;
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia, PrincipalMoments};
@@ -89,7 +89,7 @@ impl InitialState {
     pub fn motion(&self) -> Result<FreeMotion, Error> {
         match self.start {
             Start::Spin(omega) if self.products == Vector3::zeros() => {
-                Ok(FreeMotion::new(self.moments.try_into()?, &omega)?.with_attitude(&self.attitude)?)
+                Ok(FreeMotion::new(self.moments.try_into()?, &omega)?.with_attitude(self.attitude)?)
             }
             _ => Ok(FreeMotion::of(&self.body()?)?),
         }
@@ -107,7 +107,7 @@ impl InitialState {
     }
 
     fn checked_attitude(&self) -> Result<UnitQuaternion<f64>, Error> {
-        attitude::checked(&self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
+        attitude::checked(self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
     }
 
     /// Along the principal axes, checked.
@@ -140,7 +140,10 @@ impl InitialState {
             return Ok((self.moments.try_into()?, None));
         }
         let axes = Inertia::new(self.moments.into(), self.products.into())?.principal();
-        Ok((axes.principal_moments()?, Some(axes.rotation())))
+        Ok((
+            axes.try_into()?,
+            Some(UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes.frame()))),
+        ))
     }
 
     /// What the way to the principal axes has rounded: the moments of a tensor relative to the largest of

@@ -5,7 +5,8 @@ use crate::initial_state::InitialState;
 use crate::outputs::Outputs;
 use crate::times::Times;
 use nalgebra::Vector3;
-use tumbling::step::Torque;
+use tumbling::PrincipalMoments;
+use tumbling::step::{System, Torque};
 
 /// Bodies that do not touch, the torques on each of them, the outputs requested, and how accurate they must
 /// be.
@@ -51,8 +52,10 @@ impl Scene {
         if bodies.is_empty() {
             return Err(Error::TooFew { what: "bodies", count: 0, needed: 1 });
         }
+        let any = PrincipalMoments::new(1.0, 1.0, 1.0)?;
         for (index, torque) in torques.iter().enumerate() {
-            torque.validate().map_err(|source| Error::Torque { index, source })?;
+            // Torques are checked with the body on which they act; here any will do.
+            System::with(any, vec![torque.clone()]).map_err(|source| Error::Torque { index, source })?;
         }
         times.validate()?;
         if positive("the accuracy", accuracy)? >= 1.0 {

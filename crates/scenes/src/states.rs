@@ -78,14 +78,14 @@ impl<'a> States<'a> {
             }
             _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
             Strategy::Rotation(motion) => {
-                (Some(plan.body.omega), Some(plan.turned(motion.attitude(time)?.into_inner())))
+                (Some(plan.body.omega), Some(plan.turned(motion.at(time)?.attitude.into_inner())))
             }
             Strategy::SymmetricTop(motion) | Strategy::EllipticSpin(motion) | Strategy::Elliptic(motion) => {
                 let outputs = plan.scene.outputs();
                 let spin = outputs.spin || (outputs.gap && plan.gap.is_none());
                 match (spin, outputs.attitude) {
                     (_, false) => (Some(motion.omega(time)?), None),
-                    (false, true) => (None, Some(plan.turned(motion.attitude(time)?.into_inner()))),
+                    (false, true) => (None, Some(plan.turned(motion.at(time)?.attitude.into_inner()))),
                     (true, true) => {
                         let at = motion.at(time)?;
                         (Some(at.omega), Some(plan.turned(at.attitude.into_inner())))

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::exact_drift;
 use crate::prices;
-use tumbling::step::{LEAST_TOLERANCE, Method, State, System, adaptive_within};
+use tumbling::step::{LEAST_TOLERANCE, Method, State, System, adaptive};
 
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,18 +48,17 @@ impl StepControl {
         least: usize,
         left: &mut usize,
     ) -> Result<State<f64>, Stop> {
-        let (step, method) = match self {
-            Self::Tolerance(tolerance) => {
-                let run = adaptive_within(system, start, duration, tolerance, left);
-                return match run {
-                    Ok(run) => Ok(run.end),
-                    Err(_) if *left == 0 => Err(Stop::OutOfSteps),
-                    Err(error) => Err(Stop::Refused(error.into())),
-                };
-            }
-            Self::Fixed(method, step) => (step, Some(method)),
-            Self::ExactDrift(step) => (step, None),
-        };
+        let (step, method) =
+            match self {
+                Self::Tolerance(tolerance) => {
+                    let end = adaptive(system, start, duration, tolerance, left);
+                    return end.map_err(|error| {
+                        if *left == 0 { Stop::OutOfSteps } else { Stop::Refused(error.into()) }
+                    });
+                }
+                Self::Fixed(method, step) => (step, Some(method)),
+                Self::ExactDrift(step) => (step, None),
+            };
         let (count, h) = parts(duration, step, least)?;
         if count > *left {
             return Err(Stop::OutOfSteps);

@@ -114,7 +114,7 @@ fn driven_bodies_are_stepped_on_from_block_to_block() {
             InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 6.0 + f64::from(k)))
         })
         .collect();
-    let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), 4.0);
+    let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), 4.0);
     let outputs = Outputs { spin: true, attitude: true, energy: true, ..Outputs::NOTHING };
     let scene = Scene::new(bodies, vec![torque], Times::every(0.01, 1.0), outputs, 1e-3).unwrap();
     assert!(matches!(scene.plan(0).unwrap().strategy(), Strategy::FixedStep(_) | Strategy::Adaptive(_)));

@@ -41,7 +41,7 @@ proptest! {
 fn the_method_follows_from_the_torque_and_the_accuracy() {
     let top = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
     let way = |weight: f64, accuracy: f64, times: Times| {
-        let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
+        let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(top, vec![torque], times, BOTH, accuracy);
         match scene.plan(0).unwrap().strategy() {
             Strategy::FixedStep(driven) => driven.method().unwrap().info().name,
@@ -266,7 +266,7 @@ fn the_energy_under_a_torque_is_as_right_as_asked() {
 fn a_driven_scene_that_would_take_for_ever_is_refused_at_once() {
     let body = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
     for (weight, end) in [(4.0, 3e7), (1e300, 10.0), (4.0, 1e300)] {
-        let torque = Torque::gravity(Vector3::new(0.125, 0.0, 0.5), weight);
+        let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(body, vec![torque], Times::every(end, end), BOTH, 1e-9);
         let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!("{weight} {end}") };
         assert!(matches!(*source, Error::Value { .. } | Error::OutOfRange { .. }), "{source}");

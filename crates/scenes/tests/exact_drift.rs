@@ -44,7 +44,7 @@ fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
     let (a, c, tilt, precession, spin, t) = (2.0, 1.0, 0.6_f64, 1.3, 5.0, 3.0);
     let pull = (c - a) * precession * precession * tilt.cos() + c * spin * precession;
     let arm = 0.25;
-    let gravity = Torque::gravity(Vector3::new(0.0, 0.0, arm), pull / arm);
+    let gravity = Torque::gravity(&Vector3::new(0.0, 0.0, arm), pull / arm);
     let system = System::with([a, a, c].try_into().unwrap(), vec![gravity]).unwrap();
     let about = UnitQuaternion::from_axis_angle;
     let at = |t: f64| {

@@ -60,7 +60,7 @@ fn a_body_that_lies_turned_in_its_own_axes_and_in_the_world_is_answered_in_those
     let lies = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
     for moments in [[1.0, 2.0, 2.5], [2.0, 2.0, 3.0]] {
         let tensor = Inertia::from_moments(moments[0], moments[1], moments[2]).unwrap();
-        let tensor = tensor.turned(&UnitQuaternion::from_euler_angles(1.0, 0.2, -0.7)).unwrap();
+        let tensor = tensor.turned(UnitQuaternion::from_euler_angles(1.0, 0.2, -0.7)).unwrap();
         let omega = Vector3::new(0.4, -1.1, 0.7);
         let body = Body::spinning(tensor, lies, &omega).unwrap();
         let exact = FreeMotion::of(&body).unwrap();
@@ -87,7 +87,7 @@ fn a_flat_plate_is_answered_in_whatever_axes_its_tensor_is_given() {
     for k in 0..300 {
         let turn = UnitQuaternion::from_euler_angles(0.37 * f64::from(k), 0.11 * f64::from(k), 1.3);
         let body = Body::spinning(
-            plate.turned(&turn).unwrap(),
+            plate.turned(turn).unwrap(),
             turn.inverse(),
             &(turn * Vector3::new(0.4, 1.0, 0.2)),
         );
@@ -175,7 +175,7 @@ fn a_torque_of_nothing_is_no_torque() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 1.0, 0.2));
     let nothing = vec![
         Torque::InBody(Vector3::zeros()),
-        Torque::gravity(Vector3::new(0.0, 0.0, 1.0), 0.0),
+        Torque::gravity(&Vector3::new(0.0, 0.0, 1.0), 0.0),
         Torque::Damping(Vector3::zeros()),
         Torque::Dissipation(0.0),
     ];

@@ -47,7 +47,7 @@ fn without_tumbling(rotation: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 pub(super) fn draw() -> Drawing {
-    let inertia = named::book()?.inertia();
+    let inertia = named::NamedBody::Book.properties()?.inertia();
     let edges = Vector3::from(named::BOOK.edges);
     // Along x, its middle axis, but for the push.
     let omega = Vector3::new(PUSH.cos(), PUSH.sin(), 0.0) * TAU;

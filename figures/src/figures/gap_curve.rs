@@ -3,7 +3,7 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 use tumbling::solid::{Ball, Cylinder, Solid, ThinPlate};
-use tumbling::{Axis, Error, Inertia, body::named};
+use tumbling::{Axis, Error, Inertia, body::named::NamedBody};
 
 struct Curve {
     name: &'static str,
@@ -46,13 +46,13 @@ pub(super) fn draw() -> Drawing {
     let in_plane = [Vector3::x(), Vector3::y()];
     let curves = [
         Curve::across("pencil", Cylinder::new(0.0035, 0.18)?.with_mass(0.005)?.inertia()),
-        Curve::across("racket", named::tennis_racket()?.inertia()),
+        Curve::across("racket", NamedBody::TennisRacket.properties()?.inertia()),
         Curve {
             name: "plate, 2 × 1",
             inertia: ThinPlate::new(2.0, 1.0)?.with_mass(1.0)?.inertia(),
             plane: in_plane,
         },
-        Curve { name: "box, x to y", inertia: named::the_box()?.inertia(), plane: in_plane },
+        Curve { name: "box, x to y", inertia: NamedBody::TheBox.properties()?.inertia(), plane: in_plane },
         Curve::across("ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
     ];
     let canvas = Canvas::new(480);

@@ -266,7 +266,7 @@ const BOX_EDGES: [f64; 3] = named::THE_BOX.edges;
 
 /// Its tensor.
 fn document_box() -> Result<Inertia, Error> {
-    Ok(named::the_box()?.inertia())
+    Ok(named::NamedBody::TheBox.properties()?.inertia())
 }
 
 /// The same body, its frame turned along its principal axes, smallest moment first.

@@ -5,7 +5,7 @@ use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
 use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
-use tumbling::body::named::{self, NamedBody, Part, Section};
+use tumbling::body::named::{NamedBody, Part, Section};
 use tumbling::{Axis, PrincipalAxes};
 
 /// Where one body is drawn.
@@ -32,7 +32,7 @@ impl Cell<'_> {
             match part.section {
                 Section::Line => {}
                 Section::Rectangle { wide, thick } => {
-                    self.cuboid(&part.middle, 0.5 * Vector3::new(wide, thick, part.length()));
+                    self.cuboid(&part.middle, 0.5 * Vector3::new(wide, thick, part.along.norm()));
                 }
                 Section::Round { radius } => self.round(part, radius),
                 Section::Ring { inner, outer } => self.tube(part, inner, outer),
@@ -49,7 +49,7 @@ impl Cell<'_> {
     /// A round bar, as thick as it is; its pen rounds the ends.
     fn round(&self, part: &Part, radius: f64) {
         let [from, to] = part.ends();
-        let rounded = part.along * (radius / part.length());
+        let rounded = part.along * (radius / part.along.norm());
         let [a, b] = [from + rounded, to - rounded].map(|p| self.view.at(&p));
         let wide = 2.0 * radius * self.view.scale();
         self.canvas.line(a, b, Pen::new(Ink::Text, wide + 2.0));
@@ -133,7 +133,7 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::new(610);
     let mut said = Vec::new();
     canvas.label((20.0, 26.0), &Label::new("principal moments (kg m²), each body to its own scale"));
-    for (i, body) in named::all().iter().enumerate() {
+    for (i, body) in NamedBody::ALL.into_iter().enumerate() {
         let (x, y) = (20.0 + 335.0 * (i % 2) as f64, 50.0 + 140.0 * (i / 2) as f64);
         said.push(one(&canvas, (x, y), body)?);
     }
@@ -147,16 +147,17 @@ pub(super) fn draw() -> Drawing {
 }
 
 /// One body in its cell; returns its words.
-fn one(canvas: &Canvas, corner: P, body: &NamedBody) -> Result<String, Box<dyn std::error::Error>> {
+fn one(canvas: &Canvas, corner: P, body: NamedBody) -> Result<String, Box<dyn std::error::Error>> {
     let properties = body.properties()?;
     let principal = properties.inertia().principal();
     let centre = (corner.0 + 52.0, corner.1 + 62.0);
     let view = |scale| View::new(centre, scale, -58.0, 20.0);
-    let parts = body.parts();
-    let longest = parts.iter().map(Part::length).fold(0.0, f64::max);
-    let (scale, middle) = placed(body.name()).unwrap_or((96.0 / longest, [0.0; 3]));
+    let (mut parts, full_name) = (Vec::new(), body.to_string());
+    body.each_part(&mut |part| parts.push(part));
+    let longest = parts.iter().map(|part: &Part| part.along.norm()).fold(0.0, f64::max);
+    let (scale, middle) = placed(&full_name).unwrap_or((96.0 / longest, [0.0; 3]));
     Cell { canvas, view: view(scale).moved_back(&middle.into()) }.body(parts);
-    let name = body.name().trim_start_matches("the ");
+    let name = full_name.trim_start_matches("the ");
     canvas.label((corner.0 + 128.0, corner.1 + 22.0), &Label::new(name));
     bars(canvas, corner.0 + 128.0, corner.1 + 34.0, &principal);
     let [a, b, c] = [Axis::Smallest, Axis::Middle, Axis::Largest].map(|axis| principal.moment(axis));

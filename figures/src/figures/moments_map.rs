@@ -3,7 +3,7 @@
 use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
-use tumbling::body::named;
+use tumbling::body::named::NamedBody;
 use tumbling::dynamics::stability::rate_squared;
 
 /// The triangle of possible bodies, with its corners and edges named.
@@ -55,14 +55,14 @@ const NAMES: [(&str, f64, f64, bool); 8] = [
 
 fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut said = Vec::new();
-    for body in named::all() {
-        let m = body.properties()?.inertia().principal().moments();
+    for body in NamedBody::ALL {
+        let (m, full_name) = (body.properties()?.inertia().principal().moments(), body.to_string());
         let (x, y) = (m[0] / m[2], m[1] / m[2]);
         let (_, dx, dy, end) =
-            *NAMES.iter().find(|name| name.0 == body.name()).ok_or("a body without a place for its name")?;
+            *NAMES.iter().find(|name| name.0 == full_name).ok_or("a body without a place for its name")?;
         let p = plot.at(x, y);
         canvas.disc(p, 4.5, Fill::new(Ink::Text), None);
-        let name = body.name().trim_start_matches("the ");
+        let name = full_name.trim_start_matches("the ");
         let label = Label::new(name).size(16.0);
         // Names to the right of their points stand on the triangle, the others beside it.
         canvas.label((p.0 + dx, p.1 + dy), &if end { label.end() } else { label.halo(Ink::Surface) });
@@ -123,9 +123,9 @@ pub(super) fn draw_growth() -> Drawing {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
     }
     let mut said = Vec::new();
-    for body in named::all() {
+    for body in NamedBody::ALL {
         let m = body.properties()?.inertia().principal().moments();
-        said.push(format!("{} {:.2}", body.name(), rate(m[0] / m[2], m[1] / m[2])));
+        said.push(format!("{body} {:.2}", rate(m[0] / m[2], m[1] / m[2])));
     }
     Ok(Picture {
         canvas,

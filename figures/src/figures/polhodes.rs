@@ -14,14 +14,14 @@ pub(super) fn draw() -> Drawing {
     paths(&canvas, &ellipsoid, &view, &[0.22, 0.44, 0.66, 0.86])?;
     let [min, mid, max] = [Axis::Smallest, Axis::Middle, Axis::Largest].map(|axis| {
         let mut end = Vector3::zeros();
-        end[axis.index()] = ellipsoid.reach[axis.index()];
+        end[axis as usize] = ellipsoid.reach[axis as usize];
         let tip = view.at(&(end * (1.0 + 0.3 / end.norm())));
         canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
         canvas.arrow(view.at(&end), tip, Pen::new(ink_of(axis), 2.6));
         tip
     });
     let name = |at: (f64, f64), axis: Axis, name: &str, fate: &str| {
-        let moment = format!("{name} $I_{}$ = {}", axis.index() + 1, MOMENTS[axis.index()]);
+        let moment = format!("{name} $I_{}$ = {}", axis as usize + 1, MOMENTS[axis as usize]);
         canvas.label(at, &Label::new(moment).ink(ink_of(axis)));
         canvas.label((at.0, at.1 + 22.0), &Label::new(fate).ink(ink_of(axis)));
     };

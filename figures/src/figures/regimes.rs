@@ -18,7 +18,7 @@ struct Map {
 impl Map {
     /// `2 E I2 / L²` for a body that turns about this axis alone.
     fn corner(&self, axis: Axis) -> f64 {
-        self.moments[1] / self.moments[axis.index()]
+        self.moments[1] / self.moments[axis as usize]
     }
 
     /// The motion at this level, started at a flip: no momentum along the middle axis.

@@ -1,8 +1,7 @@
-//! The named bodies that are evenly filled boxes. Where their sizes come from stands at the functions in
-//! [`super`].
+//! The named bodies that are evenly filled boxes. Where their sizes come from stands at [`super::NamedBody`].
 
 use super::{Fill, Part, Section};
-use crate::solid::cuboid_moments;
+use crate::solid::{Cuboid, Shape};
 use nalgebra::Vector3;
 
 /// An evenly filled box about the origin.
@@ -14,24 +13,23 @@ pub struct EvenBox {
     pub mass: f64,
 }
 
-/// The sizes of [`the_box`](super::the_box).
+/// The sizes of [the box](super::NamedBody::TheBox).
 pub const THE_BOX: EvenBox = EvenBox { edges: [2.0, 1.0, 3.0], mass: 1.0 };
 
-/// The sizes of [`book`](super::book).
+/// The sizes of [the book](super::NamedBody::Book).
 pub const BOOK: EvenBox = EvenBox { edges: [0.129, 0.020, 0.198], mass: 0.340 };
 
-/// The sizes of [`phone`](super::phone).
+/// The sizes of [the phone](super::NamedBody::Phone).
 pub const PHONE: EvenBox = EvenBox { edges: [0.0716, 0.0078, 0.1476], mass: 0.171 };
 
-/// The sizes of [`remote_control`](super::remote_control).
-pub const REMOTE_CONTROL: EvenBox = EvenBox { edges: [0.035, 0.00925, 0.136], mass: 0.063 };
+pub(super) const REMOTE_CONTROL: EvenBox = EvenBox { edges: [0.035, 0.00925, 0.136], mass: 0.063 };
 
 impl EvenBox {
     /// Its moments about x, y and z, kg m².
     #[must_use]
     pub fn moments(&self) -> Vector3<f64> {
         let [a, b, c] = &self.edges;
-        cuboid_moments(&self.mass, a, b, c)
+        Cuboid::moments(&self.mass, [a, b, c])
     }
 
     pub(super) fn part(&self, name: &'static str, material: &'static str) -> Part {

@@ -1,6 +1,6 @@
 //! Even bodies of the book that have no parts to draw: a plate, a pencil, a ball.
 
-use crate::solid::{ball_moment, cylinder_moments, plate_moments};
+use crate::solid::{Ball, Cylinder, Shape, ThinPlate};
 use nalgebra::Vector3;
 
 /// An even thin plate in the xy plane.
@@ -45,7 +45,7 @@ impl EvenPlate {
     /// Its principal moments about x, y and z, kg m².
     #[must_use]
     pub fn moments(&self) -> Vector3<f64> {
-        plate_moments(&self.mass, &self.edges[0], &self.edges[1])
+        ThinPlate::moments(&self.mass, self.edges.each_ref())
     }
 }
 
@@ -53,7 +53,7 @@ impl EvenCylinder {
     /// Its principal moments about x, y and z, kg m².
     #[must_use]
     pub fn moments(&self) -> Vector3<f64> {
-        cylinder_moments(&self.mass, &self.radius, &self.height)
+        Cylinder::moments(&self.mass, [&self.radius, &self.height])
     }
 }
 
@@ -61,6 +61,6 @@ impl EvenBall {
     /// Its principal moments, all the same, kg m².
     #[must_use]
     pub fn moments(&self) -> Vector3<f64> {
-        Vector3::repeat(ball_moment(&self.mass, &self.radius))
+        Ball::moments(&self.mass, [&self.radius])
     }
 }

@@ -2,10 +2,7 @@
 
 use crate::error::Error;
 use crate::number::functions::{atan2, hypot, sin_cos};
-use crate::solid::{
-    Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube, cuboid_moments, cylinder_moments, rod_moments,
-    tube_moments,
-};
+use crate::solid::{Cuboid, Cylinder, MassProperties, Shape, Solid, ThinRod};
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -22,8 +19,7 @@ pub struct Part {
     pub middle: Vector3<f64>,
     /// From one end to the other, m; without a component along y.
     pub along: Vector3<f64>,
-    /// How it is filled.
-    pub fill: Fill,
+    pub(super) fill: Fill,
 }
 
 /// The cross-section of a [`Part`], m.
@@ -54,17 +50,16 @@ pub enum Section {
 
 /// What the mass of a [`Part`] is given by.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Fill {
-    /// Its mass, kg.
+pub(super) enum Fill {
+    /// By its mass, kg.
     Mass(f64),
-    /// Its density, kg/m³.
+    /// By its density, kg/m³.
     Density(f64),
 }
 
 impl Part {
     /// Its length, m.
-    #[must_use]
-    pub fn length(&self) -> f64 {
+    fn length(&self) -> f64 {
         hypot(self.along.x, self.along.z)
     }
 
@@ -105,8 +100,7 @@ impl Part {
     }
 
     /// The turn, part to body, that lays its own z axis along it.
-    #[must_use]
-    pub fn attitude(&self) -> UnitQuaternion<f64> {
+    pub(super) fn attitude(&self) -> UnitQuaternion<f64> {
         if self.along.z == 0.0 && self.along.x > 0.0 {
             // A quarter turn with no rounding between its components.
             return UnitQuaternion::new_unchecked(Quaternion::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2, 0.0));
@@ -116,16 +110,13 @@ impl Part {
     }
 
     /// Its mass, centre and inertia in its own axes: the origin in its middle, z along it.
-    ///
-    /// # Errors
-    /// Sizes or a mass that are none of a body.
-    pub fn properties(&self) -> Result<MassProperties, Error> {
+    pub(super) fn properties(&self) -> Result<MassProperties, Error> {
         let length = self.length();
         match self.section {
             Section::Line => self.filled(&ThinRod::new(length)?),
             Section::Rectangle { wide, thick } => self.filled(&Cuboid::new(wide, thick, length)?),
             Section::Round { radius } => self.filled(&Cylinder::new(radius, length)?),
-            Section::Ring { inner, outer } => self.filled(&Tube::new(inner, outer, length)?),
+            Section::Ring { inner, outer } => self.filled(&Cylinder::hollow(inner, outer, length)?),
         }
     }
 
@@ -133,10 +124,10 @@ impl Part {
     pub(super) fn inertia(&self) -> Matrix3<f64> {
         let (mass, length) = (self.mass(), self.length());
         let [across, y, along] = match self.section {
-            Section::Line => rod_moments(&mass, &length),
-            Section::Rectangle { wide, thick } => cuboid_moments(&mass, &wide, &thick, &length),
-            Section::Round { radius } => cylinder_moments(&mass, &radius, &length),
-            Section::Ring { inner, outer } => tube_moments(&mass, &inner, &outer, &length),
+            Section::Line => ThinRod::moments(&mass, [&length]),
+            Section::Rectangle { wide, thick } => Cuboid::moments(&mass, [&wide, &thick, &length]),
+            Section::Round { radius } => Cylinder::moments(&mass, [&radius, &length]),
+            Section::Ring { inner, outer } => Cylinder::moments(&mass, [&inner, &outer, &length]),
         }
         .into();
         // Its x and z axes turned in the xz plane.
@@ -160,6 +151,28 @@ impl Part {
         match self.fill {
             Fill::Mass(mass) => solid.with_mass(mass),
             Fill::Density(density) => solid.with_density(density),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::NamedBody;
+    use super::*;
+
+    #[test]
+    fn each_part_lies_along_its_own_z_axis_and_weighs_what_its_solid_does() {
+        for body in NamedBody::ALL {
+            body.each_part(&mut |part| {
+                let (z, y) = (part.attitude() * Vector3::z(), part.attitude() * Vector3::y());
+                assert!((z * part.along.norm() - part.along).amax() < 1e-15, "{body} {}", part.name);
+                assert!((y - Vector3::y()).amax() < 1e-15, "{body} {}", part.name);
+                assert!(
+                    (part.properties().unwrap().mass() / part.mass() - 1.0).abs() < 1e-14,
+                    "{}",
+                    part.name
+                );
+            });
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The tennis racket. Where its sizes come from stands at [`tennis_racket`](super::tennis_racket).
+//! The tennis racket. Where its sizes come from stands at [`super::NamedBody::TennisRacket`].
 
 use super::{Fill, Part, Section};
 use crate::number::functions::sin_cos;

@@ -1,5 +1,5 @@
-//! The named bodies of steel: hammer, wing nut, T-handle. Where their sizes come from stands at the functions
-//! in [`super`].
+//! The named bodies of steel: hammer, wing nut, T-handle. Where their sizes come from stands at
+//! [`super::NamedBody`].
 
 use super::{Fill, Part, Section};
 use nalgebra::Vector3;

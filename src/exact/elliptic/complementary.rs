@@ -1,7 +1,7 @@
 //! Jacobi's functions near and on the separatrix: theta sums in hyperbolic functions, after Jacobi's
 //! imaginary transformation.
 
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, lane_power_of_two};
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the square root of `E`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +53,7 @@ fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
     let (r2, r4) = (r * r, (r * r) * (r * r));
     let four = |k: usize| (r * a[k + 1] + a[k]) + r2 * (r * a[k + 3] + a[k + 2]);
     let series = four(0) + r4 * (four(4) + r4 * four(8));
-    (twos.power_of_two(), r + r2 * series)
+    (lane_power_of_two(twos), r + r2 * series)
 }
 
 /// The sums for a complementary nome `p` of at most 0.02, that is the direct nome above 0.08.

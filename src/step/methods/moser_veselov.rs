@@ -201,6 +201,13 @@ fn whole<T: Ring>(n: i32) -> T {
     if n < 0 { -size } else { size }
 }
 
+/// Sums of integers times products of the elementary symmetric functions.
+macro_rules! sum {
+    ($($n:literal $first:ident $($rest:ident)*),*) => {
+        T::zero() $(+ whole::<T>($n) * $first.clone() $(* $rest.clone())*)*
+    };
+}
+
 /// `a` and `b` of `1/K = a/I + b`, for the momentum times the step, all in units of the first moment.
 fn corrections<T: Analytic>(inverse: &Vector3<T>, momentum: &Vector3<T>, order: u32) -> (T, T) {
     let square = momentum.dot(momentum);
@@ -210,12 +217,6 @@ fn corrections<T: Analytic>(inverse: &Vector3<T>, momentum: &Vector3<T>, order: 
     let e1 = x.clone() + y.clone() + z.clone();
     let e2 = p(x, y) + p(y, z) + p(z, x);
     let e3 = p(&p(x, y), z);
-    // Sums of integers times products of the elementary symmetric functions.
-    macro_rules! sum {
-        ($($n:literal $first:ident $($rest:ident)*),*) => {
-            T::zero() $(+ whole::<T>($n) * $first.clone() $(* $rest.clone())*)*
-        };
-    }
     // sum of parts[j] square^(k - j) twice_energy^j, over `below`.
     let joined = |below: u32, parts: &[T]| {
         let mut power = T::one();
@@ -233,46 +234,52 @@ fn corrections<T: Analytic>(inverse: &Vector3<T>, momentum: &Vector3<T>, order: 
         b += joined(240, &[sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)]);
     }
     if order > 6 {
-        a += joined(
-            20_160,
-            &[
-                sum!(17 e2 e2 e2, -66 e1 e2 e3, 100 e3 e3),
-                sum!(-36 e1 e2 e2, 132 e1 e1 e3, -30 e2 e3),
-                sum!(6 e1 e1 e2, 41 e2 e2, -212 e1 e3),
-                sum!(-4 e1 e1 e1, 4 e1 e2, 72 e3),
-            ],
-        );
-        b += joined(
-            20_160,
-            &[
-                sum!(-19 e2 e2 e3, 72 e1 e3 e3),
-                sum!(2 e2 e2 e2, -2 e1 e2 e3, -176 e3 e3),
-                sum!(13 e1 e2 e2, -64 e1 e1 e3, 110 e2 e3),
-                sum!(2 e1 e1 e2, -26 e2 e2, 60 e1 e3),
-            ],
-        );
+        let [to_a, to_b] = to_order_8([&e1, &e2, &e3]);
+        a += joined(20_160, &to_a);
+        b += joined(20_160, &to_b);
     }
     if order > 8 {
-        a += joined(
-            725_760,
-            &[
-                sum!(62 e2 e2 e2 e2, -342 e1 e2 e2 e3, 378 e1 e1 e3 e3, 291 e2 e3 e3),
-                sum!(-154 e1 e2 e2 e2, 612 e1 e1 e2 e3, 282 e2 e2 e3, -2256 e1 e3 e3),
-                sum!(156 e1 e1 e2 e2, 18 e2 e2 e2, -612 e1 e1 e1 e3, 180 e1 e2 e3, 1908 e3 e3),
-                sum!(-4 e1 e1 e1 e2, -264 e1 e2 e2, 1104 e1 e1 e3, -828 e2 e3),
-                sum!(2 e1 e1 e1 e1, -3 e1 e1 e2, 153 e2 e2, -486 e1 e3),
-            ],
-        );
-        b += joined(
-            725_760,
-            &[
-                sum!(-61 e2 e2 e2 e3, 243 e1 e2 e3 e3, -610 e3 e3 e3),
-                sum!(-1 e2 e2 e2 e2, 222 e1 e2 e2 e3, -864 e1 e1 e3 e3, 684 e2 e3 e3),
-                sum!(-30 e1 e2 e2 e2, 114 e1 e1 e2 e3, -798 e2 e2 e3, 2136 e1 e3 e3),
-                sum!(-30 e1 e1 e2 e2, 194 e2 e2 e2, 128 e1 e1 e1 e3, -552 e1 e2 e3, -1296 e3 e3),
-                sum!(-1 e1 e1 e1 e2, -6 e1 e2 e2, -126 e1 e1 e3, 459 e2 e3),
-            ],
-        );
+        let [to_a, to_b] = to_order_10([&e1, &e2, &e3]);
+        a += joined(725_760, &to_a);
+        b += joined(725_760, &to_b);
     }
     (a, b)
+}
+
+/// What the order 8 adds to `a` and `b`: the parts that [`corrections`] joins, over 20_160.
+fn to_order_8<T: Analytic>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
+    [
+        [
+            sum!(17 e2 e2 e2, -66 e1 e2 e3, 100 e3 e3),
+            sum!(-36 e1 e2 e2, 132 e1 e1 e3, -30 e2 e3),
+            sum!(6 e1 e1 e2, 41 e2 e2, -212 e1 e3),
+            sum!(-4 e1 e1 e1, 4 e1 e2, 72 e3),
+        ],
+        [
+            sum!(-19 e2 e2 e3, 72 e1 e3 e3),
+            sum!(2 e2 e2 e2, -2 e1 e2 e3, -176 e3 e3),
+            sum!(13 e1 e2 e2, -64 e1 e1 e3, 110 e2 e3),
+            sum!(2 e1 e1 e2, -26 e2 e2, 60 e1 e3),
+        ],
+    ]
+}
+
+/// What the order 10 adds to `a` and `b`: the parts that [`corrections`] joins, over 725_760.
+fn to_order_10<T: Analytic>([e1, e2, e3]: [&T; 3]) -> [[T; 5]; 2] {
+    [
+        [
+            sum!(62 e2 e2 e2 e2, -342 e1 e2 e2 e3, 378 e1 e1 e3 e3, 291 e2 e3 e3),
+            sum!(-154 e1 e2 e2 e2, 612 e1 e1 e2 e3, 282 e2 e2 e3, -2256 e1 e3 e3),
+            sum!(156 e1 e1 e2 e2, 18 e2 e2 e2, -612 e1 e1 e1 e3, 180 e1 e2 e3, 1908 e3 e3),
+            sum!(-4 e1 e1 e1 e2, -264 e1 e2 e2, 1104 e1 e1 e3, -828 e2 e3),
+            sum!(2 e1 e1 e1 e1, -3 e1 e1 e2, 153 e2 e2, -486 e1 e3),
+        ],
+        [
+            sum!(-61 e2 e2 e2 e3, 243 e1 e2 e3 e3, -610 e3 e3 e3),
+            sum!(-1 e2 e2 e2 e2, 222 e1 e2 e2 e3, -864 e1 e1 e3 e3, 684 e2 e3 e3),
+            sum!(-30 e1 e2 e2 e2, 114 e1 e1 e2 e3, -798 e2 e2 e3, 2136 e1 e3 e3),
+            sum!(-30 e1 e1 e2 e2, 194 e2 e2 e2, 128 e1 e1 e1 e3, -552 e1 e2 e3, -1296 e3 e3),
+            sum!(-1 e1 e1 e1 e2, -6 e1 e2 e2, -126 e1 e1 e3, 459 e2 e3),
+        ],
+    ]
 }

@@ -246,7 +246,7 @@ mod tests {
 
     #[test]
     fn stepped_in_pieces_an_engine_goes_where_the_library_says() {
-        let inertia = named::the_box().unwrap().inertia();
+        let inertia = named::NamedBody::TheBox.properties().unwrap().inertia();
         for (which, engine) in Engine::ALL.into_iter().enumerate() {
             for (omega, step) in [([10.0, 0.1, 0.1], 0.001), ([1.0, 1.0, 1.0], 0.01)] {
                 let vector = Vector3::from(omega);
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn energy_and_momentum_are_told_as_the_librarys_run_has_them() {
-        let inertia = named::the_box().unwrap().inertia();
+        let inertia = named::NamedBody::TheBox.properties().unwrap().inertia();
         let mut broken = 0;
         for (which, engine) in Engine::ALL.into_iter().enumerate() {
             for (omega, step, count) in [([1.0, 1.0, 1.0], 0.01, 700), ([2.0, 0.3, -1.1], 0.02, 300)] {
@@ -331,8 +331,8 @@ mod tests {
             assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
             assert!(ours.z < ours.x && ours.x < ours.y);
         };
-        same(0.0, named::the_box().unwrap().inertia());
-        same(1.0, named::book().unwrap().inertia());
-        same(2.0, named::phone().unwrap().inertia());
+        same(0.0, named::NamedBody::TheBox.properties().unwrap().inertia());
+        same(1.0, named::NamedBody::Book.properties().unwrap().inertia());
+        same(2.0, named::NamedBody::Phone.properties().unwrap().inertia());
     }
 }

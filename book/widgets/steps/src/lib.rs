@@ -141,8 +141,9 @@ mod tests {
         let place = Method::ALL.iter().position(|&m| m == method).unwrap();
         let truth = FreeMotion::new(body(0.0).try_into().unwrap(), &Vector3::new(1.0, 1.0, 1.0))
             .unwrap()
-            .attitude(10.0)
-            .unwrap();
+            .at(10.0)
+            .unwrap()
+            .attitude;
         let row = Numbers::new();
         row.fill(&[0.0, 1.0, 1.0, 1.0, 10.0, count, place as f64, truth.w, truth.i, truth.j, truth.k]);
         let places = answer(1, &row);
@@ -188,7 +189,14 @@ mod tests {
 
     #[test]
     fn the_bodies_are_those_of_the_book() {
-        for (which, theirs) in [named::the_box(), named::book(), named::phone()].into_iter().enumerate() {
+        for (which, theirs) in [
+            named::NamedBody::TheBox.properties(),
+            named::NamedBody::Book.properties(),
+            named::NamedBody::Phone.properties(),
+        ]
+        .into_iter()
+        .enumerate()
+        {
             let [ours, theirs] = [body(which as f64), theirs.unwrap().inertia().matrix().diagonal()];
             assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
         }

@@ -1,17 +1,17 @@
 //! What the page draws: the parts of a body, as the library has them.
 
 use exchange::Numbers;
-use tumbling::body::named::{self, NamedBody, Part, Section};
+use tumbling::body::named::{NamedBody, Part, Section};
 
 /// How many numbers describe a part.
 pub(crate) const SIZE: usize = 8;
 
-/// The bodies of the page, by their places among the library's: the box, the book, the phone, the tennis
-/// racket, the wing nut.
-const PLACES: [usize; 5] = [0, 1, 2, 5, 6];
+/// The bodies of the page.
+const BODIES: [NamedBody; 5] =
+    [NamedBody::TheBox, NamedBody::Book, NamedBody::Phone, NamedBody::TennisRacket, NamedBody::WingNut];
 
-pub(crate) fn body(which: f64) -> Option<&'static NamedBody> {
-    named::all().get(*PLACES.get(which as usize)?)
+pub(crate) fn body(which: f64) -> Option<NamedBody> {
+    BODIES.get(which as usize).copied()
 }
 
 /// The parts of a body, of [`SIZE`] numbers each; m and kg. A bar: 0, its ends' x, z, x, z, its width in the
@@ -45,7 +45,7 @@ fn numbers(part: &Part) -> [f64; SIZE] {
 mod tests {
     use super::*;
     use nalgebra::{Rotation3, UnitQuaternion, Vector3};
-    use tumbling::solid::{Compound, Cuboid, MassProperties, Solid, ThinRod, Tube};
+    use tumbling::solid::{Compound, Cuboid, Cylinder, MassProperties, Solid, ThinRod};
 
     /// A body put together from its parts; bars that lean, and strings, as thin rods if so asked.
     fn made(which: usize, thin: bool) -> MassProperties {
@@ -60,8 +60,9 @@ mod tests {
                 UnitQuaternion::from_rotation_matrix(&Rotation3::from_basis_unchecked(&[y.cross(&z), y, z]))
             };
             if kind == 1.0 {
-                let tube = Tube::new(c, d, b - a).unwrap().with_mass(mass).unwrap();
-                body = body.with(tube, Vector3::new(0.5 * (a + b), 0.0, 0.0), turned(Vector3::x()));
+                let tube = Cylinder::hollow(c, d, b - a).unwrap().with_mass(mass).unwrap();
+                let along_x = tube.turned(turned(Vector3::x())).unwrap();
+                body = body.at(along_x, &Vector3::new(0.5 * (a + b), 0.0, 0.0));
                 continue;
             }
             let (from, to) = (Vector3::new(a, 0.0, b), Vector3::new(c, 0.0, d));
@@ -71,7 +72,8 @@ mod tests {
             } else {
                 Cuboid::new(wide, thick, long).unwrap().with_mass(mass)
             };
-            body = body.with(solid.unwrap(), 0.5 * (from + to), turned(to - from));
+            let leaning = solid.unwrap().turned(turned(to - from)).unwrap();
+            body = body.at(leaning, &(0.5 * (from + to)));
         }
         body.properties().unwrap()
     }
@@ -81,7 +83,7 @@ mod tests {
         let names = ["the box", "the book", "the phone", "the tennis racket", "the wing nut"];
         for (which, name) in names.into_iter().enumerate() {
             let theirs = body(which as f64).unwrap();
-            assert_eq!(theirs.name(), name);
+            assert_eq!(theirs.to_string(), name);
             let theirs = theirs.properties().unwrap();
             let tensor = theirs.inertia().matrix();
             let size = tensor.amax();

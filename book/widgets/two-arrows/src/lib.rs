@@ -117,8 +117,8 @@ mod tests {
         };
         same(0.0, ThinPlate::new(2.0, 1.0).unwrap().with_mass(1.0).unwrap());
         same(1.0, Cuboid::new(2.0, 1.0, 3.0).unwrap().with_mass(1.0).unwrap());
-        same(1.0, named::the_box().unwrap());
-        same(2.0, named::book().unwrap());
-        same(3.0, named::phone().unwrap());
+        same(1.0, named::NamedBody::TheBox.properties().unwrap());
+        same(2.0, named::NamedBody::Book.properties().unwrap());
+        same(3.0, named::NamedBody::Phone.properties().unwrap());
     }
 }

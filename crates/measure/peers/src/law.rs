@@ -21,7 +21,7 @@ impl Law {
     /// The law of a story, and the state at its start.
     pub fn of(story: &Story) -> (Self, Packed) {
         let size = story.start.momentum.norm();
-        let inverse = story.system.inverse().map(|x| x * size).into();
+        let inverse = story.system.moments().map(|x| size / x).into();
         let law = Self { system: story.system.clone(), inverse, size };
         let start = law.state(&story.start);
         (law, start)
@@ -55,7 +55,7 @@ impl Law {
             n * x - l * z,
             l * v - m * x,
         ];
-        if !self.system.is_free() {
+        if !self.system.torques().is_empty() {
             let torque = self.system.torque(&self.motion(y)) / self.size;
             rate[4] += torque.x;
             rate[5] += torque.y;

@@ -6,7 +6,7 @@ use crate::tex::{Node, Scope, Statement, Value};
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::coupling;
 use tumbling::inertia::{omega_world, point_mass};
-use tumbling::solid::cuboid_moments;
+use tumbling::solid::{Cuboid, Shape};
 
 /// The names of a vector's components: `name_x`, `name_y`, `name_z`.
 fn with_components(scope: Scope, stem: &str, v: &Vector) -> Scope {
@@ -72,7 +72,7 @@ pub(super) fn piece() -> Scope {
 /// Any box, of edges a, b, c along x, y, z.
 pub(super) fn the_box() -> Scope {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
-    let tensor = diagonal(&cuboid_moments(&m, &a, &b, &c));
+    let tensor = diagonal(&Cuboid::moments(&m, [&a, &b, &c]));
     with_entries(Scope::default(), "I", &tensor).with("m", m).with("a", a).with("b", b).with("c", c)
 }
 
@@ -95,7 +95,7 @@ pub(super) fn the_box_spun() -> Scope {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
     let omega = vector("omega");
     let scope = with_components(the_box(), r"\omega", &omega);
-    scope.with(r"\mathbf{L}", momentum(&cuboid_moments(&m, &a, &b, &c), &omega))
+    scope.with(r"\mathbf{L}", momentum(&Cuboid::moments(&m, [&a, &b, &c]), &omega))
 }
 
 /// The example says each moment times 1, 1 and 0, the components of its spin: for those their names are put,
@@ -162,7 +162,7 @@ pub(super) fn product_without_minus() -> Scope {
 /// The tangent of the gap of any box spun equally about x and y.
 pub(super) fn box_gap() -> Scope {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
-    let moments = cuboid_moments(&m, &a, &b, &c);
+    let moments = Cuboid::moments(&m, [&a, &b, &c]);
     let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
     let across = -coupling(&moments, &omega).z.clone();
     let along = omega.dot(&(diagonal(&moments) * &omega));

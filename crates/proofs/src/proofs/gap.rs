@@ -5,7 +5,7 @@ use crate::proof::{Mutant, Outcome, Proof, Residue, positive, same};
 use crate::symbols::{Vector, diagonal, ordered_moments, variables, vector};
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::{coupling, tensor_times_acceleration};
-use tumbling::solid::cuboid_moments;
+use tumbling::solid::{Cuboid, Shape};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -13,15 +13,15 @@ pub(super) const PROOFS: &[Proof] = &[
         part: "inertia",
         statement: "For every box spun equally about x and y the tangent of the gap is (a² - b²)/(a² + b² + 2 c²), whatever it \
                     weighs; for edges 2, 1, 3 that is 3/23.",
-        check: || box_gap(cuboid_moments),
+        check: || box_gap(|m, a, b, c| Cuboid::moments(m, [a, b, c])),
         mutants: &[
             Mutant {
                 change: "edges a and b swapped",
-                check: || box_gap(|m, a, b, c| cuboid_moments(m, b, a, c)),
+                check: || box_gap(|m, a, b, c| Cuboid::moments(m, [b, a, c])),
             },
             Mutant {
                 change: "edges b and c swapped",
-                check: || box_gap(|m, a, b, c| cuboid_moments(m, a, c, b)),
+                check: || box_gap(|m, a, b, c| Cuboid::moments(m, [a, c, b])),
             },
         ],
     },

@@ -4,7 +4,7 @@ use crate::number::Fraction;
 use crate::proof::{Mutant, Outcome, Proof, same, same_matrices, same_vectors};
 use crate::symbols::{Matrix, Vector, scalar, variables, vector};
 use tumbling::inertia::point_mass;
-use tumbling::solid::{MassMoments, combined, point_masses_moments};
+use tumbling::solid::{MassMoments, combined};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -85,22 +85,26 @@ fn triangle(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
 }
 
 /// Three points: mass, first and second moments of theirs can be anything, and no more than those count.
-fn points() -> Vec<(Fraction, Vector)> {
-    ["r", "s", "t"].iter().map(|name| (Fraction::variable(&format!("m_{name}")), vector(name))).collect()
+fn points() -> Vec<MassMoments<Fraction>> {
+    let point = |name: &str| MassMoments {
+        mass: Fraction::variable(&format!("m_{name}")),
+        centre: vector(name),
+        inertia: Matrix::zeros(),
+    };
+    ["r", "s", "t"].map(point).into()
 }
 
 fn parallel_axes(factor: i64) -> Outcome {
     let (points, away) = (points(), vector("d"));
-    let body = point_masses_moments(&points, &Vector::zeros());
+    let body = combined(&points, &Vector::zeros());
     let from = |position: &Vector| position - &away;
-    let about = points.iter().fold(Matrix::zeros(), |sum, (m, r)| sum + point_mass(m, &from(r)));
+    let about = points.iter().fold(Matrix::zeros(), |sum, p| sum + point_mass(&p.mass, &from(&p.centre)));
     let shift = point_mass(&body.mass, &from(&body.centre)).map(|x| x * Fraction::from(factor));
     same_matrices("the tensor about d", &about, &(body.inertia + shift))
 }
 
 fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction>) -> Outcome {
-    let part = |(mass, centre)| MassMoments { mass, centre, inertia: Matrix::zeros() };
-    let all: Vec<_> = points().into_iter().map(part).collect();
+    let all = points();
     let together = law(&all, &vector("d"));
     let pair = law(&all[1..], &Vector::zeros());
     let in_steps = law(&[pair, all[0].clone()], &Vector::zeros());

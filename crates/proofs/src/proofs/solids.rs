@@ -12,9 +12,31 @@ use integrals::{
 use nalgebra::Vector3;
 use num_traits::Zero;
 use tumbling::solid::{
-    MassMoments, ball_moment, capsule_moments, cone_moments, cuboid_moments, cylinder_moments, disk_moments,
-    ellipsoid_moments, hollow_sphere_moment, plate_moments, rod_moments, tetrahedron_moments, tube_moments,
+    Ball, Capsule, Cone, Cuboid, Cylinder, Ellipsoid, MassMoments, Shape, ThinDisk, ThinPlate, ThinRod,
+    tetrahedron_moments,
 };
+
+/// The law of a shape as a function of its mass and each of its sizes.
+macro_rules! laws {
+    ($($law:ident: $Shape:ident($($size:ident),+);)+) => {$(
+        fn $law(mass: &Fraction, $($size: &Fraction),+) -> Vector {
+            $Shape::moments(mass, [$($size),+])
+        }
+    )+};
+}
+laws! {
+    ball_moments: Ball(r);
+    hollow_sphere_moments: Ball(inner, outer);
+    ellipsoid_moments: Ellipsoid(a, b, c);
+    cuboid_moments: Cuboid(a, b, c);
+    plate_moments: ThinPlate(a, b);
+    rod_moments: ThinRod(length);
+    disk_moments: ThinDisk(r);
+    cylinder_moments: Cylinder(r, h);
+    tube_moments: Cylinder(inner, outer, h);
+    cone_moments: Cone(r, h);
+    capsule_moments: Capsule(r, l);
+}
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -61,10 +83,10 @@ pub(super) const PROOFS: &[Proof] = &[
         name: "ball",
         part: "solid",
         statement: "The moment of every ball about any axis through its centre is 2/5 m r².",
-        check: || ball(ball_moment),
+        check: || ball(ball_moments),
         mutants: &[Mutant {
             change: "2/5 becomes 2/3, that of a shell",
-            check: || ball(|m, r| ball_moment(&times(m, 5, 3), r)),
+            check: || ball(|m, r| ball_moments(&times(m, 5, 3), r)),
         }],
     },
     Proof {
@@ -72,10 +94,10 @@ pub(super) const PROOFS: &[Proof] = &[
         part: "solid",
         statement: "The moment of every hollow sphere is that of a ball less that of its hole, for the mass that is left; \
                     with equal radii it is 2/3 m r².",
-        check: || hollow_sphere(hollow_sphere_moment),
+        check: || hollow_sphere(hollow_sphere_moments),
         mutants: &[Mutant {
             change: "the hole filled",
-            check: || hollow_sphere(|m, _, o| ball_moment(m, o)),
+            check: || hollow_sphere(|m, _, o| ball_moments(m, o)),
         }],
     },
     Proof {

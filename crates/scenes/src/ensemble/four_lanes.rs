@@ -149,11 +149,6 @@ impl Lane for FourLanes {
         }
         Self(f64x4::new(from_fn(|k| self.lane(k).mul_add(other.lane(k), -product.lane(k)))))
     }
-
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        Self(f64x4::new(self.0.to_array().map(f64::power_of_two)))
-    }
 }
 
 #[inline(always)]
@@ -226,14 +221,6 @@ mod tests {
         ) {
             let left = four(a).two_product_error(four(b), four(a) * four(b));
             prop_assert_eq!(bits(left), [0, 1, 2, 3].map(|k| a[k].mul_add(b[k], -(a[k] * b[k])).to_bits()));
-        }
-    }
-
-    #[test]
-    fn powers_of_two_are_exact_over_the_whole_range() {
-        for n in [-1022, -1, 0, 1, 1023] {
-            let power = FourLanes::splat(f64::from(n)).power_of_two();
-            assert_eq!(power.lane(3), 2_f64.powi(n));
         }
     }
 }

@@ -1,6 +1,9 @@
 //! The integrals that the moments of solids are held to.
 
-use super::along;
+use super::{
+    along, ball_moments, capsule_moments, cone_moments, cylinder_moments, disk_moments, ellipsoid_moments,
+    hollow_sphere_moments, plate_moments, rod_moments, tube_moments,
+};
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::{Outcome, not_negative, same, same_matrices, same_vectors};
 use crate::region::{Region, Sums};
@@ -8,11 +11,7 @@ use crate::symbols::{Matrix, Vector, diagonal, variables};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use tumbling::inertia::point_mass;
-use tumbling::solid::{
-    MassMoments, ball_moment, capsule_moments, cone_moments, cylinder_moments, disk_moments,
-    ellipsoid_moments, hollow_sphere_moment, mesh_moments, mesh_sums, plate_moments, rod_moments,
-    tetrahedron_moments, tube_moments,
-};
+use tumbling::solid::{MassMoments, mesh_moments, tetrahedron_moments};
 
 fn symbol(name: &str) -> Polynomial {
     Polynomial::variable(name)
@@ -80,16 +79,16 @@ pub(super) fn ellipsoid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction)
     has_moments(&ellipsoid_part(&Vector3::new(a, b, c), &Fraction::zero(), -1, 1)?, &centred(&m, &moments))
 }
 
-pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Fraction) -> Outcome {
+pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Outcome {
     let [m, r] = variables(["m", "r"]);
-    has_moments(&ball_sums(&r)?, &centred(&m, &Vector::repeat(law(&m, &r))))
+    has_moments(&ball_sums(&r)?, &centred(&m, &law(&m, &r)))
 }
 
-pub(super) fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
+pub(super) fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
     let [m, i, o] = variables(["m", "i", "o"]);
     let solid = ball_sums(&o)?.without(&ball_sums(&i)?);
-    has_moments(&solid, &centred(&m, &Vector::repeat(law(&m, &i, &o))))?;
-    same("a thin shell", &law(&m, &o, &o), &(Fraction::ratio(2, 3) * &m * &o * &o))
+    has_moments(&solid, &centred(&m, &law(&m, &i, &o)))?;
+    same("a thin shell", &law(&m, &o, &o).x, &(Fraction::ratio(2, 3) * &m * &o * &o))
 }
 
 /// A cylinder of the given radius about z, between two heights.
@@ -204,7 +203,7 @@ pub(super) fn mesh_of_a_box(
         triangles[3].swap(0, 1);
     }
     let reference = Vector::from(variables(["u", "v", "w"]));
-    let found = mesh_moments(&mesh_sums(triangles, &reference), &reference);
+    let found = mesh_moments(triangles, &reference);
     let volume = &a * &b * &c;
     same("volume", &found.mass, &volume)?;
     let middle = Vector::from_fn(|i, _| &at[i] + &(edges[i] / &Fraction::from(2)));
@@ -219,7 +218,7 @@ pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
     corners[0] = Vector::zeros();
     let triangles = [base, [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(|face| face.map(|n| &corners[n]));
     let reference = Vector::from(variables(["u", "v", "w"]));
-    let found = mesh_moments(&mesh_sums(triangles, &reference), &reference);
+    let found = mesh_moments(triangles, &reference);
     // At density one its mass is its volume, a sixth of the box on its edges.
     let volume = corners[1].cross(&corners[2]).dot(&corners[3]) / Fraction::from(6);
     same("mass", &found.mass, &volume)?;
@@ -237,8 +236,8 @@ pub(super) fn triangle_inequality(
     let all = [
         ("box", cuboid(&m, &a, &b, &c)),
         ("ellipsoid", ellipsoid_moments(&m, &a, &b, &c)),
-        ("ball", Vector::repeat(ball_moment(&m, &r))),
-        ("hollow sphere", Vector::repeat(hollow_sphere_moment(&m, &r, &outer))),
+        ("ball", ball_moments(&m, &r)),
+        ("hollow sphere", hollow_sphere_moments(&m, &r, &outer)),
         ("cylinder", cylinder_moments(&m, &r, &h)),
         ("tube", tube_moments(&m, &r, &outer, &h)),
         ("cone", cone_moments(&m, &r, &h)),

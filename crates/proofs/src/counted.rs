@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use nalgebra::{Matrix3, Vector3};
-//! use tumbling::number::counted::{Counted, count};
+//! use tumbling_proofs::counted::{Counted, count};
 //!
 //! let r = Matrix3::<f64>::identity().map(Counted::new);
 //! let v = Vector3::new(1.0, 2.0, 3.0).map(Counted::new);
@@ -37,7 +37,7 @@ thread_local! {
 /// inner count finds counts for the outer one too.
 ///
 /// ```
-/// use tumbling::number::counted::{Counted, count};
+/// use tumbling_proofs::counted::{Counted, count};
 /// let x = Counted::new(3.0);
 /// let (_, outer) = count(|| x * count(|| -x * x + x).0);
 /// assert_eq!((outer.multiplications, outer.additions), (2, 1));
@@ -137,5 +137,17 @@ impl Zero for Counted {
 impl One for Counted {
     fn one() -> Self {
         Self { value: 1.0, unity: true }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_counting_number_compares_by_its_value() {
+        assert_eq!(Counted::new(1.0), Counted::one());
+        assert!(Counted::new(1.0).is_one());
+        assert!(Counted::new(0.5) < Counted::one());
     }
 }
