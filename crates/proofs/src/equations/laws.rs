@@ -167,7 +167,7 @@ pub fn laws() -> &'static [Law] {
             "proofs",
             "(a^2-b^2)/(a^2+b^2+2c^2)",
             &[bodies::box_gap],
-            "the tangent of the gap by solid::cuboid_moments and euler::coupling",
+            "the tangent of the gap by Cuboid::moments and euler::coupling",
         ),
         law(
             "matrix-mass",
@@ -178,9 +178,9 @@ pub fn laws() -> &'static [Law] {
         law("matrix-mass", r"\begin{pmatrix}L_x\\L_y\\L_z\end{pmatrix}", &[body], "the same, entry by entry"),
         law("matrix-mass", r"I_{\text{piece}}", &[piece], "inertia::point_mass"),
         law("matrix-mass", r"\mathbf{L}", &[body], "the same, in the remark on signs"),
-        law("worked-example", r"I_{xx}", &[the_box], "solid::cuboid_moments, about x"),
-        law("worked-example", r"I_{yy}", &[the_box], "solid::cuboid_moments, about y"),
-        law("worked-example", r"I_{zz}", &[the_box], "solid::cuboid_moments, about z"),
+        law("worked-example", r"I_{xx}", &[the_box], "Cuboid::moments, about x"),
+        law("worked-example", r"I_{yy}", &[the_box], "Cuboid::moments, about y"),
+        law("worked-example", r"I_{zz}", &[the_box], "Cuboid::moments, about z"),
         Law {
             in_general: bodies::for_any_spin,
             example: &[("m", 1), ("a", 2), ("b", 1), ("c", 3)],
