@@ -127,13 +127,13 @@ laws! {
     MIDDLE_MOMENT = law("I_2", &[motion::in_order], "symbols::ordered_moments");
     LARGEST_MOMENT = law("I_3", &[motion::in_order], "symbols::ordered_moments");
     GROWTH = Law { attained: &[equal_moments], ..law(r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle") };
-    GAP_OF_A_BOX = bare("(a^2-b^2)/(a^2+b^2+2c^2)", &[bodies::box_gap], "the tangent of the gap by solid::cuboid_moments and euler::coupling", );
+    GAP_OF_A_BOX = bare("(a^2-b^2)/(a^2+b^2+2c^2)", &[bodies::box_gap], "the tangent of the gap by solid::Cuboid::moments and euler::coupling", );
     MOMENTUM = law(r"\mathbf{L}", &[body], "the momentum of any points is inertia::point_mass of them times the spin", );
     MOMENTUM_BY_ENTRY = law(r"\begin{pmatrix}L_x\\L_y\\L_z\end{pmatrix}", &[body], "the momentum of any points is inertia::point_mass of them times the spin, entry by entry");
     TENSOR_OF_A_PIECE = law(r"I_{\text{piece}}", &[piece], "inertia::point_mass");
-    BOX_ABOUT_X = law(r"I_{xx}", &[the_box], "solid::cuboid_moments, about x");
-    BOX_ABOUT_Y = law(r"I_{yy}", &[the_box], "solid::cuboid_moments, about y");
-    BOX_ABOUT_Z = law(r"I_{zz}", &[the_box], "solid::cuboid_moments, about z");
+    BOX_ABOUT_X = law(r"I_{xx}", &[the_box], "solid::Cuboid::moments, about x");
+    BOX_ABOUT_Y = law(r"I_{yy}", &[the_box], "solid::Cuboid::moments, about y");
+    BOX_ABOUT_Z = law(r"I_{zz}", &[the_box], "solid::Cuboid::moments, about z");
     BOX_MOMENTUM = Law { in_general: bodies::for_any_spin, example: &[("m", 1), ("a", 2), ("b", 1), ("c", 3)], ..law(r"\mathbf{L}", &[the_box_spun], "inertia::omega_world gives back the spin, here (1, 1, 0)", ) };
     PLANAR_MOMENTUM = law(r"\mathbf{L}", &[planar], "inertia::omega_world gives back the spin");
     SUMMIT_ANGLE = law(r"\tan\theta", &[summit], "where the derivative of the gap is zero, by euler::coupling", );
