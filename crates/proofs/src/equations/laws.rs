@@ -152,7 +152,7 @@ laws! {
     ENERGY = law("E", &[energy, body], "observe::energy, and half the sum of m v² over any points", );
     WOBBLE = law(r"\lambda^2", &[motion::wobble], "stability::rate_squared");
     SWING = Law { attained: &[equal_moments], ..law(r"\lambda^2", swings::BOTH, "stability::rate_squared, about the largest and the smallest", ) };
-    FROZEN_TENSOR = law(r"I_{\text{body}}\dot{\boldsymbol{\omega}}", &[frozen], "Engine::Frozen's carried_rate, wrong as it is", );
+    FROZEN_TENSOR = law(r"I_{\text{body}}\dot{\boldsymbol{\omega}}", &[frozen], "Engine::Frozen's rate, wrong as it is", );
     MOMENTUM_FOR_SPIN = law(r"\boldsymbol{\omega}", &[momentum_for_spin], "Engine::MomentumForSpin's omega_world, wrong as it is", );
     PRODUCT_OF_INERTIA = law(r"I_{xy}", &[body], "the product in inertia::point_mass, of any points");
     ATTITUDE_RATE = law(r"\dot{q}", &[attitude], "attitude::rate");
