@@ -1,5 +1,5 @@
-//! The equations of a chapter, handed to the proofs: each is a law of the library's own functions, or on the short list
-//! of exemptions, or nothing but values.
+//! The equations of a chapter, handed to the proofs: each is a law of the library's own functions, or on the
+//! short list of exemptions, or nothing but values.
 
 use super::chapter::Chapter;
 use super::offence::Offence;
