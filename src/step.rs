@@ -8,6 +8,7 @@
 
 mod adaptive;
 mod fixed_rate;
+mod info;
 mod method;
 mod methods;
 mod pitfalls;
@@ -18,7 +19,8 @@ mod torque;
 pub use crate::body::{Rate, State};
 pub use adaptive::{AdaptiveRun, LEAST_TOLERANCE, MOST_STEPS, adaptive, adaptive_within};
 pub use fixed_rate::fixed_rate;
-pub use method::{Conserved, Method, MethodInfo};
+pub use info::{Conserved, MethodInfo};
+pub use method::Method;
 pub use methods::rk4::rk4;
 pub use pitfalls::{Carried, Engine};
 pub use stepper::Stepper;

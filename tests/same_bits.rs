@@ -1,4 +1,5 @@
-//! The same bits on every machine: a hash of many answers is the one that is committed.
+//! Regression test: a hash of many answers is the one that is committed, so that every machine has the same
+//! bits. That the answers are right is for the tests in the rooms' folders.
 
 #[path = "common/same_bits.rs"]
 mod same_bits;

@@ -32,6 +32,7 @@ mod equations;
 mod exercises;
 mod facts;
 mod hollow;
+mod laws;
 mod mutants;
 mod numbers;
 mod numerals;

@@ -10,8 +10,8 @@ use tempfile::TempDir;
 use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
-use tumbling_measure::record::{self, Record};
-use tumbling_measure::{atlas as places, contestant, savings, story};
+use tumbling_measure::record::Record;
+use tumbling_measure::{atlas as places, contestant, saving, savings, story};
 
 /// What to measure.
 #[derive(Debug, Args)]
@@ -181,7 +181,7 @@ fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
     let words = ["measure", "scene"].map(Into::into).to_vec();
     let again = Again { program: std::env::current_exe()?.into(), words };
     let mut rows = savings::executed(&again, &mut progress())?;
-    let old = record::scenes()?;
+    let old = saving::recorded()?;
     if check {
         let told = savings::differences(&old.rows, &rows);
         if told.is_empty() {

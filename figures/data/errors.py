@@ -1,15 +1,13 @@
 """Free motions of bodies from the whole triangle of moments, for the figure `exact-errors`.
 
-    python3 errors.py > errors.json
+    PYTHONPATH=tests/data python3 figures/data/errors.py > figures/data/errors.json
 
 The triangle of all bodies (I1/I3 across, I2/I3 up) is cut into SIDE² equal small ones. Of each, the body at its
 centre; of those along an edge, also one a hair inside the edge (a plate, a top); of those in a corner, also one
 a hair inside the corner (a needle, a disk, a ball). Each is spun three ways, and asked at two times.
-The truth is computed with mpmath by ../../tests/data/oracle.py, its conditioning as in sweep.py there."""
+The truth is computed with mpmath by tests/data/oracle.py, its conditioning as in sweep.py there."""
 import json, random, sys
 from fractions import Fraction as Fr
-from pathlib import Path
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "data"))
 import sweep
 
 SIDE = 10

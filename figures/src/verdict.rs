@@ -5,7 +5,7 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::figures::power_of_ten;
 use crate::ink::Ink;
 use std::fmt::Write as _;
-use tumbling_judge::{Law, LawName, Outcome, Point, Sure, Verdict, plain_number};
+use tumbling_judge::{Law, LawName, Outcome, Point, Verdict, plain_number};
 
 const LEFT: f64 = 74.0;
 const RIGHT: f64 = 500.0;
@@ -49,33 +49,18 @@ pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> 
     Ok(canvas.finish("verdict", &title, &description(verdict)))
 }
 
-const fn outcome(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Passed => "passed",
-        Outcome::Failed => "failed",
-        Outcome::TooShort => "too short to judge",
-        _ => "nothing to judge",
-    }
-}
-
 /// What made the record, in a line.
 fn diagnosis(verdict: &Verdict) -> String {
     let Some(diagnosis) = &verdict.diagnosis else { return "no rule is told".into() };
-    let name = diagnosis.best.rule.name();
-    match diagnosis.sure {
-        Sure::ToRounding => format!("made by: {name}"),
-        Sure::MostSteps => format!("most steps made by: {name}"),
-        Sure::Near => format!("most like: {name}"),
-        _ => "made by none of the known rules".into(),
-    }
+    format!("{}: {}", diagnosis.sure.words(), diagnosis.best.rule.name())
 }
 
 fn grade(verdict: &Verdict) -> String {
-    let words = outcome(verdict.outcome);
+    let words = verdict.outcome.key();
     let reason = match (verdict.misread.first(), verdict.resets.first(), verdict.complaints.last()) {
         (Some(_), ..) => Some("the file is not what its names say".to_owned()),
         (_, Some(reset), _) => Some(format!("the motion starts anew at {:.3} s", reset.time)),
-        (.., Some(complaint)) => Some(complaint.clone()),
+        (.., Some(complaint)) => Some(complaint.to_string()),
         _ => verdict
             .broken()
             .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
@@ -133,7 +118,7 @@ fn heading(canvas: &Canvas, verdict: &Verdict) {
     {
         canvas.label((LEFT - 30.0, y), &Label::new(line).size(15.5));
     }
-    if let Some(engine) = &verdict.engine {
+    if let Some(engine) = &verdict.record.engine {
         let engine: String = broken(&plain(engine), 64, 1).concat();
         canvas.label((LEFT - 30.0, 106.0), &Label::new(engine).size(14.5).ink(Ink::Faint));
     }
@@ -189,7 +174,7 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
         canvas.area(&points, fill, None);
     };
     // Where a point stands for many rows, what they reach shows as a band.
-    let many = verdict.rows as f64 > 1.5 * verdict.curve.len() as f64;
+    let many = verdict.record.rows as f64 > 1.5 * verdict.curve.len() as f64;
     if many {
         band(|p| &p.exact_range, Fill::new(Ink::Text).opacity(0.16));
         band(|p| &p.spin_range, Fill::new(Ink::Omega).opacity(0.22));
@@ -319,8 +304,12 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Sai
 }
 
 fn description(verdict: &Verdict) -> String {
-    let mut text =
-        format!("A record of {} rows over {:.3} s: {}.", verdict.rows, verdict.duration, title(verdict));
+    let mut text = format!(
+        "A record of {} rows over {:.3} s: {}.",
+        verdict.record.rows,
+        verdict.record.duration,
+        title(verdict)
+    );
     let axis = verdict.curve.first().map_or(0, |point| point.exact.iamax());
     let last = verdict.curve.last().map(|point| (point.spin[axis], point.exact[axis]));
     if let Some((found, exact)) = last {

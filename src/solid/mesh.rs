@@ -4,7 +4,7 @@
 //! point; together they fill the solid. The sums over them are polynomials in the coordinates, so
 //! [`mesh_sums`] needs no division. Source: [Ebe02](crate::references).
 
-use super::tetrahedron::determinant;
+use super::tetrahedron::{determinant, triple};
 use super::{MassMoments, MassProperties, Solid, shells, topology};
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::PrincipalAxes;
@@ -92,11 +92,6 @@ fn spanned<T: Ring, M>(
     measure: impl FnOnce([&Vector3<T>; 3]) -> M,
 ) -> M {
     measure([&(a - reference), &(b - a), &(c - a)])
-}
-
-/// `a . (b x c)`.
-pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) -> T {
-    a.dot(&b.cross(c))
 }
 
 /// A solid bounded by triangles.

@@ -5,7 +5,7 @@
 //! all along a shell that no other crosses, so one point at each shell decides. The solid angle of a
 //! triangle: [OS83](crate::references).
 
-use super::mesh::triple;
+use super::tetrahedron::triple;
 use crate::error::{Error, Refusal};
 use crate::number::extended::Extended;
 use crate::number::functions::atan2;

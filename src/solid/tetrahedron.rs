@@ -3,8 +3,8 @@
 use super::{MassMoments, MassProperties, Solid};
 use crate::error::{Error, Refusal, finite_vector, positive};
 use crate::inertia::point_mass;
-use crate::number::Field;
 use crate::number::extended::Extended;
+use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
 
 /// Centre and inertia of a full tetrahedron: as if a twentieth of its mass sat at each vertex, measured from
@@ -99,5 +99,10 @@ pub(super) fn determinant([a, b, c]: [&Vector3<Extended>; 3]) -> (Extended, Exte
         Vector3::new(p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x)
     };
     let dot = |p: &Vector3<Extended>, q: &Vector3<Extended>| p.x * q.x + p.y * q.y + p.z * q.z;
-    (super::mesh::triple(a, b, c), dot(&size(a), &plus(&size(b), &size(c))))
+    (triple(a, b, c), dot(&size(a), &plus(&size(b), &size(c))))
+}
+
+/// `a . (b x c)`.
+pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) -> T {
+    a.dot(&b.cross(c))
 }

@@ -225,10 +225,11 @@ tumblingLive.widget("judge", async (stage, from) => {
 
     /** What became of them all, said. */
     function sum() {
-        const count = (outcome) => records.filter(({ verdict }) => (verdict?.outcome ?? "none") === outcome).length;
-        const parts = [["passed", "passed"], ["failed", "failed"], ["nothing to judge", "with nothing to judge"],
-            ["too short to judge", "too short to judge"], ["none", "cannot be judged"]];
-        say(`${records.length} records: ${parts.map(([outcome, words]) => [count(outcome), words]).filter(([n]) => n > 0).map((of) => of.join(" ")).join(", ")}.`);
+        const NONE = "cannot be judged";
+        const count = (outcome) => records.filter(({ verdict }) => (verdict?.outcome ?? NONE) === outcome).length;
+        const outcomes = [...new Set(records.map(({ verdict }) => verdict?.outcome ?? NONE))].sort();
+        const parts = outcomes.map((outcome) => `${count(outcome)} ${outcome}`);
+        say(`${records.length} records: ${parts.join(", ")}.`);
     }
 
     stop.addEventListener("click", () => {

@@ -3,15 +3,9 @@
 
 tumblingLive.judgeVerdict = (() => {
     const { raised, short } = tumblingLive;
-    /** Laws as the table names them, where their own name lacks a unit or cannot raise a power. */
-    const NAMES = { direction: "direction of L, rad", separatrix: "2 E I₂ / L²", phase: "phase, times round" };
-    const UNTOLD = { direction: "the direction of L", unit: "the quaternion’s length", consistency: "whether it turns as the spin says" };
-    const OUTCOMES = { passed: "Passed", failed: "Failed", "nothing to judge": "Nothing to judge", "too short to judge": "Too short to judge" };
-    const RULES = {
-        "to rounding": "Every step is made by", "most steps": "Most steps, but not all, are made by",
-        near: "Most like", "none fits": "None of the known rules fits. Nearest is",
-        "too few digits": "Too few digits to name the rule by its single steps. One that fits is",
-    };
+    /** The judge's words, with the indices and powers that a terminal has no room for. */
+    const typeset = (words) => words.replace("I2", "I₂").replace("L^2", "L²");
+    const capital = (words) => `${words[0].toUpperCase()}${words.slice(1)}`;
 
     /** An element with a text. */
     function put(parent, kind, words = "", name = "") {
@@ -45,14 +39,11 @@ tumblingLive.judgeVerdict = (() => {
     function ofFile({ misread, resets, gaps, ignored, notes, untold }) {
         return [
             ...misread,
-            ...resets.map(({ line, time, to_rest, to_start }) => {
-                const how = to_rest ? "is put to rest" : to_start ? "is put back to its start" : "jumps to another motion";
-                return `line ${line}, at ${short(time)} s: the body ${how}; judged up to there`;
-            }),
+            ...resets.map(({ line, time, words }) => `line ${line}, at ${short(time)} s: the body ${words}; judged up to there`),
             ...(gaps ? [`rows are missing in ${gaps.count} places, the first before line ${gaps.line}`] : []),
             ...(ignored.length ? [`columns that are not used: ${ignored.join(", ")}`] : []),
             ...notes,
-            ...(untold.length ? [`it does not tell: ${untold.map((law) => UNTOLD[law] ?? law).join(", ")}`] : []),
+            ...(untold.length ? [`it does not tell: ${untold.join(", ")}`] : []),
         ];
     }
 
@@ -70,7 +61,7 @@ tumblingLive.judgeVerdict = (() => {
         const body = part(table, "tbody", "rowgroup");
         for (const law of laws) {
             const row = part(body, "tr", "row");
-            part(row, "th", "rowheader", NAMES[law.law] ?? law.words).scope = "row";
+            part(row, "th", "rowheader", typeset(law.heading)).scope = "row";
             const most = part(row, "td", "cell", digits(law.most));
             if (broken(law)) put(most, "span", ` (allowed: ${law.allowed})`, "live-failed");
             part(row, "td", "cell", digits(law.last));
@@ -78,9 +69,9 @@ tumblingLive.judgeVerdict = (() => {
         }
     }
 
-    function diagnosis(place, { best, sure, alike, hints, advice }) {
+    function diagnosis(place, { best, words, alike, hints, advice }) {
         put(place, "p", "What made it", "live-title");
-        put(place, "p", `${RULES[sure]}: ${best.rule}.`);
+        put(place, "p", `${words}: ${best.rule}.`);
         if (best.engines.length) put(place, "p", `As in: ${best.engines.join("; ")}.`);
         const others = alike.map(({ rule }) => rule);
         if (others.length) put(place, "p", `Not to be told from it here: ${others.join("; ")}.`);
@@ -92,8 +83,8 @@ tumblingLive.judgeVerdict = (() => {
     function show(place, verdict, name) {
         place.replaceChildren();
         const failed = verdict.outcome === "failed";
-        put(place, "p", `${OUTCOMES[verdict.outcome]}: ${name}`, `live-outcome ${failed ? "live-failed" : ""}`);
-        if (verdict.reason) put(place, "p", `${verdict.reason[0].toUpperCase()}${verdict.reason.slice(1)}.`);
+        put(place, "p", `${capital(verdict.outcome)}: ${name}`, `live-outcome ${failed ? "live-failed" : ""}`);
+        if (verdict.reason) put(place, "p", `${capital(verdict.reason)}.`);
         const step = verdict.step ? `steps of ${digits(verdict.step)} s` : "steps of various lengths";
         put(place, "p", `${verdict.rows} rows, ${step}, judged over ${short(verdict.duration)} s; ` +
             `moments ${verdict.moments.map((moment) => Number(moment.toPrecision(6))).join(", ")} kg m²${verdict.engine ? `; ${verdict.engine}` : ""}.`);
@@ -106,7 +97,7 @@ tumblingLive.judgeVerdict = (() => {
         if (verdict.laws.length > 0) table(place, verdict.laws);
         const { separatrix, flips, torque } = verdict;
         if (separatrix?.every(Number.isFinite)) {
-            put(place, "p", `Where the spin is heading: ${NAMES.separatrix} goes from ${separatrix.map((of) => of.toFixed(6)).join(" to ")}; the separatrix is at 1.`);
+            put(place, "p", `Where the spin is heading: 2 E I₂ / L² goes from ${separatrix.map((of) => of.toFixed(6)).join(" to ")}; the separatrix is at 1.`);
         }
         if (flips && torque === null) {
             put(place, "p", `The spin along the middle axis changes sign ${flips.found === 1 ? "once" : `${flips.found} times`} (exact: ${flips.exact}).`);
@@ -120,9 +111,9 @@ tumblingLive.judgeVerdict = (() => {
 
     /** The verdict in a line: the outcome, and what there is to say of it. */
     function line({ outcome, laws, diagnosis }) {
-        const worst = laws.filter(broken).map(({ law, words }) => (law === "separatrix" ? NAMES[law] : words));
-        const rule = diagnosis ? ` ${RULES[diagnosis.sure]}: ${diagnosis.best.rule}.` : "";
-        return [OUTCOMES[outcome], `${worst.length ? ` (${worst.join(", ")})` : ""}.${rule}`];
+        const worst = laws.filter(broken).map(({ words }) => typeset(words));
+        const rule = diagnosis ? ` ${diagnosis.words}: ${diagnosis.best.rule}.` : "";
+        return [capital(outcome), `${worst.length ? ` (${worst.join(", ")})` : ""}.${rule}`];
     }
 
     return { show, line, put };

@@ -1,7 +1,8 @@
 //! What a rule is called, who goes by it, and what to do about it.
 
-use crate::engines::{Limits, PHYSICS_ENGINES};
-use crate::suspects::{Base, Rule, Spin, When};
+use crate::catalogue::PHYSICS_ENGINES;
+use crate::engines::Limits;
+use crate::rules::{Alteration, Base, Rule, Spin, When};
 use tumbling::step::Method;
 
 /// A number with five significant digits, as people write it.
@@ -18,27 +19,18 @@ pub(crate) fn significant(x: f64) -> String {
     format!("{x:.decimals$}")
 }
 
-impl Rule {
-    /// The method that it is, and in how many parts it cuts a step, if it is one and no more than limited.
-    #[must_use]
-    pub const fn method(&self) -> Option<(Method, u32)> {
-        match self {
-            Self::Method(method, parts) => Some((*method, *parts)),
-            Self::Engine(engine) => Some((engine.method, engine.parts)),
-            _ => None,
-        }
-    }
-
+impl Base {
     /// What it is called.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
             Self::Exact => "the exact motion".into(),
-            Self::Method(method, parts) => Base::Method(*method, *parts).name(),
+            Self::Method(method, 1) => method.info().name.into(),
+            Self::Method(method, parts) => format!("{}, {parts} parts a step", method.info().name),
             Self::Engine(engine) => {
                 format!(
                     "{}, with the limits of {} ({})",
-                    Base::Method(engine.method, engine.parts).name(),
+                    Self::Method(engine.method, engine.parts).name(),
                     engine.name,
                     limits(&engine.limits)
                 )
@@ -46,52 +38,6 @@ impl Rule {
             Self::FrozenTensor(_) | Self::FrozenAt(..) => "a tensor frozen in the world".into(),
             Self::MomentumForSpin(mass) => {
                 format!("momentum taken for spin (divided by {})", significant(*mass))
-            }
-            Self::OtherMoments(moments, base) => {
-                format!(
-                    "other moments ({}, {}, {}), {}",
-                    significant(moments.x),
-                    significant(moments.y),
-                    significant(moments.z),
-                    base.name()
-                )
-            }
-            Self::Damped(factor, base, when) => {
-                let when = if *when == When::Before { "before" } else { "after" };
-                format!(
-                    "damping left on ({:.3e} of the spin each step, {when} the rule), {}",
-                    1.0 - factor,
-                    base.name()
-                )
-            }
-            Self::DampedByAxis(factors, base, when) => {
-                let when = if *when == When::Before { "before" } else { "after" };
-                let [x, y, z] = factors.map(|x| 1.0 - x).into();
-                format!(
-                    "damping by axis ({x:.3e}, {y:.3e} and {z:.3e} of the spin about the body's axes each step, {when} the rule), {}",
-                    base.name()
-                )
-            }
-            Self::SmallTurn(angle, base) => {
-                format!(
-                    "a threshold for small rotations (no turn of {angle:.3e} rad or less), {}",
-                    base.name()
-                )
-            }
-            Self::Zeroed(least, base) => {
-                format!(
-                    "small spins put to zero (a component of {least:.3e} rad/s or less about an axis of the body), {}",
-                    base.name()
-                )
-            }
-            Self::OtherTurn(factor, base) => {
-                format!("a turn {} times what the spin says, {}", significant(*factor), base.name())
-            }
-            Self::OtherStep(factor, base) => {
-                format!("steps {} times as long as the record says, {}", significant(*factor), base.name())
-            }
-            Self::Capped(most, base) => {
-                format!("a cap on the spin ({} rad/s), {}", significant(*most), base.name())
             }
             Self::Straight(Spin::Kept) => {
                 "no gyroscopic term, and the attitude stepped straight (q + h/2 q w)".into()
@@ -101,29 +47,11 @@ impl Rule {
             }
         }
     }
+}
 
-    /// Physics engines known to go by it, with their settings.
-    #[must_use]
-    pub fn engines(&self) -> Vec<String> {
-        PHYSICS_ENGINES
-            .iter()
-            .filter(|engine| match self {
-                Self::Method(method, parts) => (engine.method, engine.parts) == (*method, *parts),
-                Self::Engine(this) => {
-                    (engine.method, engine.parts, engine.limits) == (this.method, this.parts, this.limits)
-                }
-                _ => false,
-            })
-            .map(|engine| match engine.version {
-                Some(version) => format!("{} {version}, {}", engine.name, engine.setting),
-                None => format!("{}, {}", engine.name, engine.setting),
-            })
-            .collect()
-    }
-
+impl Base {
     /// What it means for a body, and what to do.
-    #[must_use]
-    pub fn advice(&self) -> &'static str {
+    const fn advice(&self) -> &'static str {
         match self {
             Self::Exact => "Nothing to do: the steps are the motion itself.",
             Self::Method(method, _) => of_method(*method),
@@ -140,6 +68,64 @@ impl Rule {
                 "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to the \
                  world, w = R J R^T L. Chapter \"Three pitfalls\", 2."
             }
+            Self::Straight(Spin::Kept) => of_method(Method::ConstantSpin),
+            Self::Straight(Spin::Explicit) => {
+                "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and the \
+                 straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a step), and \
+                 the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis). Chapter \"Where things break\", the fix."
+            }
+        }
+    }
+}
+
+impl When {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Before => "before",
+            Self::After => "after",
+        }
+    }
+}
+
+impl Alteration {
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::OtherMoments(moments) => {
+                let [x, y, z] = moments.map(significant).into();
+                format!("other moments ({x}, {y}, {z})")
+            }
+            Self::Damped(factor, when) => {
+                let (lost, when) = (1.0 - factor, when.word());
+                format!("damping left on ({lost:.3e} of the spin each step, {when} the rule)")
+            }
+            Self::DampedByAxis(factors, when) => {
+                let [x, y, z] = factors.map(|x| 1.0 - x).into();
+                let when = when.word();
+                format!(
+                    "damping by axis ({x:.3e}, {y:.3e} and {z:.3e} of the spin about the body's axes each step, {when} the rule)"
+                )
+            }
+            Self::SmallTurn(angle) => {
+                format!("a threshold for small rotations (no turn of {angle:.3e} rad or less)")
+            }
+            Self::Zeroed(least) => {
+                format!(
+                    "small spins put to zero (a component of {least:.3e} rad/s or less about an axis of the body)"
+                )
+            }
+            Self::OtherTurn(factor) => format!("a turn {} times what the spin says", significant(*factor)),
+            Self::OtherStep(factor) => {
+                format!("steps {} times as long as the record says", significant(*factor))
+            }
+            Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
+        }
+    }
+
+    /// What it means for a body, and what to do.
+    const fn advice(&self) -> &'static str {
+        match self {
             Self::OtherMoments(..) => {
                 "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal frame \
                  that is left out, or a shape that replaces the moments set. A free body tells their ratios, never their \
@@ -165,12 +151,6 @@ impl Rule {
                 "The engine's step is not the one that the times tell: look for substeps that are not recorded, for steps recorded twice, \
                  or for a time scale. Chapter \"Stepping through time\"."
             }
-            Self::Straight(Spin::Kept) => of_method(Method::ConstantSpin),
-            Self::Straight(Spin::Explicit) => {
-                "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and the \
-                 straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a step), and \
-                 the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis). Chapter \"Where things break\", the fix."
-            }
             Self::Damped(..) => {
                 "Damping takes spin in each step: set the engine's angular damping to 0. Chapter \"Stepping through time\"."
             }
@@ -178,6 +158,42 @@ impl Rule {
                 "The spin is cut off at a limit: raise the engine's greatest angular velocity."
             }
         }
+    }
+}
+
+impl Rule {
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match &self.alteration {
+            Some(alteration) => format!("{}, {}", alteration.name(), self.base.name()),
+            None => self.base.name(),
+        }
+    }
+
+    /// Physics engines known to go by it, with their settings.
+    #[must_use]
+    pub fn engines(&self) -> Vec<String> {
+        PHYSICS_ENGINES
+            .iter()
+            .filter(|engine| match (self.base, self.alteration) {
+                (Base::Method(method, parts), None) => (engine.method, engine.parts) == (method, parts),
+                (Base::Engine(this), None) => {
+                    (engine.method, engine.parts, engine.limits) == (this.method, this.parts, this.limits)
+                }
+                _ => false,
+            })
+            .map(|engine| match engine.version {
+                Some(version) => format!("{} {version}, {}", engine.name, engine.setting),
+                None => format!("{}, {}", engine.name, engine.setting),
+            })
+            .collect()
+    }
+
+    /// What it means for a body, and what to do.
+    #[must_use]
+    pub fn advice(&self) -> &'static str {
+        self.alteration.as_ref().map_or_else(|| self.base.advice(), Alteration::advice)
     }
 }
 

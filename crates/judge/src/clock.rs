@@ -1,11 +1,7 @@
 //! The clock of a record: how long its steps are, and where rows are missing.
 
 use crate::rows::Raw;
-
-/// Of the rows looked at first, how many pairs are tried.
-const PROBED: usize = 256;
-/// By how much of itself a step may be off and still be one.
-const SLACK: f64 = 0.05;
+use crate::thresholds::{PROBE_PAIRS, STEP_APART, STEP_SLACK};
 
 /// How time goes from row to row.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +18,7 @@ impl Clock {
         let mut count = 0.0;
         for step in steps {
             let times = (step / least).round();
-            if (step / least - times).abs() > 0.02 {
+            if (step / least - times).abs() > STEP_APART {
                 return Self { step: None };
             }
             count += times;
@@ -34,7 +30,8 @@ impl Clock {
     /// In seconds, and to the digit where the step is told.
     pub(crate) fn read(self, time: f64, told: Option<f64>) -> Self {
         let step = self.step.map(|step| step * time);
-        let step = step.map(|step| told.filter(|told| (told / step - 1.0).abs() < 0.02).unwrap_or(step));
+        let step =
+            step.map(|step| told.filter(|told| (told / step - 1.0).abs() < STEP_APART).unwrap_or(step));
         Self { step }
     }
 
@@ -42,12 +39,12 @@ impl Clock {
     pub(crate) fn between(&self, from: f64, to: f64) -> (f64, f64) {
         let Some(step) = self.step else { return (to - from, 1.0) };
         let times = (to - from) / step;
-        if (times - 1.0).abs() < SLACK { (step, 1.0) } else { (to - from, times) }
+        if (times - 1.0).abs() < STEP_SLACK { (step, 1.0) } else { (to - from, times) }
     }
 
     /// Three rows, each one step after the other, with the step as the file has it.
     pub(crate) fn triples(&self, probe: &[Raw]) -> Vec<[(Raw, f64); 3]> {
-        let every = probe.len().div_ceil(PROBED).max(1);
+        let every = probe.len().div_ceil(PROBE_PAIRS).max(1);
         let three = probe.windows(3).step_by(every).filter_map(|rows| {
             let (h, times) = self.between(rows[0].t, rows[1].t);
             let (next, more) = self.between(rows[1].t, rows[2].t);
@@ -65,7 +62,7 @@ impl Clock {
                 (times == 1.0).then_some((rows[0], rows[1], h))
             })
             .collect();
-        let every = pairs.len().div_ceil(PROBED).max(1);
+        let every = pairs.len().div_ceil(PROBE_PAIRS).max(1);
         let mut place = 0;
         pairs.retain(|_| {
             place += 1;

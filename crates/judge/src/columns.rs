@@ -172,122 +172,198 @@ const VECTORS: [(Kind, &[(&str, &str)]); 4] = [
 /// Three names of a spin that have no axes' letters.
 const SPIN_NAMES: [&str; 3] = ["p", "q", "r"];
 
-impl Columns {
-    /// From the line of names.
-    pub(crate) fn of(line: &str, number: usize) -> Result<Self, Error> {
-        let wrong = |problem: String| Error::Columns { line: number, problem };
-        let separator = Separator::of(line);
-        let mut names: Vec<String> = separator.split(line).map(str::to_string).collect();
-        // A separator at the end of the line.
-        if names.len() > 1 && names.last().is_some_and(String::is_empty) {
-            names.pop();
-        }
-        let plain: Vec<(String, String)> = names.iter().map(|name| plain(name)).collect();
-        let known = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); \
+/// The line of names, and what is found in it.
+struct Names {
+    line: usize,
+    /// As they stand.
+    raw: Vec<String>,
+    /// Without quotes and capitals, each with its unit.
+    plain: Vec<(String, String)>,
+}
+
+/// Places of a vector, and which vector it is.
+type Vectors = Option<(Kind, [usize; 3])>;
+
+const KNOWN: &str = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); \
                      lx,ly,lz (momentum in body axes) or lxw,lyw,lzw (in world axes)";
-        if plain.iter().any(|(name, _)| name.parse::<f64>().is_ok()) {
-            return Err(wrong(format!("column names are wanted here, and there is a number; {known}")));
+
+impl Names {
+    fn of(separator: Separator, text: &str, line: usize) -> Result<Self, Error> {
+        let mut raw: Vec<String> = separator.split(text).map(str::to_string).collect();
+        // A separator at the end of the line.
+        if raw.len() > 1 && raw.last().is_some_and(String::is_empty) {
+            raw.pop();
         }
-        let at = |wanted: &str| -> Result<Option<usize>, Error> {
-            let mut found = plain.iter().enumerate().filter(|(_, (name, _))| name == wanted);
-            let first = found.next().map(|(i, _)| i);
-            match found.next() {
-                Some(_) => Err(wrong(format!("there are two columns `{wanted}`"))),
-                None => Ok(first),
-            }
-        };
-        let any = |wanted: &[&str]| -> Result<Option<usize>, Error> {
-            let mut found = None;
-            for name in wanted {
-                if let Some(i) = at(name)? {
-                    if let Some(before) = found {
-                        let before: &String = &names[before];
-                        return Err(wrong(format!("`{before}` and `{}` both tell the time", names[i])));
-                    }
-                    found = Some(i);
+        let plain = raw.iter().map(|name| plain(name)).collect();
+        let names = Self { line, raw, plain };
+        if names.plain.iter().any(|(name, _)| name.parse::<f64>().is_ok()) {
+            return Err(names.wrong(format!("column names are wanted here, and there is a number; {KNOWN}")));
+        }
+        Ok(names)
+    }
+
+    fn wrong(&self, problem: String) -> Error {
+        Error::Columns { line: self.line, problem }
+    }
+
+    fn at(&self, wanted: &str) -> Result<Option<usize>, Error> {
+        let mut found = self.plain.iter().enumerate().filter(|(_, (name, _))| name == wanted);
+        let first = found.next().map(|(i, _)| i);
+        match found.next() {
+            Some(_) => Err(self.wrong(format!("there are two columns `{wanted}`"))),
+            None => Ok(first),
+        }
+    }
+
+    /// The one there is of these.
+    fn any(&self, wanted: &[&str]) -> Result<Option<usize>, Error> {
+        let mut found = None;
+        for name in wanted {
+            if let Some(i) = self.at(name)? {
+                if let Some(before) = found {
+                    let before: &String = &self.raw[before];
+                    let problem = format!("`{before}` and `{}` both tell the time", self.raw[i]);
+                    return Err(self.wrong(problem));
                 }
+                found = Some(i);
             }
-            Ok(found)
-        };
-        // All, none, or an error that names what is missing.
-        let whole = |prefix: &str, axes: &[&str], suffix: &str| -> Result<Option<Vec<usize>>, Error> {
-            let wanted: Vec<String> = axes.iter().map(|axis| format!("{prefix}{axis}{suffix}")).collect();
-            let places = wanted.iter().map(|name| at(name)).collect::<Result<Vec<_>, _>>()?;
-            if places.iter().all(Option::is_none) {
-                return Ok(None);
-            }
-            if let Some(missing) = places.iter().position(Option::is_none) {
-                return Err(wrong(format!("the column `{}` is missing", wanted[missing])));
-            }
-            Ok(Some(places.into_iter().flatten().collect()))
-        };
-        let all = |wanted: &[&str]| -> Result<Option<Vec<usize>>, Error> {
-            let places = wanted.iter().map(|name| at(name)).collect::<Result<Vec<_>, _>>()?;
-            Ok(places.into_iter().collect())
-        };
+        }
+        Ok(found)
+    }
+
+    /// All of these, or nothing.
+    fn all(&self, wanted: &[&str]) -> Result<Option<Vec<usize>>, Error> {
+        let places = wanted.iter().map(|name| self.at(name)).collect::<Result<Vec<_>, _>>()?;
+        Ok(places.into_iter().collect())
+    }
+
+    /// All, none, or an error that names what is missing.
+    fn whole(&self, prefix: &str, axes: &[&str], suffix: &str) -> Result<Option<Vec<usize>>, Error> {
+        let wanted: Vec<String> = axes.iter().map(|axis| format!("{prefix}{axis}{suffix}")).collect();
+        let places = wanted.iter().map(|name| self.at(name)).collect::<Result<Vec<_>, _>>()?;
+        if places.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        if let Some(missing) = places.iter().position(Option::is_none) {
+            return Err(self.wrong(format!("the column `{}` is missing", wanted[missing])));
+        }
+        Ok(Some(places.into_iter().flatten().collect()))
+    }
+
+    fn clock(&self) -> Result<Clock, Error> {
         let times: Vec<&str> = TIME.into_iter().chain(TIME_IN.map(|name| name.0)).collect();
-        let clock = match (any(&times)?, any(&STEPS)?) {
-            (Some(i), _) => Clock::Time(i),
-            (None, Some(i)) => Clock::Steps(i),
-            (None, None) => return Err(wrong(format!("the column `t` is missing; {known}"))),
-        };
-        let mut attitude = None;
+        match (self.any(&times)?, self.any(&STEPS)?) {
+            (Some(i), _) => Ok(Clock::Time(i)),
+            (None, Some(i)) => Ok(Clock::Steps(i)),
+            (None, None) => Err(self.wrong(format!("the column `t` is missing; {KNOWN}"))),
+        }
+    }
+
+    fn attitude(&self) -> Result<Option<[usize; 4]>, Error> {
         let mut sets = Vec::new();
-        let other = |names: &[&str; 4]| -> Result<bool, Error> { Ok(all(names)?.is_some()) };
         for (prefix, suffix) in ATTITUDE {
-            let replaced = prefix == "q" && at("qx")?.is_none() && other(&ATTITUDE_NAMES[1])?;
+            let replaced =
+                prefix == "q" && self.at("qx")?.is_none() && self.all(&ATTITUDE_NAMES[1])?.is_some();
             if !replaced {
-                sets.extend(whole(prefix, &["w", "x", "y", "z"], suffix)?);
+                sets.extend(self.whole(prefix, &["w", "x", "y", "z"], suffix)?);
             }
         }
         for (prefix, suffix) in ATTITUDE_WHOLE {
-            if at(&format!("{prefix}w{suffix}"))?.is_some() {
-                sets.extend(whole(prefix, &["w", "x", "y", "z"], suffix)?);
+            if self.at(&format!("{prefix}w{suffix}"))?.is_some() {
+                sets.extend(self.whole(prefix, &["w", "x", "y", "z"], suffix)?);
             }
         }
         for names in ATTITUDE_NAMES {
-            sets.extend(all(&names)?);
+            sets.extend(self.all(&names)?);
         }
+        let mut attitude = None;
         for places in sets {
             if attitude.is_some() {
-                return Err(wrong("there are two sets of columns for the attitude".into()));
+                return Err(self.wrong("there are two sets of columns for the attitude".into()));
             }
             attitude = <[usize; 4]>::try_from(places).ok();
         }
-        let mut vector = None;
-        let mut second = None;
+        Ok(attitude)
+    }
+
+    /// The vector that is judged, and another.
+    fn vectors(&self) -> Result<[Vectors; 2], Error> {
+        let (mut vector, mut second): (Vectors, Vectors) = (None, None);
         for (kind, ways) in VECTORS {
             for (prefix, suffix) in ways {
-                let Some(places) = whole(prefix, &["x", "y", "z"], suffix)? else { continue };
+                let Some(places) = self.whole(prefix, &["x", "y", "z"], suffix)? else { continue };
+                let name = &self.raw[places[0]];
+                let found = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places));
                 match vector {
                     Some((before, _)) if before == kind => {
-                        let name = &names[places[0]];
-                        return Err(wrong(format!(
-                            "there are two sets of columns for one vector, `{name}` among them"
-                        )));
+                        let problem =
+                            format!("there are two sets of columns for one vector, `{name}` among them");
+                        return Err(self.wrong(problem));
                     }
-                    Some(_) => {
-                        second = second.or(<[usize; 3]>::try_from(places).ok().map(|places| (kind, places)));
-                    }
-                    None => vector = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places)),
+                    Some(_) => second = second.or(found),
+                    None => vector = found,
                 }
             }
         }
-        if let Some(places) = all(&SPIN_NAMES)? {
+        if let Some(places) = self.all(&SPIN_NAMES)? {
             let spin = <[usize; 3]>::try_from(places).ok().map(|places| (Kind::SpinBody, places));
             (vector, second) = (vector.or(spin), second.or(spin.filter(|_| vector.is_some())));
         }
+        Ok([vector, second])
+    }
+
+    /// One unit for the three of them, and one that is known.
+    fn unit_of(&self, kind: Kind, places: &[usize; 3]) -> Result<f64, Error> {
+        let [first, others @ ..] = places.map(|i| self.plain[i].1.as_str());
+        let name = &self.raw[places[0]];
+        if let Some(k) = others.iter().position(|unit| *unit != first) {
+            let other = &self.raw[places[k + 1]];
+            let problem =
+                format!("`{other}` is not in the unit of `{name}`: one unit is wanted for the three");
+            return Err(self.wrong(problem));
+        }
+        if kind.is_momentum() {
+            return Ok(1.0);
+        }
+        units::spin(first).ok_or_else(|| {
+            self.wrong(format!(
+                "the unit of `{name}` is not known here: known are rad/s, deg/s, dps, rpm and rev/s"
+            ))
+        })
+    }
+
+    fn per_second(&self, clock: Clock) -> Result<f64, Error> {
+        let Clock::Time(i) = clock else { return Ok(1.0) };
+        let (name, unit) = &self.plain[i];
+        let by_name = TIME_IN.iter().find(|known| known.0 == name.as_str()).map_or("", |known| known.1);
+        units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
+            self.wrong(format!(
+                "the unit of `{}` is not known here: known are s, ms, us, ns and min",
+                self.raw[i]
+            ))
+        })
+    }
+}
+
+impl Columns {
+    /// From the line of names.
+    pub(crate) fn of(line: &str, number: usize) -> Result<Self, Error> {
+        let separator = Separator::of(line);
+        let names = Names::of(separator, line, number)?;
+        let clock = names.clock()?;
+        let attitude = names.attitude()?;
+        let [vector, mut second] = names.vectors()?;
         let (kind, vector) = match vector {
             Some((kind, places)) => (kind, Some(places)),
             None if attitude.is_some() => (Kind::Attitude, None),
             None => {
-                return Err(wrong(format!(
-                    "neither spin nor momentum nor attitude is there to be judged; {known}"
-                )));
+                let problem =
+                    format!("neither spin nor momentum nor attitude is there to be judged; {KNOWN}");
+                return Err(names.wrong(problem));
             }
         };
         if kind.in_world() && attitude.is_none() {
-            return Err(wrong(
+            return Err(names.wrong(
                 "a vector in world axes tells nothing of the body without its attitude: qw,qx,qy,qz are missing"
                     .into(),
             ));
@@ -295,53 +371,11 @@ impl Columns {
         if attitude.is_none() {
             second = second.filter(|(kind, _)| !kind.in_world());
         }
-        // One unit for the three of them, and one that is known.
-        let unit_of = |kind: Kind, places: &[usize; 3]| -> Result<f64, Error> {
-            let [first, others @ ..] = places.map(|i| plain[i].1.as_str());
-            if let Some(k) = others.iter().position(|unit| *unit != first) {
-                return Err(wrong(format!(
-                    "`{}` is not in the unit of `{}`: one unit is wanted for the three",
-                    names[places[k + 1]],
-                    names[places[0]]
-                )));
-            }
-            if kind.is_momentum() {
-                return Ok(1.0);
-            }
-            units::spin(first).ok_or_else(|| {
-                wrong(format!(
-                    "the unit of `{}` is not known here: known are rad/s, deg/s, dps, rpm and rev/s",
-                    names[places[0]]
-                ))
-            })
-        };
-        let first = vector.map_or(Ok(1.0), |places| unit_of(kind, &places))?;
-        let other = second.as_ref().map_or(Ok(1.0), |(kind, places)| unit_of(*kind, places))?;
-        let per_second = match clock {
-            Clock::Steps(_) => 1.0,
-            Clock::Time(i) => {
-                let (name, unit) = &plain[i];
-                let by_name =
-                    TIME_IN.iter().find(|known| known.0 == name.as_str()).map_or("", |known| known.1);
-                units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
-                    wrong(format!(
-                        "the unit of `{}` is not known here: known are s, ms, us, ns and min",
-                        names[i]
-                    ))
-                })?
-            }
-        };
-        Ok(Self {
-            names,
-            separator,
-            clock,
-            attitude,
-            vector,
-            kind,
-            second,
-            units: [first, other],
-            per_second,
-        })
+        let first = vector.map_or(Ok(1.0), |places| names.unit_of(kind, &places))?;
+        let other = second.as_ref().map_or(Ok(1.0), |(kind, places)| names.unit_of(*kind, places))?;
+        let per_second = names.per_second(clock)?;
+        let units = [first, other];
+        Ok(Self { names: names.raw, separator, clock, attitude, vector, kind, second, units, per_second })
     }
 
     /// The names of the columns that are not read.

@@ -1,7 +1,9 @@
 //! What the comment lines of a record tell.
 
+use crate::digits::last_place;
 use crate::error::Error;
-use crate::rows::last_place;
+use crate::findings::Note;
+use crate::thresholds::MOMENTS_MISS;
 use crate::units;
 use nalgebra::Vector3;
 
@@ -18,8 +20,8 @@ pub struct Told {
     pub step: Option<f64>,
     /// A torque constant in the world, N m.
     pub torque: Option<Vector3<f64>>,
-    /// What was not understood, and what was made of what was, in words.
-    pub notes: Vec<String>,
+    /// What was not understood, and what was made of what was.
+    pub notes: Vec<Note>,
 }
 
 /// Words that may stand between a name and its numbers.
@@ -109,30 +111,26 @@ impl Told {
             }
         }
         if let Some(word) = unread {
-            self.notes.push(format!("line {line} speaks of `{word}`, and no number is read from it"));
+            self.notes.push(Note::Unread { line, word });
         }
         Ok(())
     }
 
     /// The moments that are told. Of a flat body, whose rounded moments miss the triangle rule by no more than their printed digits leave
     /// open, the largest is taken as the sum of the others, and a note says so.
-    pub(crate) fn moments(&self, notes: &mut Vec<String>) -> Option<Vector3<f64>> {
+    pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Option<Vector3<f64>> {
         let told = self.inertia?;
         let largest = told.imax();
         let rest = told[(largest + 1) % 3] + told[(largest + 2) % 3];
         let missing = told[largest] - rest;
         // One or two digits are no rounding, but a mistake.
-        let rounded = missing <= self.open.sum() && missing <= 2e-3 * told[largest];
+        let rounded = missing <= self.open.sum() && missing <= MOMENTS_MISS * told[largest];
         if !(missing > 0.0 && rounded && told.min() > 0.0) {
             return Some(told);
         }
         let mut moments = told;
         moments[largest] = rest;
-        notes.push(format!(
-            "the largest moment is printed as {}, {missing:.1e} more than the others together, which no body has; its printed digits \
-             leave that open, and a flat body of {}, {}, {} kg m2 is judged",
-            told[largest], moments.x, moments.y, moments.z
-        ));
+        notes.push(Note::Flat { printed: told[largest], missing, moments });
         Some(moments)
     }
 }

@@ -1,9 +1,9 @@
 //! An error in the course of time, in little room; and how it grows.
 
+use crate::thresholds::{
+    BOUNDED, EXPONENTIAL, EXPONENTIAL_FROM, GROWTH_FROM, OF_ITSELF, POWERS, STAYED, STRETCHES,
+};
 use std::fmt;
-
-/// As many stretches of time at most.
-const MOST: usize = 512;
 
 /// The size of an error over a record of any length, in at most 512 stretches of equally many rows.
 #[derive(Debug, Clone)]
@@ -42,7 +42,7 @@ impl Curve {
                 self.last_rows += 1;
             }
             _ => {
-                if self.stretches.len() == MOST {
+                if self.stretches.len() == STRETCHES {
                     self.halve();
                 }
                 self.stretches.push(Stretch { t, most: size });
@@ -94,34 +94,35 @@ impl Curve {
                 greatest = greatest.max(x.most);
                 (x.t, greatest)
             })
-            .filter(|&(t, size)| t >= end / 16.0 && t > 0.0 && size > 0.0)
+            .filter(|&(t, size)| t >= GROWTH_FROM * end && t > 0.0 && size > 0.0)
             .collect();
         let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
-        if most < 1.25 * at(0.5) {
+        if most < BOUNDED * at(0.5) {
             // A quantity doubled or halved, which never comes near to what it was again.
             let later = self.stretches.iter().filter(|x| x.t >= end / 2.0);
             let least = later.map(|x| x.most).fold(f64::INFINITY, f64::min);
-            let one_way = self.greatest.min(-self.least) < 0.5 * most;
-            let great = of_ratio && one_way && most > std::f64::consts::LN_2 && least > 0.5 * most;
+            let one_way = self.greatest.min(-self.least) < STAYED * most;
+            let great = of_ratio && one_way && most > std::f64::consts::LN_2 && least > STAYED * most;
             return if great { Growth::Stayed } else { Growth::Bounded };
         }
+        let ([fast, linear], [even_most, fast_most]) = (POWERS, OF_ITSELF);
         let power = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
         let exponential = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
         let even = |rate: f64| {
-            if of_ratio && most > 0.05 { Growth::Exponential { rate } } else { Growth::Linear { rate } }
+            if of_ratio && most > even_most { Growth::Exponential { rate } } else { Growth::Linear { rate } }
         };
-        if power.slope >= 1.5 {
-            if exponential.misfit < power.misfit && most > 10.0 * at(0.125) {
+        if power.slope >= fast {
+            if exponential.misfit < power.misfit && most > EXPONENTIAL * at(EXPONENTIAL_FROM) {
                 let rate = if of_ratio { self.last / end } else { exponential.slope };
                 return Growth::Exponential { rate };
             }
-            return if of_ratio && most > 0.5 {
+            return if of_ratio && most > fast_most {
                 Growth::Exponential { rate: self.last / end }
             } else {
                 Growth::Power { power: power.slope }
             };
         }
-        if power.slope >= 0.75 {
+        if power.slope >= linear {
             return even(self.last / end);
         }
         Growth::RandomWalk { rate: most / end.sqrt() }
@@ -240,7 +241,7 @@ mod tests {
             let t = f64::from(i) / 100.0;
             curve.push(t, error(t));
         }
-        assert!(curve.stretches.len() <= MOST);
+        assert!(curve.stretches.len() <= STRETCHES);
         curve.growth(1e-12, of_ratio)
     }
 

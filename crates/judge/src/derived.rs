@@ -3,24 +3,22 @@
 use crate::clock::Clock;
 use crate::error::Error;
 use crate::state::{Pair, Row};
+use crate::thresholds::{FARTHEST_TURN, SPIN_ROUNDS, TURN_LEFT};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
-
-/// A turn from row to row beyond this, rad, may as well go the other way round.
-pub(crate) const FARTHEST: f64 = 2.0;
 
 /// The spin at the first of two attitudes with which the exact motion comes to the second, by the shorter way: Newton's method with the
 /// motion's own derivatives. `None` where the attitudes are too far apart to tell.
 pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> {
     let whole = pair.turn()?;
-    if whole.norm() > FARTHEST {
+    if whole.norm() > FARTHEST_TURN {
         return None;
     }
     let to = pair.to.attitude?;
     let from = pair.from.attitude?;
     let mut omega = whole / pair.h;
     let mut least = f64::INFINITY;
-    for _ in 0..20 {
+    for _ in 0..SPIN_ROUNDS {
         let motion = FreeMotion::new((*moments).try_into().ok()?, &omega).ok()?;
         let got = from * motion.attitude(pair.h).ok()?.into_inner();
         // What is left of the turn, in body axes.
@@ -38,7 +36,7 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
         let by_start = motion.state_transition(pair.h).ok()?.fixed_view::<3, 3>(0, 3).into_owned();
         omega += by_start.lu().solve(&left)?;
     }
-    (least <= 1e-6 && omega.iter().all(|x| x.is_finite())).then_some(omega)
+    (least <= TURN_LEFT && omega.iter().all(|x| x.is_finite())).then_some(omega)
 }
 
 /// A row with the spin that it does not tell, or why it has none.
@@ -99,11 +97,4 @@ impl Feed {
         let (h, times) = self.deriver.last().map_or((0.0, 1.0), |last| self.clock.between(last, state.t));
         Ok(self.deriver.push(&self.moments, state, h, times))
     }
-}
-
-pub(crate) fn too_far(turn: f64) -> String {
-    format!(
-        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not tell a turn from one that goes the other \
-         way round. Record the spin, or shorter steps"
-    )
 }

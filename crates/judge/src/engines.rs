@@ -1,7 +1,6 @@
 //! Physics engines in use: which rule each goes by, and what it adds to the rule.
 
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::FRAC_PI_4;
 use tumbling::Error;
 use tumbling::attitude;
 use tumbling::step::{Method, State, System};
@@ -21,8 +20,12 @@ pub struct PhysicsEngine {
     pub parts: u32,
     /// What it adds to the rule.
     pub limits: Limits,
-    /// The name of its recorded motions in `crates/judge/data`.
+    /// The name of its recorded motions in [`records`](crate::records).
     pub record: Option<&'static str>,
+    /// When it was recorded or read, year-month-day.
+    pub date: &'static str,
+    /// Where the rule is known from.
+    pub source: &'static str,
 }
 
 /// What an engine does to a body that is too fast for it. The rule alone has none of it.
@@ -43,99 +46,6 @@ impl Limits {
     /// None.
     pub const NONE: Self = Self { turn: None, component: None, spin: None, rate: None };
 }
-
-const MUJOCO: PhysicsEngine = PhysicsEngine {
-    name: "MuJoCo",
-    version: Some("4.0.0"),
-    setting: "",
-    method: Method::SemiImplicitEuler,
-    parts: 1,
-    limits: Limits { rate: Some(1e10), ..Limits::NONE },
-    record: None,
-};
-
-/// An engine that is not recorded.
-const UNRECORDED: PhysicsEngine =
-    PhysicsEngine { version: None, limits: Limits::NONE, method: Method::ConstantSpin, ..MUJOCO };
-
-/// Engines and what they do to a free body. The recorded ones are followed step by step in `tests/engines_recorded.rs`; of the
-/// others the rule is known, and neither the last digits nor their limits.
-///
-/// ```
-/// use tumbling::step::Method;
-/// use tumbling_judge::PHYSICS_ENGINES;
-/// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
-/// assert_eq!((rapier.method, rapier.parts), (Method::RescaledLinearAttitude, 4));
-/// let never_flips = PHYSICS_ENGINES.iter().filter(|engine| engine.method == Method::ConstantSpin);
-/// assert_eq!(never_flips.count(), 4);
-/// ```
-pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
-    PhysicsEngine { setting: "Euler (default)", record: Some("mujoco-4.0.0-euler"), ..MUJOCO },
-    PhysicsEngine {
-        setting: "implicitfast, implicit",
-        method: Method::LinearisedImplicit,
-        record: Some("mujoco-4.0.0-implicitfast"),
-        ..MUJOCO
-    },
-    PhysicsEngine {
-        setting: "RK4",
-        method: Method::TurnedRungeKutta4,
-        record: Some("mujoco-4.0.0-rk4"),
-        ..MUJOCO
-    },
-    PhysicsEngine {
-        version: Some("3.17.0"),
-        setting: "RK4",
-        method: Method::MeanSpinRungeKutta4,
-        record: Some("mujoco-3.17.0-rk4"),
-        ..MUJOCO
-    },
-    PhysicsEngine {
-        name: "Bullet",
-        version: Some("3.2.7 (pybullet)"),
-        setting: "multibody (pybullet's default)",
-        limits: Limits { turn: Some(FRAC_PI_4), component: Some(100.0), ..Limits::NONE },
-        record: Some("bullet-3.2.7-multibody"),
-        ..MUJOCO
-    },
-    PhysicsEngine {
-        name: "Bullet",
-        version: Some("3.2.7 (pybullet)"),
-        setting: "rigid body (maximal coordinates)",
-        method: Method::ImplicitOneNewton,
-        limits: Limits { turn: Some(FRAC_PI_4), ..Limits::NONE },
-        record: Some("bullet-3.2.7-rigid"),
-        ..MUJOCO
-    },
-    PhysicsEngine {
-        name: "Rapier",
-        version: Some("0.36.1"),
-        setting: "gyroscopic forces on (default)",
-        method: Method::RescaledLinearAttitude,
-        parts: 4,
-        limits: Limits { spin: Some(FRAC_PI_4), ..Limits::NONE },
-        record: Some("rapier3d-f64-0.36.1"),
-    },
-    PhysicsEngine {
-        name: "Avian",
-        setting: "gyroscopic motion on, six substeps (default)",
-        method: Method::Rescaled,
-        parts: 6,
-        ..UNRECORDED
-    },
-    PhysicsEngine { name: "Jolt", setting: "gyroscopic force on", method: Method::Rescaled, ..UNRECORDED },
-    PhysicsEngine { name: "Jolt", setting: "gyroscopic force off (default)", ..UNRECORDED },
-    PhysicsEngine {
-        name: "Box3D",
-        setting: "four substeps",
-        method: Method::ImplicitOneNewton,
-        parts: 4,
-        ..UNRECORDED
-    },
-    PhysicsEngine { name: "PhysX, Unity", setting: "gyroscopic forces off (default)", ..UNRECORDED },
-    PhysicsEngine { name: "Godot Physics", setting: "default", ..UNRECORDED },
-    PhysicsEngine { name: "Brax", setting: "positional", ..UNRECORDED },
-];
 
 impl PhysicsEngine {
     /// One step of `h` seconds as this engine takes it: its rule, its parts of a step and its limits.
@@ -170,26 +80,42 @@ impl PhysicsEngine {
                 ));
             }
         }
-        if self.parts <= 1 {
-            let end = self.method.step(system, start, h)?;
-            return self.limited(system, start, end, h, h);
-        }
-        // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
-        let part = h / f64::from(self.parts);
-        let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
-        let free = System::of_numbers(*system.moments(), Vec::new());
-        (0..self.parts).try_fold(*start, |mut motion, _| {
-            if !system.is_free() {
-                let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
-                motion.momentum += system.momentum(&inside);
-            }
-            let end = self.method.step(&free, &motion, part)?;
-            self.limited(system, &motion, end, part, h)
-        })
+        parted(self.method, self.parts, &self.limits, system, start, h)
     }
+}
 
-    fn limited(
+/// One step of `h` seconds by a rule, cut in so many parts, within these limits on turn and spin.
+pub(crate) fn parted(
+    method: Method,
+    parts: u32,
+    limits: &Limits,
+    system: &System<f64>,
+    start: &State<f64>,
+    h: f64,
+) -> Result<State<f64>, Error> {
+    if parts <= 1 {
+        let end = method.step(system, start, h)?;
+        return limits.keep(method, system, start, end, h, h);
+    }
+    // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
+    let part = h / f64::from(parts);
+    let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
+    let free = System::of_numbers(*system.moments(), Vec::new());
+    (0..parts).try_fold(*start, |mut motion, _| {
+        if !system.is_free() {
+            let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
+            motion.momentum += system.momentum(&inside);
+        }
+        let end = method.step(&free, &motion, part)?;
+        limits.keep(method, system, &motion, end, part, h)
+    })
+}
+
+impl Limits {
+    /// What the limits make of the end of a part of a step of `h` seconds.
+    fn keep(
         &self,
+        method: Method,
         system: &System<f64>,
         start: &State<f64>,
         end: State<f64>,
@@ -198,7 +124,7 @@ impl PhysicsEngine {
     ) -> Result<State<f64>, Error> {
         let asked = system.omega(&end.momentum);
         let mut omega = asked;
-        if let Some(most) = self.limits.component {
+        if let Some(most) = self.component {
             // Cut in the world's axes, at the attitude before the turn.
             let rotation = attitude::rotation_matrix(&start.attitude);
             let world = rotation * asked;
@@ -206,18 +132,18 @@ impl PhysicsEngine {
                 omega = rotation.tr_mul(&world.map(|x| x.max(-most).min(most)));
             }
         }
-        if let Some(most) = self.limits.spin.map(|angle| angle / h.abs()) {
+        if let Some(most) = self.spin.map(|angle| angle / h.abs()) {
             let speed = omega.norm();
             if speed > most {
                 omega *= most / speed;
             }
         }
         let cut = omega != asked;
-        let most = self.limits.turn.unwrap_or(f64::INFINITY);
+        let most = self.turn.unwrap_or(f64::INFINITY);
         if !cut && omega.norm() * part.abs() <= most {
             return Ok(end);
         }
-        let attitude = if self.method == Method::RescaledLinearAttitude {
+        let attitude = if method == Method::RescaledLinearAttitude {
             turned_straight(&start.attitude, &omega, part)
         } else {
             turned_beyond(&start.attitude, &omega, part, most)

@@ -1,41 +1,45 @@
-//! What fails a record beside the laws: a rule that is wrong for certain, and a way round at another pace.
+//! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for certain, and a way round at
+//! another pace.
 
 use crate::diagnosis::{Diagnosis, Sure};
-use crate::laws::{Law, LawName};
-use crate::suspects::Rule;
+use crate::findings::Complaint;
+use crate::law::{FlipCount, Law, LawName};
+use crate::rules::{Base, Rule};
+use crate::thresholds::PACE;
 use crate::verdict::Options;
 use tumbling::step::Method;
 
-/// How far the phase may run from the exact one where no limit is asked for: a quarter of a way round, and this share of the ways round that
-/// the exact motion makes. A right rule of second order loses far less than that, but near the separatrix, where a way round takes as
-/// long as the smallest error lets it; a rule without a gyroscopic term loses all, a clock at half its pace a half.
-const PACE: f64 = 0.25;
+/// A spin that turns over, or flips where it never should, or never where it should.
+pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> + use<> {
+    let over = flips.turned_over.map(|time| Complaint::TurnedOver { time });
+    let counted = match (flips.found, flips.exact) {
+        (0, exact) if exact > 0 => Some(Complaint::NeverFlips { exact }),
+        (found, 0) if found > 0 => Some(Complaint::Flips { found }),
+        _ => None,
+    };
+    over.into_iter().chain(counted)
+}
 
 /// A rule that no body goes by, however small the step; several that are not to be told apart must all be wrong.
-pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<String> {
+pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
     let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
-    (diagnosis.sure == Sure::ToRounding && all_wrong)
-        .then(|| format!("every step is made by a rule that is wrong here: {}", diagnosis.best.rule.name()))
+    let wrong = diagnosis.sure == Sure::ToRounding && all_wrong;
+    wrong.then_some(Complaint::WrongRule(diagnosis.best.rule))
 }
 
 /// Whether shorter steps do not lead to the motion of the body.
-fn is_wrong(rule: &Rule) -> bool {
-    match rule {
-        Rule::Exact => false,
-        Rule::Method(method, _) => *method == Method::ConstantSpin,
+const fn is_wrong(rule: &Rule) -> bool {
+    match (rule.base, rule.alteration) {
+        (Base::Exact, None) => false,
+        (Base::Method(method, _), None) => matches!(method, Method::ConstantSpin),
         _ => true,
     }
 }
 
 /// A phase that ran away, where the caller has set no limit of its own for it.
-pub(crate) fn wrong_pace(laws: &[Law], ways: f64, options: &Options) -> Option<String> {
+pub(crate) fn wrong_pace(laws: &[Law], ways: f64, options: &Options) -> Option<Complaint> {
     let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
     let allowed = PACE + PACE * ways;
-    (options.allowed(LawName::Phase).is_none() && phase.most > allowed).then(|| {
-        format!(
-            "the spin is {:.3} ways round from the exact one, which goes {ways:.3} ways round (allowed: {allowed:.3}, unless \
-             `--threshold phase=X` says otherwise)",
-            phase.most
-        )
-    })
+    let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
+    wrong.then_some(Complaint::WrongPace { off: phase.most, ways, allowed })
 }

@@ -1,12 +1,14 @@
 //! Suspects with a number in them, each fitted to the record before it is held against it.
 
+use crate::rules::{Alteration, Base, Rule, When};
 use crate::state::{Pair, median};
-use crate::suspects::{Base, Rule, Subject, When};
+use crate::suspects::Subject;
+use crate::thresholds::{
+    BEYOND, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_UP, DAMPING_ROUNDS, FITTED_STEPS, FRACTION,
+    FRACTION_APART, JOLT, MOMENTS_ROUNDS, OTHER_PACE, SMALL_COMPONENT,
+};
 use nalgebra::Vector3;
 use tumbling::dynamics::euler;
-
-/// To how many pairs of rows, at most.
-const FITTED: usize = 96;
 
 /// The number that takes the momentum to the turn.
 pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rule> {
@@ -14,17 +16,17 @@ pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rul
         let turn = pair.turn()?.norm();
         if turn > 0.0 { Some(subject.system.momentum(&pair.from.omega).norm() * pair.h / turn) } else { None }
     }));
-    (mass.is_finite() && mass > 0.0).then_some(Rule::MomentumForSpin(mass))
+    (mass.is_finite() && mass > 0.0).then_some(Rule::plain(Base::MomentumForSpin(mass)))
 }
 
 /// Suspects with a number in them, which is fitted first.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
-    let few: Vec<Pair> = pairs.iter().step_by(pairs.len().div_ceil(FITTED).max(1)).copied().collect();
+    let few: Vec<Pair> = pairs.iter().step_by(pairs.len().div_ceil(FITTED_STEPS).max(1)).copied().collect();
     let mut all = Vec::new();
     let mut triples = permuted(&subject.moments);
     triples.extend(from_rates(&few, &subject.moments));
     for base in Base::all() {
-        all.extend(triples.iter().map(|&moments| Rule::OtherMoments(moments, base)));
+        all.extend(triples.iter().map(|&moments| base.but(Alteration::OtherMoments(moments))));
         all.extend(fitted(subject, &few, base, &triples));
         for when in [When::After, When::Before] {
             all.extend(damped(subject, &few, base, when));
@@ -32,11 +34,11 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
         for when in [When::After, When::Before] {
             all.extend(damped_by_axis(subject, &few, base, when));
         }
-        all.extend(capped(pairs).map(|most| Rule::Capped(most, base)));
-        all.extend(small_turn(pairs).map(|angle| Rule::SmallTurn(angle, base)));
-        all.extend(zeroed(subject, pairs, base).map(|least| Rule::Zeroed(least, base)));
-        all.extend(turned_by(pairs).map(|factor| Rule::OtherTurn(factor, base)));
-        all.extend(clocks(subject, &few).map(|factor| Rule::OtherStep(factor, base)));
+        all.extend(capped(pairs).map(|most| base.but(Alteration::Capped(most))));
+        all.extend(small_turn(pairs).map(|angle| base.but(Alteration::SmallTurn(angle))));
+        all.extend(zeroed(subject, pairs, base).map(|least| base.but(Alteration::Zeroed(least))));
+        all.extend(turned_by(pairs).map(|factor| base.but(Alteration::OtherTurn(factor))));
+        all.extend(clocks(subject, &few).map(|factor| base.but(Alteration::OtherStep(factor))));
     }
     all
 }
@@ -83,7 +85,7 @@ fn fitted(subject: &Subject, pairs: &[Pair], base: Base, starts: &[Vector3<f64>]
         pairs
             .iter()
             .map(|pair| {
-                let end = subject.spin_after(&Rule::OtherMoments(*moments, base), pair)?;
+                let end = subject.spin_after(&base.but(Alteration::OtherMoments(*moments)), pair)?;
                 Some((end - pair.to.omega) / pair.to.omega.norm().max(f64::MIN_POSITIVE))
             })
             .collect()
@@ -91,13 +93,12 @@ fn fitted(subject: &Subject, pairs: &[Pair], base: Base, starts: &[Vector3<f64>]
     let size = |misses: &[Vector3<f64>]| misses.iter().map(Vector3::norm_squared).sum::<f64>();
     let best = starts.iter().filter_map(|start| misses(start).map(|found| (*start, size(&found))));
     let (mut moments, mut least) = best.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    for _ in 0..12 {
+    for _ in 0..MOMENTS_ROUNDS {
         let here = misses(&moments)?;
-        let jolt = 1e-6;
         let along = |i: usize| -> Option<Vec<Vector3<f64>>> {
             let mut other = moments;
-            other[i] *= 1.0 + jolt;
-            Some(misses(&other)?.iter().zip(&here).map(|(a, b)| (a - b) / jolt).collect())
+            other[i] *= 1.0 + JOLT;
+            Some(misses(&other)?.iter().zip(&here).map(|(a, b)| (a - b) / JOLT).collect())
         };
         let (a, b) = (along(1)?, along(2)?);
         let dot =
@@ -114,37 +115,37 @@ fn fitted(subject: &Subject, pairs: &[Pair], base: Base, starts: &[Vector3<f64>]
         }
         (moments, least) = (next, now);
     }
-    Some(Rule::OtherMoments(moments, base))
+    Some(base.but(Alteration::OtherMoments(moments)))
 }
 
 /// The factor by which each step lessens the spin that the base makes.
 fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> Option<Rule> {
     let mut factor = 1.0;
-    for _ in 0..6 {
+    for _ in 0..DAMPING_ROUNDS[0] {
         let more = median(pairs.iter().filter_map(|pair| {
-            let end = subject.spin_after(&Rule::Damped(factor, base, when), pair)?;
+            let end = subject.spin_after(&base.but(Alteration::Damped(factor, when)), pair)?;
             Some(pair.to.omega.dot(&end) / end.norm_squared())
         }));
         if !more.is_finite() {
             return None;
         }
         factor *= more;
-        if (more - 1.0).abs() < 1e-15 || when == When::After {
+        if (more - 1.0).abs() < CONVERGED || when == When::After {
             break;
         }
     }
-    (factor > 0.0 && factor < 1.0 - 1e-9).then_some(Rule::Damped(factor, base, when))
+    (factor > 0.0 && factor < 1.0 - DAMPED).then_some(base.but(Alteration::Damped(factor, when)))
 }
 
 /// The factors by which each step lessens the spin about each axis of the body.
 fn damped_by_axis(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> Option<Rule> {
     let mut factors = Vector3::repeat(1.0);
-    let least = 1e-3 * pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
-    for _ in 0..24 {
+    let least = SMALL_COMPONENT * pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
+    for _ in 0..DAMPING_ROUNDS[1] {
         let ends: Vec<(Vector3<f64>, Vector3<f64>)> = pairs
             .iter()
             .filter_map(|pair| {
-                let rule = Rule::DampedByAxis(factors, base, when);
+                let rule = base.but(Alteration::DampedByAxis(factors, when));
                 Some((pair.to.omega, subject.spin_after(&rule, pair)?))
             })
             .collect();
@@ -156,12 +157,12 @@ fn damped_by_axis(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> 
             return None;
         }
         factors.component_mul_assign(&more);
-        if (more - Vector3::repeat(1.0)).amax() < 1e-15 || when == When::After {
+        if (more - Vector3::repeat(1.0)).amax() < CONVERGED || when == When::After {
             break;
         }
     }
-    let fair = factors.iter().all(|x| *x >= 0.0 && *x < 1.0 + 1e-6) && factors.min() < 1.0 - 1e-9;
-    fair.then_some(Rule::DampedByAxis(factors, base, when))
+    let fair = factors.iter().all(|x| *x >= 0.0 && *x < 1.0 + DAMPED_UP) && factors.min() < 1.0 - DAMPED;
+    fair.then_some(base.but(Alteration::DampedByAxis(factors, when)))
 }
 
 /// The greatest turn of a step that leaves the attitude as it was, if there are some.
@@ -174,7 +175,7 @@ fn small_turn(pairs: &[Pair]) -> Option<f64> {
 fn zeroed(subject: &Subject, pairs: &[Pair], base: Base) -> Option<f64> {
     let mut most: Option<f64> = None;
     for pair in pairs.iter().filter(|pair| pair.to.omega.iter().any(|x| *x == 0.0)) {
-        let end = subject.spin_after(&Rule::Zeroed(0.0, base), pair)?;
+        let end = subject.spin_after(&base.but(Alteration::Zeroed(0.0)), pair)?;
         for i in 0..3 {
             if pair.to.omega[i] == 0.0 && end[i] != 0.0 {
                 most = Some(most.unwrap_or(0.0).max(end[i].abs()));
@@ -191,7 +192,7 @@ fn turned_by(pairs: &[Pair]) -> Option<f64> {
         if turn > 0.0 { Some(pair.turn()?.norm() / turn) } else { None }
     }));
     let factor = rounded(factor);
-    (factor.is_finite() && (factor - 1.0).abs() > 1e-3).then_some(factor)
+    (factor.is_finite() && (factor - 1.0).abs() > OTHER_PACE).then_some(factor)
 }
 
 /// How many times as long as told the steps are, if not once: from the turns, and from the changes of the spin.
@@ -209,26 +210,28 @@ fn clocks(subject: &Subject, pairs: &[Pair]) -> impl Iterator<Item = f64> {
     }
     let by_law = rounded(found / wanted);
     let by_turn = turned_by(pairs);
-    let differs = move |x: &f64| x.is_finite() && *x > 0.0 && (x - 1.0).abs() > 1e-3;
+    let differs = move |x: &f64| x.is_finite() && *x > 0.0 && (x - 1.0).abs() > OTHER_PACE;
     by_turn.into_iter().chain((by_turn != Some(by_law)).then_some(by_law)).filter(differs)
 }
 
 /// As a fraction of small numbers if it is within a hundredth of one: a half, a third, twice.
 fn rounded(factor: f64) -> f64 {
-    let near = (1..=10).map(f64::from).find_map(|under| {
+    let (under_most, small) = FRACTION;
+    let near = (1..=under_most).map(f64::from).find_map(|under| {
         let over = (factor * under).round();
         let fraction = over / under;
-        (over > 0.0 && (factor / fraction - 1.0).abs() < 0.01).then_some(fraction)
+        (over > 0.0 && (factor / fraction - 1.0).abs() < FRACTION_APART).then_some(fraction)
     });
     // A tenth, a hundredth: one part of a whole number.
     let whole = (1.0 / factor).round();
-    let part = (factor < 0.1 && (1.0 / factor / whole - 1.0).abs() < 0.01).then_some(1.0 / whole);
+    let part = (factor < small && (1.0 / factor / whole - 1.0).abs() < FRACTION_APART).then_some(1.0 / whole);
     near.or(part).unwrap_or(factor)
 }
 
 /// The greatest spin, if many rows have it.
 fn capped(pairs: &[Pair]) -> Option<f64> {
     let most = pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
-    let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - 1e-9)).count();
-    (most > 0.0 && there >= 4 && there * 10 >= pairs.len()).then_some(most)
+    let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - BEYOND)).count();
+    let [least, share] = CAPPED_ROWS;
+    (most > 0.0 && there >= least && there * share >= pairs.len()).then_some(most)
 }

@@ -1,7 +1,9 @@
 //! Times printed with few digits, put back to the steps that they are rounded from.
 
+use crate::findings::Note;
 use crate::reading::Reading;
 use crate::rows::Raw;
+use crate::thresholds::{EVEN_TIMES, PRINTED_HALVES};
 use nalgebra::Vector3;
 
 /// Times that are, to their own printed digits, a whole number of equal steps from the first.
@@ -29,7 +31,7 @@ impl Grid {
         let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
         let least = steps.clone().fold(f64::INFINITY, f64::min);
         let most = steps.fold(0.0, f64::max);
-        let rounding = 64.0 * f64::EPSILON * last.t.abs().max(first.t.abs());
+        let rounding = EVEN_TIMES * f64::EPSILON * last.t.abs().max(first.t.abs());
         // Even ones, and those with missing rows, are taken as they are.
         let even = most - least <= rounding && told.is_none_or(|told| (most - told).abs() <= rounding);
         if half <= rounding || even {
@@ -57,7 +59,7 @@ impl Grid {
             last = place;
             forward
                 && (self.start + place * self.step - raw.t).abs()
-                    <= 2.01 * half_of(raw, self.half, self.digits)
+                    <= PRINTED_HALVES * half_of(raw, self.half, self.digits)
         })
     }
 
@@ -69,7 +71,7 @@ impl Grid {
     pub(crate) fn put(&self, raw: &mut Raw) {
         let time = self.start + self.place(raw.t) * self.step;
         // A row that is not on it, after all those looked at, keeps its own.
-        if (time - raw.t).abs() <= 2.01 * half_of(raw, self.half, self.digits) {
+        if (time - raw.t).abs() <= PRINTED_HALVES * half_of(raw, self.half, self.digits) {
             raw.t = time;
         }
     }
@@ -80,14 +82,9 @@ impl Grid {
         self.off * reading.time() * speed
     }
 
-    /// What was made of the times, in words.
-    pub(crate) fn words(&self) -> String {
-        let which = if self.told { "told" } else { "that they have in the mean" };
-        format!(
-            "the times are printed with few digits: with those they are steps of the length {which}, {:.9} s as the file counts, and \
-             are taken for that",
-            self.step
-        )
+    /// What was made of the times.
+    pub(crate) const fn note(&self) -> Note {
+        Note::EvenSteps { told: self.told, step: self.step }
     }
 }
 

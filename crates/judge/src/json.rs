@@ -2,7 +2,7 @@
 
 use crate::curve::Growth;
 use crate::diagnosis::{Diagnosis, Explanation};
-use crate::laws::LawName;
+use crate::law::LawName;
 use crate::points::Point;
 use crate::verdict::Verdict;
 use nalgebra::Vector3;
@@ -43,20 +43,20 @@ impl Verdict {
             "threshold": self.options.threshold,
             "thresholds": thresholds(self),
             "fit": self.fit.map(|fit| json!({"rows": fit.rows, "left": fit.left, "moved": fit.moved})),
-            "engine": self.engine,
+            "engine": self.record.engine,
             "moments": self.moments.as_slice(),
             "torque": self.torque.as_ref().map(|torque| torque.as_slice().to_vec()),
-            "rows": self.rows,
-            "duration": self.duration,
-            "step": self.step,
-            "rounding": self.rounding,
+            "rows": self.record.rows,
+            "duration": self.record.duration,
+            "step": self.record.step,
+            "rounding": self.record.rounding,
             "misread": self.misread.iter().map(|x| x.words()).collect::<Vec<_>>(),
-            "ignored": self.ignored,
-            "notes": self.notes,
-            "untold": self.untold.iter().map(|law| law.key()).collect::<Vec<_>>(),
+            "ignored": self.record.ignored,
+            "notes": words(&self.record.notes),
+            "untold": self.record.untold.iter().map(|law| law.key()).collect::<Vec<_>>(),
             "resets": resets,
-            "gaps": self.gaps.map(|gaps| json!({"count": gaps.count, "line": gaps.line, "longest": gaps.longest})),
-            "sign_changes": self.sign_changes,
+            "gaps": self.record.gaps.map(|gaps| json!({"count": gaps.count, "line": gaps.line, "longest": gaps.longest})),
+            "sign_changes": self.record.sign_changes,
             "laws": laws,
             "flips": self.flips.as_ref().map(|flips| json!({
                 "found": flips.found,
@@ -68,11 +68,16 @@ impl Verdict {
                 "times": flips.times,
             })),
             "separatrix": self.separatrix,
-            "complaints": self.complaints,
+            "complaints": words(&self.complaints),
             "diagnosis": self.diagnosis.as_ref().map(diagnosis),
             "curve": curve(&self.curve),
         })
     }
+}
+
+/// Each in its sentence.
+fn words(all: &[impl ToString]) -> Vec<String> {
+    all.iter().map(ToString::to_string).collect()
 }
 
 /// The limits that laws have of their own.
@@ -130,7 +135,7 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
         "ratio": diagnosis.ratio(),
         "sure": diagnosis.sure.key(),
         "steps": diagnosis.steps,
-        "hints": diagnosis.hints,
+        "hints": words(&diagnosis.hints),
         "advice": if diagnosis.names_a_rule() { diagnosis.best.rule.advice() } else { "" },
     })
 }

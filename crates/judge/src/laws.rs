@@ -1,145 +1,61 @@
 //! The laws of free motion, each held against the rows as they come.
 
-use crate::curve::{Curve, Growth};
+use crate::curve::Curve;
+use crate::law::{FlipCount, Law, LawName};
 use crate::points::{Point, Points};
-use crate::state::{Pair, Row};
-use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{PI, TAU};
+use crate::state::{Pair, Row, in_world, ordered};
+use crate::thresholds::{
+    ALLOWED, CONSTANT, FLIP_TIMES, LAW_OF_TWO, LAW_ROUNDINGS, ON_AXIS, TURN_ROUNDINGS, UNTRACEABLE,
+};
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{Axis, attitude, dynamics::observe};
-
-/// What is held against the record.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum LawName {
-    /// The kinetic energy, as its ratio to the first one.
-    Energy,
-    /// The length of the angular momentum, as its ratio to the first one.
-    Momentum,
-    /// Where the angular momentum points in the world, rad from the first one.
-    Direction,
-    /// The length of the attitude quaternion, from 1.
-    Unit,
-    /// `2 E I2 / L²`, from the first one; at 1 is the separatrix, beyond which a stable spin flips.
-    Separatrix,
-    /// How far the spin is ahead of the exact one on its closed curve in body axes, in times round it.
-    Phase,
-    /// The turn from row to row against the spin, beside the spin, less what this step and the last changed the spin.
-    Consistency,
-}
-
-impl LawName {
-    /// All of them.
-    pub const ALL: [Self; 7] = [
-        Self::Energy,
-        Self::Momentum,
-        Self::Direction,
-        Self::Unit,
-        Self::Separatrix,
-        Self::Phase,
-        Self::Consistency,
-    ];
-
-    /// In plain words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Energy => "energy",
-            Self::Momentum => "|L|",
-            Self::Direction => "direction of L",
-            Self::Unit => "quaternion's length",
-            Self::Separatrix => "2 E I2 / L^2",
-            Self::Phase => "phase",
-            Self::Consistency => "turn against spin",
-        }
-    }
-
-    /// A name for programs.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Energy => "energy",
-            Self::Momentum => "momentum",
-            Self::Direction => "direction",
-            Self::Unit => "unit",
-            Self::Separatrix => "separatrix",
-            Self::Phase => "phase",
-            Self::Consistency => "consistency",
-        }
-    }
-
-    /// Whether an engine fails by it: the exact motion keeps it for ever.
-    #[must_use]
-    pub const fn is_conserved(self) -> bool {
-        !matches!(self, Self::Phase | Self::Consistency)
-    }
-}
-
-/// How a law was kept.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Law {
-    /// Which.
-    pub name: LawName,
-    /// How its error grew.
-    pub growth: Growth,
-    /// The greatest error.
-    pub most: f64,
-    /// The last error, with its sign.
-    pub last: f64,
-}
-
-/// Flips counted, in the record and in the exact motion.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FlipCount {
-    /// In the record: changes of sign of the spin along the middle axis.
-    pub found: u64,
-    /// In the exact motion, in the same time.
-    pub exact: u64,
-    /// The time of the first in the record, s from its start.
-    pub first: Option<f64>,
-    /// The time of the first of the exact motion, s from the start.
-    pub first_exact: Option<f64>,
-    /// The greatest difference in time between flips of the same number, s.
-    pub apart: f64,
-    /// The times of the first 512 in the record, s from its start.
-    pub times: Vec<f64>,
-    /// When the spin along the axis that it circles first changes sign, s from the start. In the exact motion it never does.
-    pub turned_over: Option<f64>,
-}
+use tumbling::{Axis, dynamics::observe};
 
 /// Everything that is followed from row to row.
 pub(crate) struct Laws {
     moments: Vector3<f64>,
-    first: Row,
+    start: Start,
     pub exact: FreeMotion,
-    energy: f64,
-    momentum: f64,
-    direction: Option<Vector3<f64>>,
     middle: Option<usize>,
     /// The axis the spin circles, and the two others in right-handed order.
     circled: Option<[usize; 3]>,
     curves: [(LawName, Curve); 7],
     pub points: Points,
+    /// How far the spin is ahead of the exact one, rad.
     lag: f64,
     flips: Flips,
-    speed: f64,
-    /// How much the last step changed the spin, beside the spin.
-    change: f64,
-    /// Steps since the first row; rows where a step has no one length.
-    steps: f64,
+    pub seen: Seen,
+    floor: f64,
+}
+
+/// What the laws are held against: the first row, and what it has of each.
+struct Start {
+    row: Row,
+    energy: f64,
+    momentum: f64,
+    /// The momentum in the world.
+    direction: Option<Vector3<f64>>,
+}
+
+/// What is seen of the motion as a whole.
+pub(crate) struct Seen {
     pub last: Row,
-    /// Whether the spin has ever left its first value by more than rounding.
+    /// Whether the spin has never left its first value by more than rounding.
     pub constant: bool,
-    /// How far the exact spin ever is from its first value, beside the first speed.
+    /// How far the exact spin ever is from its first value, relative to the first speed.
     pub moved: f64,
     /// The whole angle turned, rad: the mean speed of each two rows times the time between them.
     pub turned: f64,
-    floor: f64,
+    /// How often the quaternion changes its sign.
     pub sign_changes: u64,
+    /// The greatest speed, rad/s.
+    speed: f64,
+    /// How much the last step changed the spin, relative to the spin.
+    change: f64,
+    /// Steps since the first row; rows where a step has no one length.
+    steps: f64,
 }
-
-/// Of how many flips the times are kept.
-const FLIPS_TOLD: usize = 512;
 
 struct Flips {
     exact: Box<dyn Iterator<Item = f64>>,
@@ -170,40 +86,34 @@ impl Laws {
             Ok(flips) => Box::new(flips),
             Err(_) => Box::new(std::iter::empty()),
         };
-        Ok(Self {
-            moments: *moments,
-            first: *first,
-            exact,
+        let start = Start {
+            row: *first,
             energy: observe::energy(&first.omega, &angular),
             momentum: angular.norm(),
-            direction: direction.or_else(|| first.attitude.map(|q| turned(&q, &angular))),
+            direction: direction.or_else(|| first.attitude.map(|q| in_world(&q, &angular))),
+        };
+        let seen = Seen {
+            last: *first,
+            constant: true,
+            moved: 0.0,
+            turned: 0.0,
+            sign_changes: 0,
+            speed: first.omega.norm(),
+            change: 0.0,
+            steps: 0.0,
+        };
+        Ok(Self {
+            moments: *moments,
+            start,
+            exact,
             middle,
             circled: circled.map(|axis| [axis, (axis + 1) % 3, (axis + 2) % 3]),
             curves: LawName::ALL.map(|name| (name, Curve::new())),
             points: Points::new(),
             lag: 0.0,
-            flips: Flips {
-                exact: exact_flips,
-                count: FlipCount {
-                    found: 0,
-                    exact: 0,
-                    first: None,
-                    times: Vec::new(),
-                    first_exact: None,
-                    apart: 0.0,
-                    turned_over: None,
-                },
-                last: None,
-            },
-            speed: first.omega.norm(),
-            change: 0.0,
-            steps: 0.0,
-            last: *first,
-            constant: true,
-            moved: 0.0,
-            turned: 0.0,
+            flips: Flips { exact: exact_flips, count: FlipCount::default(), last: None },
+            seen,
             floor,
-            sign_changes: 0,
         })
     }
 
@@ -217,35 +127,35 @@ impl Laws {
 
     /// One more row, so many steps after the last.
     pub(crate) fn push(&mut self, state: &Row, steps: f64) -> Result<(), tumbling::Error> {
-        let t = state.t - self.first.t;
-        self.steps += steps;
+        let t = state.t - self.start.row.t;
+        self.seen.steps += steps;
         let angular = self.moments.component_mul(&state.omega);
         let (energy, momentum) = (observe::energy(&state.omega, &angular), angular.norm());
-        self.put(LawName::Energy, t, (energy / self.energy).ln());
-        self.put(LawName::Momentum, t, (momentum / self.momentum).ln());
+        self.put(LawName::Energy, t, (energy / self.start.energy).ln());
+        self.put(LawName::Momentum, t, (momentum / self.start.momentum).ln());
         let middle = ordered(&self.moments)[1];
         let separatrix =
             |energy: f64, momentum: f64| 2.0 * energy / momentum * (self.moments[middle] / momentum);
-        let error = separatrix(energy, momentum) - separatrix(self.energy, self.momentum);
+        let error = separatrix(energy, momentum) - separatrix(self.start.energy, self.start.momentum);
         self.put(LawName::Separatrix, t, error);
         let mut turned_away = None;
         if let Some(q) = state.attitude {
             self.put(LawName::Unit, t, q.norm() - 1.0);
-            if let Some(first) = self.direction {
-                let now = turned(&q, &angular);
+            if let Some(first) = self.start.direction {
+                let now = in_world(&q, &angular);
                 let angle = first.cross(&now).norm().atan2(first.dot(&now));
                 turned_away = Some(angle);
                 self.put(LawName::Direction, t, angle);
             }
-            if self.last.attitude.is_some_and(|last| last.coords.dot(&q.coords) < 0.0) {
-                self.sign_changes += 1;
+            if self.seen.last.attitude.is_some_and(|last| last.coords.dot(&q.coords) < 0.0) {
+                self.seen.sign_changes += 1;
             }
         }
         let wanted = self.exact.omega(t)?;
-        let moved = (wanted - self.first.omega).norm() / self.first.omega.norm();
-        self.moved = if moved > self.moved { moved } else { self.moved };
-        let mean = (state.omega.norm() + self.last.omega.norm()) / 2.0;
-        self.turned += mean * (state.t - self.last.t).max(0.0);
+        let moved = (wanted - self.start.row.omega).norm() / self.start.row.omega.norm();
+        self.seen.moved = if moved > self.seen.moved { moved } else { self.seen.moved };
+        let mean = (state.omega.norm() + self.seen.last.omega.norm()) / 2.0;
+        self.seen.turned += mean * (state.t - self.seen.last.t).max(0.0);
         if let Some(axes) = self.circled {
             let lag = (self.phase(axes, &state.omega) - self.phase(axes, &wanted)) * self.sense(axes);
             let step = (lag - self.lag) / TAU;
@@ -254,8 +164,8 @@ impl Laws {
         }
         self.points.push(&Point {
             time: t,
-            energy: energy / self.energy - 1.0,
-            momentum: momentum / self.momentum - 1.0,
+            energy: energy / self.start.energy - 1.0,
+            momentum: momentum / self.start.momentum - 1.0,
             direction: turned_away,
             phase: self.circled.map(|_| self.lag / TAU),
             spin: state.omega,
@@ -264,11 +174,11 @@ impl Laws {
             exact_range: [wanted; 2],
         });
         let speed = state.omega.norm();
-        self.speed = self.speed.max(speed);
-        self.constant &=
-            (state.omega - self.first.omega).amax() <= 64.0 * self.floor * self.first.omega.amax();
+        self.seen.speed = self.seen.speed.max(speed);
+        self.seen.constant &= (state.omega - self.start.row.omega).amax()
+            <= CONSTANT * self.floor * self.start.row.omega.amax();
         self.flip(t, state);
-        self.last = *state;
+        self.seen.last = *state;
         Ok(())
     }
 
@@ -277,13 +187,13 @@ impl Laws {
         let (from, to) = (pair.from.omega, pair.to.omega);
         let speed = from.norm().max(to.norm());
         let change = (to - from).norm() / speed;
-        let changes = if change.is_finite() { change.max(self.change) } else { self.change };
+        let changes = if change.is_finite() { change.max(self.seen.change) } else { self.seen.change };
         if let Some(off) = pair.inconsistency() {
             // A spin that changes in a step leaves open which of its values turned the body; a turn has its rounding.
-            let allowed = changes + 8.0 * self.floor / (speed * pair.h);
-            self.put(LawName::Consistency, pair.to.t - self.first.t, (off - allowed).max(0.0));
+            let allowed = changes + TURN_ROUNDINGS * self.floor / (speed * pair.h);
+            self.put(LawName::Consistency, pair.to.t - self.start.row.t, (off - allowed).max(0.0));
         }
-        self.change = if change.is_finite() { change } else { 0.0 };
+        self.seen.change = if change.is_finite() { change } else { 0.0 };
     }
 
     /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a circle.
@@ -294,12 +204,13 @@ impl Laws {
 
     /// Which way round the spin goes: counter-clockwise about the largest moment's axis where it spins forward.
     fn sense(&self, [a, b, _]: [usize; 3]) -> f64 {
-        (self.moments[a] - self.moments[b]).signum() * self.first.omega[a].signum()
+        (self.moments[a] - self.moments[b]).signum() * self.start.row.omega[a].signum()
     }
 
     fn flip(&mut self, t: f64, state: &Row) {
         let Some(middle) = self.middle else { return };
-        let over = self.circled.is_some_and(|[axis, ..]| state.omega[axis] * self.first.omega[axis] < 0.0);
+        let over =
+            self.circled.is_some_and(|[axis, ..]| state.omega[axis] * self.start.row.omega[axis] < 0.0);
         if over {
             self.flips.count.turned_over = self.flips.count.turned_over.or(Some(t));
         }
@@ -315,7 +226,7 @@ impl Laws {
             let when = t0 * (1.0 - share) + t * share;
             flips.count.found += 1;
             flips.count.first = flips.count.first.or(Some(when));
-            if flips.count.times.len() < FLIPS_TOLD {
+            if flips.count.times.len() < FLIP_TIMES {
                 flips.count.times.push(when);
             }
             if let Some(exact) = flips.exact.next() {
@@ -327,7 +238,7 @@ impl Laws {
 
     pub(crate) fn flips(&self) -> Option<FlipCount> {
         self.middle?;
-        let end = self.last.t - self.first.t;
+        let end = self.seen.last.t - self.start.row.t;
         let mut count = self.flips.count.clone();
         let exact = self.exact.flips(0.0, end).ok()?;
         count.exact = exact.remaining();
@@ -337,7 +248,7 @@ impl Laws {
 
     /// How many ways round the exact spin goes in the time of the record.
     pub(crate) fn ways_round(&self) -> f64 {
-        let end = self.last.t - self.first.t;
+        let end = self.seen.last.t - self.start.row.t;
         match self.exact.period() {
             Ok(Some(period)) if period > 0.0 => end / period,
             _ => 0.0,
@@ -347,15 +258,15 @@ impl Laws {
     /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a tenth of a radian, or more than any
     /// number holds: where in its motion the body should be then, an `f64` does not tell.
     pub(crate) fn untraceable(&self) -> bool {
-        let uncertain = f64::EPSILON * self.turned;
-        !uncertain.is_finite() || uncertain > 0.1
+        let uncertain = f64::EPSILON * self.seen.turned;
+        !uncertain.is_finite() || uncertain > UNTRACEABLE
     }
 
     /// Whether the first spin is along one axis of the body, to rounding.
     pub(crate) fn on_axis(&self) -> bool {
-        let spin = self.first.omega.abs();
+        let spin = self.start.row.omega.abs();
         // The largest component, not the length: that may be more than a number holds.
-        (0..3).filter(|&i| spin[i] > 8.0 * self.floor * spin.amax()).count() <= 1
+        (0..3).filter(|&i| spin[i] > ON_AXIS * self.floor * spin.amax()).count() <= 1
     }
 
     /// The first, and the last, `2 E I2 / L²`.
@@ -365,22 +276,22 @@ impl Laws {
             let angular = self.moments.component_mul(&state.omega);
             2.0 * observe::energy(&state.omega, &angular) * middle / angular.norm_squared()
         };
-        self.middle.map(|_| [at(&self.first), at(&self.last)])
+        self.middle.map(|_| [at(&self.start.row), at(&self.seen.last)])
     }
 
     /// How each law was kept that there was something of.
     ///
     /// What is beyond its limit in `allowed` is never kept to rounding.
     pub(crate) fn kept(&self, allowed: impl Fn(LawName) -> Option<f64>) -> Vec<Law> {
-        let end = self.last.t - self.first.t;
-        let turned = 1.0 + self.speed * end;
+        let end = self.seen.last.t - self.start.row.t;
+        let turned = 1.0 + self.seen.speed * end;
         self.curves
             .iter()
             .filter(|(name, curve)| {
                 let seen = curve.most() > 0.0 || *name != LawName::Consistency;
                 seen && match name {
                     LawName::Direction | LawName::Unit | LawName::Consistency => {
-                        self.first.attitude.is_some()
+                        self.start.row.attitude.is_some()
                     }
                     LawName::Phase => self.circled.is_some(),
                     LawName::Separatrix => self.middle.is_some(),
@@ -391,43 +302,22 @@ impl Laws {
                 // Some rounding units a step beside the rounding of the numbers themselves; of a time, of all that turns in it.
                 // Digits that a file lacks are lacking in each row alone: the engine steps on with its own, of single precision or better.
                 let own = (f64::from(f32::EPSILON) / self.floor).min(1.0);
-                let units = 32.0 + 4.0 * self.steps * own;
+                let [once, each] = LAW_ROUNDINGS;
+                let units = once + each * self.seen.steps * own;
                 let rounding = self.floor
                     * match name {
                         LawName::Phase => units * turned,
-                        LawName::Direction | LawName::Separatrix => 2.0 * units,
+                        LawName::Direction | LawName::Separatrix => LAW_OF_TWO * units,
                         _ => units,
                     };
                 let of_ratio = matches!(name, LawName::Energy | LawName::Momentum);
                 let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
                 let last = plain(curve.last());
                 let most = curve.range().map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
-                let broken = most > allowed(*name).unwrap_or(0.01);
+                let broken = most > allowed(*name).unwrap_or(ALLOWED);
                 let growth = curve.growth(if broken { 0.0 } else { rounding }, of_ratio);
                 Law { name: *name, growth, most, last }
             })
             .collect()
     }
-}
-
-/// The indices of the moments, smallest first.
-pub(crate) fn ordered(moments: &Vector3<f64>) -> [usize; 3] {
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
-    order
-}
-
-pub(crate) fn turned(q: &nalgebra::Quaternion<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
-    attitude::rotation_matrix(q) * vector
-}
-
-/// The angle between two attitudes, rad, whichever sign their quaternions have and however long they are.
-pub(crate) fn angle_between(a: &nalgebra::Quaternion<f64>, b: &nalgebra::Quaternion<f64>) -> f64 {
-    let between = attitude::product(&a.conjugate(), b);
-    (2.0 * between.imag().norm().atan2(between.w.abs())).min(PI)
-}
-
-/// As a unit quaternion, which it is but for rounding.
-pub(crate) fn unit(q: &nalgebra::Quaternion<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::new_normalize(*q)
 }

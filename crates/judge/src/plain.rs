@@ -1,12 +1,8 @@
 //! How an error grows, in words for a reader who has no need of logarithms.
 
 use crate::curve::Growth;
-use crate::laws::{Law, LawName};
-
-/// Beyond so many powers of e in a second it is plainer to say how long a tenfold takes.
-const STEEP: f64 = 7.0;
-/// Below it, hundredths are plainer than a factor.
-const GENTLE: f64 = 0.1;
+use crate::law::{Law, LawName};
+use crate::thresholds::{GENTLE, STEEP};
 
 impl Law {
     /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.

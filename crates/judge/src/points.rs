@@ -1,9 +1,7 @@
 //! A few points of a run of any length, to draw it by.
 
+use crate::thresholds::POINTS;
 use nalgebra::Vector3;
-
-/// As many at most.
-const MOST: usize = 256;
 
 /// A stretch of a record: the row it starts with, and what the rows in it reach.
 ///
@@ -68,7 +66,7 @@ impl Points {
                 self.last_rows += 1;
             }
             _ => {
-                if self.all.len() == MOST {
+                if self.all.len() == POINTS {
                     self.all = self.all.chunks(2).map(|two| two[0].and(&two[two.len() - 1])).collect();
                     self.rows_each *= 2;
                 }
@@ -107,7 +105,7 @@ mod tests {
                 });
             }
             let all = points.into_all();
-            assert!(all.len() <= MOST && all.len() >= usize::try_from(rows).unwrap().min(MOST / 2));
+            assert!(all.len() <= POINTS && all.len() >= usize::try_from(rows).unwrap().min(POINTS / 2));
             let apart: Vec<f64> = all.windows(2).map(|two| two[1].time - two[0].time).collect();
             assert!(all[0].time == 0.0 && apart.iter().all(|x| *x == apart[0]), "evenly");
             assert!(all.iter().any(|p| p.energy == -9.0 && p.direction == Some(9.0)), "{rows}");

@@ -6,6 +6,10 @@
 use crate::columns::Kind;
 use crate::rows::Raw;
 use crate::state::{Pair, Row, median};
+use crate::thresholds::{
+    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, RARE_MISTAKE, TURNS_AGREE, TURNS_EQUAL,
+    TURNS_WEIGHT, UNIT_APART,
+};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::dynamics::euler;
 
@@ -228,7 +232,7 @@ impl Reading {
                 .collect();
             law(pairs.into_iter(), moments).0
         };
-        if alike(&plain) > 0.8 {
+        if alike(&plain) > LAW_AGREES {
             return plain;
         }
         let orders = [Order::Last, Order::First];
@@ -239,8 +243,8 @@ impl Reading {
             .into_iter()
             .map(|way| (way, alike(&way)))
             // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the commoner one is named.
-            .reduce(|best, way| if way.1 > best.1 + 1e-3 { way } else { best });
-        best.filter(|way| way.1 > 0.98).map_or(plain, |way| way.0)
+            .reduce(|best, way| if way.1 > best.1 + LAW_BETTER { way } else { best });
+        best.filter(|way| way.1 > LAW_DECIDES).map_or(plain, |way| way.0)
     }
 
     fn pairs<'a>(
@@ -259,7 +263,7 @@ impl Reading {
         let off =
             |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
         let plain = off(&self);
-        if plain.is_finite() && plain < 0.05 {
+        if plain.is_finite() && plain < TURNS_AGREE {
             return self;
         }
         let mut ways = Vec::new();
@@ -279,7 +283,7 @@ impl Reading {
             }
         }
         let least = ways.iter().map(|way| way.1).fold(f64::INFINITY, f64::min);
-        if least > 0.05 || least > 0.2 * plain {
+        if least > TURNS_AGREE || least > NEARER_READING * plain {
             return self;
         }
         // Some ways turn alike: the fewest mistakes, and the law, decide between them.
@@ -289,20 +293,22 @@ impl Reading {
                 .mistakes()
                 .iter()
                 .map(|x| match x {
-                    Misread::MirroredComponent(_) => 1.5,
+                    Misread::MirroredComponent(_) => RARE_MISTAKE[1],
                     // The rarer of two that may look alike.
-                    Misread::ScalarFirst | Misread::Momentum => 1.25,
+                    Misread::ScalarFirst | Misread::Momentum => RARE_MISTAKE[0],
                     _ => 1.0,
                 })
                 .sum();
-            mistakes - 2.0 * alike
+            mistakes - LAW_WEIGHT * alike
         };
         // How far the turns are from the spins weighs too, but less: what is left of a right reading is the step's own error, and of a
         // wrong one, of a spin about one axis, it may by chance be less.
-        let worth = |way: &(Self, f64)| worth(&way.0) + 0.5 * (way.1 / least.max(1e-6)).max(1.0).log10();
+        let worth = |way: &(Self, f64)| {
+            worth(&way.0) + TURNS_WEIGHT * (way.1 / least.max(TURNS_EQUAL)).max(1.0).log10()
+        };
         let best = ways
             .iter()
-            .filter(|way| way.1 <= 0.05 && way.1 <= 0.2 * plain)
+            .filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain)
             .min_by(|a, b| worth(a).total_cmp(&worth(b)));
         best.map_or(self, |way| way.0)
     }
@@ -317,8 +323,8 @@ impl Reading {
     }
 
     fn with_units(self, ratio: f64) -> Self {
-        let near = |unit: &&(Misread, f64)| (ratio / unit.1 - 1.0).abs() < 0.1;
-        match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < 0.1)) {
+        let near = |unit: &&(Misread, f64)| (ratio / unit.1 - 1.0).abs() < UNIT_APART;
+        match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < UNIT_APART)) {
             (Some(unit), _) => Self { spin: unit.1, ..self },
             (None, Some(unit)) => Self { time: unit.1, ..self },
             (None, None) => self.with_both_units(ratio),
@@ -327,12 +333,12 @@ impl Reading {
 
     /// Spin and time each in a unit of its own: turns tell their product alone.
     fn with_both_units(self, ratio: f64) -> Self {
-        if (ratio - 1.0).abs() < 0.1 {
+        if (ratio - 1.0).abs() < UNIT_APART {
             return self;
         }
         let both = SPINS.iter().flat_map(|spin| TIMES.iter().map(move |time| (spin.1, time.1)));
         let off = |(spin, time): &(f64, f64)| (ratio / (spin * time) - 1.0).abs();
-        let nearest = both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|both| off(both) < 0.1);
+        let nearest = both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|both| off(both) < UNIT_APART);
         nearest.map_or(self, |(spin, time)| Self { spin, time, ..self })
     }
 
@@ -343,7 +349,7 @@ impl Reading {
     /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of the other hand backward.
     fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let (alike, size) = self.law(pairs, moments);
-        if alike.abs() < 0.98 {
+        if alike.abs() < LAW_DECIDES {
             return self;
         }
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };

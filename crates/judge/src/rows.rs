@@ -2,12 +2,11 @@
 
 use crate::columns::{Clock, Columns, Kind};
 use crate::comment::Told;
+use crate::digits::{last_place, significant};
 use crate::error::Error;
+use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, ROWS_BEFORE_THE_END};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
-
-/// A line longer than this is no row of numbers.
-const LONGEST_LINE: u64 = 1 << 16;
 
 /// How a time is printed. Nothing of it is known of a count of steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -109,7 +108,7 @@ impl<R: BufRead> Rows<R> {
             let text = text_of(&self.text, self.line)?.trim();
             if !(text.is_empty() || text.starts_with('#')) {
                 let raw = match read(&self.columns, text, self.line, &self.told, &mut self.fields) {
-                    Err(Wrong::NotFinite(error)) if self.rows >= 2 => {
+                    Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
                         self.ended = Some(error);
                         continue;
                     }
@@ -143,19 +142,40 @@ enum Wrong {
     Row(Error),
 }
 
-fn read(
-    columns: &Columns,
-    text: &str,
-    line: usize,
-    told: &Told,
-    fields: &mut Vec<f64>,
-) -> Result<Raw, Wrong> {
+/// What the numbers of a row say of how exact they are.
+struct Exact {
+    printed: Printed,
+    digits: u32,
+    single: bool,
+    place: f64,
+}
+
+impl Exact {
+    fn take(&mut self, field: &str, value: f64, is_time: bool) {
+        if is_time {
+            self.printed.half = 0.5 * last_place(field);
+            self.printed.digits = significant(field);
+            if value != 0.0 {
+                self.printed.above = 10.0_f64.powf(value.abs().log10().floor() + 1.0);
+            }
+        } else {
+            self.digits = self.digits.max(significant(field));
+            self.place = self.place.min(last_place(field));
+            #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is the question")]
+            let rounded = f64::from(value as f32);
+            self.single &= rounded == value;
+        }
+    }
+}
+
+/// The numbers of a row, one for each column; zero where none is read.
+fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) -> Result<Exact, Wrong> {
     let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
     let wanted = |i: usize| {
         i == clock || columns.vectors(i) || columns.attitude.is_some_and(|places| places.contains(&i))
     };
-    let (mut digits, mut single, mut place) = (0, true, f64::INFINITY);
-    let mut printed = Printed::default();
+    let mut exact = Exact { printed: Printed::default(), digits: 0, single: true, place: f64::INFINITY };
+    let there = columns.names.len();
     fields.clear();
     for (i, field) in columns.separator.split(text).enumerate() {
         let wrong = |problem: String| Error::Field {
@@ -164,15 +184,13 @@ fn read(
             name: columns.names.get(i).cloned().unwrap_or_default(),
             problem,
         };
-        if i >= columns.names.len() {
-            if field.is_empty() && i == columns.names.len() {
+        if i >= there {
+            if field.is_empty() && i == there {
                 continue; // a separator at the end of the line
             }
-            return Err(Wrong::Row(wrong(format!(
-                "`{}` is one more field than there are columns ({})",
-                shown(field),
-                columns.names.len()
-            ))));
+            let shown = shown(field);
+            let problem = format!("`{shown}` is one more field than there are columns ({there})");
+            return Err(Wrong::Row(wrong(problem)));
         }
         if !wanted(i) {
             fields.push(0.0);
@@ -186,32 +204,25 @@ fn read(
             let problem = format!("the value is {}: from here on there is no motion", shown(field));
             return Err(Wrong::NotFinite(wrong(problem)));
         }
-        if i == clock {
-            printed.half = 0.5 * last_place(field);
-            printed.digits = significant(field);
-            if value != 0.0 {
-                printed.above = 10.0_f64.powf(value.abs().log10().floor() + 1.0);
-            }
-        } else {
-            digits = digits.max(significant(field));
-            place = place.min(last_place(field));
-            #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is the question")]
-            let rounded = f64::from(value as f32);
-            single &= rounded == value;
-        }
+        exact.take(field, value, i == clock);
         fields.push(value);
     }
-    if fields.len() < columns.names.len() {
-        return Err(Wrong::Row(Error::Line {
-            line,
-            problem: format!(
-                "there are {} fields for {} columns: `{}` is missing",
-                fields.len(),
-                columns.names.len(),
-                columns.names[fields.len()]
-            ),
-        }));
+    if let Some(missing) = columns.names.get(fields.len()) {
+        let found = fields.len();
+        let problem = format!("there are {found} fields for {there} columns: `{missing}` is missing");
+        return Err(Wrong::Row(Error::Line { line, problem }));
     }
+    Ok(exact)
+}
+
+fn read(
+    columns: &Columns,
+    text: &str,
+    line: usize,
+    told: &Told,
+    fields: &mut Vec<f64>,
+) -> Result<Raw, Wrong> {
+    let Exact { printed, digits, single, place } = numbers(columns, text, line, fields)?;
     let t = match columns.clock {
         Clock::Time(i) => fields[i] / columns.per_second,
         Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
@@ -239,8 +250,8 @@ fn read(
 /// A field as an error shows it: not all of a long one.
 fn shown(field: &str) -> String {
     let mut shown: String =
-        field.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    if field.chars().nth(40).is_some() {
+        field.chars().take(FIELD_SHOWN).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    if field.chars().nth(FIELD_SHOWN).is_some() {
         shown.push('…');
     }
     shown
@@ -259,28 +270,6 @@ fn no_number(field: &str) -> String {
     format!("`{shown}` is not a number{why}")
 }
 
-/// How many digits from the first that is not zero, before an exponent.
-fn significant(field: &str) -> u32 {
-    let mut count = 0;
-    for byte in field.bytes() {
-        match byte {
-            b'e' | b'E' => break,
-            b'0' if count == 0 => {}
-            b'0'..=b'9' => count += 1,
-            _ => {}
-        }
-    }
-    count
-}
-
-/// What a one is worth in the last place: 0.001 in 1.250, 1e-9 in 1.5e-8.
-pub(crate) fn last_place(field: &str) -> f64 {
-    let (number, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
-    let places = number.split_once('.').map_or(0, |(_, after)| after.len());
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    10.0_f64.powi(exponent.saturating_sub(i32::try_from(places).unwrap_or(i32::MAX)))
-}
-
 /// Lines with their numbers.
 struct Lines<R> {
     source: R,
@@ -292,12 +281,12 @@ impl<R: BufRead> Lines<R> {
     fn advance(&mut self) -> Result<bool, Error> {
         self.text.clear();
         self.line += 1;
-        let mut limited = std::io::Read::take(&mut self.source, LONGEST_LINE);
+        let mut limited = std::io::Read::take(&mut self.source, LINE_BYTES);
         let read = limited
             .read_until(b'\n', &mut self.text)
             .map_err(|source| Error::Read { line: self.line, source })?;
-        if read as u64 == LONGEST_LINE && self.text.last() != Some(&b'\n') {
-            let problem = format!("the line is longer than {LONGEST_LINE} bytes");
+        if read as u64 == LINE_BYTES && self.text.last() != Some(&b'\n') {
+            let problem = format!("the line is longer than {LINE_BYTES} bytes");
             return Err(Error::Line { line: self.line, problem });
         }
         Ok(read > 0)

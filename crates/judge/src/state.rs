@@ -1,6 +1,8 @@
 //! A body at one instant, as the judge takes it, and two of them one step apart.
 
-use nalgebra::{Quaternion, Vector3};
+use crate::thresholds::LONG_TURN;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::f64::consts::PI;
 use tumbling::attitude;
 
 /// One row, understood.
@@ -15,6 +17,13 @@ pub(crate) struct Row {
     pub omega: Vector3<f64>,
     /// In a record of attitudes alone the next row's line and attitude, if it is one step later.
     pub ahead: Option<(usize, Quaternion<f64>)>,
+}
+
+impl Row {
+    /// Its attitude; the identity where none is given.
+    pub(crate) fn start(&self) -> Quaternion<f64> {
+        self.attitude.unwrap_or_else(Quaternion::identity)
+    }
 }
 
 /// Two rows that follow one another.
@@ -37,13 +46,13 @@ impl Pair {
         Some(if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() })
     }
 
-    /// How far the turn is from what the spin tells, beside the spin: from the one before, after, or their mean, whichever is the
+    /// How far the turn is from what the spin tells, relative to the spin: from the one before, after, or their mean, whichever is the
     /// nearest. Nothing where a step turns so far that the shorter way need not be the right one.
     pub(crate) fn inconsistency(&self) -> Option<f64> {
         let turned = self.turn()? / self.h;
         let (a, b) = (self.from.omega, self.to.omega);
         let speed = a.norm().max(b.norm());
-        if speed == 0.0 || speed * self.h > 2.5 {
+        if speed == 0.0 || speed * self.h > LONG_TURN {
             return None;
         }
         let mean = (a + b) / 2.0;
@@ -63,4 +72,27 @@ pub(crate) fn middle_and_most(mut values: Vec<f64>) -> Option<[f64; 2]> {
 /// The middle one; infinite if there is none.
 pub(crate) fn median(values: impl Iterator<Item = f64>) -> f64 {
     middle_and_most(values.collect()).map_or(f64::INFINITY, |x| x[0])
+}
+
+/// The indices of the moments, smallest first.
+pub(crate) fn ordered(moments: &Vector3<f64>) -> [usize; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    order
+}
+
+/// A vector of the body, in the world.
+pub(crate) fn in_world(q: &Quaternion<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+    attitude::rotation_matrix(q) * vector
+}
+
+/// The angle between two attitudes, rad, whichever sign their quaternions have and however long they are.
+pub(crate) fn angle_between(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
+    let between = attitude::product(&a.conjugate(), b);
+    (2.0 * between.imag().norm().atan2(between.w.abs())).min(PI)
+}
+
+/// As a unit quaternion, which it is but for rounding.
+pub(crate) fn unit(q: &Quaternion<f64>) -> UnitQuaternion<f64> {
+    UnitQuaternion::new_normalize(*q)
 }

@@ -1,14 +1,15 @@
 //! A verdict in plain words.
 
 use crate::diagnosis::{Diagnosis, Sure};
-use crate::laws::{Law, LawName};
-use crate::suspects::Rule;
+use crate::law::{Law, LawName};
+use crate::rules::Rule;
+use crate::thresholds::RULES_NAMED;
 use crate::verdict::{Outcome, Verdict};
 use std::fmt;
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(engine) = &self.engine {
+        if let Some(engine) = &self.record.engine {
             writeln!(f, "Engine:   {engine}")?;
         }
         let [a, b, c] = self.moments.into();
@@ -16,11 +17,15 @@ impl fmt::Display for Verdict {
         if let Some(torque) = self.torque {
             writeln!(f, "Torque:   {}, {}, {} N m, constant in the world", torque.x, torque.y, torque.z)?;
         }
-        let step = match self.step {
+        let step = match self.record.step {
             Some(step) => format!("steps of {step:.6} s"),
             None => "steps of various lengths".into(),
         };
-        writeln!(f, "Record:   {} rows, {}, judged over {:.3} s", self.rows, step, self.duration)?;
+        writeln!(
+            f,
+            "Record:   {} rows, {}, judged over {:.3} s",
+            self.record.rows, step, self.record.duration
+        )?;
         if let Some(fit) = &self.fit {
             writeln!(
                 f,
@@ -42,12 +47,7 @@ impl fmt::Display for Verdict {
                 law.name.words()
             )?;
         }
-        let name = match self.outcome {
-            Outcome::Passed => "PASSED",
-            Outcome::NothingToJudge => "NOTHING TO JUDGE",
-            Outcome::TooShort => "TOO SHORT TO JUDGE",
-            Outcome::Failed => "FAILED",
-        };
+        let name = self.outcome.key().to_uppercase();
         let mut reasons: Vec<String> = self.reason().into_iter().collect();
         if self.outcome == Outcome::Failed {
             if !self.misread.is_empty() {
@@ -61,7 +61,7 @@ impl fmt::Display for Verdict {
                 format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
             }));
         }
-        reasons.extend(self.complaints.iter().cloned());
+        reasons.extend(self.complaints.iter().map(ToString::to_string));
         write!(f, "{name}: {}", reasons.join(";\n  "))
     }
 }
@@ -103,10 +103,10 @@ impl Verdict {
     }
 
     fn file(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if !self.ignored.is_empty() {
-            writeln!(f, "Ignored:  the columns {}", self.ignored.join(", "))?;
+        if !self.record.ignored.is_empty() {
+            writeln!(f, "Ignored:  the columns {}", self.record.ignored.join(", "))?;
         }
-        for note in &self.notes {
+        for note in &self.record.notes {
             writeln!(f, "Note:     {note}.")?;
         }
         for misread in &self.misread {
@@ -116,42 +116,38 @@ impl Verdict {
             writeln!(f, "          What follows is of the file with that put right.")?;
         }
         for reset in &self.resets {
-            let how = match (reset.to_rest, reset.to_start) {
-                (true, _) => "is put to rest (a reset, or put to sleep)",
-                (false, true) => "is put back to its start",
-                (false, false) => "jumps to another motion (a reset, a push or a collision)",
-            };
+            let how = reset.words();
             writeln!(
                 f,
                 "Reset:    line {}, t = {:.4} s: the body {how}. Judged up to there.",
                 reset.line, reset.time
             )?;
         }
-        if let Some(gaps) = &self.gaps {
+        if let Some(gaps) = &self.record.gaps {
             writeln!(
                 f,
                 "Gaps:     rows are missing in {} places, the first before line {}; the longest is {:.0} steps",
                 gaps.count, gaps.line, gaps.longest
             )?;
         }
-        if !self.untold.is_empty() {
-            let names: Vec<&str> = self.untold.iter().map(|law| law.words()).collect();
+        if !self.record.untold.is_empty() {
+            let names: Vec<&str> = self.record.untold.iter().map(|law| law.words()).collect();
             writeln!(
                 f,
                 "Not told: {} (the file has no {})",
                 names.join(", "),
-                if self.has_attitude {
+                if self.record.has_attitude {
                     "spin: it is made from the turns between the attitudes, by the exact motion"
                 } else {
                     "attitude"
                 }
             )?;
         }
-        if self.sign_changes > 0 {
+        if self.record.sign_changes > 0 {
             writeln!(
                 f,
                 "Signs:    the quaternion changes its sign {} times; the attitude does not",
-                self.sign_changes
+                self.record.sign_changes
             )?;
         }
         Ok(())
@@ -203,11 +199,7 @@ impl Verdict {
 
 impl fmt::Display for Law {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self.name {
-            LawName::Direction => "direction of L, rad",
-            LawName::Phase => "phase, times round",
-            name => name.words(),
-        };
+        let name = self.name.heading();
         write!(f, "{name:22} {:>11.3e} {:>11.3e}   {}", self.most, self.last, self.growth)
     }
 }
@@ -218,12 +210,7 @@ impl fmt::Display for Diagnosis {
         if self.sure == Sure::FewDigits {
             return self.few_digits(f);
         }
-        let how = match self.sure {
-            Sure::ToRounding => "Every step is made by",
-            Sure::MostSteps => "Most steps, but not all, are made by",
-            Sure::Near => "Most like",
-            Sure::NoneFits | Sure::FewDigits => "None of the known rules fits. Nearest is",
-        };
+        let how = self.sure.words();
         writeln!(f, "Diagnosis: {how}: {}", best.rule.name())?;
         for engine in best.rule.engines() {
             writeln!(f, "  as in {engine}")?;
@@ -234,12 +221,12 @@ impl fmt::Display for Diagnosis {
             self.steps, best.middle, best.most
         )?;
         if !self.alike.is_empty() {
-            let named = |rule: &crate::suspects::Rule| match rule.engines() {
+            let named = |rule: &Rule| match rule.engines() {
                 engines if engines.is_empty() => rule.name(),
                 engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
             };
-            let names: Vec<String> = self.alike.iter().take(6).map(named).collect();
-            let more = if self.alike.len() > 6 { ", and others" } else { "" };
+            let names: Vec<String> = self.alike.iter().take(RULES_NAMED).map(named).collect();
+            let more = if self.alike.len() > RULES_NAMED { ", and others" } else { "" };
             writeln!(f, "  not to be told from it here: {}{more}", names.join("; "))?;
         }
         if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
@@ -263,8 +250,8 @@ impl Diagnosis {
         let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
         let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
         let some = |names: &[String]| {
-            let more = if names.len() > 6 { "; and others" } else { "" };
-            format!("{}{more}", names.iter().take(6).cloned().collect::<Vec<_>>().join("; "))
+            let more = if names.len() > RULES_NAMED { "; and others" } else { "" };
+            format!("{}{more}", names.iter().take(RULES_NAMED).cloned().collect::<Vec<_>>().join("; "))
         };
         writeln!(
             f,

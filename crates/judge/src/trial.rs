@@ -2,82 +2,113 @@
 
 use crate::clock::Clock;
 use crate::columns::Kind;
-use crate::derived::too_far;
-use crate::diagnosis::{Floor, Run, Sample, Sure, diagnose, should_change};
+use crate::diagnosis::{Diagnosis, Sure, diagnose};
+use crate::drift::Run;
 use crate::error::Error;
-use crate::faults::{wrong_pace, wrong_rule};
-use crate::laws::{LawName, Laws, angle_between};
+use crate::faults::{spin_faults, wrong_pace, wrong_rule};
+use crate::findings::Complaint;
+use crate::hints::should_change;
+use crate::jumps::Jumps;
+use crate::law::{FlipCount, Law, LawName};
+use crate::laws::Laws;
 use crate::reading::Reading;
+use crate::sample::{Floor, Sample};
 use crate::state::{Pair, Row};
 use crate::suspects::Subject;
-use crate::verdict::{Gaps, Options, Outcome, Reset, Verdict};
+use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, RESETS, STILL};
+use crate::verdict::{Gaps, Options, Outcome, Recording, Reset, Verdict};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
-use tumbling::dynamics::euler;
 
-/// Fewer rows than this pass nothing, nor does a record in which the body neither turns once round nor should change its spin by a tenth.
-const ENOUGH: u64 = 8;
-
-/// A trial as far as it has come.
-pub(crate) struct Trial {
-    pub laws: Laws,
-    pub first: Row,
-    pub sample: Sample,
+/// What holds for a record as a whole.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Conditions {
+    pub kind: Kind,
     pub clock: Clock,
-    pub rows: u64,
-    pub resets: Vec<Reset>,
-    pub gaps: Option<Gaps>,
-    pub last: Option<Row>,
-    pub moments: Vector3<f64>,
-    pub torque: Option<Vector3<f64>>,
-    /// The most that a step was off the law, and how many steps there were.
-    pub off: f64,
-    pub steps: u64,
-    /// Whether the record tells spins.
-    pub told: bool,
-    /// At which line the attitude turns too far to tell which way, and by how much, rad.
-    pub stopped: Option<(usize, f64)>,
-    /// How a second vector of the record is at odds with the first, in words.
-    pub second: Option<String>,
-    /// The most that a step before the last was off the law in spin, and the last; the most in turn, rad; and the rounding of the numbers.
-    pub most: f64,
-    pub now: f64,
-    pub turn_off: f64,
+    /// The rounding of the numbers, relative to 1.
     pub floor: f64,
-    /// Where the numbers end, and with what.
-    pub ended: Option<String>,
     /// Whether the record has fewer digits than single precision.
     pub few: bool,
 }
 
-/// No more resets than this are told one by one.
-const RESETS: usize = 16;
+/// A trial as far as it has come.
+pub(crate) struct Trial {
+    conditions: Conditions,
+    laws: Laws,
+    first: Row,
+    sample: Sample,
+    jumps: Jumps,
+    resets: Vec<Reset>,
+    gaps: Option<Gaps>,
+    last: Option<Row>,
+    pub rows: u64,
+    /// At which line the attitude turns too far to tell which way, and by how much, rad.
+    pub stopped: Option<(usize, f64)>,
+    /// How a second vector of the record is at odds with the first.
+    pub second: Option<Complaint>,
+    /// Where the numbers end, and with what.
+    pub ended: Option<String>,
+}
+
+/// What is found in a whole record, before it is judged.
+struct Findings {
+    free: bool,
+    /// Whether there is nothing that the body should do.
+    still: bool,
+    laws: Vec<Law>,
+    flips: Option<FlipCount>,
+    diagnosis: Option<Diagnosis>,
+    /// Whether a law is broken by more than is allowed.
+    broken: bool,
+    /// By how much the attitude turns otherwise than the spin says, if by more than is allowed.
+    otherwise: Option<f64>,
+}
 
 impl Trial {
+    pub(crate) fn new(
+        subject: &Subject,
+        first: Row,
+        direction: Option<Vector3<f64>>,
+        conditions: Conditions,
+    ) -> Result<Self, Error> {
+        let told = conditions.kind != Kind::Attitude;
+        Ok(Self {
+            conditions,
+            laws: Laws::new(&subject.moments, &first, direction, conditions.floor)?,
+            first,
+            sample: Sample::new(),
+            jumps: Jumps::new(first, subject.moments, subject.torque, told, conditions.floor),
+            resets: Vec::new(),
+            gaps: None,
+            last: None,
+            rows: 0,
+            stopped: None,
+            second: None,
+            ended: None,
+        })
+    }
+
+    /// One more row.
     pub(crate) fn row(&mut self, state: &Row) -> Result<(), Error> {
         let mut steps = 0.0;
         if let Some(last) = self.last.replace(*state) {
-            let (h, times) = self.clock.between(last.t, state.t);
+            let (h, times) = self.conditions.clock.between(last.t, state.t);
             steps = times;
             if times != 1.0 {
                 let gaps = self.gaps.get_or_insert(Gaps { count: 0, line: state.line, longest: 0.0 });
                 gaps.count += 1;
                 gaps.longest = gaps.longest.max(times);
             }
-            let to_start = self.starts_anew(&last, state) || self.comes_back(&last, state, times);
-            let jumps = times == 1.0 && self.jumps(&Pair { from: last, to: *state, h });
-            if (to_start || jumps) && self.resets.len() < RESETS {
-                let to_rest = state.omega == Vector3::zeros();
-                let to_start = to_start && !to_rest;
-                let line = state.ahead.map_or(state.line, |(line, _)| line);
-                self.resets.push(Reset { line, time: state.t, to_rest, to_start });
+            let pair = Pair { from: last, to: *state, h };
+            let reset = self.jumps.reset(&pair, times);
+            if self.resets.len() < RESETS {
+                self.resets.extend(reset);
             }
             if self.resets.is_empty() && times == 1.0 {
-                let pair = Pair { from: last, to: *state, h };
-                if self.told {
+                if self.jumps.told {
                     self.laws.pair(&pair);
                 }
-                if self.told || state.ahead.is_some() {
+                if self.jumps.told || state.ahead.is_some() {
                     self.sample.push(&pair);
                 }
             }
@@ -88,224 +119,133 @@ impl Trial {
         Ok(())
     }
 
-    /// A step that is a hundred times as far from the law as the steps before it were, and farther than a rule's error in one step can
-    /// be: the law itself changes the spin by no more than the angle turned.
-    fn jumps(&mut self, pair: &Pair) -> bool {
-        let (from, to) = (pair.from.omega, pair.to.omega);
-        // Of attitudes alone a spin that is out of all proportion is what is to be found.
-        let speed = if self.told { from.norm().max(to.norm()) } else { from.norm() };
-        let mean = (from + to) / 2.0;
-        let rate = euler::angular_acceleration(&self.moments, &mean, &self.torque(pair));
-        let spin = (to - from - rate * pair.h).norm() / speed;
-        let turn = match (pair.turn(), speed * pair.h < 1.0) {
-            (Some(turn), true) => (turn - mean * pair.h).norm(),
-            _ => 0.0,
-        };
-        let off = spin.max(turn);
-        if !off.is_finite() {
-            return false;
-        }
-        self.most = self.most.max(self.now);
-        self.now = spin;
-        // A slow body turns little in a step: what is no jump for a fast one is many steps for it.
-        let thrown = self.steps > 8
-            && turn > 20.0 * speed * pair.h
-            && turn > 100.0 * self.turn_off
-            && turn > 1e3 * self.floor;
-        self.turn_off = self.turn_off.max(turn);
-        if thrown {
-            return true;
-        }
-        let jumps = self.steps > 8 && off > 0.2 && off > 3.0 * speed * pair.h && off > 100.0 * self.off;
-        if !jumps {
-            // Forgotten slowly, so that a rule that goes astray now and then is known to.
-            self.off = off.max(0.98 * self.off);
-            self.steps += 1;
-        }
-        jumps
-    }
-
-    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any before: a record without attitudes
-    /// that starts anew where the spin is near its first value anyway.
-    fn comes_back(&self, last: &Row, state: &Row, times: f64) -> bool {
-        let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
-        let h = state.t - last.t;
-        if self.steps < 8
-            || times != 1.0
-            || state.attitude.is_some()
-            || (now - first).norm() > 1e-12 * first.norm()
-        {
-            return false;
-        }
-        let rate = euler::angular_acceleration(&self.moments, &((was + now) / 2.0), &Vector3::zeros());
-        let off = (now - was - rate * h).norm() / now.norm().max(was.norm());
-        off > 4.0 * self.most.max(self.now) && off > 64.0 * self.floor
-    }
-
-    /// The torque in body axes, for a mean over the step.
-    fn torque(&self, pair: &Pair) -> Vector3<f64> {
-        match (self.torque, pair.from.attitude) {
-            (Some(torque), Some(q)) => {
-                tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
-            }
-            _ => Vector3::zeros(),
+    /// The verdict.
+    pub(crate) fn end(self, subject: &Subject, reading: &Reading, options: &Options) -> Verdict {
+        let mut found = self.findings(subject, options);
+        let complaints = self.complaints(&found, options);
+        self.weigh_drift(&mut found, subject);
+        let misread = reading.mistakes();
+        let outcome = self.outcome(&found, !misread.is_empty(), complaints.is_empty());
+        let Conditions { kind, clock, floor, .. } = self.conditions;
+        let has_attitude = self.first.attitude.is_some();
+        let ends = self.laws.separatrix().filter(|ends| found.free && ends.iter().all(|x| x.is_finite()));
+        Verdict {
+            outcome,
+            record: Recording {
+                engine: None,
+                rows: self.rows,
+                duration: self.laws.seen.last.t - self.first.t,
+                step: clock.step,
+                rounding: floor,
+                has_attitude,
+                ignored: Vec::new(),
+                notes: Vec::new(),
+                untold: untold(has_attitude, kind),
+                gaps: self.gaps,
+                sign_changes: self.laws.seen.sign_changes,
+            },
+            moments: subject.moments,
+            torque: subject.torque,
+            misread,
+            resets: self.resets,
+            laws: found.laws,
+            flips: found.flips,
+            separatrix: ends,
+            diagnosis: found.diagnosis,
+            complaints,
+            options: *options,
+            fit: None,
+            untraceable: !found.still && self.laws.untraceable(),
+            curve: self.laws.points.into_all(),
         }
     }
 
-    /// A body that moves is at rest all of a sudden, or back at the start without a way there.
-    fn starts_anew(&self, last: &Row, state: &Row) -> bool {
-        let (before, now) = (last.omega.norm(), state.omega.norm());
-        if before > 0.0 && now == 0.0 {
-            return before > 1e-3 * self.first.omega.norm();
-        }
-        let back = (state.omega - self.first.omega).norm() <= 1e-12 * self.first.omega.norm();
-        let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
-            return back && (last.omega - state.omega).norm() > 0.2 * now;
-        };
-        let turned = angle_between(&was, &q);
-        back && angle_between(&first, &q) < 1e-12
-            && turned > 0.2
-            && turned > 1.5 * before.max(now) * (state.t - last.t)
-    }
-
-    pub(crate) fn end(
-        self,
-        subject: &Subject,
-        reading: &Reading,
-        kind: Kind,
-        floor: f64,
-        engine: Option<String>,
-        options: &Options,
-    ) -> Verdict {
-        let Self { laws, first, sample, clock, rows, resets, gaps, stopped, second, ended, few, .. } = self;
+    fn findings(&self, subject: &Subject, options: &Options) -> Findings {
+        let Conditions { kind, floor, few, .. } = self.conditions;
+        let (laws, sample) = (&self.laws, &self.sample);
         let free = subject.torque.is_none();
         let still = free
-            && laws.constant
+            && laws.seen.constant
             && !should_change(subject, sample.pairs(), floor)
-            && (laws.on_axis() || !laws.untraceable() && laws.moved <= 100.0 * floor);
-        let few = Floor { size: floor, few };
-        let mut diagnosis = if still { None } else { diagnose(subject, &sample, few, kind.is_momentum()) };
+            && (laws.on_axis() || !laws.untraceable() && laws.seen.moved <= STILL * floor);
+        let size = Floor { size: floor, few };
+        let diagnosis = if still { None } else { diagnose(subject, sample, size, kind.is_momentum()) };
         let mut kept = laws.kept(|law| options.allowed(law));
         if !free {
             kept.retain(|law| matches!(law.name, LawName::Unit | LawName::Consistency));
         }
-        let mut complaints = Vec::new();
-        complaints.extend(ended.map(|at| format!("the numbers end at {at}. Judged up to there")));
-        let ended = !complaints.is_empty();
-        let flips = laws.flips().filter(|_| free);
-        if let Some(t) = flips.as_ref().and_then(|flips| flips.turned_over) {
-            complaints.push(format!(
-                "the spin turns over at {t:.4} s about the axis that it should circle for ever"
-            ));
-        }
-        match flips.as_ref().map(|flips| (flips.found, flips.exact)) {
-            Some((0, wanted)) if wanted > 0 => {
-                complaints.push(format!(
-                    "the spin along the middle axis never changes sign, and should do so {}",
-                    times(wanted)
-                ));
-            }
-            Some((found, 0)) if found > 0 => {
-                complaints.push(format!(
-                    "the spin along the middle axis changes sign {}, and should never do so",
-                    times(found)
-                ));
-            }
-            _ => {}
-        }
-        complaints.extend(second);
-        if free && !still && laws.constant && laws.moved > f64::max(0.1, 100.0 * floor) {
-            let moved = 100.0 * laws.moved;
-            complaints.push(format!(
-                "the spin stays as it is at the start, and should change by {moved:.0} % of it"
-            ));
-        }
-        if let Some((line, turn)) = stopped {
-            complaints.push(format!("line {line}: {}. Judged up to there", too_far(turn)));
-        }
-        if sample.seen() == 0 {
-            complaints.push("no two rows are one step apart: no rule can be tried".into());
-        }
         let consistent = options.allowed(LawName::Consistency).unwrap_or(options.threshold);
         let otherwise = kept.iter().find(|law| law.name == LawName::Consistency && law.most > consistent);
-        let turns_otherwise = otherwise.is_some();
-        if let Some(law) = otherwise {
-            let off = 100.0 * law.most;
-            complaints
-                .push(format!("the attitude does not turn as the spin says, by up to {off:.1} % of it"));
-        }
-        // Of a few rows any rule may be had.
-        if free && rows >= ENOUGH {
-            complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
-            complaints.extend(wrong_pace(&kept, laws.ways_round(), options));
-        }
-        let misread = reading.mistakes();
+        let otherwise = otherwise.map(|law| law.most);
         let broken =
             kept.iter().any(|law| options.allowed(law.name).is_some_and(|most| law.most.abs() > most));
-        // Of few digits a wrong rule may fit each step: what the whole record does is held against it too.
-        let astray =
-            free && (broken || flips.as_ref().is_some_and(|flips| flips.found.abs_diff(flips.exact) > 1));
-        if let (Some(found), Some(h)) = (&mut diagnosis, clock.step)
-            && few.few
-            && astray
-            && found.sure == Sure::ToRounding
+        let flips = laws.flips().filter(|_| free);
+        Findings { free, still, laws: kept, flips, diagnosis, broken, otherwise }
+    }
+
+    fn complaints(&self, found: &Findings, options: &Options) -> Vec<Complaint> {
+        let mut all = Vec::new();
+        all.extend(self.ended.clone().map(|at| Complaint::Ended { at }));
+        all.extend(found.flips.iter().flat_map(spin_faults));
+        all.extend(self.second.clone());
+        let (constant, moved) = (self.laws.seen.constant, self.laws.seen.moved);
+        if found.free && !found.still && constant && moved > ENOUGH_CHANGE.max(STILL * self.conditions.floor)
         {
-            let flips = flips.as_ref().map(|flips| flips.found);
-            found.by_drift(subject, &sample, &Run { first, last: laws.last, h, flips, floor });
+            all.push(Complaint::Constant { moved });
         }
-        let outcome = if !misread.is_empty() || !resets.is_empty() || ended {
+        all.extend(self.stopped.map(|(line, turn)| Complaint::TooFar { line, turn }));
+        if self.sample.seen() == 0 {
+            all.push(Complaint::NoSteps);
+        }
+        all.extend(found.otherwise.map(|off| Complaint::Otherwise { off }));
+        if found.free && self.rows >= ENOUGH_ROWS {
+            all.extend(found.diagnosis.as_ref().and_then(wrong_rule));
+            all.extend(wrong_pace(&found.laws, self.laws.ways_round(), options));
+        }
+        all
+    }
+
+    /// Of few digits a wrong rule may fit each step: what the whole record does is held against it too.
+    fn weigh_drift(&self, found: &mut Findings, subject: &Subject) {
+        let Conditions { clock, floor, few, .. } = self.conditions;
+        let miscounted = |flips: &FlipCount| flips.found.abs_diff(flips.exact) > FLIPS_APART;
+        let astray = found.free && (found.broken || found.flips.as_ref().is_some_and(miscounted));
+        let flips = found.flips.as_ref().map(|flips| flips.found);
+        if let (Some(diagnosis), Some(h)) = (&mut found.diagnosis, clock.step)
+            && few
+            && astray
+            && diagnosis.sure == Sure::ToRounding
+        {
+            let run = Run { first: self.first, last: self.laws.seen.last, h, flips, floor };
+            diagnosis.by_drift(subject, &self.sample, &run);
+        }
+    }
+
+    fn outcome(&self, found: &Findings, misread: bool, no_complaint: bool) -> Outcome {
+        let Findings { free, still, broken, .. } = *found;
+        let seen = &self.laws.seen;
+        if misread || !self.resets.is_empty() || self.ended.is_some() {
             Outcome::Failed
-        } else if !free || still && !broken && !turns_otherwise {
+        } else if !free || still && !broken && found.otherwise.is_none() {
             Outcome::NothingToJudge
-        } else if broken || !complaints.is_empty() {
+        } else if broken || !no_complaint {
             Outcome::Failed
-        } else if laws.untraceable() {
+        } else if self.laws.untraceable() {
             // What is right here nobody can tell.
             Outcome::NothingToJudge
-        } else if rows < ENOUGH || laws.turned < TAU && laws.moved < 0.1 {
+        } else if self.rows < ENOUGH_ROWS || seen.turned < TAU && seen.moved < ENOUGH_CHANGE {
             Outcome::TooShort
         } else {
             Outcome::Passed
-        };
-        Verdict {
-            engine,
-            moments: subject.moments,
-            torque: subject.torque,
-            rows,
-            duration: laws.last.t - first.t,
-            step: clock.step,
-            rounding: floor,
-            has_attitude: first.attitude.is_some(),
-            misread,
-            untold: untold(first.attitude.is_some(), kind),
-            resets,
-            gaps,
-            sign_changes: laws.sign_changes,
-            laws: kept,
-            flips,
-            separatrix: laws.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite())),
-            diagnosis,
-            complaints,
-            options: *options,
-            fit: None,
-            ignored: Vec::new(),
-            notes: Vec::new(),
-            untraceable: !still && laws.untraceable(),
-            curve: laws.points.into_all(),
-            outcome,
         }
     }
 }
 
-/// What a record without attitudes, or of attitudes alone, does not tell.
+/// What a record without attitudes, or of attitudes alone, has nothing of.
 fn untold(attitude: bool, kind: Kind) -> Vec<LawName> {
     match (attitude, kind) {
         (false, _) => vec![LawName::Direction, LawName::Unit, LawName::Consistency],
         (true, Kind::Attitude) => vec![LawName::Consistency],
         _ => Vec::new(),
     }
-}
-
-fn times(count: u64) -> String {
-    if count == 1 { "once".into() } else { format!("{count} times") }
 }

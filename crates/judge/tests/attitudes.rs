@@ -23,14 +23,14 @@ fn the_exact_motion_by_its_attitudes_alone_is_kept_to_rounding_in_every_law_that
         for h in [1.0 / 30.0, 1.0 / 240.0] {
             let verdict = judged(&attitudes(&exact(spin.into(), h, 1500)));
             assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
-            assert_eq!(verdict.untold, [LawName::Consistency]);
+            assert_eq!(verdict.record.untold, [LawName::Consistency]);
             for law in &verdict.laws {
                 assert_eq!(law.growth.rank(), 0, "{spin:?} {h}: {law}");
                 assert!(law.most < 1e-6, "{law}");
             }
             let names: Vec<LawName> = verdict.laws.iter().map(|law| law.name).collect();
             assert_eq!(names, &LawName::ALL[..6]);
-            assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::Exact);
+            assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::EXACT);
             assert!((verdict.curve[0].spin - Vector3::from(spin)).norm() < 1e-9);
         }
     }
@@ -85,6 +85,9 @@ fn steps_near_half_a_turn_are_refused_in_plain_words() {
     rows[300].1 = flipped;
     let verdict = judged(&attitudes(&rows));
     assert_eq!(verdict.outcome, Outcome::Failed);
-    assert!(verdict.complaints.iter().any(|x| x.starts_with("line 303: the attitude turns")), "{verdict}");
-    assert!((verdict.duration - 298.0 * 0.02).abs() < 1e-9, "{}", verdict.duration);
+    assert!(
+        verdict.complaints.iter().any(|x| x.to_string().starts_with("line 303: the attitude turns")),
+        "{verdict}"
+    );
+    assert!((verdict.record.duration - 298.0 * 0.02).abs() < 1e-9, "{}", verdict.record.duration);
 }

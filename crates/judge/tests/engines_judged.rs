@@ -1,11 +1,26 @@
 //! Every recorded engine judged: the diagnosis names the rule that the engine goes by.
 
-use std::io::BufReader;
 use std::path::PathBuf;
 use tumbling::step::Method;
+use tumbling_judge::records::{RECORDED, Recorded, judged};
 use tumbling_judge::{LawName, Options, Outcome, PHYSICS_ENGINES, Sure, Verdict, judge};
 
 fn records() -> Vec<(String, Verdict)> {
+    let read = |run: &Recorded| {
+        let verdict = judge(run.text.as_bytes(), &Options::default()).unwrap();
+        (format!("{}--{}", run.engine, run.story), verdict)
+    };
+    RECORDED.iter().map(read).collect()
+}
+
+/// A record as it stands in its file.
+fn text(name: &str) -> &'static str {
+    let (engine, story) = name.split_once("--").unwrap();
+    RECORDED.iter().find(|run| (run.engine, run.story) == (engine, story)).unwrap().text
+}
+
+#[test]
+fn every_record_in_the_folder_is_listed() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data");
     let mut names: Vec<String> = std::fs::read_dir(&folder)
         .unwrap()
@@ -13,12 +28,10 @@ fn records() -> Vec<(String, Verdict)> {
         .filter_map(|name| name.strip_suffix(".csv").map(str::to_string))
         .collect();
     names.sort();
-    let read = |name: String| {
-        let file = std::fs::File::open(folder.join(format!("{name}.csv"))).unwrap();
-        let verdict = judge(BufReader::new(file), &Options::default()).unwrap();
-        (name, verdict)
-    };
-    names.into_iter().map(read).collect()
+    assert_eq!(
+        names,
+        RECORDED.iter().map(|run| format!("{}--{}", run.engine, run.story)).collect::<Vec<_>>()
+    );
 }
 
 #[test]
@@ -59,8 +72,7 @@ fn the_file_of_no_engine_is_misread_and_only_the_four_resets_are_seen() {
 
 /// Energy and momentum squared in a record's first row and in its last, and `2 E I2 / L^2` in both, straight from its text.
 fn by_hand(name: &str) -> [f64; 3] {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data");
-    let text = std::fs::read_to_string(folder.join(format!("{name}.csv"))).unwrap();
+    let text = text(name);
     let moments: Vec<f64> =
         text.split("moments ").nth(1).unwrap().split(' ').take(3).map(|x| x.parse().unwrap()).collect();
     let of = |line: &str| -> [f64; 2] {
@@ -77,8 +89,10 @@ fn by_hand(name: &str) -> [f64; 3] {
 #[test]
 fn an_engine_that_turns_a_fast_body_by_less_than_its_spin_is_told_so() {
     for (name, verdict) in records() {
-        let told =
-            verdict.complaints.iter().any(|complaint| complaint.contains("does not turn as the spin says"));
+        let told = verdict
+            .complaints
+            .iter()
+            .any(|complaint| complaint.to_string().contains("does not turn as the spin says"));
         // 60 rad/s at 60 Hz are one radian a step. Bullet turns by 2 atan(4 tan(pi/8) / pi), 3 in 100 less.
         let less = name.starts_with("bullet") && name.ends_with("--fast");
         assert!(told || !less, "{name}: {:?}", verdict.complaints);
@@ -154,14 +168,13 @@ fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
         }),
         (Misread::LeftHandedSpin, |[t, w, x, y, z, a, b, c]| [t, w, x, y, z, -a, -b, -c]),
     ];
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data");
     let mut tried = 0;
     for (name, right) in records() {
         let (engine, story) = name.split_once("--").unwrap();
         if !["box-middle", "middle", "major", "minor"].contains(&story) || engine.ends_with("-1e9") {
             continue;
         }
-        let text = std::fs::read_to_string(folder.join(format!("{name}.csv"))).unwrap();
+        let text = text(&name);
         let rule = right.diagnosis.unwrap().best.rule.method();
         for (misread, alter) in mistakes {
             let line = |line: &str| {
@@ -215,4 +228,5 @@ fn the_verdicts_that_the_figures_read_are_those_of_the_judge() {
         lines.collect()
     };
     assert!(of(committed) == of(&now), "crates/judge/data/judged.tsv should be:\n{now}");
+    assert_eq!(judged().count() + 1, committed.lines().count(), "every line is read");
 }

@@ -160,7 +160,7 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
     rows.drain(100..110);
     rows.remove(50);
     let verdict = judged(&csv(&rows));
-    let gaps = verdict.gaps.unwrap();
+    let gaps = verdict.record.gaps.unwrap();
     assert_eq!((gaps.count, gaps.longest.round()), (2, 11.0));
     // Two lines before the rows; the first row missing is the 51st.
     assert_eq!(gaps.line, 53);
@@ -174,7 +174,7 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
         })
         .collect();
     let verdict = judged(&csv(&uneven));
-    assert_eq!(verdict.step, None);
+    assert_eq!(verdict.record.step, None);
     assert_eq!(verdict.outcome, Outcome::Passed);
 }
 
@@ -242,7 +242,7 @@ fn numbers_of_few_digits_are_judged_by_their_digits() {
     }
     let verdict = judged(&text);
     assert_eq!(verdict.outcome, Outcome::Passed);
-    assert!(verdict.rounding > 1e-8 && verdict.rounding < 1e-6);
+    assert!(verdict.record.rounding > 1e-8 && verdict.record.rounding < 1e-6);
     for law in &verdict.laws {
         assert_eq!(law.growth.rank(), 0, "{law}");
     }
@@ -338,7 +338,7 @@ fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
     });
     let rounded = altered(&rows, |(t, q, w)| (*t, *q, w.map(single)));
     let verdict = judged(&csv(&rounded));
-    assert!((verdict.rounding - f64::from(f32::EPSILON)).abs() < 1e-12);
+    assert!((verdict.record.rounding - f64::from(f32::EPSILON)).abs() < 1e-12);
     let diagnosis = verdict.diagnosis.unwrap();
     assert_eq!(diagnosis.best.rule.method(), Some((Method::SemiImplicitEuler, 1)), "{diagnosis}");
     assert_eq!(diagnosis.sure, tumbling_judge::Sure::ToRounding, "{diagnosis}");

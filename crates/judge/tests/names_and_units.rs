@@ -28,7 +28,7 @@ fn error(text: &str) -> String {
 
 fn sound(verdict: &Verdict) {
     assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
-    assert_eq!((&verdict.misread[..], &verdict.ignored[..]), (&[][..], &[][..]), "{verdict}");
+    assert_eq!((&verdict.misread[..], &verdict.record.ignored[..]), (&[][..], &[][..]), "{verdict}");
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn spin_and_time_both_in_units_of_their_own_are_told() {
 #[test]
 fn columns_that_are_not_read_are_listed() {
     let verdict = judged(&named(&good(), "t,qw,qx,qy,qz,foo_x,foo_y,foo_z"));
-    assert_eq!(verdict.ignored, ["foo_x", "foo_y", "foo_z"]);
+    assert_eq!(verdict.record.ignored, ["foo_x", "foo_y", "foo_z"]);
     assert!(verdict.to_string().contains("Ignored:  the columns foo_x, foo_y, foo_z"), "{verdict}");
     assert_eq!(verdict.json()["ignored"][2], "foo_z");
 }
@@ -112,10 +112,10 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
     {
         let verdict = judged(&text(decimals, head));
         assert_eq!(verdict.outcome, Outcome::Passed, "{decimals} {head} {verdict}");
-        assert_eq!(verdict.gaps, None);
-        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::Exact, "{verdict}");
+        assert_eq!(verdict.record.gaps, None);
+        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::EXACT, "{verdict}");
         assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{decimals} {head} {verdict}");
-        assert!(verdict.notes.iter().any(|note| note.contains("few digits")));
+        assert!(verdict.record.notes.iter().any(|note| note.to_string().contains("few digits")));
     }
     // Of so many significant digits, zeros at the end left off: later times are coarser.
     for digits in [4, 5, 6] {
@@ -127,12 +127,12 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
         }
         let verdict = judged(&text);
         assert_eq!(verdict.outcome, Outcome::Passed, "{digits} {verdict}");
-        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::Exact, "{verdict}");
-        assert!(verdict.notes.iter().any(|note| note.contains("few digits")), "{verdict}");
+        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::EXACT, "{verdict}");
+        assert!(verdict.record.notes.iter().any(|note| note.to_string().contains("few digits")), "{verdict}");
     }
     // Times that no step explains stay as they are.
     let verdict = judged(&text(3, "# dt: 1/50 s\n"));
-    assert!(!verdict.notes.iter().any(|note| note.contains("length told")), "{verdict}");
+    assert!(!verdict.record.notes.iter().any(|note| note.to_string().contains("length told")), "{verdict}");
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_n
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
     assert_eq!(with("torque: 1 2 3").torque, Some(Vector3::new(1.0, 2.0, 3.0)));
-    assert!(with("torque unknown").notes[0].contains("speaks of `torque`"));
+    assert!(with("torque unknown").record.notes[0].to_string().contains("speaks of `torque`"));
     let steps = csv(&good()).lines().enumerate().fold(
         String::from("# step size 1/60\n"),
         |text, (i, line)| match i {
@@ -150,7 +150,10 @@ fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_n
         },
     );
     let verdict = judged(&steps);
-    assert!((verdict.step.unwrap() - H).abs() < 1e-15 && verdict.outcome == Outcome::Passed, "{verdict}");
+    assert!(
+        (verdict.record.step.unwrap() - H).abs() < 1e-15 && verdict.outcome == Outcome::Passed,
+        "{verdict}"
+    );
 }
 
 #[test]
@@ -158,8 +161,8 @@ fn a_plate_whose_rounded_moments_miss_by_a_digit_is_judged_as_flat_and_said_to_b
     let text = |moments: &str| csv(&good()).replace("1 2 2.5", moments);
     let verdict = judged(&text("0.333 0.333 0.667"));
     assert_eq!(verdict.moments, Vector3::new(0.333, 0.333, 0.666));
-    assert!(verdict.notes[0].contains("printed as 0.667"), "{verdict}");
-    assert_eq!(judged(&text("0.33333334 0.33333334 0.6666667")).notes.len(), 1);
+    assert!(verdict.record.notes[0].to_string().contains("printed as 0.667"), "{verdict}");
+    assert_eq!(judged(&text("0.33333334 0.33333334 0.6666667")).record.notes.len(), 1);
     assert!(judge(text("0.333 0.333 0.67").as_bytes(), &Options::default()).is_err());
 }
 
@@ -171,7 +174,7 @@ fn a_momentum_under_the_names_of_a_spin_is_named() {
     let world = altered(|(t, q, w)| (*t, *q, rotation_matrix(q) * MOMENTS.component_mul(w)));
     let verdict = judged(&csv(&world));
     assert_eq!(verdict.misread, [Misread::Frame, Misread::Momentum], "{verdict}");
-    assert_eq!(verdict.diagnosis.unwrap().best.rule, tumbling_judge::Rule::Exact);
+    assert_eq!(verdict.diagnosis.unwrap().best.rule, tumbling_judge::Rule::EXACT);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
 use nalgebra::Vector3;
 use tumbling::step::{Engine, Method, State, System};
 use tumbling::{Body, Inertia};
-use tumbling_judge::{Growth, LawName, Outcome, Rule, Sure, Verdict};
+use tumbling_judge::{Alteration, Base, Growth, LawName, Outcome, Rule, Sure, Verdict};
 
 const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
 
@@ -25,7 +25,7 @@ fn the_exact_motion_is_kept_to_rounding_in_every_law() {
         assert_eq!(verdict.outcome, Outcome::Passed);
         let flips = verdict.flips.unwrap();
         assert_eq!(flips.found, flips.exact);
-        assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::Exact);
+        assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::EXACT);
     }
 }
 
@@ -70,7 +70,7 @@ fn a_tensor_frozen_in_the_world_is_named() {
         .collect();
     let verdict = judged(&csv(&rows));
     let diagnosis = verdict.diagnosis.unwrap();
-    assert!(matches!(diagnosis.best.rule, Rule::FrozenTensor(_)), "{diagnosis}");
+    assert!(matches!(diagnosis.best.rule.base, Base::FrozenTensor(_)), "{diagnosis}");
     assert_eq!(diagnosis.sure, Sure::ToRounding);
     assert_eq!(verdict.outcome, Outcome::Failed);
 }
@@ -96,7 +96,7 @@ fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
     let diagnosis = judged(&text).diagnosis.unwrap();
     // Runge and Kutta's turn is right to 1e-10 here, and the number is the mean of the moments.
     assert!(
-        matches!(diagnosis.best.rule, Rule::MomentumForSpin(mass) if (mass - 5.5 / 3.0).abs() < 1e-6),
+        matches!(diagnosis.best.rule.base, Base::MomentumForSpin(mass) if (mass - 5.5 / 3.0).abs() < 1e-6),
         "{diagnosis}"
     );
     assert!(diagnosis.best.middle < 1e-8 && diagnosis.ratio().unwrap() > 1e4, "{diagnosis}");
@@ -115,7 +115,7 @@ fn a_wrong_triple_of_moments_is_named_with_the_moments() {
                 State { momentum: right.momentum(&system.omega(&end.momentum)), ..end }
             });
             let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
-            let Rule::OtherMoments(found, _) = diagnosis.best.rule else {
+            let Some(Alteration::OtherMoments(found)) = diagnosis.best.rule.alteration else {
                 panic!("{method:?} {wrong}: {diagnosis}")
             };
             // A free body tells their ratios.
@@ -137,7 +137,9 @@ fn damping_left_on_is_named_with_its_size() {
         });
         let verdict = judged(&csv(&rows));
         let diagnosis = verdict.diagnosis.as_ref().unwrap();
-        let Rule::Damped(factor, ..) = diagnosis.best.rule else { panic!("{method:?}: {diagnosis}") };
+        let Some(Alteration::Damped(factor, _)) = diagnosis.best.rule.alteration else {
+            panic!("{method:?}: {diagnosis}")
+        };
         assert!((factor - 0.999).abs() < 1e-9, "{method:?}: {factor}");
         assert!(matches!(growth(&verdict, LawName::Energy), Growth::Exponential { rate } if rate < -0.1));
     }
@@ -154,7 +156,10 @@ fn a_cap_on_the_spin_is_named() {
         State { attitude: q, momentum: system.momentum(&omega) }
     });
     let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
-    assert!(matches!(diagnosis.best.rule, Rule::Capped(most, _) if (most - 2.6).abs() < 1e-9), "{diagnosis}");
+    assert!(
+        matches!(diagnosis.best.rule.alteration, Some(Alteration::Capped(most)) if (most - 2.6).abs() < 1e-9),
+        "{diagnosis}"
+    );
 }
 
 #[test]

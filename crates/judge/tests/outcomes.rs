@@ -22,7 +22,7 @@ fn spins(moments: [f64; 3], rows: impl Iterator<Item = (f64, Vector3<f64>)>) -> 
 }
 
 fn complains(verdict: &Verdict, word: &str) -> bool {
-    verdict.complaints.iter().any(|complaint| complaint.contains(word))
+    verdict.complaints.iter().any(|complaint| complaint.to_string().contains(word))
 }
 
 #[test]

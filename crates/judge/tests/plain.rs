@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};
+use tumbling_judge::{Base, LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
 const BODY: Vector3<f64> = common::MOMENTS;
@@ -52,8 +52,8 @@ fn the_rule_of_a_plain_engine_is_named_whichever_spin_it_turns_by() {
         assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
         diagnosis.best.rule
     };
-    assert_eq!(named(&plain(true, false, 600)), Rule::Straight(Spin::Explicit));
-    assert_eq!(named(&plain(false, false, 600)), Rule::Straight(Spin::Kept));
+    assert_eq!(named(&plain(true, false, 600)), Rule::plain(Base::Straight(Spin::Explicit)));
+    assert_eq!(named(&plain(false, false, 600)), Rule::plain(Base::Straight(Spin::Kept)));
     assert_eq!(named(&plain(true, true, 600)).method(), Some((Method::ExplicitEuler, 1)));
 }
 
@@ -72,7 +72,10 @@ fn a_rule_that_few_digits_do_not_tell_is_not_named_for_a_wrong_one() {
         assert!(!told.contains("Nothing to do"), "{told}");
         let diagnosis = verdict.diagnosis.unwrap();
         // Whatever is said for sure is so; and what drifts as the record does is among what is said.
-        let right = [Rule::Straight(Spin::Explicit), Rule::Method(Method::ExplicitEuler, 1)];
+        let right = [
+            Rule::plain(Base::Straight(Spin::Explicit)),
+            Rule::plain(Base::Method(Method::ExplicitEuler, 1)),
+        ];
         let gyroscopic = |rule: &Rule| {
             right.contains(rule) || rule.method().is_some_and(|x| x.0 == Method::SemiImplicitEuler)
         };
@@ -85,8 +88,9 @@ fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
     let verdict = judged(&text(&plain(false, false, 1200), |x| fixed(x, 4)));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     let diagnosis = verdict.diagnosis.unwrap();
-    let kept =
-        |rule: &Rule| rule.method() == Some((Method::ConstantSpin, 1)) || *rule == Rule::Straight(Spin::Kept);
+    let kept = |rule: &Rule| {
+        rule.method() == Some((Method::ConstantSpin, 1)) || *rule == Rule::plain(Base::Straight(Spin::Kept))
+    };
     assert!(kept(&diagnosis.best.rule), "{diagnosis}");
     // Stepped slowly enough for no single step to show it.
     let slow: String =
@@ -135,7 +139,7 @@ fn a_record_whose_numbers_end_is_judged_up_to_there_and_fails() {
     for end in ["NaN", "inf", "1e999"] {
         let verdict = judged(&format!("{good}4.01,1,0,0,0,1,{end},0\n4.02,NaN,NaN,NaN,NaN,NaN,NaN,NaN\n"));
         assert_eq!(verdict.outcome, Outcome::Failed);
-        assert_eq!(verdict.rows, 401);
+        assert_eq!(verdict.record.rows, 401);
         let told = verdict.to_string();
         assert!(told.contains("line 404, column 7 (`wy`)") && told.contains("udged up to there"), "{told}");
     }

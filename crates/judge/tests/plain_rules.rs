@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::step::Method;
-use tumbling_judge::{Options, Outcome, Rule, Sure, Verdict, judge};
+use tumbling_judge::{Base, Options, Outcome, Sure, Verdict, judge};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 2.7];
 const H: f64 = 1.0 / 60.0;
@@ -100,7 +100,7 @@ fn a_tensor_frozen_at_a_turned_start_is_named() {
     let verdict = judged(&written(run(frozen, start()), true));
     assert_eq!(verdict.outcome, Outcome::Failed);
     let diagnosis = verdict.diagnosis.unwrap();
-    assert!(matches!(diagnosis.best.rule, Rule::FrozenAt(..)), "{diagnosis}");
+    assert!(matches!(diagnosis.best.rule.base, Base::FrozenAt(..)), "{diagnosis}");
     assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
 }
 

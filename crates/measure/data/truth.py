@@ -2,21 +2,19 @@
 
 With torque: Taylor series of q' = q w / 2, L' = L x w + torque, with w = L / I in body axes, at 60 digits: order 50, twice, with
 the step and with two thirds of it. What the two differ by bounds the error of both; it stands in the table.
-Free: the closed form at 220 digits by tests/data/oracle.py, which its own README tells of.
+Free: the closed form at 220 digits by the library's oracle, tests/data/oracle.py.
 
-    python3 truth.py > truth.json
+    PYTHONPATH=tests/data python3 crates/measure/data/truth.py > crates/measure/data/truth.json
 
 Needs Python 3 and mpmath. The inputs are the very doubles that the program uses: the moments, and the momentum at the start.
 """
 
 import json
-import os
 import sys
 from fractions import Fraction
 
 from mpmath import mp, mpf
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../tests/data"))
 import oracle
 
 mp.dps = 60

@@ -135,6 +135,37 @@ pub struct Place {
     pub fate: Fate,
 }
 
+/// A line of the committed record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Row {
+    /// The chart's name.
+    pub chart: &'static str,
+    /// The case's name.
+    pub case: &'static str,
+    /// Who ran.
+    pub runner: &'static str,
+    /// With which numbers.
+    pub precision: Precision,
+    /// What became of it.
+    pub fate: Fate,
+}
+
+/// The committed record, a row for each place.
+///
+/// # Errors
+/// A line that is none of the atlas.
+pub fn recorded() -> Result<Vec<Row>, String> {
+    let lines = include_str!("../record/atlas.tsv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    let read = |line: &'static str| {
+        let fields: Vec<&str> = line.split('\t').collect();
+        let [chart, case, runner, precision, fate] = fields[..] else { return None };
+        let precision = [Precision::Single, Precision::Double].into_iter().find(|p| p.word() == precision)?;
+        let fate = Fate::ALL.into_iter().find(|known| known.word() == fate)?;
+        Some(Row { chart, case, runner, precision, fate })
+    };
+    lines.map(|line| read(line).ok_or_else(|| format!("not a line of the atlas: {line}"))).collect()
+}
+
 /// Runs everything, some seconds, on as many threads as there are charts.
 ///
 /// # Errors

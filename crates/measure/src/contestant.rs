@@ -1,5 +1,6 @@
 //! The contestants: the library's methods, the exact motion, and all else that implements [`Contestant`].
 
+use crate::ended::{Ended, Failure};
 use crate::errors::Watch;
 use crate::operations;
 use crate::story::Story;
@@ -7,7 +8,6 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, MethodInfo, State};
-use tumbling::{Error, ErrorKind};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -74,35 +74,6 @@ pub enum Setting {
     Tolerance(f64),
     /// There is nothing to set.
     None,
-}
-
-/// Where a run ended, and what it took.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ended {
-    /// Attitude, and momentum in body axes.
-    pub motion: State<f64>,
-    /// Steps done.
-    pub steps: u64,
-    /// How often the law was evaluated, where that was counted.
-    pub evaluations: Option<u64>,
-}
-
-/// Why a run did not come to its end.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Failure {
-    /// The motion left what an `f64` holds.
-    NotFinite,
-    /// It says so itself, in these words.
-    Refused(String),
-}
-
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        match error.kind() {
-            ErrorKind::Unrepresentable | ErrorKind::NotFinite => Self::NotFinite,
-            _ => Self::Refused(error.to_string()),
-        }
-    }
 }
 
 /// What a contestant says of itself.

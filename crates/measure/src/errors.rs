@@ -1,6 +1,6 @@
 //! How wrong a run was: each kind of error by itself, for energy hides phase.
 
-use crate::contestant::{Ended, Failure};
+use crate::ended::{Ended, Failure};
 use crate::record::row;
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};

@@ -18,12 +18,14 @@
 pub mod atlas;
 pub mod campaign;
 pub mod contestant;
+pub mod ended;
 pub mod errors;
 pub mod instructions;
 pub mod long;
 pub mod measure;
 pub mod operations;
 pub mod record;
+pub mod saving;
 pub mod savings;
 pub mod scale;
 pub mod setup;

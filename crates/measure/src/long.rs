@@ -1,6 +1,7 @@
 //! Long runs: the energy of a free body after a million turns.
 
-use crate::contestant::{Contestant, Failure};
+use crate::contestant::Contestant;
+use crate::ended::Failure;
 use crate::errors::Outcome;
 use crate::measure::Effort;
 use crate::operations::evaluations_of_step;

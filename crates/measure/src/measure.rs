@@ -1,6 +1,7 @@
 //! The measuring: every contestant on every story down a ladder of settings, times taken in turns.
 
-use crate::contestant::{Contestant, Ended, Knob, Setting};
+use crate::contestant::{Contestant, Knob, Setting};
+use crate::ended::Ended;
 use crate::errors::Watch;
 use crate::record::Work;
 use crate::story::{Story, Wrong};

@@ -276,14 +276,6 @@ pub fn work() -> Result<Record<Work>, Wrong> {
     Record::read(include_str!("../record/work.csv"))
 }
 
-/// The committed record of what scenes cost.
-///
-/// # Errors
-/// A record that cannot be read.
-pub fn scenes() -> Result<Record<crate::savings::Saving>, Wrong> {
-    Record::read(include_str!("../record/scenes.csv"))
-}
-
 /// The committed record of long runs.
 ///
 /// # Errors

@@ -5,7 +5,8 @@
 //! (crates, and seconds of a build). Each run renews its own tables and leaves the others as they are.
 
 use crate::instructions::{Again, counted};
-use crate::record::{Fields, Record, Wrong, next};
+use crate::record::{Record, Wrong};
+use crate::saving::Saving;
 use nalgebra::Vector3;
 use std::hint::black_box;
 use std::path::Path;
@@ -13,35 +14,6 @@ use std::process::Command;
 use std::time::Instant;
 use tumbling::step::Torque;
 use tumbling_scenes::{Error, InitialState, Outputs, Scene, Times};
-
-/// One number of one table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Saving {
-    /// `executed` or `compiled`.
-    pub table: String,
-    /// What it is of.
-    pub row: String,
-    /// What is counted.
-    pub what: String,
-    /// How many.
-    pub value: f64,
-}
-
-/// As it is: names have semicolons, and whole numbers no exponent.
-impl Fields for Saving {
-    fn columns(_: &'static str) -> Vec<&'static str> {
-        vec!["table", "row", "what", "value"]
-    }
-
-    fn write(&self, fields: &mut Vec<String>) {
-        fields.extend([self.table.clone(), self.row.clone(), self.what.clone(), self.value.to_string()]);
-    }
-
-    fn read<'a>(fields: &mut impl Iterator<Item = &'a str>) -> Result<Self, Wrong> {
-        let [table, row, what] = [next(fields)?, next(fields)?, next(fields)?].map(String::from);
-        Ok(Self { table, row, what, value: f64::read(fields)? })
-    }
-}
 
 /// Instructions for a state.
 pub const STATE: &str = "instructions for a state";

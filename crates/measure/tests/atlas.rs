@@ -1,6 +1,6 @@
-//! The committed atlas against the methods: what it records of each, happens.
+//! Regression test: the committed atlas is what the methods do. That they are right, `tests/step` shows.
 
-use tumbling_measure::atlas::{Fate, Place, Precision, atlas, written};
+use tumbling_measure::atlas::{Fate, Place, Precision, atlas, recorded, written};
 
 fn places() -> Vec<Place> {
     atlas().unwrap()
@@ -25,6 +25,14 @@ fn the_committed_atlas_is_what_the_methods_do() {
         now == then,
         "renew it with `cargo run --release -- atlas` and look at what changed: {changed:#?}"
     );
+
+    // The figures take its rows.
+    let rows = recorded().unwrap();
+    assert_eq!(rows.len(), places.len());
+    for (row, place) in rows.iter().zip(&places) {
+        assert_eq!((row.chart, row.runner, row.precision), (place.chart, place.runner, place.precision));
+        assert_eq!((row.case, row.fate), (place.case.as_str(), place.fate));
+    }
 
     // What does not hang on where a bound was drawn.
     assert!(places.iter().filter(|p| p.runner == "exact motion").all(|p| p.fate == Fate::Right));

@@ -3,9 +3,8 @@
 use nalgebra::Quaternion;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State};
-use tumbling_measure::contestant::{
-    About, Contestant, Ended, Exact, Failure, Group, Knob, Ours, Setting, ours,
-};
+use tumbling_measure::contestant::{About, Contestant, Exact, Group, Knob, Ours, Setting, ours};
+use tumbling_measure::ended::{Ended, Failure};
 use tumbling_measure::errors::{Outcome, Watch, turn};
 use tumbling_measure::measure::{Effort, measure};
 use tumbling_measure::record::{self, Work};

@@ -2,12 +2,12 @@
 //! That the counts themselves are those of today is checked by `measure scenes --check`, which needs valgrind
 //! and fails without it.
 
-use tumbling_measure::record;
+use tumbling_measure::saving;
 use tumbling_measure::savings::{CRATES, GENERAL, MORE, PLAN, STATE, differences, renewed, scenes, value};
 use tumbling_scenes::Strategy;
 
 fn count(row: &str, what: &str) -> f64 {
-    value(&record::scenes().unwrap().rows, "executed", row, what)
+    value(&saving::recorded().unwrap().rows, "executed", row, what)
         .unwrap_or_else(|| panic!("no count of {row}"))
 }
 
@@ -83,7 +83,7 @@ fn a_plan_expects_what_was_counted() {
 /// The library is the smallest build, and reading files is what brings a parser.
 #[test]
 fn each_part_of_the_workspace_brings_its_own_crates_and_the_library_few() {
-    let rows = record::scenes().unwrap().rows;
+    let rows = saving::recorded().unwrap().rows;
     let of = |row: &str, what: &str| value(&rows, "compiled", row, what).unwrap();
     // Its two dependencies and theirs: 15, and libm for the roots and products that round alike everywhere.
     assert!(of("the library", CRATES) <= 16.0);
@@ -95,7 +95,7 @@ fn each_part_of_the_workspace_brings_its_own_crates_and_the_library_few() {
 
 #[test]
 fn a_count_that_has_changed_is_told_and_other_tables_stay() {
-    let old = record::scenes().unwrap();
+    let old = saving::recorded().unwrap();
     assert!(differences(&old.rows, &old.rows).is_empty());
     let mut changed = old.rows.clone();
     let counted = changed.iter_mut().find(|row| row.row == GENERAL && row.what == STATE).unwrap();

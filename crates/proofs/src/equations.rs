@@ -1,36 +1,33 @@
-//! The equations of the book, each proven to be what the library's own functions do.
+//! Equations in TeX, each proven to be what the library's own functions do.
 //!
-//! [`read_chapter`] takes the pieces of maths of a chapter. Whatever states something must be a law of
-//! [`laws`], and is then proven as it stands there, in TeX, against the library; or one of the
-//! [`exemptions`], each with its reason; or give nothing but values, which are numbers and not laws. A law or
-//! exemption that no longer stands in its chapter is a fault too. A bare expression is a name alone, or a law
-//! whose worth the sentence around it states, or on the list of [`notation`]. What cannot be read is a fault.
+//! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state. Whatever
+//! states something must be one of these laws, and is then proven as it stands there, in TeX, against the
+//! library; or one of the exemptions, each with its reason; or give nothing but values, which are numbers and not
+//! laws. A law or exemption that is not found is a fault too. A bare expression is a name alone, or a law whose
+//! worth the sentence around it states, or notation. What cannot be read is a fault.
 //!
 //! ```
-//! use tumbling_proofs::equations::{Equation, read_chapter};
-//! let tex = r"\mathbf{L} = (I_1\,\omega_x,\; I_2\,\omega_y),".to_owned();
-//! let found = read_chapter("two-arrows", &[Equation { line: 13, tex, display: true }]);
-//! assert_eq!(found.proven.len(), 1);
-//! let tex = r"\mathbf{L} = (I_2\,\omega_x,\; I_1\,\omega_y),".to_owned();
-//! let found = read_chapter("two-arrows", &[Equation { line: 13, tex, display: true }]);
-//! assert!(found.faults[0].problem.contains("leaves"));
+//! use tumbling_proofs::equations::laws;
+//! assert_eq!(laws::PLANAR_MOMENTUM.holds(r"\mathbf{L} = (I_1\,\omega_x,\; I_2\,\omega_y)"), Ok(()));
+//! let wrong = laws::PLANAR_MOMENTUM.holds(r"\mathbf{L} = (I_2\,\omega_x,\; I_1\,\omega_y)");
+//! assert!(wrong.unwrap_err().contains("leaves"));
 //! ```
 
 mod alter;
 mod bodies;
-mod laws;
+pub mod laws;
 mod motion;
 
 pub use alter::{Alterations, StillTrue, alterations};
-pub use laws::{Exemption, Law, exemptions, laws, notation};
+pub use laws::{Exemption, Law};
 
 use crate::tex::{Node, Statement, parse};
 use std::fmt;
 
-/// A piece of maths of a chapter.
+/// A piece of maths of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Equation {
-    /// Its line in the chapter.
+    /// Its line in the text.
     pub line: usize,
     /// What stands between the dollar signs.
     pub tex: String,
@@ -38,10 +35,10 @@ pub struct Equation {
     pub display: bool,
 }
 
-/// What is wrong with an equation of a chapter.
+/// What is wrong with an equation of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// Its line in the chapter; `None` for what is missing from it.
+    /// Its line in the text; `None` for what is missing from it.
     pub line: Option<usize>,
     /// As it stands there, or should.
     pub tex: String,
@@ -63,7 +60,7 @@ impl std::error::Error for Fault {}
 /// An equation that is in order, and why.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Settled {
-    /// Its line in the chapter.
+    /// Its line in the text.
     pub line: usize,
     /// As it stands there, without spaces.
     pub tex: String,
@@ -71,9 +68,25 @@ pub struct Settled {
     pub why: &'static str,
 }
 
-/// What was found in a chapter.
+/// What a text is to state: each law and exemption as often as it stands there.
+#[derive(Debug, Clone, Copy)]
+pub struct Expected {
+    /// Laws; those with one left side in the order of the text.
+    pub laws: &'static [Law],
+    /// Statements that claim nothing about the library.
+    pub exemptions: &'static [Exemption],
+    /// Bare expressions, inline, that name a thing and say nothing about it.
+    pub notation: &'static [Exemption],
+}
+
+impl Expected {
+    /// No law at all.
+    pub const NOTHING: Self = Self { laws: &[], exemptions: &[], notation: &[] };
+}
+
+/// What was found in a text.
 #[derive(Debug, Clone, Default)]
-pub struct Chapter {
+pub struct Found {
     /// Equations proven.
     pub proven: Vec<Settled>,
     /// Equations exempt.
@@ -86,7 +99,7 @@ pub struct Chapter {
     pub faults: Vec<Fault>,
 }
 
-/// What a statement of a chapter is to be taken for.
+/// What a statement is to be taken for.
 enum Standing {
     Law(&'static Law),
     Exempt(&'static Exemption),
@@ -95,7 +108,7 @@ enum Standing {
     Values,
 }
 
-/// What has been found of the laws and exemptions of a chapter.
+/// The laws and exemptions that are not found yet.
 struct Ledger {
     laws: Vec<&'static Law>,
     exemptions: Vec<&'static Exemption>,
@@ -103,11 +116,13 @@ struct Ledger {
 }
 
 impl Ledger {
-    fn new(chapter: &str) -> Self {
-        let laws = laws().iter().filter(|law| law.chapter == chapter).collect();
-        let exemptions = exemptions().iter().filter(|exemption| exemption.chapter == chapter).collect();
-        let notation = notation().iter().filter(|notation| notation.chapter == chapter).collect();
-        Self { laws, exemptions, notation }
+    fn new(expected: &Expected) -> Self {
+        let Expected { laws, exemptions, notation } = expected;
+        Self {
+            laws: laws.iter().collect(),
+            exemptions: exemptions.iter().collect(),
+            notation: notation.iter().collect(),
+        }
     }
 
     /// A piece of maths in a line that is notation as a whole, whether it can be read or not.
@@ -171,73 +186,56 @@ impl Equation {
     }
 }
 
-/// Reads, settles and counts the equations of a chapter, by the name of its file without the ending.
+/// Reads, settles and counts the equations of a text.
 #[must_use]
-pub fn read_chapter(name: &str, equations: &[Equation]) -> Chapter {
-    let mut chapter = Chapter::default();
-    let mut ledger = Ledger::new(name);
+pub fn read(expected: &Expected, equations: &[Equation]) -> Found {
+    let mut found = Found::default();
+    let mut ledger = Ledger::new(expected);
     for equation in equations {
         if let Some(notation) = ledger.find_notation(equation) {
             let tex = equation.tex.replace(' ', "");
-            chapter.notation.push(Settled { line: equation.line, tex, why: notation.reason });
+            found.notation.push(Settled { line: equation.line, tex, why: notation.reason });
             continue;
         }
-        let standings = match standings(equation, &mut ledger) {
-            Ok(standings) => standings,
-            Err(fault) => {
-                chapter.faults.push(fault);
-                continue;
-            }
-        };
-        for (statement, standing) in standings {
-            let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why };
-            match standing {
-                Some(Standing::Exempt(exemption)) => chapter.exempt.push(settled(exemption.reason)),
-                Some(Standing::Values) => chapter.values.push(settled("only values")),
-                Some(Standing::Law(law)) => match law.prove(&statement) {
-                    Ok(()) => chapter.proven.push(settled(law.says)),
-                    Err(problem) => chapter.faults.push(equation.fault(problem)),
-                },
-                Some(Standing::Name) => {}
-                None if statement.others.is_empty() => {
-                    let problem = "more than a name, and neither a law nor notation expected here".to_owned();
-                    chapter.faults.push(equation.fault(problem));
-                }
-                None => {
-                    let problem =
-                        format!("no law for a left side `{}` is expected here", statement.left.text);
-                    chapter.faults.push(equation.fault(problem));
+        match standings(equation, &mut ledger) {
+            Ok(standings) => {
+                for (statement, standing) in standings {
+                    found.take(equation, &statement, standing);
                 }
             }
+            Err(fault) => found.faults.push(fault),
         }
     }
-    chapter.faults.extend(missing(&ledger));
-    chapter
+    found.faults.extend(missing(&ledger));
+    found
 }
 
-/// What was to be in the chapter and is not.
+impl Found {
+    /// Settles one statement of an equation.
+    fn take(&mut self, equation: &Equation, statement: &Statement, standing: Option<Standing>) {
+        let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why };
+        let problem = match standing {
+            Some(Standing::Exempt(exemption)) => return self.exempt.push(settled(exemption.reason)),
+            Some(Standing::Values) => return self.values.push(settled("only values")),
+            Some(Standing::Law(law)) => match law.prove(statement) {
+                Ok(()) => return self.proven.push(settled(law.says)),
+                Err(problem) => problem,
+            },
+            Some(Standing::Name) => return,
+            None if statement.others.is_empty() => {
+                "more than a name, and neither a law nor notation expected here".to_owned()
+            }
+            None => format!("no law for a left side `{}` is expected here", statement.left.text),
+        };
+        self.faults.push(equation.fault(problem));
+    }
+}
+
+/// What was expected and is not there.
 fn missing(ledger: &Ledger) -> Vec<Fault> {
     let fault = |tex: &str, problem: String| Fault { line: None, tex: tex.to_owned(), problem };
     let laws = ledger.laws.iter().map(|law| fault(law.left, format!("this law is not found: {}", law.says)));
     let exemptions = ledger.exemptions.iter().chain(&ledger.notation);
-    let exemptions = exemptions.map(|e| fault(e.tex, "exempt, but no longer in the chapter".to_owned()));
+    let exemptions = exemptions.map(|e| fault(e.tex, "exempt, but no longer there".to_owned()));
     laws.chain(exemptions).collect()
-}
-
-/// What is wrong with the equations of a chapter; nothing, if all are in order.
-#[must_use]
-pub fn check_chapter(name: &str, equations: &[Equation]) -> Vec<Fault> {
-    read_chapter(name, equations).faults
-}
-
-/// Chapters that the laws or exemptions name and that are not among these.
-#[must_use]
-pub fn missing_chapters(names: &[&str]) -> Vec<&'static str> {
-    let laws = laws().iter().map(|law| law.chapter);
-    let mut missing: Vec<_> =
-        laws.chain(exemptions().iter().chain(notation()).map(|exemption| exemption.chapter)).collect();
-    missing.retain(|chapter| !names.contains(chapter));
-    missing.sort_unstable();
-    missing.dedup();
-    missing
 }

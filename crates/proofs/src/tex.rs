@@ -15,6 +15,7 @@
 //! assert_eq!(parse("a = b +").unwrap_err().to_string(), "expected a number, a name or a bracket at byte 7");
 //! ```
 
+mod error;
 mod evaluate;
 mod parse;
 mod scope;
@@ -22,7 +23,8 @@ mod token;
 mod tree;
 mod value;
 
-pub use parse::{TexError, parse};
+pub use error::TexError;
+pub use parse::parse;
 pub use scope::Scope;
 pub use token::states_something;
 pub use tree::{Node, Relation, Side, Statement};

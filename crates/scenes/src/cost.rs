@@ -17,17 +17,6 @@ pub struct Cost {
     pub state: f64,
 }
 
-/// A step of Dormand and Prince's pair under a torque, rejected ones included.
-pub(crate) const PAIR: f64 = 7000.0;
-/// It restarts at each state, with at least this number of steps.
-pub(crate) const RESTART: f64 = 2.0;
-/// A step of Moser and Veselov's method between two half kicks.
-pub(crate) const KICKED: f64 = 1500.0;
-/// A step that linearises the damping.
-pub(crate) const LINEARISED: f64 = 860.0;
-/// A step by the exact drift between two half kicks.
-pub(crate) const DRIFT: f64 = 11_000.0;
-
 /// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where
 /// that is in question.
 const ELLIPTIC: f64 = 46_000.0;

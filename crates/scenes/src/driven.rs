@@ -1,25 +1,14 @@
 //! Ways to answer for a body under torques: chosen by how strong and how fast they are, and then tried.
 
-use crate::cost;
 use crate::error::Error;
 use crate::initial_state::Principal;
+use crate::prices;
 use crate::scene::Scene;
 use crate::step_control::StepControl;
 use crate::strategy::{Driven, Strategy};
 use crate::trial::{Chosen, Trial};
 use nalgebra::Vector3;
 use tumbling::step::{LEAST_TOLERANCE, Method, State, System, Torque};
-
-/// Whether it is zero at every attitude and spin.
-pub(crate) fn is_nothing(torque: &Torque<f64>) -> bool {
-    let zero = Vector3::zeros();
-    match torque {
-        Torque::InBody(value) | Torque::InWorld(value) | Torque::Damping(value) => *value == zero,
-        Torque::Aligning { arm, field } => *arm == zero || *field == zero,
-        Torque::Dissipation(strength) => *strength == 0.0,
-        _ => false,
-    }
-}
 
 /// A torque given in body axes, along the principal axes.
 ///
@@ -205,9 +194,9 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     let turn = radians.min(0.25);
     let step = |radians: f64| (radians / spin).min(end / INNER);
     let tolerance = first_tolerance(accuracy);
-    let by_pair = price(cost::PAIR, 2.0 * tolerance.powf(0.2), cost::RESTART * least);
-    let by_steps = price(cost::KICKED, turn, least);
-    let by_drift = price(cost::DRIFT, radians, least);
+    let by_pair = price(prices::PAIR, 2.0 * tolerance.powf(0.2), prices::RESTART * least);
+    let by_steps = price(prices::KICKED, turn, least);
+    let by_drift = price(prices::DRIFT, radians, least);
     if by_steps <= by_pair && by_steps <= by_drift {
         StepControl::Fixed(Method::MoserVeselov8, step(turn))
     } else if by_drift <= by_pair {

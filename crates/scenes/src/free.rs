@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::initial_state::Principal;
-use crate::scene::Outputs;
+use crate::outputs::Outputs;
 use crate::strategy::Strategy;
 use nalgebra::Vector3;
 use tumbling::exact::{FreeMotion, Regime};

@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::initial_state::{InitialState, Principal};
-use crate::scene::{Outputs, Scene};
-use crate::states::States;
+use crate::outputs::Outputs;
+use crate::scene::Scene;
 use crate::strategy::Strategy;
 use crate::{driven, free};
 use nalgebra::Vector3;
@@ -22,6 +22,24 @@ pub struct Plan<'a> {
     pub(crate) energy: Option<f64>,
     pub(crate) gap: Option<f64>,
     pub(crate) inertia: Inertia,
+}
+
+impl Scene {
+    /// How to answer for the body of number `index`, from 0.
+    ///
+    /// # Errors
+    /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an accuracy that [cannot be
+    /// had](Error::Unattainable), or a motion that leaves `f64`.
+    pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
+        let Some(body) = self.bodies().get(index) else {
+            return Err(Error::TooFew {
+                what: "bodies",
+                count: self.bodies().len(),
+                needed: index.saturating_add(1),
+            });
+        };
+        Plan::new(self, body).map_err(|source| Error::Body { index, source: Box::new(source) })
+    }
 }
 
 impl<'a> Plan<'a> {
@@ -67,12 +85,6 @@ impl<'a> Plan<'a> {
     #[must_use]
     pub fn gap(&self) -> Option<f64> {
         self.gap
-    }
-
-    /// The states at the times of the scene, in order, one at a time.
-    #[must_use]
-    pub fn states(&self) -> States<'_> {
-        States::new(self)
     }
 
     /// The free motion that the states are taken from, along the body's principal axes and from their

@@ -1,41 +1,11 @@
 //! A scene: bodies, torques, times, outputs and an accuracy.
 
-use crate::driven;
 use crate::error::{Error, positive};
 use crate::initial_state::InitialState;
-use crate::plan::Plan;
-use crate::states::Answer;
+use crate::outputs::Outputs;
 use crate::times::Times;
+use nalgebra::Vector3;
 use tumbling::step::Torque;
-
-/// What is requested of each body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Outputs {
-    /// The angular velocity in body axes, at each time.
-    pub spin: bool,
-    /// The attitude, body to world, at each time.
-    pub attitude: bool,
-    /// The kinetic energy, at each time.
-    pub energy: bool,
-    /// The angle between spin and momentum, at each time.
-    pub gap: bool,
-    /// The instants up to the end at which the spin along the middle axis changes sign. Of free bodies alone.
-    pub flips: bool,
-    /// The path of the spin in the body. Of free bodies alone.
-    pub polhode: bool,
-}
-
-impl Outputs {
-    /// None of them.
-    pub const NOTHING: Self =
-        Self { spin: false, attitude: false, energy: false, gap: false, flips: false, polhode: false };
-
-    /// Whether any of them belongs to a time.
-    #[must_use]
-    pub fn states(self) -> bool {
-        self.spin || self.attitude || self.energy || self.gap
-    }
-}
 
 /// Bodies that do not touch, the torques on each of them, the outputs requested, and how accurate they must
 /// be.
@@ -95,7 +65,7 @@ impl Scene {
         if accuracy < 2.0 * f64::EPSILON {
             return Err(Error::Unattainable { requested: accuracy, attainable: 2.0 * f64::EPSILON });
         }
-        let torques = torques.into_iter().filter(|torque| !driven::is_nothing(torque)).collect();
+        let torques = torques.into_iter().filter(|torque| !is_nothing(torque)).collect();
         Ok(Self { bodies, torques, times, outputs, accuracy })
     }
 
@@ -128,32 +98,15 @@ impl Scene {
     pub fn accuracy(&self) -> f64 {
         self.accuracy
     }
+}
 
-    /// How to answer for the body of number `index`, from 0.
-    ///
-    /// # Errors
-    /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an
-    /// accuracy that [cannot be had](Error::Unattainable), or a motion that leaves `f64`.
-    pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
-        let Some(body) = self.bodies.get(index) else {
-            return Err(Error::TooFew {
-                what: "bodies",
-                count: self.bodies.len(),
-                needed: index.saturating_add(1),
-            });
-        };
-        Plan::new(self, body).map_err(|source| Error::Body { index, source: Box::new(source) })
-    }
-
-    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side):
-    /// `take` gets the number of each body with its states in order of time, or with what is wrong with it;
-    /// then the next is answered.
-    pub fn run(&self, mut take: impl FnMut(usize, Result<Answer, Error>)) {
-        for index in 0..self.bodies.len() {
-            match self.plan(index) {
-                Ok(plan) => plan.states().for_each(|state| take(index, state)),
-                Err(error) => take(index, Err(error)),
-            }
-        }
+/// Whether it is zero at every attitude and spin.
+fn is_nothing(torque: &Torque<f64>) -> bool {
+    let zero = Vector3::zeros();
+    match torque {
+        Torque::InBody(value) | Torque::InWorld(value) | Torque::Damping(value) => *value == zero,
+        Torque::Aligning { arm, field } => *arm == zero || *field == zero,
+        Torque::Dissipation(strength) => *strength == 0.0,
+        _ => false,
     }
 }

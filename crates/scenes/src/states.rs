@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::plan::{Plan, energy};
+use crate::scene::Scene;
 use crate::strategy::{Driven, Strategy};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::State;
@@ -34,8 +35,29 @@ pub struct States<'a> {
 /// Spin along the principal axes, and attitude of the body.
 type SpinAndAttitude = (Option<Vector3<f64>>, Option<UnitQuaternion<f64>>);
 
+impl Scene {
+    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side): `take` gets the number of
+    /// each body with its states in order of time, or with what is wrong with it; then the next is answered.
+    pub fn run(&self, mut take: impl FnMut(usize, Result<Answer, Error>)) {
+        for index in 0..self.bodies().len() {
+            match self.plan(index) {
+                Ok(plan) => plan.states().for_each(|state| take(index, state)),
+                Err(error) => take(index, Err(error)),
+            }
+        }
+    }
+}
+
+impl Plan<'_> {
+    /// The states at the times of the scene, in order, one at a time.
+    #[must_use]
+    pub fn states(&self) -> States<'_> {
+        States::new(self)
+    }
+}
+
 impl<'a> States<'a> {
-    pub(crate) fn new(plan: &'a Plan<'a>) -> Self {
+    fn new(plan: &'a Plan<'a>) -> Self {
         let reached = plan.strategy.driven().map(|driven| (0.0, driven.start));
         Self { plan, next: 0, end: plan.scene.times().count(), reached }
     }

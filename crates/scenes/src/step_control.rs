@@ -1,8 +1,8 @@
 //! How a driven body is stepped: on, finer, and at what price.
 
-use crate::cost;
 use crate::error::Error;
 use crate::exact_drift;
+use crate::prices;
 use tumbling::step::{LEAST_TOLERANCE, Method, State, System, adaptive_within};
 
 /// How a driven body is stepped.
@@ -91,16 +91,16 @@ impl StepControl {
     /// The cost of a step, in instructions.
     pub(crate) fn price_of_step(self) -> f64 {
         match self {
-            Self::Fixed(Method::LinearisedImplicit, _) => cost::LINEARISED,
-            Self::Fixed(..) => cost::KICKED,
-            Self::ExactDrift(_) => cost::DRIFT,
-            Self::Tolerance(_) => cost::PAIR,
+            Self::Fixed(Method::LinearisedImplicit, _) => prices::LINEARISED,
+            Self::Fixed(..) => prices::KICKED,
+            Self::ExactDrift(_) => prices::DRIFT,
+            Self::Tolerance(_) => prices::PAIR,
         }
     }
 
     /// The least number of steps from one state to the next.
     pub(crate) fn least_steps(self) -> f64 {
-        if let Self::Tolerance(_) = self { cost::RESTART } else { 1.0 }
+        if let Self::Tolerance(_) = self { prices::RESTART } else { 1.0 }
     }
 
     /// The cost of a number of states in a number of steps, or in more where states are requested more often.

@@ -1,7 +1,7 @@
 //! Trial runs: a scene is stepped and stepped again finer, until two runs agree.
 
 use crate::error::Error;
-use crate::scene::Outputs;
+use crate::outputs::Outputs;
 use crate::step_control::{StepControl, Stop};
 use nalgebra::UnitQuaternion;
 use tumbling::dynamics::observe;

@@ -139,7 +139,7 @@ fn what_is_printed_has_the_names_that_the_judge_knows() {
     let options = tumbling_judge::Options { inertia: Some(inertia), ..Default::default() };
     let verdict = tumbling_judge::judge(text.as_bytes(), &options).unwrap();
     assert_eq!(verdict.outcome, tumbling_judge::Outcome::Passed, "{verdict}");
-    assert_eq!(verdict.ignored, ["body", "kinetic energy [J]", "gap [rad]"]);
+    assert_eq!(verdict.record.ignored, ["body", "kinetic energy [J]", "gap [rad]"]);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! the colours of the page they stand in.
 
 use super::pen::{DEFAULT_WIDTH, FINENESS, Fill, Pen};
+use super::point::{P, polar};
 use super::text::{Label, SIZE, escaped};
 use crate::ink::{Ink, stand_alone_style};
 use plotters_backend::{
@@ -13,14 +14,6 @@ use std::cell::RefCell;
 use std::convert::Infallible;
 use std::fmt::Write as _;
 use std::rc::Rc;
-
-/// A point: right and down from the upper left corner.
-pub(crate) type P = (f64, f64);
-
-/// The point `r` away from `centre` at `angle` (radians, from the right, upwards).
-pub(crate) fn polar(centre: P, r: f64, angle: f64) -> P {
-    (centre.0 + r * angle.cos(), centre.1 - r * angle.sin())
-}
 
 /// A sheet of the given size on which marks gather. Clones are the same sheet.
 #[derive(Debug, Clone)]

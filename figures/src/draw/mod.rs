@@ -3,11 +3,13 @@
 mod canvas;
 mod pen;
 mod plot;
+mod point;
 mod space;
 mod text;
 
-pub(crate) use canvas::{Canvas, P, polar};
+pub(crate) use canvas::Canvas;
 pub(crate) use pen::{Fill, Pen};
 pub(crate) use plot::{Plot, Scale};
+pub(crate) use point::{P, polar};
 pub(crate) use space::{Cuboid, View};
 pub(crate) use text::Label;

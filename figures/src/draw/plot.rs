@@ -1,7 +1,8 @@
 //! A plot: plotters' coordinates and lines, with a light grid and labels on the curves themselves.
 
-use super::canvas::{Canvas, P};
+use super::canvas::Canvas;
 use super::pen::{FINENESS, Pen};
+use super::point::P;
 use super::text::Label;
 use crate::ink::Ink;
 use plotters::coord::Shift;

@@ -1,7 +1,8 @@
 //! Things in space, seen from far away.
 
-use super::canvas::{Canvas, P};
+use super::canvas::Canvas;
 use super::pen::{Fill, Pen};
+use super::point::P;
 use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
 

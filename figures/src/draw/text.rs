@@ -1,6 +1,6 @@
 //! Letters: running text upright, symbols between dollar signs in italics, with sub- and superscripts.
 
-use super::canvas::P;
+use super::point::P;
 use crate::ink::Ink;
 use std::fmt::Write as _;
 

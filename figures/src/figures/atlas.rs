@@ -3,21 +3,22 @@
 use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, Pen};
 use crate::ink::Ink;
+use tumbling_measure::atlas::{Fate, Precision, Row, recorded};
 
-const RECORD: &str = include_str!("../../../crates/measure/record/atlas.tsv");
-
-/// How each fate is drawn: its word, a sign that says it without colour, and how dark.
-const FATES: [(&str, &str, f64); 9] = [
-    ("right", "", 0.0),
-    ("late", "l", 0.13),
-    ("worn", "w", 0.22),
-    ("miscounted", "m", 0.38),
-    ("gained", "+", 0.62),
-    ("lost", "−", 0.62),
-    ("reversed", "r", 0.85),
-    ("refused", "e", 0.0),
-    ("not finite", "×", 1.0),
-];
+/// How each fate is drawn: a sign that says it without colour, and how dark.
+const fn drawn(fate: Fate) -> (&'static str, f64) {
+    match fate {
+        Fate::Right => ("", 0.0),
+        Fate::Late => ("l", 0.13),
+        Fate::Worn => ("w", 0.22),
+        Fate::WrongFlips => ("m", 0.38),
+        Fate::Gained => ("+", 0.62),
+        Fate::Lost => ("−", 0.62),
+        Fate::Reversed => ("r", 0.85),
+        Fate::Refused => ("e", 0.0),
+        Fate::NotFinite => ("×", 1.0),
+    }
+}
 
 /// The sizes of the sheet, in points.
 const LEFT: f64 = 178.0;
@@ -29,27 +30,6 @@ struct Chart {
     name: &'static str,
     title: &'static str,
     swept: &'static str,
-}
-
-struct Place<'a> {
-    chart: &'a str,
-    case: &'a str,
-    runner: &'a str,
-    single: bool,
-    fate: usize,
-}
-
-fn places() -> Result<Vec<Place<'static>>, Box<dyn std::error::Error>> {
-    let rows = RECORD.lines().filter(|line| !line.starts_with('#')).skip(1);
-    rows.map(|line| {
-        let fields: Vec<&str> = line.split('\t').collect();
-        let [chart, case, runner, precision, fate] = fields[..] else {
-            return Err(format!("not a line of the atlas: {line}").into());
-        };
-        let fate = FATES.iter().position(|known| known.0 == fate).ok_or("an unknown fate")?;
-        Ok(Place { chart, case, runner, single: precision == "f32", fate })
-    })
-    .collect()
 }
 
 /// Different values in the order in which they first come.
@@ -65,8 +45,8 @@ fn distinct<'a>(values: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 
 /// One sheet: charts side by side, a row for each method.
 fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
-    let all = places()?;
-    let runners = distinct(all.iter().map(|place| place.runner));
+    let all: Vec<Row> = recorded()?;
+    let runners = distinct(all.iter().map(|row| row.runner));
     let columns: Vec<Vec<&str>> = charts
         .iter()
         .map(|chart| distinct(all.iter().filter(|p| p.chart == chart.name).map(|p| p.case)))
@@ -97,22 +77,25 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
             canvas.label((left + 0.5 * wide, top - 7.0), &Label::new(title).size(11.0).middle());
             for (row, runner) in runners.iter().enumerate() {
                 let y = top + ROW * number(row);
-                let fate = |single: bool| {
+                let fate = |precision: Precision| {
                     let place = all.iter().find(|p| {
-                        p.chart == chart.name && p.case == *case && p.runner == *runner && p.single == single
+                        p.chart == chart.name
+                            && p.case == *case
+                            && p.runner == *runner
+                            && p.precision == precision
                     });
                     place.map(|place| place.fate)
                 };
-                let (double, single) = (fate(false), fate(true));
+                let (double, single) = (fate(Precision::Double), fate(Precision::Single));
                 if let Some(fate) = double {
-                    tiles.large[fate].push([left, y, left + wide, y + ROW]);
+                    tiles.large[fate as usize].push([left, y, left + wide, y + ROW]);
                 }
                 if let (Some(double), Some(single)) = (double, single)
                     && double != single
                 {
                     let side = 0.42 * ROW;
                     let (ex, ey) = (left + wide - 0.8, y + ROW - 0.8);
-                    tiles.small[single].push([ex - side, ey - side, ex, ey]);
+                    tiles.small[single as usize].push([ex - side, ey - side, ex, ey]);
                 }
             }
         }
@@ -122,8 +105,8 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
                     p.chart == chart.name
                         && p.case == **case
                         && p.runner == *runner
-                        && !p.single
-                        && p.fate == 0
+                        && p.precision == Precision::Double
+                        && p.fate == Fate::Right
                 })
             });
             counts.push((kept.count(), *runner));
@@ -150,7 +133,8 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
         }
         y += 19.0 * number(keys) + 6.0;
     }
-    let used: Vec<usize> = (0..FATES.len())
+    let used: Vec<Fate> = Fate::ALL
+        .into_iter()
         .filter(|&fate| {
             all.iter().any(|p| p.fate == fate && charts.iter().any(|chart| chart.name == p.chart))
         })
@@ -206,13 +190,14 @@ fn best_and_worst(counts: &[(usize, &str)]) -> String {
 /// Squares by their fate: those of double precision, and the small ones of single precision at their corners.
 #[derive(Default)]
 struct Tiles {
-    large: [Vec<[f64; 4]>; FATES.len()],
-    small: [Vec<[f64; 4]>; FATES.len()],
+    large: [Vec<[f64; 4]>; Fate::ALL.len()],
+    small: [Vec<[f64; 4]>; Fate::ALL.len()],
 }
 
 impl Tiles {
     fn draw(&self, canvas: &Canvas) {
-        for (fate, (tiles, (_, sign, dark))) in self.large.iter().zip(FATES).enumerate() {
+        for (tiles, fate) in self.large.iter().zip(Fate::ALL) {
+            let (sign, dark) = drawn(fate);
             canvas.tiles(tiles, fill(fate), Some(Pen::new(Ink::Faint, 0.6)));
             let ink = if dark > 0.5 { Ink::Paper } else { Ink::Text };
             let mut rows = tiles.clone();
@@ -224,30 +209,30 @@ impl Tiles {
                 canvas.letters(&x, row[0][3] - 0.26 * ROW, &label);
             }
         }
-        for (fate, tiles) in self.small.iter().enumerate() {
+        for (tiles, fate) in self.small.iter().zip(Fate::ALL) {
             canvas.tiles(tiles, Fill::new(Ink::Paper), None);
             canvas.tiles(tiles, fill(fate), Some(Pen::new(Ink::Faint, 0.8)));
         }
     }
 }
 
-fn fill(fate: usize) -> Fill {
-    let (word, _, dark) = FATES[fate];
-    let (ink, dark) = if word == "refused" { (Ink::Faint, 0.35) } else { (Ink::Wrong, dark) };
+fn fill(fate: Fate) -> Fill {
+    let (_, dark) = drawn(fate);
+    let (ink, dark) = if fate == Fate::Refused { (Ink::Faint, 0.35) } else { (Ink::Wrong, dark) };
     Fill::new(ink).opacity(dark)
 }
 
 /// The fates that the sheet shows.
-fn legend(canvas: &Canvas, y: f64, used: &[usize]) {
+fn legend(canvas: &Canvas, y: f64, used: &[Fate]) {
     let mut x = 24.0;
     let mut y = y;
     let mut tiles = Tiles::default();
-    for &index in used {
-        let word = FATES[index].0;
+    for &fate in used {
+        let word = fate.word();
         if x > 560.0 {
             (x, y) = (24.0, y + 24.0);
         }
-        tiles.large[index].push([x, y - 13.0, x + 22.0, y + 4.0]);
+        tiles.large[fate as usize].push([x, y - 13.0, x + 22.0, y + 4.0]);
         canvas.label((x + 28.0, y), &Label::new(word).size(14.0));
         x += 44.0 + 8.2 * word.len() as f64;
     }

@@ -3,9 +3,8 @@
 use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::ink::Ink;
-use nalgebra::Vector3;
-
-const VERDICTS: &str = include_str!("../../../crates/judge/data/judged.tsv");
+use tumbling_judge::LawName;
+use tumbling_judge::records::{RECORDED, judged};
 
 /// Records, and what the figure calls them, in the order of the chapter's tables.
 const ENGINES: [(&str, &str); 6] = [
@@ -14,7 +13,7 @@ const ENGINES: [(&str, &str); 6] = [
     ("bullet-3.2.7-rigid", "Bullet, rigid body"),
     ("rapier3d-f64-0.36.1", "Rapier (default)"),
     ("mujoco-4.0.0-euler", "MuJoCo, Euler (default)"),
-    ("bullet-3.2.7-multibody", "Bullet, multibody (default)"),
+    ("bullet-3.2.7-multibody", "Bullet, multibody (pybullet)"),
 ];
 
 const STORIES: [(&str, &str); 6] = [
@@ -27,8 +26,11 @@ const STORIES: [(&str, &str); 6] = [
 ];
 
 /// Laws, and what the figure calls them.
-const LAWS: [(&str, &str); 3] =
-    [("energy", "energy"), ("momentum", "length of $L$"), ("direction", "direction of $L$")];
+const LAWS: [(LawName, &str); 3] = [
+    (LawName::Energy, "energy"),
+    (LawName::Momentum, "length of $L$"),
+    (LawName::Direction, "direction of $L$"),
+];
 
 /// The most that a law may be off.
 const ALLOWED: f64 = 0.01;
@@ -40,15 +42,9 @@ const ROW: f64 = 76.0;
 const TOP: f64 = 128.0;
 
 /// The greatest error in a law of a record. `None` where there is no such record.
-fn greatest(engine: &str, story: &str, law: &str) -> Option<f64> {
+fn greatest(engine: &str, story: &str, law: LawName) -> Option<f64> {
     let record = format!("{engine}--{story}");
-    VERDICTS.lines().find_map(|line| {
-        let mut fields = line.split('\t');
-        if fields.next()? != record || fields.nth(1)? != law {
-            return None;
-        }
-        fields.nth(1)?.parse().ok()
-    })
+    judged().find(|of| of.record == record && of.law == law).map(|of| of.most)
 }
 
 /// A law's mark: a disc, a square, a triangle, filled where the law is broken.
@@ -91,7 +87,7 @@ pub(super) fn grades() -> Drawing {
         for (column, (story, _)) in STORIES.iter().enumerate() {
             let x = LEFT + COLUMN * number(column);
             for (place, (law, _)) in LAWS.iter().enumerate() {
-                if let Some(most) = greatest(engine, story, law) {
+                if let Some(most) = greatest(engine, story, *law) {
                     broken[place] += u32::from(most > ALLOWED);
                     mark(&canvas, place, (x + 12.0 + MARK * number(place), y + 42.0), most > ALLOWED);
                 }
@@ -115,76 +111,58 @@ pub(super) fn grades() -> Drawing {
 struct Panel {
     story: &'static str,
     title: &'static str,
-    text: [&'static str; 4],
     /// Where each line is named: time, s, and energy.
     at: [(&'static str, f64, f64); 3],
 }
 
-/// A record's energy in parts of the first, and the spin along the middle axis, at each time, s.
-fn seen(text: &str, middle: usize) -> Result<Vec<[f64; 3]>, Box<dyn std::error::Error>> {
-    let head = text.split_once("moments ").ok_or("no moments")?.1;
-    let moments: Result<Vec<f64>, _> = head.split(' ').take(3).map(str::parse).collect();
-    let moments = Vector3::from_vec(moments?);
+/// A record's energy relative to the first, and the spin along the middle axis, at each time, s.
+fn seen(engine: &str, story: &str, middle: usize) -> Result<Vec<[f64; 3]>, Box<dyn std::error::Error>> {
+    let run = RECORDED.iter().find(|run| (run.engine, run.story) == (engine, story));
+    let run = run.ok_or_else(|| format!("{engine} is not recorded in {story}"))?.read()?;
     let mut rows: Vec<[f64; 3]> = Vec::new();
     let mut first = None;
-    for line in text.lines().skip(2) {
-        let numbers: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
-        let numbers = numbers?;
-        let [step, .., x, y, z] = numbers[..] else { return Err("a short line".into()) };
-        let omega = Vector3::new(x, y, z);
-        let energy = omega.dot(&moments.component_mul(&omega));
+    for row in &run.rows {
+        let energy = row.omega.dot(&run.moments.component_mul(&row.omega));
         if energy == 0.0 {
             break; // put to rest
         }
         let first = *first.get_or_insert(energy);
-        rows.push([step / 60.0, energy / first, omega[middle]]);
+        #[allow(clippy::cast_precision_loss)] // some thousand steps
+        rows.push([row.step as f64 / 60.0, energy / first, row.omega[middle]]);
     }
     Ok(rows)
 }
 
-macro_rules! records {
-    ($story:literal) => {
-        [
-            include_str!(concat!("../../../crates/judge/data/mujoco-4.0.0-euler--", $story, ".csv")),
-            include_str!(concat!("../../../crates/judge/data/rapier3d-f64-0.36.1--", $story, ".csv")),
-            include_str!(concat!("../../../crates/judge/data/bullet-3.2.7-rigid--", $story, ".csv")),
-            include_str!(concat!("../../../crates/judge/data/mujoco-4.0.0-rk4--", $story, ".csv")),
-        ]
-    };
-}
+/// The engines drawn, each with its pen.
+const DRAWN: [(&str, fn() -> Pen); 4] = [
+    ("mujoco-4.0.0-euler", || Pen::new(Ink::Wrong, 2.6)),
+    ("rapier3d-f64-0.36.1", || Pen::new(Ink::Wrong, 2.4).dash_dotted()),
+    ("bullet-3.2.7-rigid", || Pen::new(Ink::Wrong, 2.6).dotted()),
+    ("mujoco-4.0.0-rk4", || Pen::new(Ink::Text, 3.2)),
+];
 
 pub(super) fn energies() -> Drawing {
     let panels = [
         Panel {
             story: "box-middle",
             title: "the box: flips",
-            text: records!("box-middle"),
             at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
         },
         Panel {
             story: "middle",
             title: "middle axis: flips",
-            text: records!("middle"),
             at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
         },
         Panel {
             story: "major",
             title: "largest axis: stable",
-            text: records!("major"),
             at: [("explicit", 5.5, 15.0), ("Rapier", 10.0, 1.6), ("RK4, implicit", 6.0, 0.68)],
         },
         Panel {
             story: "minor",
             title: "smallest axis: stable",
-            text: records!("minor"),
             at: [("explicit", 2.0, 10.0), ("Rapier", 11.0, 0.58), ("RK4, implicit", 10.4, 1.13)],
         },
-    ];
-    let pens = [
-        Pen::new(Ink::Wrong, 2.6),
-        Pen::new(Ink::Wrong, 2.4).dash_dotted(),
-        Pen::new(Ink::Wrong, 2.6).dotted(),
-        Pen::new(Ink::Text, 3.2),
     ];
     let canvas = Canvas::new(660);
     let mut said = Vec::new();
@@ -212,8 +190,8 @@ pub(super) fn energies() -> Drawing {
         }
         let middle = if panel.story == "box-middle" { 0 } else { 1 };
         let mut last = Vec::new();
-        for (text, pen) in panel.text.into_iter().zip(pens) {
-            let rows = seen(text, middle)?;
+        for (engine, pen) in DRAWN {
+            let (rows, pen) = (seen(engine, panel.story, middle)?, pen());
             // Out of the top: up to where the line leaves.
             let inside = rows.iter().position(|row| row[1] > 30.0).unwrap_or(rows.len());
             plot.curve(rows[..inside].iter().map(|row| (row[0], row[1])), pen)?;

@@ -3,7 +3,7 @@
 use super::{Drawing, Picture, power_of_ten};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
-use tumbling_measure::record;
+use tumbling_measure::saving;
 use tumbling_measure::savings::{GENERAL, STATE, value};
 
 /// What a row of the record is called here, and its colour.
@@ -22,7 +22,7 @@ const ROWS: [(&str, &str, Ink); 11] = [
 ];
 
 pub(super) fn draw() -> Drawing {
-    let rows = record::scenes()?.rows;
+    let rows = saving::recorded()?.rows;
     let canvas = Canvas::new(480);
     let (top, apart) = (22.0, 34.0);
     let bottom = top + apart * ROWS.len() as f64;

@@ -2,9 +2,12 @@
 
 use crate::error::Error;
 use crate::number::functions::{atan2, hypot, sin_cos};
-use crate::solid::{Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube};
+use crate::solid::{
+    Cuboid, Cylinder, MassProperties, Solid, ThinRod, Tube, cuboid_moments, cylinder_moments, rod_moments,
+    tube_moments,
+};
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// A straight bar in the xz plane of a body, with one cross-section all along.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,6 +89,21 @@ impl Part {
         }
     }
 
+    /// How wide in the xz plane, and how thick along y, it is drawn, m. What is computed as a line is drawn as thick as a racket's frame
+    /// is, and a string as a line.
+    #[must_use]
+    pub fn drawn(&self) -> [f64; 2] {
+        match self.section {
+            Section::Rectangle { wide, thick } => [wide, thick],
+            Section::Round { radius } | Section::Ring { outer: radius, .. } => [2.0 * radius; 2],
+            Section::Line => match self.name {
+                "hoop" => [0.016; 2],
+                "throat bar" => [0.014; 2],
+                _ => [0.0; 2],
+            },
+        }
+    }
+
     /// The turn, part to body, that lays its own z axis along it.
     #[must_use]
     pub fn attitude(&self) -> UnitQuaternion<f64> {
@@ -109,6 +127,33 @@ impl Part {
             Section::Round { radius } => self.filled(&Cylinder::new(radius, length)?),
             Section::Ring { inner, outer } => self.filled(&Tube::new(inner, outer, length)?),
         }
+    }
+
+    /// Its inertia about its middle in the body's axes, by the laws alone: to a few units in the last place, and unchecked.
+    pub(super) fn inertia(&self) -> Matrix3<f64> {
+        let (mass, length) = (self.mass(), self.length());
+        let [across, y, along] = match self.section {
+            Section::Line => rod_moments(&mass, &length),
+            Section::Rectangle { wide, thick } => cuboid_moments(&mass, &wide, &thick, &length),
+            Section::Round { radius } => cylinder_moments(&mass, &radius, &length),
+            Section::Ring { inner, outer } => tube_moments(&mass, &inner, &outer, &length),
+        }
+        .into();
+        // Its x and z axes turned in the xz plane.
+        let (sine, cosine) = (self.along.x / length, self.along.z / length);
+        let product = (along - across) * sine * cosine;
+        let (ss, cc) = (sine * sine, cosine * cosine);
+        Matrix3::new(
+            across * cc + along * ss,
+            0.0,
+            product,
+            0.0,
+            y,
+            0.0,
+            product,
+            0.0,
+            across * ss + along * cc,
+        )
     }
 
     fn filled(&self, solid: &impl Solid) -> Result<MassProperties, Error> {

@@ -2,7 +2,7 @@
 
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 
 pub(crate) const EULER: MethodInfo = MethodInfo {

@@ -5,7 +5,7 @@ use super::decimal::{ROOT_OF_3, ROOT_OF_15};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{attitude, dynamics::euler};
 use nalgebra::{Quaternion, Vector3};

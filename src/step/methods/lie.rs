@@ -4,7 +4,7 @@
 use crate::attitude;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 

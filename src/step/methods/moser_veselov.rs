@@ -23,7 +23,7 @@ use crate::body::State;
 use crate::error::{Error, Refusal};
 use crate::number::functions::{atan2, powi};
 use crate::number::{Analytic, Ring};
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]

@@ -2,7 +2,7 @@
 
 use crate::body::{Rate, State};
 use crate::number::{Analytic, Field};
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 
 pub(crate) const INFO: MethodInfo = MethodInfo {

@@ -8,7 +8,6 @@ use nalgebra::{Matrix3, Vector3};
 use tumbling::attitude::rotation_matrix;
 use tumbling::body::named;
 use tumbling::dynamics::observe::energy;
-use tumbling::solid::ball_moment;
 use tumbling::step::{Carried, Engine, rk4};
 
 /// The most steps in one answer.
@@ -23,7 +22,7 @@ fn body(which: f64) -> Vector3<f64> {
         0 => named::THE_BOX.moments(),
         1 => named::BOOK.moments(),
         2 => named::PHONE.moments(),
-        _ => Vector3::repeat(ball_moment(&1.0, &0.5)),
+        _ => named::BALL.moments(),
     }
 }
 

@@ -32,17 +32,12 @@ pub(crate) fn answer(which: f64, row: &Numbers) -> usize {
 
 fn numbers(part: &Part) -> [f64; SIZE] {
     let ([from, to], mass) = (part.ends(), part.mass());
-    let bar = |wide, thick| [0.0, from.x, from.z, to.x, to.z, wide, thick, mass];
     match part.section {
         Section::Ring { inner, outer } => [1.0, from.x, to.x, inner, outer, 0.0, 0.0, mass],
-        Section::Rectangle { wide, thick } => bar(wide, thick),
-        Section::Round { radius } => bar(2.0 * radius, 2.0 * radius),
-        // Computed as a line; a racket's frame is drawn as thick as such frames are, its strings as lines.
-        Section::Line => match part.name {
-            "hoop" => bar(0.016, 0.016),
-            "throat bar" => bar(0.014, 0.014),
-            _ => bar(0.0, 0.0),
-        },
+        _ => {
+            let [wide, thick] = part.drawn();
+            [0.0, from.x, from.z, to.x, to.z, wide, thick, mass]
+        }
     }
 }
 

@@ -4,18 +4,20 @@
 use exchange::Numbers;
 use nalgebra::Vector3;
 use tumbling::body::named::{self, EvenBox};
-use tumbling::solid::{ball_moment, cylinder_moments, plate_moments};
 
 /// The moments of a body, kg m², and its size along its axes, m. The bodies are those of the book.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
     let cuboid = |body: EvenBox| (body.moments(), body.edges);
     match which as u32 {
-        0 => (plate_moments(&1.0, &2.0, &1.0), [2.0, 1.0, 0.0]),
+        0 => (named::PLATE.moments(), [named::PLATE.edges[0], named::PLATE.edges[1], 0.0]),
         1 => cuboid(named::THE_BOX),
         2 => cuboid(named::BOOK),
         3 => cuboid(named::PHONE),
-        4 => (cylinder_moments(&0.005, &0.0035, &0.18), [0.007, 0.007, 0.18]),
-        _ => (Vector3::repeat(ball_moment(&1.0, &0.5)), [1.0; 3]),
+        4 => {
+            let wide = 2.0 * named::PENCIL.radius;
+            (named::PENCIL.moments(), [wide, wide, named::PENCIL.height])
+        }
+        _ => (named::BALL.moments(), [2.0 * named::BALL.radius; 3]),
     }
 }
 

@@ -4,7 +4,8 @@ use crate::law::{Law, Packed};
 use differential_equations::prelude::*;
 use differential_equations::solout::Solout;
 use std::cell::Cell;
-use tumbling_measure::contestant::{About, Contestant, Ended, Failure, Group, Knob, Setting};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
+use tumbling_measure::ended::{Ended, Failure};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
 

@@ -3,7 +3,8 @@
 use nalgebra::{Quaternion, Vector3};
 use rapier3d_f64::prelude::*;
 use tumbling::step::State;
-use tumbling_measure::contestant::{About, Contestant, Ended, Failure, Group, Knob, Setting, step_of};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, step_of};
+use tumbling_measure::ended::{Ended, Failure};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
 

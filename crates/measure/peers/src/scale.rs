@@ -16,7 +16,8 @@ fn world(bodies: usize) -> PhysicsWorld {
     world.integration_parameters.dt = 1.0 / 60.0;
     for k in 0..bodies {
         let given = body(k);
-        let (m, w) = (given.moments, given.attitude * given.omega);
+        let Ok(whole) = given.body() else { continue };
+        let (m, w) = (given.moments, whole.omega_world());
         let (axis, angle) = given
             .attitude
             .axis_angle()

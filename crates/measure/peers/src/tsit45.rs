@@ -3,7 +3,8 @@
 use crate::law::Law;
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use std::cell::Cell;
-use tumbling_measure::contestant::{About, Contestant, Ended, Failure, Group, Knob, Setting};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
+use tumbling_measure::ended::{Ended, Failure};
 use tumbling_measure::errors::Watch;
 use tumbling_measure::story::Story;
 

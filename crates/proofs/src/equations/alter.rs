@@ -1,9 +1,9 @@
-//! The guard's guard for equations: each checked equation altered in every way, one change at a time.
+//! What proofs of equations would miss: each proven equation altered in every way, one change at a time.
 
-use super::{Equation, Ledger, Standing, standings};
+use super::{Equation, Expected, Ledger, Standing, standings};
 use crate::tex::{Site, SiteKind, Statement, parse, parse_with_sites};
 
-/// What became of the altered copies of a chapter's equations.
+/// What became of the altered copies of a text's equations.
 #[derive(Debug, Clone, Default)]
 pub struct Alterations {
     /// How many were made.
@@ -14,10 +14,10 @@ pub struct Alterations {
     pub still_true: Vec<StillTrue>,
 }
 
-/// An altered equation that is true, by the same proof as the one in the chapter.
+/// An altered equation that is true, by the same proof as the one in the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StillTrue {
-    /// The line of the equation in the chapter.
+    /// The line of the equation in the text.
     pub line: usize,
     /// What was done.
     pub change: String,
@@ -28,12 +28,12 @@ pub struct StillTrue {
     pub same_sides: bool,
 }
 
-/// Alters each proven equation of a chapter: every sign, index, power, number, sign of order and product
-/// changed; every name doubled, repeated, left out and exchanged; every two names swapped.
+/// Alters each proven equation of a text: every sign, index, power, number, sign of order and product changed;
+/// every name doubled, repeated, left out and exchanged; every two names swapped.
 #[must_use]
-pub fn alterations(name: &str, equations: &[Equation]) -> Alterations {
+pub fn alterations(expected: &Expected, equations: &[Equation]) -> Alterations {
     let mut table = Alterations::default();
-    let mut ledger = Ledger::new(name);
+    let mut ledger = Ledger::new(expected);
     for equation in equations {
         if ledger.find_notation(equation).is_some() {
             continue;

@@ -3,36 +3,13 @@
 mod factors;
 mod names;
 
+use super::error::TexError;
 use super::token::{Kind, Token, tokens};
 use super::tree::{Node, Relation, Side, Statement};
-use std::fmt;
 use std::ops::Range;
 
 /// No deeper brackets are read, so that no text can exhaust the stack.
 const DEEPEST: usize = 32;
-
-/// TeX that is not read: where, and what could have stood there.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TexError {
-    /// The place, in bytes from the start.
-    pub at: usize,
-    /// What could have stood there.
-    pub expected: &'static str,
-}
-
-impl TexError {
-    pub(super) fn new(at: usize, expected: &'static str) -> Self {
-        Self { at, expected }
-    }
-}
-
-impl fmt::Display for TexError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "expected {} at byte {}", self.expected, self.at)
-    }
-}
-
-impl std::error::Error for TexError {}
 
 /// What can be altered in an equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

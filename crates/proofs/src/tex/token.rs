@@ -1,6 +1,6 @@
 //! TeX source cut into its smallest parts; spacing is left out.
 
-use super::parse::TexError;
+use super::error::TexError;
 
 /// What kind of part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

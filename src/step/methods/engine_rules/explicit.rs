@@ -3,7 +3,7 @@
 use super::turn::{turned, turned_straight};
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 

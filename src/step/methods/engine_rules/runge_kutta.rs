@@ -5,7 +5,7 @@ use super::turn::turned;
 use crate::attitude;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::method::{Conserved, MethodInfo};
+use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
 

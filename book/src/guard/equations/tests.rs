@@ -1,27 +1,38 @@
 //! The book's equations are proven as they stand, and no altered copy passes for one of them.
 
-mod chapters;
+use super::super::{Book, Reader, paths};
+use super::laws::{self, CHAPTERS};
+use super::{maths, missing};
+use tumbling_proofs::equations::{Equation, Fault, alterations, read};
 
-use chapters::{chapters, equations};
-use tumbling_proofs::equations::{
-    alterations, check_chapter, exemptions, laws, missing_chapters, notation, read_chapter,
-};
+/// The book's chapters, each with its maths.
+fn chapters() -> Vec<(String, Vec<Equation>)> {
+    let book = Book::read(&paths::chapters()).unwrap();
+    assert_eq!(missing(&book.chapters), [""; 0]);
+    book.chapters.iter().map(|chapter| (chapter.name.clone(), maths(chapter))).collect()
+}
+
+/// The maths in a text.
+fn equations(text: &str) -> Vec<Equation> {
+    maths(&Reader::default().chapter("x", "x.md", text).unwrap())
+}
+
+/// What is wrong with the equations of a chapter.
+fn faults(chapter: &str, equations: &[Equation]) -> Vec<Fault> {
+    read(&laws::of(chapter), equations).faults
+}
 
 #[test]
 fn every_equation_of_the_book_is_proven_or_exempt_with_a_reason() {
-    let chapters = chapters();
-    let names: Vec<_> = chapters.iter().map(|(name, _)| name.as_str()).collect();
-    assert_eq!(missing_chapters(&names), [""; 0]);
-    let (mut proven, mut exempt, mut notations) = (0, 0, 0);
-    for (name, equations) in &chapters {
-        let found = read_chapter(name, equations);
+    for (name, equations) in &chapters() {
+        let (expected, found) = (laws::of(name), read(&laws::of(name), equations));
         assert!(found.faults.is_empty(), "{name}: {:#?}", found.faults);
-        proven += found.proven.len();
-        exempt += found.exempt.len();
-        notations += found.notation.len();
+        assert_eq!(found.proven.len(), expected.laws.len(), "{name}");
+        assert_eq!(found.exempt.len(), expected.exemptions.len(), "{name}");
+        assert_eq!(found.notation.len(), expected.notation.len(), "{name}");
     }
-    assert_eq!((proven, exempt, notations), (laws().len(), exemptions().len(), notation().len()));
-    assert!(exemptions().iter().all(|exemption| exemption.reason.len() > 10));
+    let exemptions = CHAPTERS.iter().flat_map(|(_, expected)| expected.exemptions);
+    assert!(exemptions.clone().count() > 0 && exemptions.into_iter().all(|it| it.reason.len() > 10));
 }
 
 /// Whatever is altered is noticed, or is the same equation with its factors or terms in another order, which
@@ -30,9 +41,9 @@ fn every_equation_of_the_book_is_proven_or_exempt_with_a_reason() {
 fn altered_equations_are_noticed_or_proven_true() {
     let mut also_true = Vec::new();
     for (name, equations) in &chapters() {
-        let table = alterations(name, equations);
+        let table = alterations(&laws::of(name), equations);
         assert_eq!(table.made, table.noticed + table.still_true.len());
-        let proven = read_chapter(name, equations).proven.len();
+        let proven = laws::of(name).laws.len();
         assert!(table.noticed >= 9 * proven, "{name}: {} for {proven} equations", table.noticed);
         for other in table.still_true.into_iter().filter(|other| !other.same_sides) {
             also_true.push(format!("{name}: {}", other.change));
@@ -86,44 +97,46 @@ fn what_states_something_or_cannot_be_read_never_passes_for_notation_or_a_value(
         for hole in holes {
             let mut all = equations_of_it.clone();
             all.extend(equations(hole));
-            assert!(!check_chapter(&name, &all).is_empty(), "{name}: {hole}");
+            assert!(!faults(&name, &all).is_empty(), "{name}: {hole}");
         }
     }
 }
 
 #[test]
 fn a_law_that_leaves_its_chapter_is_missed() {
-    let faults = check_chapter("two-arrows", &equations("Nothing but $a < b$."));
+    let faults = faults("two-arrows", &equations("Nothing but $a < b$."));
     let missed = faults.iter().filter(|fault| fault.problem.starts_with("this law is not found")).count();
-    assert_eq!(missed, laws().iter().filter(|law| law.chapter == "two-arrows").count());
+    assert_eq!(missed, laws::of("two-arrows").laws.len());
     assert_eq!(missed, faults.len());
 }
 
 #[test]
 fn an_exemption_no_longer_needed_is_a_fault() {
     let (_, mut all) = chapters().into_iter().find(|(name, _)| name == "principal-axes").unwrap();
-    assert_eq!(check_chapter("principal-axes", &all), []);
+    assert_eq!(faults("principal-axes", &all), []);
     all.retain(|equation| !equation.tex.contains(r"\le"));
-    let faults = check_chapter("principal-axes", &all);
+    let faults = faults("principal-axes", &all);
     assert_eq!(faults.len(), 1);
-    assert_eq!(faults[0].to_string(), r"`I_1\le I_2\le I_3`: exempt, but no longer in the chapter");
+    assert_eq!(faults[0].to_string(), r"`I_1\le I_2\le I_3`: exempt, but no longer there");
 }
 
 /// An exempt equation may only stand as it was when it was exempted.
 #[test]
 fn an_altered_exempt_equation_is_noticed() {
-    for exemption in exemptions() {
-        let altered = exemption.tex.replacen(['x', 'v', '1', 'a'], "z", 1);
-        let text = format!("${altered}$");
-        let faults = check_chapter(exemption.chapter, &equations(&text));
-        let noticed = faults.iter().any(|fault| fault.line == Some(1));
-        assert!(noticed, "{text}: {faults:?}");
+    for (chapter, expected) in CHAPTERS {
+        for exemption in expected.exemptions {
+            let altered = exemption.tex.replacen(['x', 'v', '1', 'a'], "z", 1);
+            let text = format!("${altered}$");
+            let faults = faults(chapter, &equations(&text));
+            let noticed = faults.iter().any(|fault| fault.line == Some(1));
+            assert!(noticed, "{text}: {faults:?}");
+        }
     }
 }
 
 #[test]
 fn faults_say_where_and_what() {
-    let fault = |text: &str| check_chapter("a-new-chapter", &equations(text))[0].to_string();
+    let fault = |text: &str| faults("a-new-chapter", &equations(text))[0].to_string();
     assert_eq!(
         fault("One.\n\nThen $x = y$."),
         "line 3: `x = y`: no law for a left side `x` is expected here"
@@ -134,7 +147,7 @@ fn faults_say_where_and_what() {
     );
     assert_eq!(fault("$x = é$"), "line 1: `x = é`: expected a character of plain TeX at byte 4");
     assert!(
-        check_chapter("a-new-chapter", &equations("$x$, $a = 2$, $\\mathbf{v} = (1, 2, 3)$ and $10^{-9}$"))
+        faults("a-new-chapter", &equations("$x$, $a = 2$, $\\mathbf{v} = (1, 2, 3)$ and $10^{-9}$"))
             .is_empty()
     );
 }
@@ -143,7 +156,7 @@ fn faults_say_where_and_what() {
 #[test]
 fn a_wrong_equation_leaves_what_is_wrong_with_it() {
     let text = r"$\tan\theta = \sqrt{b/a}$";
-    let faults = check_chapter("two-arrows", &equations(text));
+    let faults = faults("two-arrows", &equations(text));
     assert_eq!(
         faults[0].to_string(),
         r"line 1: `\tan\theta = \sqrt{b/a}`: `\tan\theta` and `\sqrt{b/a}`: the difference: leaves (-2 a d - d^2) / (a^2 + a d)"

@@ -1,0 +1,145 @@
+//! Which laws each chapter states, in its order, and which of its maths claims nothing.
+
+use tumbling_proofs::equations::{Exemption, Expected, laws};
+
+const JACOBI: &str = "the name of a function; what it does is proven in closed_forms";
+
+const fn exempt(tex: &'static str, reason: &'static str) -> Exemption {
+    Exemption { tex, reason }
+}
+
+/// Chapters by the names of their files. Bare expressions that name a thing and say nothing about it are notation, each once
+/// for each time it is written, inline.
+pub(super) const CHAPTERS: &[(&str, Expected)] = &[
+    (
+        "matrix-mass",
+        Expected {
+            laws: &[
+                laws::RATE_OF_A_TURNING_PLACE,
+                laws::MOMENTUM_OF_A_PIECE,
+                laws::PRODUCT_WITHOUT_MINUS,
+                laws::MOMENTUM,
+                laws::MOMENTUM_BY_ENTRY,
+                laws::TENSOR_OF_A_PIECE,
+                laws::MOMENTUM,
+            ],
+            exemptions: &[
+                exempt(
+                    r"\mathbf{p}=m\mathbf{v}",
+                    "the momentum of what slides, for comparison; the library has only what turns",
+                ),
+                exempt(r"\mathbf{r}=(x,y,z)", "names the coordinates"),
+            ],
+            notation: &[],
+        },
+    ),
+    (
+        "principal-axes",
+        Expected {
+            laws: &[laws::AXIS_MOMENTUM, laws::TRIANGLE],
+            exemptions: &[
+                exempt(
+                    r"I=\begin{pmatrix}I_1&0&0\\0&I_2&0\\0&0&I_3\end{pmatrix}",
+                    "the form of a diagonal matrix; that the library finds one is tested on floats, for it takes roots",
+                ),
+                exempt(r"I_1\le I_2\le I_3", "the order in which we name them"),
+            ],
+            notation: &[],
+        },
+    ),
+    (
+        "two-arrows",
+        Expected {
+            laws: &[
+                laws::SLOPES,
+                laws::TWICE_THE_ENERGY,
+                laws::PLANAR_MOMENTUM,
+                laws::SUMMIT_ANGLE,
+                laws::SUMMIT_GAP,
+            ],
+            exemptions: &[exempt("a<b", "the order in which we name them")],
+            notation: &[],
+        },
+    ),
+    (
+        "worked-example",
+        Expected {
+            laws: &[laws::BOX_ABOUT_X, laws::BOX_ABOUT_Y, laws::BOX_ABOUT_Z, laws::BOX_MOMENTUM],
+            exemptions: &[],
+            notation: &[],
+        },
+    ),
+    (
+        "body-and-world",
+        Expected {
+            laws: &[laws::WORLD_TENSOR, laws::WORLD_INVERSE, laws::WORLD_SPIN],
+            exemptions: &[],
+            notation: &[exempt(r"R^{\mathsf{T}}", "names the transpose; the law beside it uses it")],
+        },
+    ),
+    (
+        "eulers-equations",
+        Expected {
+            laws: &[
+                laws::RATE_SEEN_FROM_THE_BODY,
+                laws::MOMENTUM_RATE,
+                laws::MOMENTUM_RATE_BY_ACCELERATION,
+                laws::ACCELERATION,
+                laws::EULER_1,
+                laws::EULER_2,
+                laws::EULER_3,
+                laws::MOMENTUM_RATE,
+                laws::ENERGY,
+                laws::WOBBLE,
+                laws::SWING,
+                laws::GROWTH,
+            ],
+            exemptions: &[],
+            notation: &[exempt(
+                r"e^{\lambda t}",
+                "the solution of x'' = rate² x; the rate is what is proven",
+            )],
+        },
+    ),
+    (
+        "three-pitfalls",
+        Expected { laws: &[laws::FROZEN_TENSOR, laws::MOMENTUM_FOR_SPIN], exemptions: &[], notation: &[] },
+    ),
+    (
+        "exact-motion",
+        Expected {
+            laws: &[],
+            exemptions: &[],
+            notation: &[
+                exempt(r"\operatorname{sn}", JACOBI),
+                exempt(r"\operatorname{cn}", JACOBI),
+                exempt(r"\operatorname{dn}", JACOBI),
+            ],
+        },
+    ),
+    (
+        "proofs",
+        Expected {
+            laws: &[laws::POWER, laws::MIDDLE_MOMENT, laws::LARGEST_MOMENT, laws::GROWTH, laws::GAP_OF_A_BOX],
+            exemptions: &[],
+            notation: &[
+                exempt(r"\lambda^2", "the left side of the law that follows in the sentence"),
+                exempt(r"I\dot{\boldsymbol{\omega}}", "the left side of the law that the sentence names"),
+            ],
+        },
+    ),
+    (
+        "notation",
+        Expected {
+            laws: &[laws::MOMENTUM, laws::PRODUCT_OF_INERTIA, laws::ATTITUDE_RATE, laws::ROTATED],
+            exemptions: &[],
+            notation: &[],
+        },
+    ),
+    ("glossary", Expected { laws: &[laws::GYROSCOPIC_TORQUE], exemptions: &[], notation: &[] }),
+];
+
+/// What is expected of a chapter.
+pub(super) fn of(chapter: &str) -> Expected {
+    CHAPTERS.iter().find(|known| known.0 == chapter).map_or(Expected::NOTHING, |known| known.1)
+}

@@ -1,0 +1,256 @@
+//! From a record to a verdict, one row in hand at a time.
+
+use crate::clock::Clock;
+use crate::columns::Kind;
+use crate::derived::{Derived, Deriver, Feed};
+use crate::error::Error;
+use crate::findings::{Complaint, Note};
+use crate::fit::{self, Fit};
+use crate::grid::Grid;
+use crate::reading::Reading;
+use crate::rounding::rounding;
+use crate::rows::{Raw, Rows};
+use crate::state::{Row, angle_between, in_world, median};
+use crate::suspects::Subject;
+use crate::thresholds::{PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
+use crate::trial::{Conditions, Trial};
+use crate::verdict::{Options, Verdict};
+use nalgebra::Vector3;
+use std::io::BufRead;
+use tumbling::exact::FreeMotion;
+
+/// Judges a record.
+///
+/// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`, `qw,qx,qy,qz` (body to world),
+/// `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in
+/// or attitudes alone, from whose turns the spin is told then; in
+/// any order, between commas, semicolons, tabs or blanks. Comments before it may tell `inertia: A B C`, `dt: 1/60` and
+/// `torque: X Y Z`.
+///
+/// ```
+/// use tumbling_judge::{Options, Outcome, judge};
+/// // A body without a gyroscopic term: its spin does not move.
+/// let mut record = String::from("# inertia: 1 2 3\nt,wx,wy,wz\n");
+/// for i in 0..100 {
+///     record += &format!("{},0.1,2,0.1\n", 0.1 * f64::from(i));
+/// }
+/// let verdict = judge(record.as_bytes(), &Options::default())?;
+/// assert_eq!(verdict.outcome, Outcome::Failed);
+/// let diagnosis = verdict.diagnosis.unwrap();
+/// assert_eq!(diagnosis.best.rule.name(), "no gyroscopic term");
+/// # Ok::<(), tumbling_judge::Error>(())
+/// ```
+///
+/// # Errors
+/// A record that cannot be read, with line and column; moments that are not known or that no body has.
+pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> {
+    let mut rows = Rows::open(source)?;
+    let mut probe = probed(&mut rows)?;
+    let mut notes = std::mem::take(&mut rows.told.notes);
+    let moments = match options.inertia {
+        Some(moments) => moments,
+        None => rows.told.moments(&mut notes).ok_or(Error::NoMoments)?,
+    };
+    let torque = rows.told.torque.filter(|torque| *torque != Vector3::zeros());
+    let subject = Subject::new(moments, torque)?;
+    let meaning = Meaning::of(&mut probe, &rows, &moments, &mut notes);
+    let told = rows.columns.kind != Kind::Attitude;
+    let mut feed = Feed { told, moments, clock: meaning.clock, deriver: Deriver::default() };
+    let (states, stopped) = understood(&probe, &meaning.reading, &mut feed)?;
+    let floor = meaning.floor_of(&states, told);
+    let start = Start::of(&states, stopped, &probe, &moments, options)?;
+    let conditions = Conditions {
+        kind: rows.columns.kind,
+        clock: meaning.clock,
+        floor,
+        few: rounding(&probe) > crate::thresholds::FEW_DIGITS * f64::from(f32::EPSILON),
+    };
+    let mut trial = Trial::new(&subject, start.first, start.direction, conditions)?;
+    trial.rows = probe.len() as u64;
+    for state in &states {
+        trial.row(state)?;
+    }
+    trial.stopped = stopped;
+    while let Some(mut raw) = rows.next()? {
+        if let Some(grid) = &meaning.grid {
+            grid.put(&mut raw);
+        }
+        trial.rows += 1;
+        if trial.stopped.is_some() {
+            continue;
+        }
+        match feed.push(&meaning.reading.state(&raw, &moments))? {
+            Derived::Known(state) => trial.row(&state)?,
+            Derived::Unknown => {}
+            Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
+        }
+    }
+    trial.second = disagreement(&rows, &probe, &meaning.reading, &moments, floor);
+    trial.ended = rows.ended.take().map(|error| error.to_string());
+    let mut verdict = trial.end(&subject, &meaning.reading, options);
+    verdict.fit = start.fit;
+    verdict.record.engine = rows.told.engine;
+    verdict.record.ignored = rows.columns.ignored();
+    verdict.record.notes = notes;
+    Ok(verdict)
+}
+
+/// The first rows, two at least.
+fn probed(rows: &mut Rows<impl BufRead>) -> Result<Vec<Raw>, Error> {
+    let mut probe = Vec::new();
+    while probe.len() < PROBE_ROWS
+        && let Some(raw) = rows.next()?
+    {
+        probe.push(raw);
+    }
+    match probe.len() {
+        0 => Err(Error::NoRows),
+        1 => Err(Error::OneRow),
+        _ => Ok(probe),
+    }
+}
+
+/// How the numbers of a record are meant.
+struct Meaning {
+    grid: Option<Grid>,
+    reading: Reading,
+    clock: Clock,
+    /// The rounding of the numbers, relative to 1.
+    floor: f64,
+}
+
+impl Meaning {
+    /// From the first rows, whose times are put to the grid that they are rounded from.
+    fn of<R: BufRead>(
+        probe: &mut [Raw],
+        rows: &Rows<R>,
+        moments: &Vector3<f64>,
+        notes: &mut Vec<Note>,
+    ) -> Self {
+        let grid = Grid::of(probe, rows.told.step);
+        if let Some(grid) = &grid {
+            notes.push(grid.note());
+            probe.iter_mut().for_each(|raw| grid.put(raw));
+        }
+        let clock = Clock::of(probe);
+        let reading = match rows.columns.kind {
+            Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), moments),
+            kind => Reading::of(kind, &clock.pairs(probe), moments),
+        };
+        let clock = clock.read(reading.time(), rows.told.step);
+        let mut floor = rounding(probe);
+        if let Some(grid) = &grid {
+            floor = floor.max(grid.floor(probe, &reading, moments));
+        }
+        Self { grid, reading, clock, floor }
+    }
+
+    /// The rounding of the spins. A rounding of attitudes alone is so much more relative to the turn that makes a spin.
+    fn floor_of(&self, states: &[Row], told: bool) -> f64 {
+        if told {
+            return self.floor;
+        }
+        let turn = median(states.iter().filter_map(|state| {
+            let (_, ahead) = state.ahead?;
+            Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
+        }));
+        if turn.is_finite() && turn > 0.0 {
+            self.floor * (SPIN_FROM_TURN / turn.min(1.0))
+        } else {
+            self.floor
+        }
+    }
+}
+
+/// At which line an attitude turns too far to tell which way, and by how much, rad.
+type Stopped = Option<(usize, f64)>;
+
+/// The first rows as motions, up to where one turns too far.
+fn understood(probe: &[Raw], reading: &Reading, feed: &mut Feed) -> Result<(Vec<Row>, Stopped), Error> {
+    let mut states = Vec::new();
+    for raw in probe {
+        match feed.push(&reading.state(raw, &feed.moments))? {
+            Derived::Known(state) => states.push(state),
+            Derived::Unknown => {}
+            Derived::TooFar { line, turn } => return Ok((states, Some((line, turn)))),
+        }
+    }
+    Ok((states, None))
+}
+
+/// What the record is held against.
+struct Start {
+    first: Row,
+    /// The momentum in the world, where it is fitted.
+    direction: Option<Vector3<f64>>,
+    fit: Option<Fit>,
+}
+
+impl Start {
+    /// The first row, or the start whose exact motion is nearest to so many rows.
+    fn of(
+        states: &[Row],
+        stopped: Stopped,
+        probe: &[Raw],
+        moments: &Vector3<f64>,
+        options: &Options,
+    ) -> Result<Self, Error> {
+        let Some(mut first) = states.first().copied() else {
+            return Err(match stopped {
+                Some((line, turn)) => {
+                    Error::Line { line, problem: Complaint::TooFar { line, turn }.problem() }
+                }
+                None => Error::OneRow,
+            });
+        };
+        let Some(count) = options.fit else { return Ok(Self { first, direction: None, fit: None }) };
+        if count > states.len() {
+            let problem = match probe.len() {
+                PROBE_ROWS => format!("more than {PROBE_ROWS} are not held in memory"),
+                there => format!("the record has {there}. Give a smaller number, `--fit N`"),
+            };
+            return Err(Error::Fit { rows: count, problem });
+        }
+        let rows = &states[..count];
+        let (omega, how) = fit::start(moments, rows)?;
+        first.omega = omega;
+        Ok(Self { first, direction: momentum_of(rows, moments, &omega)?, fit: Some(how) })
+    }
+}
+
+/// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without attitudes.
+fn momentum_of(
+    rows: &[Row],
+    moments: &Vector3<f64>,
+    omega: &Vector3<f64>,
+) -> Result<Option<Vector3<f64>>, tumbling::Error> {
+    let Some(first) = rows.first() else { return Ok(None) };
+    let motion = FreeMotion::new((*moments).try_into()?, omega)?;
+    let mut sum = Vector3::zeros();
+    for row in rows {
+        let Some(q) = row.attitude else { return Ok(None) };
+        sum += in_world(&q, &moments.component_mul(&motion.omega(row.t - first.t)?)) / q.norm_squared();
+    }
+    Ok(Some(sum))
+}
+
+/// Where a second vector of the record, as a spin, is not what the first one says: the first such row looked at.
+fn disagreement<R>(
+    rows: &Rows<R>,
+    probe: &[Raw],
+    reading: &Reading,
+    moments: &Vector3<f64>,
+    floor: f64,
+) -> Option<Complaint> {
+    let (kind, places) = rows.columns.second.filter(|_| reading.mistakes().is_empty())?;
+    let [roundings, share] = VECTORS_APART;
+    probe.iter().find_map(|raw| {
+        let first = reading.state(raw, moments).omega;
+        let other = Raw { attitude: reading.state(raw, moments).attitude, vector: raw.second, ..*raw };
+        let other = other.omega(kind, moments);
+        let off = (first - other).norm() / first.norm().max(other.norm());
+        let column = || rows.columns.names[places[0]].clone();
+        let apart = off > (roundings * floor).max(share);
+        apart.then(|| Complaint::OtherSpin { column: column(), off, line: raw.line })
+    })
+}

@@ -1,0 +1,128 @@
+//! What engines did, as recorded: the runs committed in `data`, and the verdicts on them.
+
+use crate::error::Error;
+use crate::law::LawName;
+use crate::rows::{Raw, Rows};
+use nalgebra::{Quaternion, Vector3};
+
+/// A recorded run of an engine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Recorded {
+    /// The engine, as [`PhysicsEngine::record`](crate::PhysicsEngine::record) names it.
+    pub engine: &'static str,
+    /// The story: which body, and how it was spun.
+    pub story: &'static str,
+    /// The record itself, as [`judge`](crate::judge) takes it.
+    pub text: &'static str,
+}
+
+/// A recorded run, read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trajectory {
+    /// Principal moments, kg m².
+    pub moments: Vector3<f64>,
+    /// A torque constant in the world, N m; zero for a free body.
+    pub torque: Vector3<f64>,
+    /// The rows, in the order of time.
+    pub rows: Vec<RecordedRow>,
+}
+
+/// A row of a recorded run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecordedRow {
+    /// How many steps after the start.
+    pub step: usize,
+    /// Body to world.
+    pub attitude: Quaternion<f64>,
+    /// In body axes, rad/s.
+    pub omega: Vector3<f64>,
+}
+
+/// How a recorded run keeps a law, by the committed verdicts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Judged {
+    /// The run, `ENGINE--STORY`.
+    pub record: &'static str,
+    /// The outcome; `put to rest` for a run in which the engine starts anew.
+    pub outcome: &'static str,
+    /// The law.
+    pub law: LawName,
+    /// The grade, as [`Growth::name`](crate::Growth::name) has it.
+    pub grade: &'static str,
+    /// The greatest error.
+    pub most: f64,
+    /// The last error, with its sign.
+    pub last: f64,
+}
+
+macro_rules! recorded {
+    ($($engine:literal: $($story:literal)+;)+) => {
+        &[$($(Recorded {
+            engine: $engine,
+            story: $story,
+            text: include_str!(concat!("../data/", $engine, "--", $story, ".csv")),
+        }),+),+]
+    };
+}
+
+/// Every recorded run.
+///
+/// ```
+/// use tumbling_judge::records::RECORDED;
+/// let run = RECORDED.iter().find(|run| (run.engine, run.story) == ("rapier3d-f64-0.36.1", "fast")).unwrap();
+/// // 60 rad/s at the start, and a step later no more than an eighth of a turn a step.
+/// let rows = run.read()?.rows;
+/// assert_eq!((rows[0].omega.z, rows[1].step), (60.0, 1));
+/// assert!(rows[1].omega.norm() < 47.2);
+/// # Ok::<(), tumbling_judge::Error>(())
+/// ```
+pub const RECORDED: &[Recorded] = recorded! {
+    "bullet-3.2.7-multibody": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
+    "bullet-3.2.7-multibody-1e9": "major" "minor";
+    "bullet-3.2.7-rigid": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
+    "mujoco-3.17.0-rk4": "box-middle" "major" "middle" "minor";
+    "mujoco-4.0.0-euler": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
+    "mujoco-4.0.0-implicitfast": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
+    "mujoco-4.0.0-rk4": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
+    "rapier3d-f64-0.36.1": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
+};
+
+impl Recorded {
+    /// Its numbers.
+    ///
+    /// # Errors
+    /// A record that does not do, or has no moments or attitudes.
+    pub fn read(&self) -> Result<Trajectory, Error> {
+        let mut rows = Rows::open(self.text.as_bytes())?;
+        let moments = rows.told.inertia.ok_or(Error::NoMoments)?;
+        let torque = rows.told.torque.unwrap_or_default();
+        let step = rows.told.step.unwrap_or(1.0);
+        let mut read = Vec::new();
+        while let Some(Raw { line, t, attitude, vector, .. }) = rows.next()? {
+            let problem = || "the row has no attitude".to_owned();
+            let attitude = attitude.ok_or_else(|| Error::Line { line, problem: problem() })?;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of steps")]
+            let step = (t / step).round() as usize;
+            read.push(RecordedRow { step, attitude, omega: vector });
+        }
+        Ok(Trajectory { moments, torque, rows: read })
+    }
+}
+
+/// The committed verdicts on [`RECORDED`], a law at a time; a test holds them to what the judge finds.
+pub fn judged() -> impl Iterator<Item = Judged> {
+    include_str!("../data/judged.tsv").lines().skip(1).filter_map(|line| {
+        let mut fields = line.split('\t');
+        let (record, outcome, key) = (fields.next()?, fields.next()?, fields.next()?);
+        let law = LawName::ALL.into_iter().find(|law| law.key() == key)?;
+        let grade = fields.next()?;
+        Some(Judged {
+            record,
+            outcome,
+            law,
+            grade,
+            most: fields.next()?.parse().ok()?,
+            last: fields.next()?.parse().ok()?,
+        })
+    })
+}

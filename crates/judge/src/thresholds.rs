@@ -1,0 +1,247 @@
+//! Every number that the judge decides by: what it is, its unit, and why it has this value.
+//!
+//! A *rounding* here is the rounding of the record's own numbers, relative to 1. Numbers that are "far" from rounding, from a rule's own
+//! error or from each other are far by two or three orders of magnitude, so that where exactly a limit lies does not matter: the recorded
+//! engines and the runs made for the tests stay well on either side of each (`tests/`).
+
+// What is allowed of a law.
+
+/// Error allowed of a conserved law, as a share or in rad: a percent, which nobody sees in a game.
+pub(crate) const ALLOWED: f64 = 0.01;
+/// Error of phase allowed without a limit of its own, in ways round, and as a share of those that the exact motion makes. A right
+/// rule of second order loses far less, except near the separatrix, where a way round takes as long as the smallest error
+/// lets it; a rule without a gyroscopic term loses all, a clock at half its pace a half.
+pub(crate) const PACE: f64 = 0.25;
+/// Rows below which no record passes: of a few rows any rule may be had.
+pub(crate) const ENOUGH_ROWS: u64 = 8;
+/// Share by which the spin must have to change before a body that does not turn once round shows anything.
+pub(crate) const ENOUGH_CHANGE: f64 = 0.1;
+/// Uncertainty of the angle turned in all, rad, beyond which an `f64` does not say where in its motion the body should be.
+pub(crate) const UNTRACEABLE: f64 = 0.1;
+/// Flips found may differ by so many from those of the exact motion: one more or less is the start's rounding.
+pub(crate) const FLIPS_APART: u64 = 1;
+
+// How much is kept of a record of any length.
+
+/// Rows read before it is settled how they are meant.
+pub(crate) const PROBE_ROWS: usize = 2048;
+/// Pairs of rows, of those, tried for clock and reading.
+pub(crate) const PROBE_PAIRS: usize = 256;
+/// Steps held against each rule, evenly from the whole record.
+pub(crate) const TRIED_STEPS: usize = 2048;
+/// The same where each rule's spin has first to be found, step by step.
+pub(crate) const TRIED_TURNS: usize = 256;
+/// Steps to which a rule's numbers are fitted.
+pub(crate) const FITTED_STEPS: usize = 96;
+/// Stretches of time in which an error's course is kept.
+pub(crate) const STRETCHES: usize = 512;
+/// Points kept to draw a run by: more than a picture's pixels show apart.
+pub(crate) const POINTS: usize = 256;
+/// Flips whose times are kept.
+pub(crate) const FLIP_TIMES: usize = 512;
+/// Resets listed one by one.
+pub(crate) const RESETS: usize = 16;
+/// Rules named in a list, before "and others".
+pub(crate) const RULES_NAMED: usize = 6;
+/// Bytes of a line: a longer one is no row of numbers.
+pub(crate) const LINE_BYTES: u64 = 1 << 16;
+/// Characters of a field that an error shows.
+pub(crate) const FIELD_SHOWN: usize = 40;
+/// Rows before a value that is not finite, from which on the rest is judged up to there.
+pub(crate) const ROWS_BEFORE_THE_END: u64 = 2;
+
+// The rounding of a record's numbers.
+
+/// Significant digits that a double has at least: with as many, numbers are taken for doubles.
+pub(crate) const DIGITS_OF_DOUBLE: u32 = 16;
+/// The most significant digits that a double needs.
+pub(crate) const MOST_DIGITS: u32 = 17;
+/// Significant digits that any decimal keeps in single precision; numbers of no more are not taken for rounded to it.
+pub(crate) const DIGITS_OF_SINGLE: u32 = 6;
+/// Below so many digits nothing is concluded from them: 0.5 has one, and is exact.
+pub(crate) const FEWEST_DIGITS: u32 = 4;
+/// Rounding beyond so many of single precision's means few decimal digits.
+pub(crate) const FEW_DIGITS: f64 = 2.0;
+/// Rounding of a spin found from a turn of one radian or more, in roundings: two attitudes have eight numbers.
+pub(crate) const SPIN_FROM_TURN: f64 = 4.0;
+/// Share of the largest moment by which the digits printed may miss the triangle inequality: one or two digits are a mistake.
+pub(crate) const MOMENTS_MISS: f64 = 2e-3;
+
+// The clock.
+
+/// Share by which a step may be off and still be one.
+pub(crate) const STEP_SLACK: f64 = 0.05;
+/// Share by which times of equal steps, or the step named and the one seen, may differ.
+pub(crate) const STEP_APART: f64 = 0.02;
+/// Roundings of an `f64` time within which steps are equal.
+pub(crate) const EVEN_TIMES: f64 = 64.0;
+/// Half units of the last digit printed by which a time may miss its step: one for each of two times, and some rounding.
+pub(crate) const PRINTED_HALVES: f64 = 2.01;
+
+// How the numbers are meant.
+
+/// Difference of turn and spin, as a share, up to which a reading makes sense: a step's own error is below it.
+pub(crate) const TURNS_AGREE: f64 = 0.05;
+/// How much nearer another reading must come than the plain one, as a share.
+pub(crate) const NEARER_READING: f64 = 0.2;
+/// Cosine between changes of spin and the law's, from which on attitudes alone are read as named.
+pub(crate) const LAW_AGREES: f64 = 0.8;
+/// The same from which on the law alone names another reading.
+pub(crate) const LAW_DECIDES: f64 = 0.98;
+/// By how much more of that cosine a rarer reading is preferred: mirror images tie but for rounding.
+pub(crate) const LAW_BETTER: f64 = 1e-3;
+/// Share by which a ratio may differ from that of a known unit.
+pub(crate) const UNIT_APART: f64 = 0.1;
+/// Weight of a mistake that is rare, relative to the usual ones, and of one that is rarer still.
+pub(crate) const RARE_MISTAKE: [f64; 2] = [1.25, 1.5];
+/// Weight of the cosine with the law, in mistakes: a reading that follows the law is worth one mistake more than one across it.
+pub(crate) const LAW_WEIGHT: f64 = 2.0;
+/// Weight of a factor of ten in the difference of turn and spin, in mistakes.
+pub(crate) const TURNS_WEIGHT: f64 = 0.5;
+/// Differences of turn and spin below this are a step's own error, and equal.
+pub(crate) const TURNS_EQUAL: f64 = 1e-6;
+/// Turn of a step, rad, beyond which the shorter way round need not be the right one: 2.5 < pi.
+pub(crate) const LONG_TURN: f64 = 2.5;
+/// Turn between two attitudes, rad, beyond which they say nothing of the spin: the other way round is no longer far longer.
+pub(crate) const FARTHEST_TURN: f64 = 2.0;
+/// What may be left of a turn, rad, by a spin found from it.
+pub(crate) const TURN_LEFT: f64 = 1e-6;
+/// Roundings by which two vectors of a record may differ, and the share, as each may be computed from the other.
+pub(crate) const VECTORS_APART: [f64; 2] = [1e3, 1e-6];
+
+// Where a motion starts anew.
+
+/// Steps needed before a step can be out of proportion.
+pub(crate) const STEPS_BEFORE_A_JUMP: u64 = 8;
+/// Jump of spin or turn, as a share of the spin: less may be a rule's error.
+pub(crate) const JUMP: f64 = 0.2;
+/// The same, in angles turned a step: the law itself changes the spin by no more than one.
+pub(crate) const JUMP_IN_TURNS: f64 = 3.0;
+/// The same, relative to the errors of the steps before.
+pub(crate) const JUMP_IN_ERRORS: f64 = 100.0;
+/// A turn of a slow body that is a jump, in angles turned a step.
+pub(crate) const THROWN_IN_TURNS: f64 = 20.0;
+/// The same, in roundings.
+pub(crate) const THROWN_IN_ROUNDINGS: f64 = 1e3;
+/// Turn of a step, rad, beyond which the straight difference of turn and spin says nothing.
+pub(crate) const SHORT_TURN: f64 = 1.0;
+/// What remains from step to step of the largest error: forgotten slowly, so that a rule that goes astray now and then is known to.
+pub(crate) const ERROR_KEPT: f64 = 0.98;
+/// Difference from the start, as a share or in rad, below which a body is back there: to the last digits of the file.
+pub(crate) const BACK: f64 = 1e-12;
+/// Step, relative to the largest error before, that is no way back; and the same in roundings.
+pub(crate) const BACK_IN_ERRORS: [f64; 2] = [4.0, 64.0];
+/// Jump back to the start, as a share of the spin or in rad, and in angles turned a step.
+pub(crate) const JUMP_BACK: [f64; 2] = [0.2, 1.5];
+/// Share of the first spin below which a body may come to rest by itself.
+pub(crate) const NEARLY_AT_REST: f64 = 1e-3;
+
+// What is rounding.
+
+/// Roundings within which the spin has not moved from its first value.
+pub(crate) const CONSTANT: f64 = 64.0;
+/// Roundings below which a change of spin is none: a record that should not show more is still.
+pub(crate) const STILL: f64 = 100.0;
+/// Roundings, relative to the largest component, below which a spin has no component along an axis.
+pub(crate) const ON_AXIS: f64 = 8.0;
+/// Roundings of a turn that spin and attitude may disagree by: the turn has eight numbers.
+pub(crate) const TURN_ROUNDINGS: f64 = 8.0;
+/// Roundings in a law kept: of the numbers, and of each step.
+pub(crate) const LAW_ROUNDINGS: [f64; 2] = [32.0, 4.0];
+/// The same for laws that are a product or an angle of two such.
+pub(crate) const LAW_OF_TWO: f64 = 2.0;
+
+// How an error grows.
+
+/// Share of the time from which on a course is looked at: before it few rows have grown.
+pub(crate) const GROWTH_FROM: f64 = 1.0 / 16.0;
+/// Growth from the first half of the time to the second below which an error is bounded.
+pub(crate) const BOUNDED: f64 = 1.25;
+/// Share of the greatest error that the second half never falls below, and the other sign never reaches, where an error stayed.
+pub(crate) const STAYED: f64 = 0.5;
+/// Power of time from which on growth is faster than linear; from which on it is linear, not a random walk.
+pub(crate) const POWERS: [f64; 2] = [1.5, 0.75];
+/// Growth over the last seven eighths of the time that an exponential must have.
+pub(crate) const EXPONENTIAL: f64 = 10.0;
+/// The eighth of the time from which that growth is taken.
+pub(crate) const EXPONENTIAL_FROM: f64 = 0.125;
+/// Logarithm of a ratio beyond which even growth is exponential; and growth faster than even.
+pub(crate) const OF_ITSELF: [f64; 2] = [0.05, 0.5];
+/// Powers of e in a second beyond which the time of a tenfold is plainer than a factor.
+pub(crate) const STEEP: f64 = 7.0;
+/// The same below which hundredths are plainer than a factor.
+pub(crate) const GENTLE: f64 = 0.1;
+
+// Which rule made the steps.
+
+/// Roundings within which steps are a rule's own: half of them, and 95 in 100; a step may multiply its rounding.
+pub(crate) const FITS: [f64; 2] = [100.0, 1e4];
+/// The same for few decimal digits, which are off by half a unit and no more.
+pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];
+/// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
+pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];
+/// The same in roundings.
+pub(crate) const ALIKE_ROUNDINGS: [f64; 2] = [8.0, 64.0];
+/// The same in roundings of few decimal digits.
+pub(crate) const ALIKE_FEW: [f64; 2] = [2.0, 16.0];
+/// Error of half of the steps, relative to the spin, below which a rule may be named though it does not fit.
+pub(crate) const NEAR: f64 = 0.01;
+/// How many times as far the next rule must be then.
+pub(crate) const NEAR_RATIO: f64 = 10.0;
+/// Steps of a whole run taken once more for each rule: longer runs are compared by a part.
+pub(crate) const RUN_STEPS: f64 = 20_000.0;
+/// Share of a drift that a rule's own drift may miss.
+pub(crate) const DRIFT_APART: f64 = 0.25;
+/// Roundings added to a drift.
+pub(crate) const DRIFT_ROUNDINGS: f64 = 32.0;
+/// One flip in so many may be missed over a whole run: they are a matter of the start's rounding.
+pub(crate) const FLIPS_MISSED: u64 = 10;
+
+// Rules with a number in them.
+
+/// Share by which a spin is beyond a limit.
+pub(crate) const BEYOND: f64 = 1e-9;
+/// First step that slows a body by this factor, and share by which no later one goes beyond: a cap.
+pub(crate) const CAP_AT_START: [f64; 2] = [1.05, 1e-6];
+/// Rows at a greatest spin that make a cap: so many, and one in so many.
+pub(crate) const CAPPED_ROWS: [usize; 2] = [4, 10];
+/// Loss of spin a step, as a share, below which there is no damping.
+pub(crate) const DAMPED: f64 = 1e-9;
+/// Share by which a factor of damping may exceed one, by rounding.
+pub(crate) const DAMPED_UP: f64 = 1e-6;
+/// Change of a factor, as a share, at which a fit has converged.
+pub(crate) const CONVERGED: f64 = 1e-15;
+/// Component of the spin, relative to the greatest spin, below which its ratio says nothing.
+pub(crate) const SMALL_COMPONENT: f64 = 1e-3;
+/// Share by which a turn or a clock must differ to be another.
+pub(crate) const OTHER_PACE: f64 = 1e-3;
+/// Share within which a factor is taken for a fraction.
+pub(crate) const FRACTION_APART: f64 = 0.01;
+/// Largest denominator of such a fraction, and value below which it is one part of a whole number.
+pub(crate) const FRACTION: (u32, f64) = (10, 0.1);
+/// Change of a moment, as a share, by which derivatives are taken: the cube root of rounding, about.
+pub(crate) const JOLT: f64 = 1e-6;
+
+// A start fitted to the first rows.
+
+/// Smallest share of a step tried.
+pub(crate) const FIT_SHARE: f64 = 1e-3;
+/// Gain, as a share, below which a fit has converged.
+pub(crate) const FIT_GAIN: f64 = 1e-12;
+/// Step left, relative to the spin, at which the bottom is reached but for rounding.
+pub(crate) const FIT_BOTTOM: f64 = 1e-6;
+/// What may be left of the spins, as a share: more is another motion.
+pub(crate) const FIT_LEFT: f64 = 0.1;
+
+// Rounds of iterations: each is more than a right record takes, and none goes on without gain.
+
+/// Of Gauss and Newton's way to a start.
+pub(crate) const FIT_ROUNDS: usize = 40;
+/// Of Newton's way to the spin of a turn.
+pub(crate) const SPIN_ROUNDS: usize = 20;
+/// Of a rule's way to the spin of a turn, of first order.
+pub(crate) const RULE_ROUNDS: usize = 60;
+/// Of Gauss and Newton's way to moments.
+pub(crate) const MOMENTS_ROUNDS: usize = 12;
+/// Of the way to a factor of damping, and to three.
+pub(crate) const DAMPING_ROUNDS: [usize; 2] = [6, 24];
