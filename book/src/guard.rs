@@ -1,33 +1,37 @@
 //! The guard: names what holds each number and each equation in the book, and objects where nothing does.
 //!
-//! It reads the chapters (and the README, and the exercises) with the Markdown parser that makes the pages, and their
-//! Rust with a parser of Rust. A chapter is cut at its headings. Within each section, the code holds phrases, and
-//! every number in prose, captions, tables, TeX and comments must stand in one of them, word for word:
+//! It reads the chapters (and the README, and the exercises) with the Markdown parser that makes the pages,
+//! and their Rust with a parser of Rust. A chapter is cut at its headings. Within each section, the code
+//! holds phrases, and every number in prose, captions, tables, TeX and comments must stand in one of them,
+//! word for word:
 //!
-//! - **asserted**: a string that an `assert_eq!` expects. That its digits are right is the doc-test's affair. The text
-//!   must say it, and say first what is asserted first. One that begins with `|` is a whole row of a table;
-//! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line, one
-//!   after the other, so that inputs too are said as they are;
+//! - **asserted**: a string that an `assert_eq!` expects. That its digits are right is the doc-test's affair.
+//!   The text must say it, and say first what is asserted first. One that begins with `|` is a whole row of a
+//!   table;
+//! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line,
+//!   one after the other, so that inputs too are said as they are;
 //! - **a fact** of `facts.toml`, which must be told. The versions in the README are facts of the manifests;
-//! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from computed
-//!   values. The words for a figure bring no other number, and in the drawing's order.
+//! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
+//!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
-//! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so that no
-//! unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`, and a phrase may
-//! begin a sentence.
+//! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so
+//! that no unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`,
+//! and a phrase may begin a sentence.
 //!
-//! Equations are proven from their TeX, against the library's own functions: see `tumbling_proofs::equations`.
+//! Equations are proven from their TeX, against the library's own functions: see
+//! `tumbling_proofs::equations`.
 //!
-//! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers before
-//! headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a factor, a
-//! matrix's zero) are a part of the formula, and counted. Quantities in words (`a twentieth`, `twice`, `ten radians a
-//! second`) are held like numbers; words that count are counted: see `words`.
+//! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers
+//! before headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a
+//! factor, a matrix's zero) are a part of the formula, and counted. Quantities in words (`a twentieth`,
+//! `twice`, `ten radians a second`) are held like numbers; words that count are counted: see `words`.
 
 mod chapter;
 mod code;
 mod equations;
 mod exercises;
 mod facts;
+mod hollow;
 mod laws;
 mod mutants;
 mod numbers;

@@ -53,8 +53,8 @@ pub(crate) enum Kind {
     Note,
 }
 
-/// Running text as phrases quote it: a minus is `-`, code a single `\u{fffc}`, and TeX stands without its dollars and
-/// its thin spaces, a power of ten as `3e-13`.
+/// Running text as phrases quote it: a minus is `-`, code a single `\u{fffc}`, and TeX stands without its
+/// dollars and its thin spaces, a power of ten as `3e-13`.
 #[derive(Debug)]
 pub(crate) struct Passage {
     pub(crate) kind: Kind,

@@ -1,5 +1,6 @@
 //! Reads the Rust of a block: which phrases it holds, and which literals its assertions stand on.
 
+use super::hollow::{is_literal, prints_own_digits, wraps};
 use super::numerals;
 use super::words;
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
@@ -13,7 +14,8 @@ use syn::{BinOp, Expr, ExprLit, Lit, Token};
 pub(crate) struct Code {
     pub(crate) phrases: Vec<Phrase>,
     pub(crate) claims: Vec<(Role, Literal)>,
-    /// What holds nothing, though it looks so: the line, from zero, what stands there, and what would be right.
+    /// What holds nothing, though it looks so: the line, from zero, what stands there, and what would be
+    /// right.
     pub(crate) hollow: Vec<(usize, String, &'static str)>,
     pub(crate) comments: Vec<Comment>,
 }
@@ -24,7 +26,8 @@ pub(crate) struct Phrase {
     pub(crate) text: String,
     /// The same as a sentence begins.
     pub(crate) first: String,
-    /// Whether an assertion expects it, so that the text must repeat it; otherwise it is the note at a line's end.
+    /// Whether an assertion expects it, so that the text must repeat it; otherwise it is the note at a line's
+    /// end.
     pub(crate) asserted: bool,
     pub(crate) line: usize,
 }
@@ -215,7 +218,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The values that a literal brings to its line: a number, with its sign, or those in a string that is no pattern.
+    /// The values that a literal brings to its line: a number, with its sign, or those in a string that is no
+    /// pattern.
     fn values(&self, at: &Literal) -> Vec<f64> {
         let written = self.written(at);
         if written.starts_with('"') {
@@ -305,52 +309,6 @@ impl<'a> Reader<'a> {
 
 /// What an assertion should be.
 const COMPUTED: &str = "a computed value compared with what it must be";
-
-/// Whether this function only holds what it is given.
-fn wraps(function: &Expr) -> bool {
-    let Expr::Path(path) = function else { return false };
-    let words: Vec<String> = path.path.segments.iter().map(|s| s.ident.to_string()).collect();
-    ["String::from", "Vector3::new", "f64::from", "Some"].contains(&words.join("::").as_str())
-}
-
-/// Whether this is made of literals alone: itself, a collection of such, or a format of such.
-fn is_literal(expr: &Expr) -> bool {
-    match expr {
-        Expr::Lit(_) => true,
-        Expr::Paren(inner) => is_literal(&inner.expr),
-        Expr::Group(inner) => is_literal(&inner.expr),
-        Expr::Unary(inner) => is_literal(&inner.expr),
-        Expr::Reference(inner) => is_literal(&inner.expr),
-        Expr::Cast(inner) => is_literal(&inner.expr),
-        Expr::Binary(both) => is_literal(&both.left) && is_literal(&both.right),
-        Expr::Array(array) => array.elems.iter().all(is_literal),
-        Expr::Tuple(tuple) => tuple.elems.iter().all(is_literal),
-        Expr::MethodCall(call) => is_literal(&call.receiver) && call.args.iter().all(is_literal),
-        Expr::Call(call) => wraps(&call.func) && call.args.iter().all(is_literal),
-        Expr::Macro(inner) if inner.mac.path.is_ident("format") => {
-            let parse = Punctuated::<Expr, Token![,]>::parse_terminated;
-            let Ok(arguments) = parse.parse2(inner.mac.tokens.clone()) else { return false };
-            // `{name}` in the pattern is no literal; `{}` and `{:.1}` stand for arguments.
-            let names = |text: &str| {
-                text.replace("{{", "").split('{').skip(1).any(|p| p.starts_with(|c: char| c.is_alphabetic()))
-            };
-            arguments.iter().all(|a| match a {
-                Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => !names(&text.value()),
-                other => is_literal(other),
-            })
-        }
-        _ => false,
-    }
-}
-
-/// Whether the pattern of this format has digits of its own, which nothing computes.
-fn prints_own_digits(expr: &Expr) -> bool {
-    let Expr::Macro(inner) = expr else { return false };
-    let Some(TokenTree::Literal(pattern)) = inner.mac.tokens.clone().into_iter().next() else { return false };
-    let pattern = pattern.to_string().replace("{{", "").replace("}}", "");
-    let outside = pattern.split('}').map(|piece| piece.split('{').next().unwrap_or_default());
-    outside.map(numerals::plain).any(|found| !found.is_empty())
-}
 
 impl<'ast> Visit<'ast> for Reader<'_> {
     fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {

@@ -1,4 +1,5 @@
-//! The exercises, to be guarded like chapters: each is one section, whose numbers are held by its code and its solution.
+//! The exercises, to be guarded like chapters: each is one section, whose numbers are held by its code and
+//! its solution.
 
 use super::chapter::{Chapter, Reader};
 use crate::preprocess;
@@ -26,8 +27,8 @@ pub(super) fn read(
     Ok(())
 }
 
-/// The text, each line in its place: headings of hints and solution left blank, so that all is one section, and the
-/// wrong answers left blank, which hold nothing.
+/// The text, each line in its place: headings of hints and solution left blank, so that all is one section,
+/// and the wrong answers left blank, which hold nothing.
 fn as_chapter(text: &str) -> String {
     let mut wrong = false;
     text.split_inclusive('\n')

@@ -1,12 +1,14 @@
 //! The guard's guard: alters the book one digit at a time, and asks whether that would be noticed.
 //!
-//! - Each digit of each number that the guard binds is replaced by each of the nine others, each minus sign is taken
-//!   away, and each quantity in words is replaced by another; the guard must object (or fail to read the chapter).
-//! - Each digit of each literal of an assertion is replaced by each of the nine others. Where the guard does not
-//!   object, the assertion itself fails when `cargo test` runs it: it holds today, and the value it compares with is
-//!   now another. The exception is a bound, such as the small number on the right of `<`: altered, it may leave the
-//!   assertion true, or make it stricter. Those are counted apart.
-//! - Each proven equation is altered in every sign, index, power, factor and name; those that stay true are proven so.
+//! - Each digit of each number that the guard binds is replaced by each of the nine others, each minus sign
+//!   is taken away, and each quantity in words is replaced by another; the guard must object (or fail to read
+//!   the chapter).
+//! - Each digit of each literal of an assertion is replaced by each of the nine others. Where the guard does
+//!   not object, the assertion itself fails when `cargo test` runs it: it holds today, and the value it
+//!   compares with is now another. The exception is a bound, such as the small number on the right of `<`:
+//!   altered, it may leave the assertion true, or make it stricter. Those are counted apart.
+//! - Each proven equation is altered in every sign, index, power, factor and name; those that stay true are
+//!   proven so.
 
 use super::chapter::{Chapter, Reader};
 use super::code::Role;

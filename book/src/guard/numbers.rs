@@ -174,7 +174,8 @@ impl Checker<'_> {
         self.asserted_is_said(&phrases);
     }
 
-    /// The text says what the code asserts, and in the same order: so numbers cannot trade places, nor rows of a table.
+    /// The text says what the code asserts, and in the same order: so numbers cannot trade places, nor rows
+    /// of a table.
     fn asserted_is_said(&mut self, phrases: &[Phrase<'_>]) {
         for rows in [true, false] {
             let mut latest: Option<(&Phrase<'_>, usize)> = None;

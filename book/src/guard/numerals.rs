@@ -32,9 +32,9 @@ pub(crate) fn plain(text: &str) -> Vec<Numeral> {
     numerals(text, &[]).0
 }
 
-/// Whether a number in a formula is a value, and not an index, a factor or an entry that is true or false with the
-/// formula: it has a point or a power of ten, stands in a tuple of numbers or at the end of `symbol = number`, or is
-/// all of the formula.
+/// Whether a number in a formula is a value, and not an index, a factor or an entry that is true or false
+/// with the formula: it has a point or a power of ten, stands in a tuple of numbers or at the end of `symbol
+/// = number`, or is all of the formula.
 fn is_value(text: &str, formula: &Range<usize>, at: &Range<usize>) -> bool {
     let before = &text[formula.start..at.start];
     let after = &text[at.end..formula.end];

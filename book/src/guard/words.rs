@@ -2,8 +2,8 @@
 //!
 //! Words mostly count what the reader has before him (`three axes`, `both spins`, `a half turn`). Those are
 //! counted and left alone. A word states a quantity when it is a fraction finer than a third (`a twentieth`,
-//! `three tenths`), a multiple (`twice`, `tenfold`, `ten times smaller`), a ratio (`one to four`), or has a unit
-//! after it (`two turns a second`).
+//! `three tenths`), a multiple (`twice`, `tenfold`, `ten times smaller`), a ratio (`one to four`), or has a
+//! unit after it (`two turns a second`).
 
 use std::ops::Range;
 
