@@ -27,6 +27,12 @@ pub(crate) const LINEARISED: f64 = 860.0;
 /// A step by the exact drift between two half kicks.
 pub(crate) const DRIFT: f64 = 11_000.0;
 
+/// The fifth root of a number above zero, for estimates: of rounded operations alone, so that every machine plans alike.
+pub(crate) fn fifth_root(x: f64) -> f64 {
+    // y^4 = x/y: each round leaves a quarter of the logarithm's error.
+    (0..16).fold(x.sqrt().sqrt(), |root, _| (x / root).sqrt().sqrt())
+}
+
 /// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where that is in question.
 const ELLIPTIC: f64 = 46_000.0;
 

@@ -56,7 +56,11 @@ impl<'a> States<'a> {
             }
             _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
             Strategy::Rotation(motion) => {
-                (Some(plan.body.omega), Some(plan.turned(motion.attitude(time)?.into_inner())))
+                let attitude = Some(plan.turned(motion.attitude(time)?.into_inner()));
+                let spin =
+                    if plan.scene.outputs().spin { Some(plan.body.in_body(plan.body.omega)) } else { None };
+                let (energy, gap) = (plan.energy, plan.gap);
+                return Ok(Answer { time, spin, attitude, energy, gap });
             }
             Strategy::SymmetricTop(motion) | Strategy::EllipticSpin(motion) | Strategy::Elliptic(motion) => {
                 let outputs = plan.scene.outputs();
@@ -119,12 +123,14 @@ impl Plan<'_> {
         self.answer(time, Some(*omega), attitude)
     }
 
+    #[inline]
     fn turned(&self, turn: Quaternion<f64>) -> UnitQuaternion<f64> {
         let whole = self.body.world * UnitQuaternion::new_unchecked(turn);
         self.body.frame.map_or(whole, |frame| whole * frame.inverse())
     }
 
     /// The outputs of this spin along the principal axes and this attitude of the body.
+    #[inline]
     fn answer(
         &self,
         time: f64,
