@@ -1,6 +1,7 @@
 //! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
 
 use crate::error::{Error, Refusal, finite};
+use crate::number::functions::atan2;
 use crate::number::{Analytic, Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
@@ -101,6 +102,21 @@ pub(crate) fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) ->
     let across = part.cross(vector);
     let across = &across + &across;
     vector - across.map(|x| x * q.coords.w.clone()) + part.cross(&across)
+}
+
+/// The angle of the turn from one attitude to another, radians, from 0 to pi: right for the smallest angles
+/// too.
+///
+/// ```
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// let (a, b) = (0.3, 0.3 + 1e-9);
+/// let [a, b] = [a, b].map(|angle| UnitQuaternion::from_scaled_axis(Vector3::new(0.0, angle, 0.0)));
+/// assert!((tumbling::attitude::angle_between(&a, &b) - 1e-9).abs() < 1e-15);
+/// ```
+#[must_use]
+pub fn angle_between(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
+    let turn = product(&a.conjugate(), b);
+    2.0 * atan2(turn.imag().norm(), turn.coords.w.abs())
 }
 
 /// The rotation matrix of an attitude.

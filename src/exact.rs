@@ -135,10 +135,9 @@ impl FreeMotion {
             Kind::Asymmetric(motion) => Law::Elliptic(EllipticMotion::new(&motion, &w)?),
         };
         let clock = times_power_of_two(1.0, exponent);
-        let motion = Self { moments, start: *omega, exponent, clock, law, mount: None };
         // With room for the roundings on the way.
-        motion.has_room_for(1.0 + 1e-12)?;
-        Ok(motion)
+        law.has_room_for(1.0 + 1e-12, exponent)?;
+        Ok(Self { moments, start: *omega, exponent, clock, law, mount: None })
     }
 
     /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they
@@ -176,7 +175,7 @@ impl FreeMotion {
         };
         let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
         if frame != UnitQuaternion::identity() {
-            motion.has_room_for(mount::ROOM_TO_TURN)?;
+            motion.law.has_room_for(mount::ROOM_TO_TURN, motion.exponent)?;
         }
         let attitude = body.attitude();
         Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..motion })
@@ -230,6 +229,18 @@ impl FreeMotion {
         }
     }
 
+    /// Attitude at time `t`, body to world: less work than [`at`](Self::at) where the spin is not needed.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
+        let time = finite("the time", t)? * self.clock;
+        if time == 0.0 {
+            return Ok(self.first().attitude);
+        }
+        Ok(self.in_world(self.turned(time).into_inner()))
+    }
+
     /// The attitude of the principal axes, from where they are at the start.
     #[inline(always)]
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
@@ -251,13 +262,19 @@ impl FreeMotion {
         if time == 0.0 {
             return Ok(self.first());
         }
-        let (omega, turned) = match &self.law {
+        let (omega, turned) = self.along_principal_axes(time);
+        Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
+    }
+
+    /// The spin along the principal axes, and their turn since the start, at a scaled time other than zero.
+    #[inline(always)]
+    fn along_principal_axes(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
+        match &self.law {
             Law::AtRest => (self.start, Quaternion::identity()),
             Law::Steady(turn) => (self.start, turn.at(time)),
             Law::Symmetric(precession) => (precession.omega(time), precession.attitude(time)),
             Law::Elliptic(motion) => motion.at(time),
-        };
-        Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
+        }
     }
 
     /// The start, as it was given.

@@ -81,6 +81,12 @@ pub trait Analytic: Field {
     #[must_use]
     fn cos_sinc_of_root(&self) -> (Self, Self);
 
+    /// The integer `n`, as [`Ring::integer`] gives it, but at once where the type can.
+    #[must_use]
+    fn whole(n: u32) -> Self {
+        Self::integer(n)
+    }
+
     /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a
     /// power series anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
     #[must_use]
@@ -104,6 +110,10 @@ impl Analytic for f64 {
     }
     fn cos_sinc_of_root(&self) -> (Self, Self) {
         functions::cos_sinc_of_root(*self)
+    }
+    #[inline]
+    fn whole(n: u32) -> Self {
+        f64::from(n)
     }
     fn size(&self) -> f64 {
         self.abs()

@@ -15,7 +15,7 @@
 //! length is found by making the quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::{atan2, exp, exp_m1, hypot, powi, sin_cos};
+use crate::number::functions::{atan2, exp_and_exp_m1, hypot, powi, sin_cos};
 use crate::number::{Gather, Lane, gather_fields};
 
 /// `a + b j`, not of length 1.
@@ -107,7 +107,7 @@ gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos, sense
 impl DirectPair {
     /// `q` is the nome and `shape.depth = pi y/K`, twice the imaginary shift.
     pub(crate) fn new(q: f64, shape: &Shape) -> Self {
-        let fall = exp(-shape.depth);
+        let (fall, less) = exp_and_exp_m1(-shape.depth);
         // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
         let rise = if q == 0.0 { 0.0 } else { (q / fall).min(1.0) };
         let s = shape.sense();
@@ -123,8 +123,7 @@ impl DirectPair {
         // 2 exp(-B) q^(2n(n+1)) cosh (2n+1)B and sinh.
         let (q3, q4, q10, q12) = (powi(q, 3), powi(q, 4), powi(q, 10), powi(q, 12));
         let c = [1.0 + fall, q3 * rise + q4 * fall * fall, q10 * rise * rise + q12 * powi(fall, 3)];
-        let d =
-            [-exp_m1(-shape.depth), q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * powi(fall, 3)];
+        let d = [-less, q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * powi(fall, 3)];
         let b_along_sin = [c[0] - c[1] - c[2], -2.0 * c[1] + 2.0 * c[2], 4.0 * c[2]];
         let b_along_cos = [d[0] + d[1] - d[2], -2.0 * d[1] - 2.0 * d[2], 4.0 * d[2]].map(|x| -s * x);
         let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense: s };
@@ -210,18 +209,17 @@ impl ComplementaryPair {
 
     /// At the saddle, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
     pub(crate) fn angle_and_turning_at_saddle(&self) -> (f64, f64) {
-        let p = self.nome;
+        let (p, p2) = (self.nome, self.nome * self.nome);
+        let p = [1.0, p, p2, p * p2, p2 * p2];
         let sum = |wave: usize, weigh: bool| {
             let mut total = [0.0; 2];
             for n in 0..5 {
-                let k = n as i32;
-                let weight = if weigh { f64::from(k) } else { 1.0 };
-                total[0] += weight * self.rising[wave][n] * powi(p, k);
+                let weight = if weigh { n as f64 } else { 1.0 };
+                total[0] += weight * self.rising[wave][n] * p[n];
             }
             for n in 0..4 {
-                let k = n as i32 + 1;
-                let weight = if weigh { f64::from(-k) } else { 1.0 };
-                total[1] += weight * self.falling[wave][n] * powi(p, k);
+                let weight = if weigh { -((n + 1) as f64) } else { 1.0 };
+                total[1] += weight * self.falling[wave][n] * p[n + 1];
             }
             total
         };

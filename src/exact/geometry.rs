@@ -13,23 +13,24 @@ use nalgebra::Vector3;
 /// The complementary modulus up to which a motion is said to pass the middle axis closely.
 const CLOSE: f64 = 0.1;
 
-impl FreeMotion {
-    /// Refuses a motion whose greatest spin times `room` is beyond `f64`.
-    pub(super) fn has_room_for(&self, room: f64) -> Result<(), Error> {
-        let greatest = match &self.law {
-            Law::AtRest => 0.0,
-            Law::Steady(turn) => times_power_of_two(turn.rate(), self.exponent),
-            Law::Symmetric(top) => {
-                top.greatest_spin().max(times_power_of_two(top.precession(), self.exponent))
-            }
-            Law::Elliptic(motion) => motion.greatest_spin(),
+impl Law {
+    /// Refuses a motion whose greatest spin times `room` is beyond `f64`; scaled spins are times
+    /// `2^-exponent`.
+    pub(super) fn has_room_for(&self, room: f64, exponent: i32) -> Result<(), Error> {
+        let greatest = match self {
+            Self::AtRest => 0.0,
+            Self::Steady(turn) => times_power_of_two(turn.rate(), exponent),
+            Self::Symmetric(top) => top.greatest_spin().max(times_power_of_two(top.precession(), exponent)),
+            Self::Elliptic(motion) => motion.greatest_spin(),
         };
         if (greatest * room).is_finite() {
             return Ok(());
         }
         Err(Refusal::OutOfRange { what: "the greatest spin", value: greatest }.into())
     }
+}
 
+impl FreeMotion {
     /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is
     /// constant, and on the separatrix, where it never returns.
     ///

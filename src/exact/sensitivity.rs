@@ -13,7 +13,7 @@ use crate::error::{Error, Refusal, finite};
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3};
+use nalgebra::{Matrix3, Matrix6, SMatrix, UnitQuaternion, Vector3};
 use series::{Request, span};
 
 /// Derivatives of a vector along the principal axes by the tensor's entries there: the three moments, then
@@ -97,19 +97,8 @@ impl FreeMotion {
     /// on the middle axis for so long (700 times the inverse of its rate) that `f64` does not tell it from
     /// rest.
     pub fn state_transition(&self, t: f64) -> Result<Matrix6<f64>, Error> {
-        let found = self.derivatives(t, false)?;
-        let in_body = |block: &Matrix3<f64>, power: i32| {
-            let block = block.map(|x| times_power_of_two(x, power));
-            self.mount.map_or(block, |mount| {
-                let frame = mount.frame.to_rotation_matrix();
-                frame * block * frame.transpose()
-            })
-        };
-        let mut transition = Matrix6::zeros();
-        transition.fixed_view_mut::<3, 3>(0, 0).copy_from(&in_body(&found.back, 0));
-        transition.fixed_view_mut::<3, 3>(0, 3).copy_from(&in_body(&found.turn, -self.exponent));
-        transition.fixed_view_mut::<3, 3>(3, 3).copy_from(&in_body(&found.spin, 0));
-        all_finite(transition)
+        let transition = self.transition_in_body(&self.derivatives(t, false)?);
+        all_finite(&transition).map(|()| transition)
     }
 
     /// The derivatives of attitude (rad, as in [`state_transition`](Self::state_transition)) and spin (rad/s)
@@ -136,23 +125,48 @@ impl FreeMotion {
     /// # Errors
     /// As [`state_transition`](Self::state_transition).
     pub fn tensor_sensitivity(&self, t: f64) -> Result<Matrix6<f64>, Error> {
+        let sensitivity = self.by_tensor_in_body(&self.derivatives(t, true)?);
+        all_finite(&sensitivity).map(|()| sensitivity)
+    }
+
+    /// Both [`state_transition`](Self::state_transition) and [`tensor_sensitivity`](Self::tensor_sensitivity)
+    /// at time `t`, which share most of their work.
+    ///
+    /// # Errors
+    /// As [`state_transition`](Self::state_transition).
+    pub fn sensitivities(&self, t: f64) -> Result<(Matrix6<f64>, Matrix6<f64>), Error> {
         let found = self.derivatives(t, true)?;
+        let both = (self.transition_in_body(&found), self.by_tensor_in_body(&found));
+        all_finite(&both.0).and_then(|()| all_finite(&both.1)).map(|()| both)
+    }
+
+    fn transition_in_body(&self, found: &Derivatives) -> Matrix6<f64> {
+        let frame = self.mount.as_ref().map(|mount| mount.frame.to_rotation_matrix());
+        let in_body = |block: &Matrix3<f64>| frame.map_or(*block, |frame| frame * block * frame.transpose());
+        let mut transition = Matrix6::zeros();
+        transition.fixed_view_mut::<3, 3>(0, 0).copy_from(&in_body(&found.back));
+        transition.fixed_view_mut::<3, 3>(0, 3).copy_from(&in_body(&scaled_by(&found.turn, -self.exponent)));
+        transition.fixed_view_mut::<3, 3>(3, 3).copy_from(&in_body(&found.spin));
+        transition
+    }
+
+    fn by_tensor_in_body(&self, found: &Derivatives) -> Matrix6<f64> {
         let heaviest = exponent(self.moments.largest());
-        let frame = self.mount.map(|mount| mount.frame.to_rotation_matrix().into_inner());
+        let frame = self.mount.as_ref().map(|mount| mount.frame.to_rotation_matrix().into_inner());
         let in_body = |block: &ByTensor, power: i32| {
             let block = match &frame {
                 Some(frame) => frame * block * along_principal_axes(frame),
                 // The products in the other order.
                 None => ByTensor::from_columns(&[0, 1, 2, 5, 4, 3].map(|k| block.column(k))),
             };
-            block.map(|x| times_power_of_two(x, power))
+            scaled_by(&block, power)
         };
         let mut sensitivity = Matrix6::zeros();
         sensitivity.fixed_rows_mut::<3>(0).copy_from(&in_body(&found.turn_by_tensor, -heaviest));
         sensitivity
             .fixed_rows_mut::<3>(3)
             .copy_from(&in_body(&found.spin_by_tensor, self.exponent - heaviest));
-        all_finite(sensitivity)
+        sensitivity
     }
 
     fn derivatives(&self, t: f64, tensor: bool) -> Result<Derivatives, Error> {
@@ -170,15 +184,20 @@ impl FreeMotion {
         if let Some(found) = self.slow_turn(&moments, &omega, time, tensor) {
             return found;
         }
-        let found = self.spin_derivatives(&moments, &omega, time, tensor)?;
-        Ok(self.with_turn(&moments, &omega, time, found, tensor))
+        let (now, turned) = self.along_principal_axes(time);
+        let now = self.scaled(&now);
+        let found = self.spin_derivatives(&moments, &omega, &now, time, tensor)?;
+        let back = UnitQuaternion::new_unchecked(turned).inverse().to_rotation_matrix().into_inner();
+        Ok(with_turn(&moments, &omega, &now, back, time, found, tensor))
     }
 
     /// The derivatives of the spin over a span in which the body turns by more than a little.
+    #[inline]
     fn spin_derivatives(
         &self,
         moments: &[f64; 3],
         omega: &[f64; 3],
+        now: &Vector3<f64>,
         time: f64,
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
@@ -204,7 +223,7 @@ impl FreeMotion {
                 } else {
                     let mut found = motion.derivatives(moments, time, tensor)?;
                     if tensor {
-                        products::add(motion, moments, omega, &self.scaled_omega(time), time, &mut found);
+                        products::add(motion, moments, omega, now, time, &mut found);
                     }
                     found
                 }
@@ -212,65 +231,65 @@ impl FreeMotion {
         })
     }
 
-    /// The spin along the principal axes, in scaled units.
-    fn scaled_omega(&self, time: f64) -> Vector3<f64> {
-        self.omega_along(time).map(|w| times_power_of_two(w, -self.exponent))
+    /// A spin in scaled units.
+    fn scaled(&self, omega: &Vector3<f64>) -> Vector3<f64> {
+        omega.map(|w| times_power_of_two(w, -self.exponent))
     }
+}
 
-    /// With the derivatives of the attitude, which need no integral beyond those of the energy.
-    ///
-    /// The momentum in the world is `L = R M`; so `R (e x M + dM) = dL`, which gives the part of `e` across
-    /// `M`. Along it, `d/dt (e · M) = dw · M`, and the change of twice the energy, `2 dw · M + w · dI w`, is
-    /// the start's.
-    fn with_turn(
-        &self,
-        moments: &[f64; 3],
-        omega: &[f64; 3],
-        time: f64,
-        found: SpinDerivatives,
-        tensor: bool,
-    ) -> Derivatives {
-        let back = self.turned(time).inverse().to_rotation_matrix().into_inner();
-        let now = self.scaled_omega(time);
-        let (i, omega) = (Vector3::from(*moments), Vector3::from(*omega));
-        let start = i.component_mul(&omega);
-        let current = i.component_mul(&now);
-        let length = start.norm();
-        let direction = current / length;
-        let turn = |before: Vector3<f64>, after: Vector3<f64>, along: f64| {
-            (direction.cross(&(back * before - after)) + direction * along) / length
+/// With the derivatives of the attitude, which need no integral beyond those of the energy.
+///
+/// The momentum in the world is `L = R M`; so `R (e x M + dM) = dL`, which gives the part of `e` across
+/// `M`. Along it, `d/dt (e · M) = dw · M`, and the change of twice the energy, `2 dw · M + w · dI w`, is
+/// the start's.
+#[inline]
+fn with_turn(
+    moments: &[f64; 3],
+    omega: &[f64; 3],
+    now: &Vector3<f64>,
+    back: Matrix3<f64>,
+    time: f64,
+    found: SpinDerivatives,
+    tensor: bool,
+) -> Derivatives {
+    let (i, omega) = (Vector3::from(*moments), Vector3::from(*omega));
+    let start = i.component_mul(&omega);
+    let current = i.component_mul(now);
+    let length = start.norm();
+    let direction = current / length;
+    let turn = |before: Vector3<f64>, after: Vector3<f64>, along: f64| {
+        (direction.cross(&(back * before - after)) + direction * along) / length
+    };
+    let columns = [0, 1, 2].map(|k| {
+        let after = i.component_mul(&found.spin.column(k));
+        turn(Vector3::ith(k, i[k]), after, time * start[k])
+    });
+    let mut turn_by_tensor = ByTensor::zeros();
+    let main = start.iamax();
+    for column in 0..if tensor { 6 } else { 0 } {
+        let mut after = i.component_mul(&found.by_tensor.column(column));
+        let k = column % 3;
+        let before = if column >= 3 {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            let of = |w: &Vector3<f64>| Vector3::ith(a, w[b]) + Vector3::ith(b, w[a]);
+            after += of(now);
+            of(&omega)
+        } else if k == main {
+            // Along its largest component the momentum itself may be taken off, which does not change.
+            after -= (current - Vector3::ith(k, current[k])) / i[k];
+            -(start - Vector3::ith(k, start[k])) / i[k]
+        } else {
+            after += Vector3::ith(k, now[k]);
+            Vector3::ith(k, omega[k])
         };
-        let columns = [0, 1, 2].map(|k| {
-            let after = i.component_mul(&found.spin.column(k));
-            turn(Vector3::ith(k, i[k]), after, time * start[k])
-        });
-        let mut turn_by_tensor = ByTensor::zeros();
-        let main = start.iamax();
-        for column in 0..if tensor { 6 } else { 0 } {
-            let mut after = i.component_mul(&found.by_tensor.column(column));
-            let k = column % 3;
-            let before = if column >= 3 {
-                let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-                let of = |w: &Vector3<f64>| Vector3::ith(a, w[b]) + Vector3::ith(b, w[a]);
-                after += of(&now);
-                of(&omega)
-            } else if k == main {
-                // Along its largest component the momentum itself may be taken off, which does not change.
-                after -= (current - Vector3::ith(k, current[k])) / i[k];
-                -(start - Vector3::ith(k, start[k])) / i[k]
-            } else {
-                after += Vector3::ith(k, now[k]);
-                Vector3::ith(k, omega[k])
-            };
-            turn_by_tensor.set_column(column, &turn(before, after, -0.5 * found.energy[column]));
-        }
-        Derivatives {
-            back,
-            turn: Matrix3::from_columns(&columns),
-            spin: found.spin,
-            turn_by_tensor,
-            spin_by_tensor: found.by_tensor,
-        }
+        turn_by_tensor.set_column(column, &turn(before, after, -0.5 * found.energy[column]));
+    }
+    Derivatives {
+        back,
+        turn: Matrix3::from_columns(&columns),
+        spin: found.spin,
+        turn_by_tensor,
+        spin_by_tensor: found.by_tensor,
     }
 }
 
@@ -298,11 +317,19 @@ fn along_principal_axes(frame: &Matrix3<f64>) -> Matrix6<f64> {
     })
 }
 
-fn all_finite(matrix: Matrix6<f64>) -> Result<Matrix6<f64>, Error> {
-    match matrix.iter().find(|x| !x.is_finite()) {
+fn all_finite(matrix: &Matrix6<f64>) -> Result<(), Error> {
+    match matrix.as_slice().iter().find(|x| !x.is_finite()) {
         Some(&value) => Err(Refusal::OutOfRange { what: "a derivative of the motion", value }.into()),
-        None => Ok(matrix),
+        None => Ok(()),
     }
+}
+
+/// Every entry times `2^exponent`.
+fn scaled_by<const N: usize>(block: &SMatrix<f64, 3, N>, exponent: i32) -> SMatrix<f64, 3, N> {
+    if (-1022..=1023).contains(&exponent) {
+        return block * times_power_of_two(1.0, exponent);
+    }
+    block.map(|x| times_power_of_two(x, exponent))
 }
 
 impl From<series::Span> for SpinDerivatives {
@@ -313,14 +340,8 @@ impl From<series::Span> for SpinDerivatives {
 
 impl From<series::Span> for Derivatives {
     fn from(span: series::Span) -> Self {
-        let back = span.rotation.transpose();
-        Self {
-            back,
-            turn: back * span.turn,
-            spin: span.spin,
-            turn_by_tensor: back * span.turn_by_tensor,
-            spin_by_tensor: span.spin_by_tensor,
-        }
+        let series::Span { back, turn, spin, turn_by_tensor, spin_by_tensor, .. } = span;
+        Self { back, turn, spin, turn_by_tensor, spin_by_tensor }
     }
 }
 

@@ -29,8 +29,13 @@ impl DoubleDouble {
         if root == 0.0 || !root.is_finite() {
             return Self::from(root);
         }
-        let error = (self - Self::product(root, root)).hi;
-        quick_two_sum(root, error / (2.0 * root))
+        quick_two_sum(root, self.less_near(Self::product(root, root)) / (2.0 * root))
+    }
+
+    /// `self - other` in one number, where the two agree to some units in the last place: then the high parts
+    /// differ without error.
+    fn less_near(self, other: Self) -> f64 {
+        (self.hi - other.hi) + (self.lo - other.lo)
     }
 
     /// `self * 2^exponent`.
@@ -180,8 +185,7 @@ impl Div for DoubleDouble {
         if !first.is_finite() {
             return Self::from(first);
         }
-        let left = self - other * first;
-        quick_two_sum(first, left.hi / other.hi)
+        quick_two_sum(first, self.less_near(other * first) / other.hi)
     }
 }
 

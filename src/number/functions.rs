@@ -19,7 +19,7 @@ mod trigonometric;
 mod tests;
 
 pub(crate) use arc::atan2;
-pub(crate) use exponential::{cosh, exp, exp_m1, sinh};
+pub(crate) use exponential::{cosh, exp, exp_and_exp_m1, sinh};
 pub(crate) use root::{fifth_root, hypot, powi};
 pub(crate) use trigonometric::{cos_sinc_of_root, sin_cos};
 

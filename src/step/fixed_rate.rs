@@ -81,14 +81,16 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     // Energy and momentum stay, and so does this: the parts do not change on the way.
     let omega = system.omega(&start.momentum);
     // No more than the energy allows about the smallest moment: cheap, and enough for most.
-    let largest = inverse.iter().map(Analytic::size).fold(0.0, f64::max);
+    let [x, y, z] = [&inverse.x, &inverse.y, &inverse.z].map(Analytic::size);
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let largest = larger(larger(x, y), z);
     let rough = (start.momentum.dot(&omega).size() * largest).sqrt() * h.size();
     let turn = if rough <= LONGEST { rough } else { fastest(system, &omega).sqrt() * h.size() };
     let parts = if turn <= LONGEST { 1.0 } else { (turn / LONGEST).ceil() };
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
-    let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::integer(parts as u32)), ORDER)?;
+    let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::whole(parts as u32)), ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;

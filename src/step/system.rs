@@ -111,16 +111,19 @@ impl<T: Field> System<T> {
 impl<T: Analytic> System<T> {
     /// The sum of all torques in body axes, N m, at the start of a step.
     #[must_use]
+    #[inline]
     pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
         self.torque_after(motion, &T::zero())
     }
 
     /// The same `time` seconds later.
+    #[inline]
     pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
-        if self.torques.is_empty() {
-            return none;
-        }
+        if self.torques.is_empty() { none } else { self.sum_of_torques(none, motion, time) }
+    }
+
+    fn sum_of_torques(&self, none: Vector3<T>, motion: &State<T>, time: &T) -> Vector3<T> {
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let omega = self.omega(&motion.momentum);
         let then = self.time.clone() + time.clone();
@@ -139,6 +142,7 @@ impl<T: Analytic> System<T> {
     }
 
     /// The same `time` seconds later.
+    #[inline]
     pub(crate) fn rate_after(&self, state: &State<T>, time: &T) -> Rate<T> {
         let omega = self.omega(&state.momentum);
         Rate {
@@ -162,6 +166,7 @@ impl<T: Analytic> System<T> {
     /// The torques act one after another, in their order; the second kick of a step must be
     /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
     #[must_use]
+    #[inline]
     pub fn kick(&self, motion: &State<T>, h: T) -> State<T> {
         self.kick_by(self.torques.iter(), &self.time, motion, h)
     }
@@ -180,6 +185,7 @@ impl<T: Analytic> System<T> {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     #[must_use]
+    #[inline]
     pub fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
         let end = self.time.clone() + h.clone() + h.clone();
         self.kick_by(self.torques.iter().rev(), &end, motion, h)

@@ -13,18 +13,21 @@ pub struct Hash {
     pub numbers: u64,
 }
 
-impl Hash {
-    fn new() -> Self {
+impl Default for Hash {
+    fn default() -> Self {
         Self { state: 0xcbf2_9ce4_8422_2325, numbers: 0 }
     }
+}
 
+impl Hash {
     /// The hash so far.
     #[must_use]
     pub fn value(&self) -> u64 {
         self.state
     }
 
-    fn put(&mut self, x: f64) {
+    /// Puts a number in.
+    pub fn put(&mut self, x: f64) {
         // Which bits a NaN has IEEE 754 leaves open.
         let bits = if x.is_nan() { u64::MAX } else { x.to_bits() };
         for byte in bits.to_le_bytes() {
@@ -33,12 +36,13 @@ impl Hash {
         self.numbers += 1;
     }
 
-    fn all<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
+    /// Puts numbers in.
+    pub fn all<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
         numbers.into_iter().for_each(|&x| self.put(x));
     }
 
     /// Either the numbers of an answer, or one for a refusal.
-    fn answer<T, E>(&mut self, answer: Result<T, E>, numbers: impl FnOnce(&mut Self, T)) {
+    pub fn answer<T, E>(&mut self, answer: Result<T, E>, numbers: impl FnOnce(&mut Self, T)) {
         match answer {
             Ok(answer) => numbers(self, answer),
             Err(_) => self.put(f64::NAN),
@@ -52,10 +56,11 @@ impl Hash {
 }
 
 /// Random numbers: SplitMix64.
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
+    /// 64 bits.
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -63,11 +68,12 @@ impl Random {
     }
 
     /// From -1 to 1.
-    fn signed(&mut self) -> f64 {
+    pub fn signed(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (2.0 / 9_007_199_254_740_992.0) - 1.0
     }
 
-    fn vector(&mut self) -> Vector3<f64> {
+    /// Each component from -1 to 1.
+    pub fn vector(&mut self) -> Vector3<f64> {
         Vector3::from_fn(|_, _| self.signed())
     }
 
@@ -92,7 +98,7 @@ impl Random {
     }
 
     /// A body's moments and spin, of every kind of motion.
-    fn motion(&mut self) -> (PrincipalMoments, Vector3<f64>) {
+    pub fn motion(&mut self) -> (PrincipalMoments, Vector3<f64>) {
         let mut moments = self.moments();
         let mut omega = self.vector() * 8.0;
         let separatrix = PrincipalMoments::new(3.0, 4.0, 6.0).expect("moments of a body");
@@ -121,7 +127,8 @@ impl Random {
         }
     }
 
-    fn attitude(&mut self) -> Quaternion<f64> {
+    /// Of length 1.
+    pub fn attitude(&mut self) -> Quaternion<f64> {
         let q = self.vector().push(self.signed());
         Quaternion::from_vector(q / q.norm())
     }
@@ -130,7 +137,7 @@ impl Random {
 /// The hash of `rounds` rounds of answers, of some hundred numbers each.
 #[must_use]
 pub fn hash(rounds: u32) -> Hash {
-    let (mut hash, mut random) = (Hash::new(), Random(14));
+    let (mut hash, mut random) = (Hash::default(), Random(14));
     named_bodies(&mut hash);
     for _ in 0..rounds {
         exact(&mut hash, &mut random);

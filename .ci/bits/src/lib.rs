@@ -1,18 +1,25 @@
-//! The hash of very many answers of the library, as a program and as a WebAssembly module.
+//! The hashes of very many answers of the library and of scenes, as a program and as a WebAssembly module.
 
 #[path = "../../../tests/common/same_bits.rs"]
 mod same_bits;
+#[path = "../../../crates/scenes/tests/common/same_bits.rs"]
+mod scenes;
 
-pub use same_bits::{Hash, hash};
+pub use same_bits::Hash;
+
+/// The hash of this many rounds of answers, of the library or of scenes.
+pub fn hash(rounds: u32, of_scenes: bool) -> Hash {
+    if of_scenes { scenes::hash(rounds) } else { same_bits::hash(rounds) }
+}
 
 /// The hash, for WebAssembly, which has no program to print it.
 #[unsafe(no_mangle)]
-pub extern "C" fn same_bits(rounds: u32) -> u64 {
-    hash(rounds).value()
+pub extern "C" fn same_bits(rounds: u32, of_scenes: bool) -> u64 {
+    hash(rounds, of_scenes).value()
 }
 
 /// How many numbers it is of.
 #[unsafe(no_mangle)]
-pub extern "C" fn same_bits_numbers(rounds: u32) -> u64 {
-    hash(rounds).numbers
+pub extern "C" fn same_bits_numbers(rounds: u32, of_scenes: bool) -> u64 {
+    hash(rounds, of_scenes).numbers
 }

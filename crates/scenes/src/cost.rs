@@ -19,7 +19,7 @@ pub struct Cost {
 
 /// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where
 /// that is in question.
-const ELLIPTIC: f64 = 46_000.0;
+const ELLIPTIC: f64 = 28_500.0;
 
 impl Plan<'_> {
     /// The expected cost.

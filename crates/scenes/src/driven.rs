@@ -194,7 +194,7 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     let turn = radians.min(0.25);
     let step = |radians: f64| (radians / spin).min(end / INNER);
     let tolerance = first_tolerance(accuracy);
-    let by_pair = price(prices::PAIR, 2.0 * tolerance.powf(0.2), prices::RESTART * least);
+    let by_pair = price(prices::PAIR, 2.0 * prices::fifth_root(tolerance), prices::RESTART * least);
     let by_steps = price(prices::KICKED, turn, least);
     let by_drift = price(prices::DRIFT, radians, least);
     if by_steps <= by_pair && by_steps <= by_drift {

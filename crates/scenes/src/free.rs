@@ -21,7 +21,7 @@ pub(crate) fn strategy(
     if !(outputs.attitude || outputs.spin || outputs.gap || outputs.flips) {
         return Ok(Strategy::Nothing);
     }
-    let motion = Box::new(FreeMotion::new(body.moments, &body.omega)?);
+    let motion = FreeMotion::new(body.moments, &body.omega)?;
     let in_body = |wanted: bool| wanted.then(|| body.in_body(body.omega));
     let elementary = || {
         let turned = (body.omega.norm() * end).max(1.0);
@@ -41,13 +41,15 @@ pub(crate) fn strategy(
         Regime::Steady { .. } if !outputs.attitude => {
             Ok(Strategy::Constant { spin: in_body(true), attitude: None })
         }
-        Regime::Steady { .. } => elementary().map(|()| Strategy::Rotation(motion)),
-        Regime::SymmetricTop { .. } => elementary().map(|()| Strategy::SymmetricTop(motion)),
+        Regime::Steady { .. } => elementary().map(|()| Strategy::Rotation(Box::new(motion))),
+        Regime::SymmetricTop { .. } => elementary().map(|()| Strategy::SymmetricTop(Box::new(motion))),
         _ => {
             attainable(&motion, regime, body, end, accuracy)?;
             Ok(match outputs {
-                Outputs { attitude: true, .. } => Strategy::Elliptic(motion),
-                Outputs { spin: true, .. } | Outputs { gap: true, .. } => Strategy::EllipticSpin(motion),
+                Outputs { attitude: true, .. } => Strategy::Elliptic(Box::new(motion)),
+                Outputs { spin: true, .. } | Outputs { gap: true, .. } => {
+                    Strategy::EllipticSpin(Box::new(motion))
+                }
                 _ => Strategy::Nothing,
             })
         }
@@ -96,7 +98,7 @@ fn attainable(
     let rounded = body.rounded;
     let flip = motion.flips(0.0, end)?.next_back();
     for time in flip.into_iter().chain([end]) {
-        let (by_start, by_tensor) = (motion.state_transition(time)?, motion.tensor_sensitivity(time)?);
+        let (by_start, by_tensor) = motion.sensitivities(time)?;
         for j in 0..3 {
             let change = |row: usize| {
                 by_start.fixed_view::<3, 1>(row, 3 + j).norm() * rounded.omega[j]

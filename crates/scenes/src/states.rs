@@ -78,14 +78,18 @@ impl<'a> States<'a> {
             }
             _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
             Strategy::Rotation(motion) => {
-                (Some(plan.body.omega), Some(plan.turned(motion.at(time)?.attitude.into_inner())))
+                let attitude = Some(plan.turned(motion.attitude(time)?.into_inner()));
+                let spin =
+                    if plan.scene.outputs().spin { Some(plan.body.in_body(plan.body.omega)) } else { None };
+                let (energy, gap) = (plan.energy, plan.gap);
+                return Ok(Answer { time, spin, attitude, energy, gap });
             }
             Strategy::SymmetricTop(motion) | Strategy::EllipticSpin(motion) | Strategy::Elliptic(motion) => {
                 let outputs = plan.scene.outputs();
                 let spin = outputs.spin || (outputs.gap && plan.gap.is_none());
                 match (spin, outputs.attitude) {
                     (_, false) => (Some(motion.omega(time)?), None),
-                    (false, true) => (None, Some(plan.turned(motion.at(time)?.attitude.into_inner()))),
+                    (false, true) => (None, Some(plan.turned(motion.attitude(time)?.into_inner()))),
                     (true, true) => {
                         let at = motion.at(time)?;
                         (Some(at.omega), Some(plan.turned(at.attitude.into_inner())))
@@ -141,12 +145,14 @@ impl Plan<'_> {
         self.answer(time, Some(*omega), attitude)
     }
 
+    #[inline]
     fn turned(&self, turn: Quaternion<f64>) -> UnitQuaternion<f64> {
         let whole = self.body.world * UnitQuaternion::new_unchecked(turn);
         self.body.frame.map_or(whole, |frame| whole * frame.inverse())
     }
 
     /// The outputs of this spin along the principal axes and this attitude of the body.
+    #[inline]
     fn answer(
         &self,
         time: f64,

@@ -67,7 +67,9 @@ impl StepControl {
         for _ in 0..count {
             *left -= 1;
             state = match method {
-                Some(method) => method.step(system, &state, h).map_err(Error::from)?,
+                Some(method) => {
+                    method.step(system, &state, h).map_err(|error| Stop::Refused(error.into()))?
+                }
                 None => exact_drift::step(system, &state, h)?,
             };
         }
@@ -111,14 +113,18 @@ impl StepControl {
     /// observed.
     pub(crate) fn finer(self, share: f64) -> Self {
         // Nothing observed yet: half, or a tenth of the tolerance.
-        let by = |order: i32, first: f64| {
-            if share > 0.0 { (0.8 * share.powf(1.0 / f64::from(order))).clamp(1e-2, 0.5) } else { first }
-        };
+        let by = |root: f64, first: f64| if share > 0.0 { (0.8 * root).clamp(1e-2, 0.5) } else { first };
+        // Errors fall as the first or the second power of the step.
+        let (first_order, second_order) = (share, share.sqrt());
         match self {
-            Self::Fixed(method @ Method::LinearisedImplicit, step) => Self::Fixed(method, step * by(1, 0.5)),
-            Self::Fixed(method, step) => Self::Fixed(method, step * by(2, 0.5)),
-            Self::ExactDrift(step) => Self::ExactDrift(step * by(2, 0.5)),
-            Self::Tolerance(tolerance) => Self::Tolerance((tolerance * by(1, 0.1)).max(LEAST_TOLERANCE)),
+            Self::Fixed(method @ Method::LinearisedImplicit, step) => {
+                Self::Fixed(method, step * by(first_order, 0.5))
+            }
+            Self::Fixed(method, step) => Self::Fixed(method, step * by(second_order, 0.5)),
+            Self::ExactDrift(step) => Self::ExactDrift(step * by(second_order, 0.5)),
+            Self::Tolerance(tolerance) => {
+                Self::Tolerance((tolerance * by(first_order, 0.1)).max(LEAST_TOLERANCE))
+            }
         }
     }
 }

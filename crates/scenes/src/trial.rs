@@ -1,9 +1,11 @@
 //! Trial runs: a scene is stepped and stepped again finer, until two runs agree.
 
+use crate::prices;
 use crate::error::Error;
 use crate::outputs::Outputs;
 use crate::step_control::{StepControl, Stop};
 use nalgebra::UnitQuaternion;
+use tumbling::attitude;
 use tumbling::dynamics::observe;
 use tumbling::step::{State, System};
 
@@ -42,7 +44,9 @@ impl Trial<'_> {
     fn steps(&self, control: StepControl) -> f64 {
         match control {
             StepControl::Fixed(_, step) | StepControl::ExactDrift(step) => self.end / step,
-            StepControl::Tolerance(tolerance) => 0.3 * (self.turned / tolerance.powf(0.2)).max(self.lost),
+            StepControl::Tolerance(tolerance) => {
+                0.3 * (self.turned / prices::fifth_root(tolerance)).max(self.lost)
+            }
         }
     }
 
@@ -165,7 +169,7 @@ impl Trial<'_> {
                 0.0
             };
             let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
-            let turn = if self.outputs.attitude { p.angle_to(&q) } else { 0.0 };
+            let turn = if self.outputs.attitude { attitude::angle_between(&p, &q) } else { 0.0 };
             worst = worst.max(spin).max(energy).max(turn);
             // A difference that is not a number is no agreement.
             if spin.is_nan() || energy.is_nan() || turn.is_nan() {

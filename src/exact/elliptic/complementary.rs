@@ -96,11 +96,13 @@ impl<T: Lane> ComplementarySeries<T> {
         let [p2, p4, p] = self.powers;
         let (e, gap, growing) = (x.square, x.gap, x.rising * x.rising);
         let square = e * e;
-        // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵).
+        // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵); differences by
+        // the gap, which has all its digits where they are small.
         let (b, c) = (p * growing, p4 * growing * growing);
-        let (cube, fifth) = (e * square, e * square * square);
-        let sine = gap - b * gap * (e + 1.0 + square) + c * (-fifth + 1.0);
-        let cosine = (e + 1.0) + b * (cube + 1.0) + c * (fifth + 1.0);
+        let (cube, fourth) = (e * square, square * square);
+        let quotient = e + 1.0 + square;
+        let sine = gap - b * gap * quotient + c * gap * (quotient + (cube + fourth));
+        let cosine = (e + 1.0) + b * (cube + 1.0) + c * (e * fourth + 1.0);
         // p cosh 2x = growing (1 + E²)/2 and so on; p⁴ cosh 4x, p⁹ cosh 6x.
         let first = growing + p * e;
         let second = p2 * (growing * growing + p2 * square);

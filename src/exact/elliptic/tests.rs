@@ -197,3 +197,14 @@ fn without_a_modulus_they_are_the_circles_and_on_the_separatrix_hyperbolic() {
         assert!((carlson_rf(x, x, x) * x.sqrt() - 1.0).abs() < 1e-15, "{x:e}");
     }
 }
+
+/// At small arguments `sn u` is `u` itself, however small.
+#[test]
+fn the_smallest_arguments_are_their_own_sines() {
+    for complement in [0.01, 0.1, 0.2, 0.3, 0.4, 0.5, 0.9] {
+        for u in [1e-9, 1e-12, 1e-16, 1e-17, 1e-30, 1e-300] {
+            let off = Jacobi::new(complement).at(u).sn / u - 1.0;
+            assert!(off.abs() < 2e-15, "{complement} {u:e}: {off:e}");
+        }
+    }
+}

@@ -74,7 +74,8 @@ impl FreeMotion {
             power = (count > 0.0).then(|| whole.then(&whole));
         }
         // Beyond short spans the closed form has the spin to more digits.
-        Some(self.spin_derivatives(moments, omega, time, tensor).map(|spin| Derivatives {
+        let now = self.scaled(&self.omega_along(time));
+        Some(self.spin_derivatives(moments, omega, &now, time, tensor).map(|spin| Derivatives {
             spin: spin.spin,
             spin_by_tensor: spin.by_tensor,
             ..found

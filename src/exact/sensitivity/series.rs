@@ -94,8 +94,8 @@ pub(super) struct Span {
     pub(super) omega: [f64; 3],
     pub(super) spin: Matrix3<f64>,
     pub(super) spin_by_tensor: ByTensor,
-    /// The attitude at the end relative to the start, and the rotation vectors in the axes of the start.
-    pub(super) rotation: Matrix3<f64>,
+    /// Coordinates along the axes at the start to those at the end, and the rotation vectors in the latter.
+    pub(super) back: Matrix3<f64>,
     pub(super) turn: Matrix3<f64>,
     pub(super) turn_by_tensor: ByTensor,
     /// The integrals of the products `w_i w_j` that the tensor's entries have in twice the energy, less those
@@ -131,24 +131,27 @@ pub(super) fn span(
     let (factors, forcing) = (factors(moments), Forcing::new(moments));
     let mut sums = Sums { start: *omega, ..Sums::default() };
     let mut rows = [0, 1, 2].map(|a| [0, 1, 2, 3].map(|k| if k == 3 { omega[a] } else { f64::from(a == k) }));
-    let mut attitude = [1.0, 0.0, 0.0, 0.0];
+    let mut attitude = if request.attitude { [1.0, 0.0, 0.0, 0.0] } else { [0.0; 4] };
+    // Filled with anything but zeros, which would be written byte by byte.
+    let mut series = Series { order, rows: [rows; TERMS + 1], attitude: [attitude; TERMS + 1] };
     let mut done = 0.0;
     while done < steps {
-        let series = Series::new(rows, request.attitude.then_some(attitude), &factors, h, order);
+        series.expand(rows, attitude, &factors, h, order, request.attitude);
         if request.attitude || request.tensor {
             sums.add(&series, &forcing, h, request);
         }
         (rows, attitude) = series.at(1.0, request.attitude);
         done += 1.0;
     }
-    let spin = matrix(&rows);
+    let (spin, rotation) = (matrix(&rows), rotation(&attitude));
+    let (back, tensor) = (rotation.transpose(), request.tensor);
     Span {
         omega: rows.map(|row| row[3]),
         spin,
-        spin_by_tensor: spin * sums.inverse_forced,
-        rotation: rotation(&attitude),
-        turn: sums.turn,
-        turn_by_tensor: sums.turn_by_tensor,
+        spin_by_tensor: if tensor { spin * sums.inverse_forced } else { ByTensor::zeros() },
+        back,
+        turn: back * sums.turn,
+        turn_by_tensor: if tensor { back * sums.turn_by_tensor } else { ByTensor::zeros() },
         energy: sums.energy,
     }
 }
@@ -166,26 +169,31 @@ fn order([argument, angle]: [f64; 2]) -> usize {
 }
 
 impl Series {
-    /// Euler's equations, their derivative `F' = k (F w + w F)`, and `q' = q w/2`.
-    fn new(rows: [Row; 3], attitude: Option<Row>, factors: &[f64; 3], h: f64, longest: usize) -> Self {
-        let mut series =
-            Self { order: longest, rows: [[[0.0; 4]; 3]; TERMS + 1], attitude: [[0.0; 4]; TERMS + 1] };
-        (series.rows[0], series.attitude[0]) = (rows, attitude.unwrap_or_default());
+    /// Euler's equations, their derivative `F' = k (F w + w F)`, and `q' = q w/2`, from these values on.
+    fn expand(
+        &mut self,
+        rows: [Row; 3],
+        attitude: Row,
+        factors: &[f64; 3],
+        h: f64,
+        longest: usize,
+        turning: bool,
+    ) {
+        (self.order, self.rows[0], self.attitude[0]) = (longest, rows, attitude);
         let mut least = f64::INFINITY;
         for n in 0..longest {
             let part = h / (n + 1) as f64;
-            let mut largest = series.advance(n, factors, part);
-            if attitude.is_some() {
-                largest = largest.max(series.turn(n, 0.5 * part));
+            let mut largest = self.advance(n, factors, part);
+            if turning {
+                largest = largest.max(self.turn(n, 0.5 * part));
             }
             // Two in a row, since every other term may vanish.
             if largest.max(least) < NEGLIGIBLE {
-                series.order = n + 1;
+                self.order = n + 1;
                 break;
             }
             least = largest;
         }
-        series
     }
 
     /// The next term of the spin and of its derivative; gives the size of the latter.
@@ -291,17 +299,16 @@ struct Sums {
 
 impl Sums {
     fn add(&mut self, series: &Series, forcing: &Forcing, h: f64, request: Request) {
-        let nodes = NODES.map(|node| series.at(0.5 + 0.5 * node, request.attitude));
-        let turning =
-            nodes.map(
-                |(rows, attitude)| {
-                    if request.attitude { rotation(&attitude) * matrix(&rows) } else { Matrix3::zeros() }
-                },
-            );
+        let nodes: [_; NODE_COUNT] =
+            core::array::from_fn(|j| series.at(0.5 + 0.5 * NODES[j], request.attitude));
+        let turning: [_; NODE_COUNT] = core::array::from_fn(|j| {
+            let (rows, attitude) = &nodes[j];
+            if request.attitude { rotation(attitude) * matrix(rows) } else { Matrix3::zeros() }
+        });
         let turn = weighted(&turning, &WEIGHTS) * h;
         self.turn += turn;
-        self.turn_by_tensor += turn * self.inverse_forced;
         if request.tensor {
+            self.turn_by_tensor += turn * self.inverse_forced;
             for (j, (rows, _)) in nodes.iter().enumerate() {
                 let (w, weight) = (rows.map(|row| row[3]), h * WEIGHTS[j]);
                 let forced = adjugate(rows) * forcing.at(&w) * weight;

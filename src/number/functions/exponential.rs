@@ -35,6 +35,16 @@ fn scaled(x: f64, exponent: i32) -> f64 {
     times_power_of_two(times_power_of_two(x, exponent / 2), exponent - exponent / 2)
 }
 
+/// The exponential, and the exponential less 1, of a number that is not positive.
+pub(crate) fn exp_and_exp_m1(x: f64) -> (f64, f64) {
+    if !(-45.0..-1e-17).contains(&x) {
+        return (exp(x), exp_m1(x));
+    }
+    let (k, part) = halvings(x);
+    let whole = DoubleDouble::sum(1.0, -times_power_of_two(1.0, -k));
+    (scaled((part + DoubleDouble::ONE).hi(), k), scaled((part + whole).hi(), k))
+}
+
 /// The exponential.
 pub(crate) fn exp(x: f64) -> f64 {
     if x.is_nan() {

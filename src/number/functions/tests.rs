@@ -1,3 +1,4 @@
+use super::exponential::exp_m1;
 use super::*;
 use crate::number::power_of_two::ulp;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};

@@ -1,7 +1,7 @@
 //! Constants that are no fractions, as exact decimals of 27 digits, so that one definition serves every
 //! number type.
 
-use crate::number::Field;
+use crate::number::Analytic;
 
 /// Three groups of nine digits behind the point, the whole part before it, and the sign.
 #[derive(Debug, Clone, Copy)]
@@ -12,12 +12,12 @@ pub(crate) struct Decimal {
 }
 
 impl Decimal {
-    pub(crate) fn value<T: Field>(&self) -> T {
+    pub(crate) fn value<T: Analytic>(&self) -> T {
         let base = T::integer(1_000_000_000);
         // From the last group on, so that the small ones are not lost one by one.
         let behind =
-            self.groups.iter().rev().fold(T::zero(), |sum, &group| (sum + T::integer(group)) / base.clone());
-        let size = T::integer(self.whole) + behind;
+            self.groups.iter().rev().fold(T::zero(), |sum, &group| (sum + T::whole(group)) / base.clone());
+        let size = T::whole(self.whole) + behind;
         if self.negative { -size } else { size }
     }
 }

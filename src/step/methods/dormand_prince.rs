@@ -1,7 +1,7 @@
 //! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references).
 
 use crate::body::{Rate, State};
-use crate::number::{Analytic, Field};
+use crate::number::Analytic;
 use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
@@ -31,8 +31,8 @@ const STAGES: [&[Ratio]; 6] = [
 const ERROR: [Ratio; 7] =
     [(71, 57_600), (0, 1), (-71, 16_695), (71, 1920), (-17_253, 339_200), (22, 525), (-1, 40)];
 
-fn number<T: Field>((n, d): Ratio) -> T {
-    let size = T::integer(n.unsigned_abs()) / T::integer(d);
+fn number<T: Analytic>((n, d): Ratio) -> T {
+    let size = T::whole(n.unsigned_abs()) / T::whole(d);
     if n < 0 { -size } else { size }
 }
 

@@ -56,7 +56,7 @@ fn fixed_point<S>(
 }
 
 fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
-    v.iter().map(Analytic::size).sum()
+    v.as_slice().iter().map(Analytic::size).sum()
 }
 
 /// `L' - L = h (M x w + torque)` with `M` the mean of the momenta and `w = J M`, and a turn by half-angle

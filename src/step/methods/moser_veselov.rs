@@ -21,7 +21,7 @@
 use crate::attitude;
 use crate::body::State;
 use crate::error::{Error, Refusal};
-use crate::number::functions::{atan2, powi};
+use crate::number::functions::atan2;
 use crate::number::{Analytic, Ring};
 use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
@@ -51,6 +51,9 @@ pub(crate) fn step<T: Analytic>(
     h: &T,
     order: u32,
 ) -> Result<State<T>, Error> {
+    if system.is_free() {
+        return Prepared::new(system.inverse(), &start.momentum, h, order)?.step(start);
+    }
     let half = h.clone() / T::integer(2);
     let start = system.kick(start, half.clone());
     let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(&start)?;
@@ -88,6 +91,7 @@ impl<T: Analytic> Prepared<T> {
     ///
     /// # Errors
     /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
+    #[inline]
     pub(crate) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
         // In units of the first moment and of the step everything is a pure number, and small where the step
         // is.
@@ -99,7 +103,7 @@ impl<T: Analytic> Prepared<T> {
             let turned = momentum.map(|x| x * whole.clone());
             let (a, b) = corrections(&inverse, &turned, order);
             let altered = inverse.map(|x| a.clone() * x + b.clone());
-            for (before, after) in inverse.iter().zip(&altered) {
+            for (before, after) in inverse.as_slice().iter().zip(altered.as_slice()) {
                 let change = (after.clone() - before.clone()).size();
                 if change >= MOST_ALTERED * before.size() {
                     let value = change / before.size();
@@ -158,7 +162,8 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
     let enough = T::rounding().sqrt() / 8.0;
     // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to
     // find.
-    let least = powi(T::rounding(), 4);
+    let square = T::rounding() * T::rounding();
+    let least = square * square;
     let mut moved = f64::NAN;
     for _ in 0..ROUNDS {
         let kc = k.component_mul(&c);
@@ -176,7 +181,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
         let over = T::one() / x.dot(&yz);
         let change = Vector3::new(yz.dot(&miss), zx.dot(&miss), xy.dot(&miss)).map(|x| x * over.clone());
-        let size = |v: &Vector3<T>| v.iter().map(Analytic::size).sum::<f64>();
+        let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
         moved = size(&change);
         c -= change;
         if moved <= enough * size(&c) || moved < least {

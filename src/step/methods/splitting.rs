@@ -48,7 +48,7 @@ pub(crate) fn order_2<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 
 pub(crate) fn order_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let [a, b, c, d] = SEVEN.map(|(n, below)| {
-        let size = T::integer(n.unsigned_abs()) / T::integer(below);
+        let size = T::whole(n.unsigned_abs()) / T::whole(below);
         if n < 0 { -size } else { size }
     });
     composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d, c, b, a])
