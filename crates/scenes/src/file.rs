@@ -56,7 +56,7 @@ impl Place {
     /// ```
     /// let scene = "accuracy = 1e-9\ntimes = [1]\nwants = []\n";
     /// let text = format!("{scene}[[body]]\nmoments = [1, 1, 3]\nspin = [0, 0, 1]\n");
-    /// let file = tumbling_scenes::file::read(text).unwrap();
+    /// let file = tumbling_scenes::file::read(&text).unwrap();
     /// let error = file.scene.plan(0).unwrap_err();
     /// let error = file.bodies[0].error(&error).to_string();
     /// assert!(error.starts_with("line 5, `moments`: body 0: no body has principal moments"), "{error}");
