@@ -47,8 +47,8 @@ impl Body {
     ///
     /// # Errors
     /// An inertia without inverse, an attitude whose length is not 1 to a billionth, a value that is not
-    /// finite, or a momentum or spin whose length is beyond `f64`. (A length that is nearly 1 is made 1: a quaternion's direction alone
-    /// is the attitude.)
+    /// finite, or a momentum or spin whose length is beyond `f64`. (A length that is nearly 1 is made 1: a
+    /// quaternion's direction alone is the attitude.)
     pub fn new(
         inertia: Inertia,
         attitude: UnitQuaternion<f64>,

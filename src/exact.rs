@@ -94,8 +94,8 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// Angular velocity in world axes, rad/s. Infinite where a component is beyond `f64`, as it can be within a factor
-    /// of two of the largest number.
+    /// Angular velocity in world axes, rad/s. Infinite where a component is beyond `f64`, as it can be within
+    /// a factor of two of the largest number.
     #[must_use]
     pub fn omega_world(&self) -> Vector3<f64> {
         let turned = self.attitude * self.omega;
@@ -112,8 +112,8 @@ impl FreeMotion {
     ///
     /// # Errors
     /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
-    /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a push of less than
-    /// 1e-570 of the spin) that the two cannot be told apart.
+    /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a
+    /// push of less than 1e-570 of the spin) that the two cannot be told apart.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());

@@ -228,8 +228,8 @@ impl Inertia {
     }
 }
 
-/// From the whole matrix, kg m². Mirrored entries may differ by rounding, as they do after `R I R^T`; then their mean
-/// is kept.
+/// From the whole matrix, kg m². Mirrored entries may differ by rounding, as they do after `R I R^T`; then
+/// their mean is kept.
 ///
 /// # Errors
 /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below zero, or a

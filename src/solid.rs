@@ -83,8 +83,8 @@ pub trait Solid {
 
 /// A shape whose moments follow from its sizes, by one law for every number type.
 pub trait Shape<const N: usize> {
-    /// Its principal moments about its centre, kg m², along its own axes, from its mass (kg) and its sizes (m) in the
-    /// order of its constructor; unchecked.
+    /// Its principal moments about its centre, kg m², along its own axes, from its mass (kg) and its sizes
+    /// (m) in the order of its constructor; unchecked.
     #[must_use]
     fn moments<T: Field>(mass: &T, sizes: [&T; N]) -> Vector3<T>;
 }

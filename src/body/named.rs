@@ -37,26 +37,27 @@ use nalgebra::{Matrix3, Vector3};
 /// A body with a name, and where its sizes come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum NamedBody {
-    /// The box of the worked example: 2 m along x, 1 m along y, 3 m along z, 1 kg. Moments 10/12, 13/12 and 5/12.
+    /// The box of the worked example: 2 m along x, 1 m along y, 3 m along z, 1 kg. Moments 10/12, 13/12 and
+    /// 5/12.
     TheBox,
     /// A paperback of 320 pages, held shut by a rubber band.
     ///
-    /// B-format, 129 mm by 198 mm, is a standard British paperback size. The rest is worked out by us for common
-    /// paper: 160 leaves at 80 g/m² and a cover at 250 g/m² front and back make 0.340 kg; at 0.125 mm a leaf
-    /// they are 20 mm thick.
+    /// B-format, 129 mm by 198 mm, is a standard British paperback size. The rest is worked out by us for
+    /// common paper: 160 leaves at 80 g/m² and a cover at 250 g/m² front and back make 0.340 kg; at 0.125 mm
+    /// a leaf they are 20 mm thick.
     Book,
     /// A phone: 71.6 mm by 7.80 mm by 147.6 mm, 171 g.
     ///
-    /// The outer sizes and the mass of an iPhone 15 as its maker publishes them. That it is evenly filled is our
-    /// simplification: a real phone's battery and cameras shift its centre a little.
+    /// The outer sizes and the mass of an iPhone 15 as its maker publishes them. That it is evenly filled is
+    /// our simplification: a real phone's battery and cameras shift its centre a little.
     Phone,
     /// A remote control: 35 mm by 9.25 mm by 136 mm, 63 g.
     ///
-    /// The outer sizes and the mass of a Siri Remote (second generation) as its maker publishes them. That it is
-    /// evenly filled is our simplification.
+    /// The outer sizes and the mass of a Siri Remote (second generation) as its maker publishes them. That it
+    /// is evenly filled is our simplification.
     RemoteControl,
-    /// A hammer: a steel head of 100 mm by 32 mm by 32 mm across the end of an ash handle 290 mm long and 29 mm
-    /// thick. Head along x, handle along z.
+    /// A hammer: a steel head of 100 mm by 32 mm by 32 mm across the end of an ash handle 290 mm long and 29
+    /// mm thick. Head along x, handle along z.
     ///
     /// Typical of a club hammer with a head of about 0.8 kg; the sizes are chosen by us, the densities are
     /// textbook values. The handle ends where the head begins.
@@ -64,23 +65,25 @@ pub enum NamedBody {
     /// A tennis racket, 685 mm long and 0.327 kg: an oval hoop with 16 by 19 strings, two throat bars and a
     /// handle, with the handle along z and the strings in the xz plane.
     ///
-    /// The sizes are typical and chosen by us, within the rules of tennis (at most 737 mm by 317 mm, ITF Rules of
-    /// Tennis, appendix II). A real racket to compare it with: the Wilson T-2000 that Brody measured had 0.00121,
-    /// 0.01638 and 0.01748 kg m² ([Bro85](crate::references) as quoted in [Ash91](crate::references)).
+    /// The sizes are typical and chosen by us, within the rules of tennis (at most 737 mm by 317 mm, ITF
+    /// Rules of Tennis, appendix II). A real racket to compare it with: the Wilson T-2000 that Brody measured
+    /// had 0.00121, 0.01638 and 0.01748 kg m² ([Bro85](crate::references) as quoted in
+    /// [Ash91](crate::references)).
     TennisRacket,
-    /// A wing nut for thread M10, of steel: a round boss along x with its wings spread along z. It comes off its
-    /// screw spinning about x, the middle axis.
+    /// A wing nut for thread M10, of steel: a round boss along x with its wings spread along z. It comes off
+    /// its screw spinning about x, the middle axis.
     ///
-    /// Boss and span are those that UNI 5448 lists for M10 (boss 16.5 mm wide and 6.8 mm high, 36.2 mm over the
-    /// wings, whose edges are 3.3 mm thick and reach 17.7 mm high; about 13.5 g), as quoted in dealers' tables:
-    /// likely, not checked against the standard itself. The wings slant; ours are upright plates as high as two
-    /// thirds of theirs, the hole is 9 mm wide. Nobody published the sizes of the nut that flipped in orbit.
+    /// Boss and span are those that UNI 5448 lists for M10 (boss 16.5 mm wide and 6.8 mm high, 36.2 mm over
+    /// the wings, whose edges are 3.3 mm thick and reach 17.7 mm high; about 13.5 g), as quoted in dealers'
+    /// tables: likely, not checked against the standard itself. The wings slant; ours are upright plates as
+    /// high as two thirds of theirs, the hole is 9 mm wide. Nobody published the sizes of the nut that
+    /// flipped in orbit.
     WingNut,
-    /// A T-handle of steel rod 12 mm thick: a crossbar of 100 mm along z, and a stem of 50 mm along x from its
-    /// middle. It spins about its stem, the middle axis.
+    /// A T-handle of steel rod 12 mm thick: a crossbar of 100 mm along z, and a stem of 50 mm along x from
+    /// its middle. It spins about its stem, the middle axis.
     ///
-    /// The shape is that of the handle often filmed in orbit; its sizes are chosen by us. The stem ends where the
-    /// crossbar begins.
+    /// The shape is that of the handle often filmed in orbit; its sizes are chosen by us. The stem ends where
+    /// the crossbar begins.
     THandle,
 }
 
@@ -111,8 +114,8 @@ impl NamedBody {
         }
     }
 
-    /// Its mass, centre and inertia by the laws alone: [`properties`](Self::properties) to some units in the last
-    /// place, without what checks sizes and keeps digits, for a program that must be small.
+    /// Its mass, centre and inertia by the laws alone: [`properties`](Self::properties) to some units in the
+    /// last place, without what checks sizes and keeps digits, for a program that must be small.
     ///
     /// ```
     /// use tumbling::body::named::NamedBody;

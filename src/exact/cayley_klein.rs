@@ -213,13 +213,11 @@ impl ComplementaryPair {
         let p = [1.0, p, p2, p * p2, p2 * p2];
         let sum = |wave: usize, weigh: bool| {
             let mut total = [0.0; 2];
-            for n in 0..5 {
-                let weight = if weigh { n as f64 } else { 1.0 };
-                total[0] += weight * self.rising[wave][n] * p[n];
+            for (n, (term, power)) in self.rising[wave].iter().zip(p).enumerate() {
+                total[0] += if weigh { n as f64 } else { 1.0 } * term * power;
             }
-            for n in 0..4 {
-                let weight = if weigh { -((n + 1) as f64) } else { 1.0 };
-                total[1] += weight * self.falling[wave][n] * p[n + 1];
+            for (n, (term, power)) in (1..).zip(self.falling[wave].iter().zip(&p[1..])) {
+                total[1] += if weigh { -f64::from(n) } else { 1.0 } * term * power;
             }
             total
         };

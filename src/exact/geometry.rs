@@ -151,8 +151,8 @@ impl FreeMotion {
     /// to the momentum, which is never undefined. After half a period the two small components of the spin
     /// have changed sign, so the body stands as at first but turned by half a turn about the circled axis,
     /// and then by the twist and half a turn about the momentum; after a whole period, by two twists about
-    /// the momentum. Divided by π it is the rotation number; where that is a ratio of integers, the motion in the
-    /// world closes.
+    /// the momentum. Divided by π it is the rotation number; where that is a ratio of integers, the motion in
+    /// the world closes.
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {

@@ -7,8 +7,8 @@ use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::Matrix3;
 
 impl Inertia {
-    /// The inverse matrix `J` in 1/(kg m²), `w = J L`, along the same axes: to be computed once and turned, instead of
-    /// inverting at each step.
+    /// The inverse matrix `J` in 1/(kg m²), `w = J L`, along the same axes: to be computed once and turned,
+    /// instead of inverting at each step.
     ///
     /// ```
     /// use nalgebra::Vector3;

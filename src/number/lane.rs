@@ -52,8 +52,8 @@ pub trait Lane:
     #[must_use]
     fn lane(&self, k: usize) -> f64;
 
-    /// In each lane whether the number is less than that of `other`: false where either is NaN, and -0 is not less
-    /// than 0.
+    /// In each lane whether the number is less than that of `other`: false where either is NaN, and -0 is not
+    /// less than 0.
     #[must_use]
     fn lt(self, other: Self) -> Self::Mask;
 
@@ -145,7 +145,8 @@ impl Lane for f64 {
             any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
         ))]
         return self.round_ties_even();
-        // Elsewhere a sum that large rounds the fraction off, in a third of the time of the C library's function.
+        // Elsewhere a sum that large rounds the fraction off, in a third of the time of the C library's
+        // function.
         #[cfg(not(all(
             feature = "std",
             any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")

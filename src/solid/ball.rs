@@ -34,8 +34,8 @@ impl Ball {
         Ok(Self { inner: 0.0, outer: positive("the radius", radius)? })
     }
 
-    /// From the radii of the hole (0 for none) and of the whole, m. They may be equal: then it is a thin shell, which
-    /// has a mass but no volume to give a density to.
+    /// From the radii of the hole (0 for none) and of the whole, m. They may be equal: then it is a thin
+    /// shell, which has a mass but no volume to give a density to.
     ///
     /// # Errors
     /// A radius that is not finite, an inner one below zero, an outer one not above zero, or an inner one

@@ -37,9 +37,9 @@ impl Capsule {
 impl Shape<2> for Capsule {
     /// The moments of a capsule about its centre: a cylinder of length `l` and two half balls, axis along z.
     ///
-    /// The volumes are as `3l` to `4r`, which shares out the mass. The cylinder adds `m (3r² + l²)/12` across and
-    /// `m r²/2` along. The half balls together add `2/5 m r²` along; across, the parallel-axis theorem applied
-    /// to each, whose centre is `3r/8` from its flat side, comes to `m (2/5 r² + 3/8 l r + l²/4)`.
+    /// The volumes are as `3l` to `4r`, which shares out the mass. The cylinder adds `m (3r² + l²)/12` across
+    /// and `m r²/2` along. The half balls together add `2/5 m r²` along; across, the parallel-axis theorem
+    /// applied to each, whose centre is `3r/8` from its flat side, comes to `m (2/5 r² + 3/8 l r + l²/4)`.
     ///
     /// ```
     /// use tumbling::solid::{Capsule, Shape};

@@ -47,8 +47,8 @@ impl Compound {
         self
     }
 
-    /// The whole's mass, centre and inertia, by the parallel-axis theorem. Distances are taken from the heaviest part,
-    /// so that a body far from the origin keeps its digits.
+    /// The whole's mass, centre and inertia, by the parallel-axis theorem. Distances are taken from the
+    /// heaviest part, so that a body far from the origin keeps its digits.
     ///
     /// # Errors
     /// No parts; a position that is not finite, with the part's number; or a result that `f64` does not hold.

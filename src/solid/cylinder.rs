@@ -38,8 +38,8 @@ impl Cylinder {
         Ok(Self { inner: 0.0, outer: radius, height })
     }
 
-    /// A tube, from the radii of the hole (0 for none) and of the whole, and the height, m. The radii may be equal:
-    /// then it is thin, and has a mass but no volume to give a density to.
+    /// A tube, from the radii of the hole (0 for none) and of the whole, and the height, m. The radii may be
+    /// equal: then it is thin, and has a mass but no volume to give a density to.
     ///
     /// # Errors
     /// A size that is not finite, an inner radius below zero, another size not above zero, or an inner
@@ -66,8 +66,8 @@ impl Shape<2> for Cylinder {
 }
 
 impl Shape<3> for Cylinder {
-    /// The moments of a tube: `m/12 (3(i² + o²) + h²)` across, `m/2 (i² + o²)` along its axis, z. It is a cylinder
-    /// minus a cylinder, with the factor `o² - i²` divided out, so nothing cancels.
+    /// The moments of a tube: `m/12 (3(i² + o²) + h²)` across, `m/2 (i² + o²)` along its axis, z. It is a
+    /// cylinder minus a cylinder, with the factor `o² - i²` divided out, so nothing cancels.
     ///
     /// ```
     /// use nalgebra::Vector3;

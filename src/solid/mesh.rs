@@ -49,8 +49,8 @@ fn mesh_sums<'a, T: Ring>(
     sums
 }
 
-/// Volume, centre and inertia about the centre, for density 1, of the solid that the triangles bound: by tetrahedra
-/// between each of them and `reference`, whose choice changes nothing in exact numbers.
+/// Volume, centre and inertia about the centre, for density 1, of the solid that the triangles bound: by
+/// tetrahedra between each of them and `reference`, whose choice changes nothing in exact numbers.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -35,9 +35,9 @@ impl ThinPlate {
 }
 
 impl Shape<2> for ThinPlate {
-    /// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum about
-    /// z, as for everything flat.
-    /// A box without thickness: [LL76](crate::references), section 32, problem 2d.
+    /// The moments of a thin plate in the xy plane about its centre: `m b²/12`, `m a²/12`, and their sum
+    /// about z, as for everything flat. A box without thickness: [LL76](crate::references), section 32,
+    /// problem 2d.
     ///
     /// ```
     /// use tumbling::solid::{ThinPlate, Shape};

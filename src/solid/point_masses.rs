@@ -8,8 +8,8 @@ use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 
 impl MassProperties {
-    /// Of point masses, from each mass (kg) and position (m). Those on one line make an ideal rod, which has one
-    /// zero moment.
+    /// Of point masses, from each mass (kg) and position (m). Those on one line make an ideal rod, which has
+    /// one zero moment.
     ///
     /// ```
     /// use nalgebra::Vector3;

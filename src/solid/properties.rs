@@ -91,7 +91,7 @@ impl From<MassProperties> for MassMoments<Extended> {
 ///
 /// // Two bricks of 1 x 2 x 3, side by side along x, are one of 2 x 2 x 3.
 /// let brick = Cuboid::new(1.0, 2.0, 3.0)?.with_density(2.0)?;
-/// let pair = Compound::new().at(brick, &Vector3::zeros()).at(brick, &Vector3::new(1.0, 0.0, 0.0)).properties()?;
+/// let pair = Compound::new().at(brick, &Vector3::zeros()).at(brick, &Vector3::x()).properties()?;
 /// let whole = Cuboid::new(2.0, 2.0, 3.0)?.with_density(2.0)?;
 /// assert_eq!(pair.mass(), 24.0);
 /// assert_eq!(pair.centre(), Vector3::new(0.5, 0.0, 0.0));

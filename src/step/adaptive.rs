@@ -33,12 +33,13 @@ pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
-/// It takes at most `budget` steps, taken or rejected; those used are subtracted from it, also where the run fails.
+/// It takes at most `budget` steps, taken or rejected; those used are subtracted from it, also where the run
+/// fails.
 ///
 /// # Errors
 /// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error
-/// that stays too large however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after `budget`
-/// steps, or as soon as stiff losses would need more.
+/// that stays too large however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after
+/// `budget` steps, or as soon as stiff losses would need more.
 pub fn adaptive(
     system: &System<f64>,
     start: &State<f64>,
@@ -223,8 +224,8 @@ mod tests {
 
     #[test]
     fn a_controlled_run_takes_back_steps_that_were_too_long() {
-        // A needle let go a thousandth of a radian from standing against the field: it hardly moves for long, then
-        // swings through. Energy, of motion and of place, must be the same wherever the run ends.
+        // A needle let go a thousandth of a radian from standing against the field: it hardly moves for long,
+        // then swings through. Energy, of motion and of place, must be the same wherever the run ends.
         let pull = 3.0;
         let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * -pull };
         let system = System::with(PrincipalMoments::new(1.0, 1.5, 2.0).unwrap(), vec![aligning]).unwrap();

@@ -209,8 +209,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// ```
     ///
     /// # Errors
-    /// A step that is not above zero; one of kind [`TooMany`](crate::ErrorKind::TooMany) where steps so short would be more
-    /// than 2^53 or would not move the time; of each as [`step`](Self::step).
+    /// A step that is not above zero; one of kind [`TooMany`](crate::ErrorKind::TooMany) where steps so short
+    /// would be more than 2^53 or would not move the time; of each as [`step`](Self::step).
     pub fn run_until(
         &mut self,
         h: T,
@@ -248,8 +248,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.step(if left > 0.0 { h } else { -h })
     }
 
-    /// The time since the start, s: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6 us in
-    /// two minutes.
+    /// The time since the start, s: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6
+    /// us in two minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time

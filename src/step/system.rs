@@ -80,7 +80,8 @@ impl<T: Field> System<T> {
         &self.torques
     }
 
-    /// Sets the time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until it is set.
+    /// Sets the time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until
+    /// it is set.
     pub(crate) fn set_time(&mut self, time: T) {
         self.time = time;
     }

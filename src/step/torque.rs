@@ -58,9 +58,9 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// world's vector `v` in body axes.
     ///
     /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it; a
-    /// [`Method`](crate::step::Method) by itself starts each step at zero. Methods with kicks hold time and attitude for
-    /// each half kick and take the spin on the way by the explicit midpoint rule: of the second order, and
-    /// reversible where the law does not depend on the spin.
+    /// [`Method`](crate::step::Method) by itself starts each step at zero. Methods with kicks hold time and
+    /// attitude for each half kick and take the spin on the way by the explicit midpoint rule: of the second
+    /// order, and reversible where the law does not depend on the spin.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

@@ -71,17 +71,33 @@ fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] 
     most
 }
 
+/// Which of the laws in [`broken`] a method says that it keeps.
+fn kept(method: Method) -> [bool; 5] {
+    let keeps = method.info().conserved;
+    [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible]
+}
+
+// Of one body: for some others two errors of a rule happen to cancel.
+#[test]
+fn each_rule_breaks_the_laws_that_it_does_not_say_it_keeps() {
+    let system = System::free(tumbling::PrincipalMoments::new(1.3, 1.1, 0.7).unwrap()).unwrap();
+    let omega = Vector3::new(0.4, 0.9, -0.6);
+    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    for method in RULES {
+        // Of the second order or better a rule breaks them by less, but by far more than rounding.
+        let least = if method.info().order > 1 { 1e-11 } else { 1e-6 };
+        for (kept, found) in kept(method).into_iter().zip(broken(method, &system, &start)) {
+            assert!(kept || found > least, "{method:?} {found:e}");
+        }
+    }
+}
+
 proptest! {
     #[test]
-    fn each_rule_keeps_the_laws_it_says_and_breaks_the_others_on_any_body((system, start) in body()) {
+    fn each_rule_keeps_the_laws_it_says_on_any_body((system, start) in body()) {
         for method in RULES {
-            let keeps = method.info().conserved;
-            let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
-            let found = broken(method, &system, &start);
-            // Of the second order or better a rule breaks them by less, but by far more than rounding.
-            let least = if method.info().order > 1 { 1e-11 } else { 1e-6 };
-            for (said, found) in said.into_iter().zip(found) {
-                prop_assert!(if said { found < 1e-13 } else { found > least }, "{method:?} {found:e}");
+            for (kept, found) in kept(method).into_iter().zip(broken(method, &system, &start)) {
+                prop_assert!(!kept || found < 1e-13, "{method:?} {found:e}");
             }
         }
     }

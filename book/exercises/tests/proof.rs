@@ -164,7 +164,10 @@ fn a_file_that_was_changed_outside_of_its_marks_is_no_answer_and_says_which_line
         (format!("{solved}\n{}\n", exercises::BEGIN), " has not both marks".to_owned()),
         (
             solved.replace("let degrees = 45.0_f64;", "let a = 1;"),
-            format!(":{}: `let a = 1; // 45°` stands where the exercise has `let degrees", line("let degrees")),
+            format!(
+                ":{}: `let a = 1; // 45°` stands where the exercise has `let degrees",
+                line("let degrees")
+            ),
         ),
         (
             solved.replace("    (yours - degrees).abs() < 1e-9,", "    true,"),

@@ -8,8 +8,8 @@ const fn exempt(tex: &'static str, reason: &'static str) -> Exemption {
     Exemption { tex, reason }
 }
 
-/// Chapters by the names of their files. Bare expressions that name a thing and say nothing about it are notation, each once
-/// for each time it is written, inline.
+/// Chapters by the names of their files. Bare expressions that name a thing and say nothing about it are
+/// notation, each once for each time it is written, inline.
 pub(super) const CHAPTERS: &[(&str, Expected)] = &[
     (
         "matrix-mass",

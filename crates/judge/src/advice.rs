@@ -14,7 +14,6 @@ pub(crate) fn significant(x: f64) -> String {
     if !(-4.0..9.0).contains(&size) {
         return format!("{x:.4e}");
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 8")]
     let decimals = (4.0 - size).max(0.0) as usize;
     format!("{x:.decimals$}")
 }

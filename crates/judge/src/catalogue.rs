@@ -4,8 +4,9 @@ use crate::engines::{Limits, PhysicsEngine};
 use std::f64::consts::FRAC_PI_4;
 use tumbling::step::Method;
 
-/// Engines and what they do to a free body. The recorded ones are followed step by step in `tests/engines_recorded.rs`; of the
-/// others the rule is known, and neither the last digits nor their limits.
+/// Engines and what they do to a free body. The recorded ones are followed step by step in
+/// `tests/engines_recorded.rs`; of the others the rule is known, and neither the last digits nor their
+/// limits.
 ///
 /// ```
 /// use tumbling::step::Method;

@@ -30,7 +30,8 @@ const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"]
 /// Words before a name that say that there is none of it.
 const NONE: [&str; 3] = ["no", "without", "zero"];
 
-/// Whatever comes after the whole word `word` and a colon, an equals sign or blanks; not where the word before it says that there is none.
+/// Whatever comes after the whole word `word` and a colon, an equals sign or blanks; not where the word
+/// before it says that there is none.
 fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     let lower = text.to_ascii_lowercase();
     let (at, _) = lower.match_indices(word).find(|(at, _)| {
@@ -70,7 +71,8 @@ fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
 }
 
 impl Told {
-    /// Reads one more comment line. What it does not understand it takes for prose, and says so where it seems to tell something.
+    /// Reads one more comment line. What it does not understand it takes for prose, and says so where it
+    /// seems to tell something.
     pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
         if self.engine.is_none()
             && let Some(name) =
@@ -116,8 +118,9 @@ impl Told {
         Ok(())
     }
 
-    /// The moments that are told. Of a flat body, whose rounded moments miss the triangle rule by no more than their printed digits leave
-    /// open, the largest is taken as the sum of the others, and a note says so.
+    /// The moments that are told. Of a flat body, whose rounded moments miss the triangle rule by no more
+    /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
+    /// so.
     pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Option<Vector3<f64>> {
         let told = self.inertia?;
         let largest = told.imax();

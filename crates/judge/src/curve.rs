@@ -77,8 +77,8 @@ impl Curve {
         self.stretches.iter().map(|x| x.most).fold(0.0, f64::max)
     }
 
-    /// How it grows, if what is below `rounding` is none. A logarithm of a ratio (`of_ratio`) that grows evenly is a quantity that
-    /// grows or decays exponentially.
+    /// How it grows, if what is below `rounding` is none. A logarithm of a ratio (`of_ratio`) that grows
+    /// evenly is a quantity that grows or decays exponentially.
     pub(crate) fn growth(&self, rounding: f64, of_ratio: bool) -> Growth {
         let most = self.most();
         if most <= rounding {

@@ -7,8 +7,9 @@ use crate::thresholds::{FARTHEST_TURN, SPIN_ROUNDS, TURN_LEFT};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
 
-/// The spin at the first of two attitudes with which the exact motion comes to the second, by the shorter way: Newton's method with the
-/// motion's own derivatives. `None` where the attitudes are too far apart to tell.
+/// The spin at the first of two attitudes with which the exact motion comes to the second, by the shorter
+/// way: Newton's method with the motion's own derivatives. `None` where the attitudes are too far apart to
+/// tell.
 pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> {
     let whole = pair.turn()?;
     if whole.norm() > FARTHEST_TURN {

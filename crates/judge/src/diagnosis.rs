@@ -43,8 +43,8 @@ pub enum Sure {
     MostSteps,
     /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
     Near,
-    /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not drift as the record does,
-    /// or it is one of several that do.
+    /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
+    /// drift as the record does, or it is one of several that do.
     FewDigits,
     /// None of the rules known here.
     NoneFits,
@@ -83,8 +83,8 @@ pub struct Diagnosis {
     pub steps: usize,
     /// What else was seen.
     pub hints: Vec<Hint>,
-    /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them, drift as the whole record
-    /// does.
+    /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
+    /// drift as the whole record does.
     pub drifts: Option<usize>,
 }
 
@@ -100,7 +100,8 @@ impl Diagnosis {
         !matches!(self.sure, Sure::NoneFits | Sure::FewDigits)
     }
 
-    /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the record does.
+    /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the
+    /// record does.
     pub(crate) fn by_drift(&mut self, subject: &Subject, sample: &Sample, run: &Run) {
         let all: Vec<Rule> = std::iter::once(self.best.rule).chain(self.alike.iter().copied()).collect();
         let (like, unlike): (Vec<Rule>, Vec<Rule>) =

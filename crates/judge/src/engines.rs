@@ -31,14 +31,16 @@ pub struct PhysicsEngine {
 /// What an engine does to a body that is too fast for it. The rule alone has none of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Bullet: beyond this angle (rad) a step turns by less than the spin asks, never by more than half a turn. The spin stays.
+    /// Bullet: beyond this angle (rad) a step turns by less than the spin asks, never by more than half a
+    /// turn. The spin stays.
     pub turn: Option<f64>,
     /// Bullet's multibody: the most spin (rad/s) along each axis of the world; what is beyond it is cut off.
     pub component: Option<f64>,
     /// Rapier: the most angle (rad) a whole step may turn; a faster spin is slowed to it, for good.
     pub spin: Option<f64>,
-    /// MuJoCo: the most angular acceleration and spin (rad/s², rad/s) along any principal axis; beyond it MuJoCo puts the body back to its
-    /// attitude at the beginning of all, at rest, and warns. Here that is an error.
+    /// MuJoCo: the most angular acceleration and spin (rad/s², rad/s) along any principal axis; beyond it
+    /// MuJoCo puts the body back to its attitude at the beginning of all, at rest, and warns. Here that is an
+    /// error.
     pub rate: Option<f64>,
 }
 
@@ -65,8 +67,8 @@ impl PhysicsEngine {
     /// ```
     ///
     /// # Errors
-    /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back to the
-    /// beginning.
+    /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back
+    /// to the beginning.
     pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
         if let Some(most) = self.limits.rate {
             let omega = system.omega(&start.momentum);
@@ -96,7 +98,8 @@ pub(crate) fn parted(
         let end = method.step(system, start, h)?;
         return limits.keep(method, system, start, end, h, h);
     }
-    // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all parts.
+    // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all
+    // parts.
     let part = h / f64::from(parts);
     let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
     let free = System::of_numbers(*system.moments(), Vec::new());
@@ -164,14 +167,15 @@ fn turned(start: &Quaternion<f64>, turn: &Quaternion<f64>) -> Quaternion<f64> {
     Quaternion::from_vector(q.coords.map(|x| x / norm))
 }
 
-/// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn by
-/// `2 atan(|w| h / 2)` instead of `|w| h`.
+/// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn
+/// by `2 atan(|w| h / 2)` instead of `|w| h`.
 fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
     turned(start, &Quaternion::from_parts(1.0, omega * (h / 2.0)))
 }
 
-/// `start` turned by the spin `omega` (body axes, rad/s) for `h` seconds as Bullet does it: by `|w| h` up to the angle
-/// `most`, beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is too little and never more than half a turn.
+/// `start` turned by the spin `omega` (body axes, rad/s) for `h` seconds as Bullet does it: by `|w| h` up to
+/// the angle `most`, beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is too little and never more
+/// than half a turn.
 fn turned_beyond(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64, most: f64) -> Quaternion<f64> {
     if omega.norm() * h.abs() <= most {
         return turned(start, &attitude::turn(&(omega * h)));

@@ -1,5 +1,5 @@
-//! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for certain, and a way round at
-//! another pace.
+//! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for
+//! certain, and a way round at another pace.
 
 use crate::diagnosis::{Diagnosis, Sure};
 use crate::findings::Complaint;
@@ -20,7 +20,8 @@ pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> 
     over.into_iter().chain(counted)
 }
 
-/// A rule that no body goes by, however small the step; several that are not to be told apart must all be wrong.
+/// A rule that no body goes by, however small the step; several that are not to be told apart must all be
+/// wrong.
 pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
     let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
     let wrong = diagnosis.sure == Sure::ToRounding && all_wrong;

@@ -41,7 +41,8 @@ fn step(
     Ok(normal.cholesky().map(|root| root.solve(&side)))
 }
 
-/// The spin at the time of the first row whose exact motion is nearest to the spins of all of them, in the least squares.
+/// The spin at the time of the first row whose exact motion is nearest to the spins of all of them, in the
+/// least squares.
 pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64>, Fit), Error> {
     let none = |problem: &str| Error::Fit { rows: rows.len(), problem: problem.into() };
     let [first, .., last] = rows else { return Err(none("it takes two rows at least")) };
@@ -79,7 +80,6 @@ pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64
     if !settled {
         return Err(none("it does not converge in the rounds that it has"));
     }
-    #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
     let left = (least / rows.len() as f64).sqrt();
     let moved = (omega - first.omega).norm();
     // What is left must be rounding or an engine's error, not another motion.

@@ -195,7 +195,8 @@ fn turned_by(pairs: &[Pair]) -> Option<f64> {
     (factor.is_finite() && (factor - 1.0).abs() > OTHER_PACE).then_some(factor)
 }
 
-/// How many times as long as told the steps are, if not once: from the turns, and from the changes of the spin.
+/// How many times as long as told the steps are, if not once: from the turns, and from the changes of the
+/// spin.
 fn clocks(subject: &Subject, pairs: &[Pair]) -> impl Iterator<Item = f64> {
     let (mut found, mut wanted) = (0.0, 0.0);
     for pair in pairs {

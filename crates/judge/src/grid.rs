@@ -21,7 +21,8 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Where the printed digits make the steps uneven, and a step, told or the mean one, explains all of the times.
+    /// Where the printed digits make the steps uneven, and a step, told or the mean one, explains all of the
+    /// times.
     pub(crate) fn of(probe: &[Raw], told: Option<f64>) -> Option<Self> {
         let (first, last) = (probe.first()?, probe.last()?);
         // Of those printed without the zeros at their ends some have all the digits there are.
@@ -37,7 +38,6 @@ impl Grid {
         if half <= rounding || even {
             return None;
         }
-        #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
         let count = (probe.len() - 1) as f64;
         let mean = Self {
             start: first.t,
@@ -88,7 +88,8 @@ impl Grid {
     }
 }
 
-/// Half a unit of the last digit that a time can have, s: where all have so many decimals, or so many significant digits.
+/// Half a unit of the last digit that a time can have, s: where all have so many decimals, or so many
+/// significant digits.
 fn half_of(raw: &Raw, half: f64, digits: i32) -> f64 {
     half.max(0.5 * raw.printed.above * 10.0_f64.powi(-digits))
 }

@@ -43,7 +43,8 @@ fn cap_at_start(pairs: &[Pair]) -> Option<Hint> {
     capped.then_some(Hint::CapAtStart { from, to })
 }
 
-/// Of the spin alone, and of the attitude alone with the spins that the record has: what each is stepped by, to rounding.
+/// Of the spin alone, and of the attitude alone with the spins that the record has: what each is stepped by,
+/// to rounding.
 pub(crate) fn apart(subject: &Subject, pairs: &[Pair], floor: Floor) -> Option<Hint> {
     let fits = |misses: Vec<f64>| {
         let [middle, most] = middle_and_most(misses)?;
@@ -94,7 +95,8 @@ pub(crate) fn apart(subject: &Subject, pairs: &[Pair], floor: Floor) -> Option<H
     (spin.is_some() || turn.is_some()).then_some(Hint::Apart { spin, turn })
 }
 
-/// Whether the gyroscopic term is a part worth speaking of in the changes of spin that the sample should have.
+/// Whether the gyroscopic term is a part worth speaking of in the changes of spin that the sample should
+/// have.
 pub(crate) fn should_change(subject: &Subject, pairs: &[Pair], floor: f64) -> bool {
     let [smallest, _, largest] = ordered(&subject.moments);
     subject.moments[smallest] < subject.moments[largest]

@@ -21,11 +21,11 @@ use tumbling::exact::FreeMotion;
 
 /// Judges a record.
 ///
-/// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`, `qw,qx,qy,qz` (body to world),
-/// `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in
-/// or attitudes alone, from whose turns the spin is told then; in
-/// any order, between commas, semicolons, tabs or blanks. Comments before it may tell `inertia: A B C`, `dt: 1/60` and
-/// `torque: X Y Z`.
+/// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`,
+/// `qw,qx,qy,qz` (body to world), `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or
+/// momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in or attitudes alone, from whose turns the spin is told
+/// then; in any order, between commas, semicolons, tabs or blanks. Comments before it may tell
+/// `inertia: A B C`, `dt: 1/60` and `torque: X Y Z`.
 ///
 /// ```
 /// use tumbling_judge::{Options, Outcome, judge};
@@ -145,7 +145,8 @@ impl Meaning {
         Self { grid, reading, clock, floor }
     }
 
-    /// The rounding of the spins. A rounding of attitudes alone is so much more relative to the turn that makes a spin.
+    /// The rounding of the spins. A rounding of attitudes alone is so much more relative to the turn that
+    /// makes a spin.
     fn floor_of(&self, states: &[Row], told: bool) -> f64 {
         if told {
             return self.floor;
@@ -218,7 +219,8 @@ impl Start {
     }
 }
 
-/// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without attitudes.
+/// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without
+/// attitudes.
 fn momentum_of(
     rows: &[Row],
     moments: &Vector3<f64>,
@@ -234,7 +236,8 @@ fn momentum_of(
     Ok(Some(sum))
 }
 
-/// Where a second vector of the record, as a spin, is not what the first one says: the first such row looked at.
+/// Where a second vector of the record, as a spin, is not what the first one says: the first such row looked
+/// at.
 fn disagreement<R>(
     rows: &Rows<R>,
     probe: &[Raw],

@@ -58,8 +58,8 @@ impl Jumps {
         (to_start || jumps).then_some(reset)
     }
 
-    /// A step that is a hundred times as far from the law as the steps before it were, and farther than a rule's error in one step can
-    /// be: the law itself changes the spin by no more than the angle turned.
+    /// A step that is a hundred times as far from the law as the steps before it were, and farther than a
+    /// rule's error in one step can be: the law itself changes the spin by no more than the angle turned.
     fn jumps(&mut self, pair: &Pair) -> bool {
         let (from, to) = (pair.from.omega, pair.to.omega);
         // Of attitudes alone a spin that is out of all proportion is what is to be found.
@@ -98,8 +98,8 @@ impl Jumps {
         jumps
     }
 
-    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any before: a record without attitudes
-    /// that starts anew where the spin is near its first value anyway.
+    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any
+    /// before: a record without attitudes that starts anew where the spin is near its first value anyway.
     fn comes_back(&self, last: &Row, state: &Row, times: f64) -> bool {
         let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
         let h = state.t - last.t;

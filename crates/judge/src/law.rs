@@ -18,7 +18,8 @@ pub enum LawName {
     Separatrix,
     /// How far the spin is ahead of the exact one on its closed curve in body axes, in times round it.
     Phase,
-    /// The turn from row to row against the spin, beside the spin, less what this step and the last changed the spin.
+    /// The turn from row to row against the spin, beside the spin, less what this step and the last changed
+    /// the spin.
     Consistency,
 }
 
@@ -107,6 +108,7 @@ pub struct FlipCount {
     pub apart: f64,
     /// The times of the first 512 in the record, s from its start.
     pub times: Vec<f64>,
-    /// When the spin along the axis that it circles first changes sign, s from the start. In the exact motion it never does.
+    /// When the spin along the axis that it circles first changes sign, s from the start. In the exact motion
+    /// it never does.
     pub turned_over: Option<f64>,
 }

@@ -189,20 +189,23 @@ impl Laws {
         let change = (to - from).norm() / speed;
         let changes = if change.is_finite() { change.max(self.seen.change) } else { self.seen.change };
         if let Some(off) = pair.inconsistency() {
-            // A spin that changes in a step leaves open which of its values turned the body; a turn has its rounding.
+            // A spin that changes in a step leaves open which of its values turned the body; a turn has its
+            // rounding.
             let allowed = changes + TURN_ROUNDINGS * self.floor / (speed * pair.h);
             self.put(LawName::Consistency, pair.to.t - self.start.row.t, (off - allowed).max(0.0));
         }
         self.seen.change = if change.is_finite() { change } else { 0.0 };
     }
 
-    /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a circle.
+    /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a
+    /// circle.
     fn phase(&self, [a, b, c]: [usize; 3], omega: &Vector3<f64>) -> f64 {
         let weight = |i: usize| (self.moments[i] * (self.moments[a] - self.moments[i]).abs()).sqrt();
         (weight(c) * omega[c]).atan2(weight(b) * omega[b])
     }
 
-    /// Which way round the spin goes: counter-clockwise about the largest moment's axis where it spins forward.
+    /// Which way round the spin goes: counter-clockwise about the largest moment's axis where it spins
+    /// forward.
     fn sense(&self, [a, b, _]: [usize; 3]) -> f64 {
         (self.moments[a] - self.moments[b]).signum() * self.start.row.omega[a].signum()
     }
@@ -255,8 +258,9 @@ impl Laws {
         }
     }
 
-    /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a tenth of a radian, or more than any
-    /// number holds: where in its motion the body should be then, an `f64` does not tell.
+    /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a
+    /// tenth of a radian, or more than any number holds: where in its motion the body should be then, an
+    /// `f64` does not tell.
     pub(crate) fn untraceable(&self) -> bool {
         let uncertain = f64::EPSILON * self.seen.turned;
         !uncertain.is_finite() || uncertain > UNTRACEABLE
@@ -299,8 +303,9 @@ impl Laws {
                 }
             })
             .map(|(name, curve)| {
-                // Some rounding units a step beside the rounding of the numbers themselves; of a time, of all that turns in it.
-                // Digits that a file lacks are lacking in each row alone: the engine steps on with its own, of single precision or better.
+                // Some rounding units a step beside the rounding of the numbers themselves; of a time, of all
+                // that turns in it. Digits that a file lacks are lacking in each row alone: the engine steps
+                // on with its own, of single precision or better.
                 let own = (f64::from(f32::EPSILON) / self.floor).min(1.0);
                 let [once, each] = LAW_ROUNDINGS;
                 let units = once + each * self.seen.steps * own;

@@ -19,7 +19,8 @@ use tumbling::dynamics::euler;
 pub enum Misread {
     /// What is named in body axes is in the world's, or the other way round.
     Frame,
-    /// The attitude is x, y, z, w; of attitudes alone this is not to be told from [`ScalarFirst`](Self::ScalarFirst).
+    /// The attitude is x, y, z, w; of attitudes alone this is not to be told from
+    /// [`ScalarFirst`](Self::ScalarFirst).
     Order,
     /// The attitude is w, x, y, z under the names x, y, z, w.
     ScalarFirst,
@@ -208,15 +209,16 @@ impl Reading {
         Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 
-    /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain one does not.
+    /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain
+    /// one does not.
     pub(crate) fn of(kind: Kind, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
         if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
     }
 
-    /// Of attitudes alone the law tells the order and the sense: three rows, each a step after the other, have two turns, whose change is the
-    /// gyroscopic one.
+    /// Of attitudes alone the law tells the order and the sense: three rows, each a step after the other,
+    /// have two turns, whose change is the gyroscopic one.
     pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(Kind::Attitude);
         let alike = |reading: &Self| {
@@ -242,7 +244,8 @@ impl Reading {
             .map(|(order, inverse)| Self { order, inverse, ..plain })
             .into_iter()
             .map(|way| (way, alike(&way)))
-            // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the commoner one is named.
+            // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the
+            // commoner one is named.
             .reduce(|best, way| if way.1 > best.1 + LAW_BETTER { way } else { best });
         best.filter(|way| way.1 > LAW_DECIDES).map_or(plain, |way| way.0)
     }
@@ -301,8 +304,8 @@ impl Reading {
                 .sum();
             mistakes - LAW_WEIGHT * alike
         };
-        // How far the turns are from the spins weighs too, but less: what is left of a right reading is the step's own error, and of a
-        // wrong one, of a spin about one axis, it may by chance be less.
+        // How far the turns are from the spins weighs too, but less: what is left of a right reading is the
+        // step's own error, and of a wrong one, of a spin about one axis, it may by chance be less.
         let worth = |way: &(Self, f64)| {
             worth(&way.0) + TURNS_WEIGHT * (way.1 / least.max(TURNS_EQUAL)).max(1.0).log10()
         };
@@ -346,7 +349,8 @@ impl Reading {
         law(self.pairs(pairs, moments), moments)
     }
 
-    /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of the other hand backward.
+    /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of
+    /// the other hand backward.
     fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let (alike, size) = self.law(pairs, moments);
         if alike.abs() < LAW_DECIDES {
@@ -357,7 +361,8 @@ impl Reading {
     }
 }
 
-/// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large beside it.
+/// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large
+/// beside it.
 fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
     let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
     for pair in pairs {

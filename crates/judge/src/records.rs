@@ -101,7 +101,6 @@ impl Recorded {
         while let Some(Raw { line, t, attitude, vector, .. }) = rows.next()? {
             let problem = || "the row has no attitude".to_owned();
             let attitude = attitude.ok_or_else(|| Error::Line { line, problem: problem() })?;
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of steps")]
             let step = (t / step).round() as usize;
             read.push(RecordedRow { step, attitude, omega: vector });
         }

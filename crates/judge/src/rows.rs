@@ -161,7 +161,6 @@ impl Exact {
         } else {
             self.digits = self.digits.max(significant(field));
             self.place = self.place.min(last_place(field));
-            #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is the question")]
             let rounded = f64::from(value as f32);
             self.single &= rounded == value;
         }

@@ -33,8 +33,8 @@ pub enum Base {
     FrozenAt(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
-    /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length put right or not. (By the old spin it is
-    /// [`Method::ExplicitEuler`].)
+    /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length put right or
+    /// not. (By the old spin it is [`Method::ExplicitEuler`].)
     Straight(Spin),
 }
 

@@ -57,9 +57,9 @@ impl Floor {
         if self.few { few } else { all }
     }
 
-    /// Whether every step is a rule's, except for rounding and what a step that multiplies it makes of it: half of them are within
-    /// `middle`, 95 in 100 within `most`. A few decimal digits are off by half a one of the last place and not more, and of what they
-    /// leave open a wrong rule may be all.
+    /// Whether every step is a rule's, except for rounding and what a step that multiplies it makes of it:
+    /// half of them are within `middle`, 95 in 100 within `most`. A few decimal digits are off by half a one
+    /// of the last place and not more, and of what they leave open a wrong rule may be all.
     pub(crate) fn fits(self, middle: f64, most: f64) -> bool {
         let [half, nearly_all] = self.either(FITS, FITS_FEW);
         middle <= half * self.size && most <= nearly_all * self.size

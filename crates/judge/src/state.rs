@@ -46,8 +46,9 @@ impl Pair {
         Some(if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() })
     }
 
-    /// How far the turn is from what the spin tells, relative to the spin: from the one before, after, or their mean, whichever is the
-    /// nearest. Nothing where a step turns so far that the shorter way need not be the right one.
+    /// How far the turn is from what the spin tells, relative to the spin: from the one before, after, or
+    /// their mean, whichever is the nearest. Nothing where a step turns so far that the shorter way need not
+    /// be the right one.
     pub(crate) fn inconsistency(&self) -> Option<f64> {
         let turned = self.turn()? / self.h;
         let (a, b) = (self.from.omega, self.to.omega);

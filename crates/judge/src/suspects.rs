@@ -154,8 +154,8 @@ impl Subject {
         self.after(rule, &pair.from, pair.h).ok().map(|end| end.1)
     }
 
-    /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that it takes for that is the
-    /// rule's own. In rad, relative to the angle turned.
+    /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that
+    /// it takes for that is the rule's own. In rad, relative to the angle turned.
     fn residual_of_turns(&self, rule: &Rule, pair: &Pair, ahead: &Quaternion<f64>) -> Option<f64> {
         let middle = pair.to.attitude?;
         let mut omega = pair.from.omega;
@@ -178,8 +178,9 @@ impl Subject {
         off.is_finite().then_some(off)
     }
 
-    /// How far a rule's step is from the recorded one: of the spin relative to the larger of its values before and after, of the
-    /// attitude in rad, relative to the angle turned where that is over 1. Infinite where the rule takes no such step.
+    /// How far a rule's step is from the recorded one: of the spin relative to the larger of its values
+    /// before and after, of the attitude in rad, relative to the angle turned where that is over 1. Infinite
+    /// where the rule takes no such step.
     pub(crate) fn residual(&self, rule: &Rule, pair: &Pair) -> f64 {
         if let Some((_, ahead)) = pair.to.ahead {
             return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);

@@ -67,7 +67,8 @@ impl fmt::Display for Verdict {
 }
 
 impl Verdict {
-    /// Why it ends so, in words; `None` where it failed, which has its reasons in the laws, the file and the complaints.
+    /// Why it ends so, in words; `None` where it failed, which has its reasons in the laws, the file and the
+    /// complaints.
     #[must_use]
     pub fn reason(&self) -> Option<String> {
         let words = match self.outcome {

@@ -1,24 +1,28 @@
 //! Every number that the judge decides by: what it is, its unit, and why it has this value.
 //!
-//! A *rounding* here is the rounding of the record's own numbers, relative to 1. Numbers that are "far" from rounding, from a rule's own
-//! error or from each other are far by two or three orders of magnitude, so that where exactly a limit lies does not matter: the recorded
-//! engines and the runs made for the tests stay well on either side of each (`tests/`).
+//! A *rounding* here is the rounding of the record's own numbers, relative to 1. Numbers that are "far" from
+//! rounding, from a rule's own error or from each other are far by two or three orders of magnitude, so that
+//! where exactly a limit lies does not matter: the recorded engines and the runs made for the tests stay well
+//! on either side of each (`tests/`).
 
 // What is allowed of a law.
 
 /// Error allowed of a conserved law, as a share or in rad: a percent, which nobody sees in a game.
 pub(crate) const ALLOWED: f64 = 0.01;
-/// Error of phase allowed without a limit of its own, in ways round, and as a share of those that the exact motion makes. A right
-/// rule of second order loses far less, except near the separatrix, where a way round takes as long as the smallest error
-/// lets it; a rule without a gyroscopic term loses all, a clock at half its pace a half.
+/// Error of phase allowed without a limit of its own, in ways round, and as a share of those that the exact
+/// motion makes. A right rule of second order loses far less, except near the separatrix, where a way round
+/// takes as long as the smallest error lets it; a rule without a gyroscopic term loses all, a clock at half
+/// its pace a half.
 pub(crate) const PACE: f64 = 0.25;
 /// Rows below which no record passes: of a few rows any rule may be had.
 pub(crate) const ENOUGH_ROWS: u64 = 8;
 /// Share by which the spin must have to change before a body that does not turn once round shows anything.
 pub(crate) const ENOUGH_CHANGE: f64 = 0.1;
-/// Uncertainty of the angle turned in all, rad, beyond which an `f64` does not say where in its motion the body should be.
+/// Uncertainty of the angle turned in all, rad, beyond which an `f64` does not say where in its motion the
+/// body should be.
 pub(crate) const UNTRACEABLE: f64 = 0.1;
-/// Flips found may differ by so many from those of the exact motion: one more or less is the start's rounding.
+/// Flips found may differ by so many from those of the exact motion: one more or less is the start's
+/// rounding.
 pub(crate) const FLIPS_APART: u64 = 1;
 
 // How much is kept of a record of any length.
@@ -56,15 +60,18 @@ pub(crate) const ROWS_BEFORE_THE_END: u64 = 2;
 pub(crate) const DIGITS_OF_DOUBLE: u32 = 16;
 /// The most significant digits that a double needs.
 pub(crate) const MOST_DIGITS: u32 = 17;
-/// Significant digits that any decimal keeps in single precision; numbers of no more are not taken for rounded to it.
+/// Significant digits that any decimal keeps in single precision; numbers of no more are not taken for
+/// rounded to it.
 pub(crate) const DIGITS_OF_SINGLE: u32 = 6;
 /// Below so many digits nothing is concluded from them: 0.5 has one, and is exact.
 pub(crate) const FEWEST_DIGITS: u32 = 4;
 /// Rounding beyond so many of single precision's means few decimal digits.
 pub(crate) const FEW_DIGITS: f64 = 2.0;
-/// Rounding of a spin found from a turn of one radian or more, in roundings: two attitudes have eight numbers.
+/// Rounding of a spin found from a turn of one radian or more, in roundings: two attitudes have eight
+/// numbers.
 pub(crate) const SPIN_FROM_TURN: f64 = 4.0;
-/// Share of the largest moment by which the digits printed may miss the triangle inequality: one or two digits are a mistake.
+/// Share of the largest moment by which the digits printed may miss the triangle inequality: one or two
+/// digits are a mistake.
 pub(crate) const MOMENTS_MISS: f64 = 2e-3;
 
 // The clock.
@@ -75,12 +82,14 @@ pub(crate) const STEP_SLACK: f64 = 0.05;
 pub(crate) const STEP_APART: f64 = 0.02;
 /// Roundings of an `f64` time within which steps are equal.
 pub(crate) const EVEN_TIMES: f64 = 64.0;
-/// Half units of the last digit printed by which a time may miss its step: one for each of two times, and some rounding.
+/// Half units of the last digit printed by which a time may miss its step: one for each of two times, and
+/// some rounding.
 pub(crate) const PRINTED_HALVES: f64 = 2.01;
 
 // How the numbers are meant.
 
-/// Difference of turn and spin, as a share, up to which a reading makes sense: a step's own error is below it.
+/// Difference of turn and spin, as a share, up to which a reading makes sense: a step's own error is below
+/// it.
 pub(crate) const TURNS_AGREE: f64 = 0.05;
 /// How much nearer another reading must come than the plain one, as a share.
 pub(crate) const NEARER_READING: f64 = 0.2;
@@ -94,7 +103,8 @@ pub(crate) const LAW_BETTER: f64 = 1e-3;
 pub(crate) const UNIT_APART: f64 = 0.1;
 /// Weight of a mistake that is rare, relative to the usual ones, and of one that is rarer still.
 pub(crate) const RARE_MISTAKE: [f64; 2] = [1.25, 1.5];
-/// Weight of the cosine with the law, in mistakes: a reading that follows the law is worth one mistake more than one across it.
+/// Weight of the cosine with the law, in mistakes: a reading that follows the law is worth one mistake more
+/// than one across it.
 pub(crate) const LAW_WEIGHT: f64 = 2.0;
 /// Weight of a factor of ten in the difference of turn and spin, in mistakes.
 pub(crate) const TURNS_WEIGHT: f64 = 0.5;
@@ -102,11 +112,13 @@ pub(crate) const TURNS_WEIGHT: f64 = 0.5;
 pub(crate) const TURNS_EQUAL: f64 = 1e-6;
 /// Turn of a step, rad, beyond which the shorter way round need not be the right one: 2.5 < pi.
 pub(crate) const LONG_TURN: f64 = 2.5;
-/// Turn between two attitudes, rad, beyond which they say nothing of the spin: the other way round is no longer far longer.
+/// Turn between two attitudes, rad, beyond which they say nothing of the spin: the other way round is no
+/// longer far longer.
 pub(crate) const FARTHEST_TURN: f64 = 2.0;
 /// What may be left of a turn, rad, by a spin found from it.
 pub(crate) const TURN_LEFT: f64 = 1e-6;
-/// Roundings by which two vectors of a record may differ, and the share, as each may be computed from the other.
+/// Roundings by which two vectors of a record may differ, and the share, as each may be computed from the
+/// other.
 pub(crate) const VECTORS_APART: [f64; 2] = [1e3, 1e-6];
 
 // Where a motion starts anew.
@@ -125,9 +137,11 @@ pub(crate) const THROWN_IN_TURNS: f64 = 20.0;
 pub(crate) const THROWN_IN_ROUNDINGS: f64 = 1e3;
 /// Turn of a step, rad, beyond which the straight difference of turn and spin says nothing.
 pub(crate) const SHORT_TURN: f64 = 1.0;
-/// What remains from step to step of the largest error: forgotten slowly, so that a rule that goes astray now and then is known to.
+/// What remains from step to step of the largest error: forgotten slowly, so that a rule that goes astray now
+/// and then is known to.
 pub(crate) const ERROR_KEPT: f64 = 0.98;
-/// Difference from the start, as a share or in rad, below which a body is back there: to the last digits of the file.
+/// Difference from the start, as a share or in rad, below which a body is back there: to the last digits of
+/// the file.
 pub(crate) const BACK: f64 = 1e-12;
 /// Step, relative to the largest error before, that is no way back; and the same in roundings.
 pub(crate) const BACK_IN_ERRORS: [f64; 2] = [4.0, 64.0];
@@ -157,7 +171,8 @@ pub(crate) const LAW_OF_TWO: f64 = 2.0;
 pub(crate) const GROWTH_FROM: f64 = 1.0 / 16.0;
 /// Growth from the first half of the time to the second below which an error is bounded.
 pub(crate) const BOUNDED: f64 = 1.25;
-/// Share of the greatest error that the second half never falls below, and the other sign never reaches, where an error stayed.
+/// Share of the greatest error that the second half never falls below, and the other sign never reaches,
+/// where an error stayed.
 pub(crate) const STAYED: f64 = 0.5;
 /// Power of time from which on growth is faster than linear; from which on it is linear, not a random walk.
 pub(crate) const POWERS: [f64; 2] = [1.5, 0.75];
@@ -174,7 +189,8 @@ pub(crate) const GENTLE: f64 = 0.1;
 
 // Which rule made the steps.
 
-/// Roundings within which steps are a rule's own: half of them, and 95 in 100; a step may multiply its rounding.
+/// Roundings within which steps are a rule's own: half of them, and 95 in 100; a step may multiply its
+/// rounding.
 pub(crate) const FITS: [f64; 2] = [100.0, 1e4];
 /// The same for few decimal digits, which are off by half a unit and no more.
 pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];

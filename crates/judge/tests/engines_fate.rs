@@ -13,8 +13,8 @@ fn world(motion: &State<f64>) -> Vector3<f64> {
     rotation_matrix(&motion.attitude) * motion.momentum
 }
 
-/// What became of a body: energy and `|L|` beside those at the start, and `2 E I2 / L^2`, which is `I2/I3` for a body that spins about
-/// its largest moment, `I2/I1` about its smallest, and 1 where it flips.
+/// What became of a body: energy and `|L|` beside those at the start, and `2 E I2 / L^2`, which is `I2/I3`
+/// for a body that spins about its largest moment, `I2/I1` about its smallest, and 1 where it flips.
 fn fate(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 3] {
     let mut moments = *system.moments();
     moments.as_mut_slice().sort_by(f64::total_cmp);
@@ -30,8 +30,8 @@ fn sign_changes(signs: impl Iterator<Item = f64>) -> usize {
     signs.windows(2).filter(|w| w[0].signum() != w[1].signum()).count()
 }
 
-/// Fate after 20 s; by how many degrees `L` was turned at most on the way; sign changes of the spin's main component. Found from the
-/// whole records (of every step), to these digits.
+/// Fate after 20 s; by how many degrees `L` was turned at most on the way; sign changes of the spin's main
+/// component. Found from the whole records (of every step), to these digits.
 const FATES: [(&str, &str, [f64; 4], usize); 20] = [
     ("mujoco-4.0.0-euler", "box-middle", [7.661, 2.768, 1.0, 6.506], 8),
     ("mujoco-4.0.0-euler", "middle", [9.211, 3.035, 1.0, 11.883], 7),
@@ -81,7 +81,8 @@ fn the_fates_of_the_recorded_bodies_are_the_fates_by_the_rules() {
         }
         let ours = fate(&record.system, &start, &motion);
         assert!((0..3).all(|k| near(ours[k], expected[k])), "{name} {story} {ours:?}");
-        // In these stories the digits of the start are lost by the end, and two runs of one rule differ in it by degrees.
+        // In these stories the digits of the start are lost by the end, and two runs of one rule differ in it
+        // by degrees.
         let apart = if story == "middle" { 0.5 } else { 6e-4 };
         assert!((most - expected[3]).abs() < apart, "{name} {story} {most}");
         assert_eq!(sign_changes(signs.into_iter()), changes, "{name} {story}");

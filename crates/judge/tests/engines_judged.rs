@@ -70,7 +70,8 @@ fn the_file_of_no_engine_is_misread_and_only_the_four_resets_are_seen() {
     }
 }
 
-/// Energy and momentum squared in a record's first row and in its last, and `2 E I2 / L^2` in both, straight from its text.
+/// Energy and momentum squared in a record's first row and in its last, and `2 E I2 / L^2` in both, straight
+/// from its text.
 fn by_hand(name: &str) -> [f64; 3] {
     let text = text(name);
     let moments: Vec<f64> =
@@ -195,7 +196,8 @@ fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
     assert_eq!(tried, 28 * mistakes.len());
 }
 
-/// Every record's verdict, as the figures read it: outcome, rule, and each law's grade with its greatest error and its last.
+/// Every record's verdict, as the figures read it: outcome, rule, and each law's grade with its greatest
+/// error and its last.
 fn table() -> String {
     let mut text = String::from("record\toutcome\tlaw\tgrade\tmost\tlast\n");
     for (name, verdict) in records() {

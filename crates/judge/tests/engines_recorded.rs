@@ -39,8 +39,8 @@ fn attitudes_apart(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
     (a - b).norm().min((a + b).norm())
 }
 
-/// The errors of one step: of the spin beside the larger of its values before and after, of the attitude beside the angle turned
-/// where that is over 1, since its own rounding is as large.
+/// The errors of one step: of the spin beside the larger of its values before and after, of the attitude
+/// beside the angle turned where that is over 1, since its own rounding is as large.
 fn errors(engine: &PhysicsEngine, system: &System<f64>, ends: [&State<f64>; 2], before: f64) -> [f64; 2] {
     let [ours, theirs] = ends;
     let omega = [ours, theirs].map(|motion| system.omega(&motion.momentum));
@@ -52,7 +52,8 @@ fn errors(engine: &PhysicsEngine, system: &System<f64>, ends: [&State<f64>; 2], 
     ]
 }
 
-/// The greatest error of one step from any recorded row to the next, in rounding units, and how many such steps there are.
+/// The greatest error of one step from any recorded row to the next, in rounding units, and how many such
+/// steps there are.
 fn one_step(engine: &PhysicsEngine, record: &Record) -> (f64, usize) {
     let (mut worst, mut count) = (0.0_f64, 0);
     for (from, to, reset) in record.pairs() {
@@ -65,8 +66,8 @@ fn one_step(engine: &PhysicsEngine, record: &Record) -> (f64, usize) {
             let [spin, turn] = errors(engine, &record.system, [&end, motion], from.omega.norm());
             spin.max(turn) / f64::EPSILON
         };
-        // A spin that grows a thousandfold in a step takes its rounding along: by as much as a step whose start is four rounding
-        // units off, one way or another, the record may be off too.
+        // A spin that grows a thousandfold in a step takes its rounding along: by as much as a step whose
+        // start is four rounding units off, one way or another, the record may be off too.
         let four = 4.0 * f64::EPSILON;
         let jolted = [[1.0, 1.0, 1.0], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]].map(|signs| {
             let vector = start.momentum.component_mul(&Vector3::from(signs.map(|sign| 1.0 + four * sign)));
@@ -147,8 +148,8 @@ fn mujoco_puts_a_body_back_to_rest_where_its_rule_is_refused_and_nowhere_else() 
     }
 }
 
-/// Our run beside the record, from its first row on: the error at each recorded step, and beside it how far a run is by then
-/// that is jolted by some rounding units at every step.
+/// Our run beside the record, from its first row on: the error at each recorded step, and beside it how far a
+/// run is by then that is jolted by some rounding units at every step.
 fn followed(engine: &PhysicsEngine, record: &Record) -> Vec<(usize, f64, f64)> {
     let first = record.motion(&record.rows[0]);
     let (mut ours, mut jolted) = (first, [first, first, first]);

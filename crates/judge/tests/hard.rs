@@ -1,4 +1,5 @@
-//! Input that is not what it should be, and records of real-looking engines: every body, spin, step, rounding and naming.
+//! Input that is not what it should be, and records of real-looking engines: every body, spin, step, rounding
+//! and naming.
 
 mod common;
 

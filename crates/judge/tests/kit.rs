@@ -1,5 +1,5 @@
-//! The kit's stories: the library's exact motion gives every answer, the file agrees with itself, and a method of second order stays
-//! within what is asked of a step.
+//! The kit's stories: the library's exact motion gives every answer, the file agrees with itself, and a
+//! method of second order stays within what is asked of a step.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -98,7 +98,8 @@ fn the_kit_s_flips_are_those_of_the_exact_motion() {
         let told: Vec<f64> = told.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
         let motion = FreeMotion::new(story.moments.try_into().unwrap(), &story.spin).unwrap();
         let end = story.json["duration"].as_f64().unwrap();
-        // A spin that starts in the plane of the other two axes passes there at the start, and does not count it.
+        // A spin that starts in the plane of the other two axes passes there at the start, and does not count
+        // it.
         let found: Vec<f64> = motion.flips(0.0, end).unwrap().filter(|&t| t > 0.0).collect();
         assert_eq!(found.len(), told.len(), "{}", story.name);
         let Some(within) = story.json["flips_within"]["f64"].as_array() else {

@@ -74,7 +74,8 @@ fn small_spins_put_to_zero_are_named() {
         let diagnosis = diagnosed(&rows);
         let Some(Alteration::Zeroed(least)) = diagnosis.best.rule.alteration else { panic!("{diagnosis}") };
         assert!(least <= 0.05 && least > 0.01, "{least}");
-        // About the middle axis, with a push too small to get over the threshold, it looks like no gyroscopic term at all.
+        // About the middle axis, with a push too small to get over the threshold, it looks like no gyroscopic
+        // term at all.
         let rows = altered(method, Vector3::new(0.0, 3.0, 0.1), 400, |start, _, omega| {
             let kept = clamp(omega);
             (start * turn(&(kept * H)), kept)

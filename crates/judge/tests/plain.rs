@@ -14,7 +14,8 @@ const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
 const BODY: Vector3<f64> = common::MOMENTS;
 const H: f64 = 1.0 / 60.0;
 
-/// The commonest rule of all: the spin straight by the gyroscopic term, then the attitude straight by the spin.
+/// The commonest rule of all: the spin straight by the gyroscopic term, then the attitude straight by the
+/// spin.
 fn plain(gyroscopic: bool, by_old: bool, count: u32) -> Vec<Row> {
     let system = System::free(BODY.try_into().unwrap()).unwrap();
     stepped_by(SPIN, H, count, |motion| {

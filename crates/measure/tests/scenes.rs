@@ -3,7 +3,8 @@
 use tumbling_measure::story::{Story, all};
 use tumbling_scenes::{Answer, Error, InitialState, Outputs, Scene, Times};
 
-/// How far the last answer is from the truth: the angle of the attitudes, or the difference of the spins as a share.
+/// How far the last answer is from the truth: the angle of the attitudes, or the difference of the spins as a
+/// share.
 fn off(story: &Story, last: &Answer) -> f64 {
     let spin = story.system.omega(&story.truth.motion.momentum);
     let truth = nalgebra::UnitQuaternion::from_quaternion(story.truth.motion.attitude);

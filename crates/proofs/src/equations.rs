@@ -1,10 +1,10 @@
 //! Equations in TeX, each proven to be what the library's own functions do.
 //!
-//! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state. Whatever
-//! states something must be one of these laws, and is then proven as it stands there, in TeX, against the
-//! library; or one of the exemptions, each with its reason; or give nothing but values, which are numbers and not
-//! laws. A law or exemption that is not found is a fault too. A bare expression is a name alone, or a law whose
-//! worth the sentence around it states, or notation. What cannot be read is a fault.
+//! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state.
+//! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX,
+//! against the library; or one of the exemptions, each with its reason; or give nothing but values, which are
+//! numbers and not laws. A law or exemption that is not found is a fault too. A bare expression is a name
+//! alone, or a law whose worth the sentence around it states, or notation. What cannot be read is a fault.
 //!
 //! ```
 //! use tumbling_proofs::equations::laws;

@@ -28,8 +28,8 @@ impl Scene {
     /// How to answer for the body of number `index`, from 0.
     ///
     /// # Errors
-    /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an accuracy that [cannot be
-    /// had](Error::Unattainable), or a motion that leaves `f64`.
+    /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an
+    /// accuracy that [cannot be had](Error::Unattainable), or a motion that leaves `f64`.
     pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
         let Some(body) = self.bodies().get(index) else {
             return Err(Error::TooFew {

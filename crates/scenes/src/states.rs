@@ -36,8 +36,9 @@ pub struct States<'a> {
 type SpinAndAttitude = (Option<Vector3<f64>>, Option<UnitQuaternion<f64>>);
 
 impl Scene {
-    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side): `take` gets the number of
-    /// each body with its states in order of time, or with what is wrong with it; then the next is answered.
+    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side):
+    /// `take` gets the number of each body with its states in order of time, or with what is wrong with it;
+    /// then the next is answered.
     pub fn run(&self, mut take: impl FnMut(usize, Result<Answer, Error>)) {
         for index in 0..self.bodies().len() {
             match self.plan(index) {

@@ -1,8 +1,8 @@
 //! Trial runs: a scene is stepped and stepped again finer, until two runs agree.
 
-use crate::prices;
 use crate::error::Error;
 use crate::outputs::Outputs;
+use crate::prices;
 use crate::step_control::{StepControl, Stop};
 use nalgebra::UnitQuaternion;
 use tumbling::attitude;

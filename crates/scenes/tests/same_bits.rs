@@ -1,6 +1,6 @@
 //! The same bits on every machine, of scenes too: a hash of many answers is the one that is committed.
 
-#[allow(dead_code)] // the library's own test uses the rest
+#[allow(dead_code, reason = "the library's own test uses the rest")]
 #[path = "../../../tests/common/same_bits.rs"]
 mod same_bits;
 #[path = "common/same_bits.rs"]

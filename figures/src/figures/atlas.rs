@@ -43,6 +43,22 @@ fn distinct<'a>(values: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     seen
 }
 
+/// A sheet while it is drawn.
+struct Sheet {
+    all: Vec<Row>,
+    runners: Vec<&'static str>,
+    canvas: Canvas,
+    tiles: Tiles,
+    /// How wide a column is.
+    wide: f64,
+    /// Where the rows end.
+    bottom: f64,
+    /// Whether columns have numbers, and a key below names them.
+    keyed: bool,
+}
+
+const TOP: f64 = 62.0;
+
 /// One sheet: charts side by side, a row for each method.
 fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
     let all: Vec<Row> = recorded()?;
@@ -52,67 +68,71 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
         .map(|chart| distinct(all.iter().filter(|p| p.chart == chart.name).map(|p| p.case)))
         .collect();
     let count: usize = columns.iter().map(Vec::len).sum();
-    #[allow(clippy::cast_precision_loss)] // a few dozen
-    let number = |n: usize| n as f64;
-    let wide = (RIGHT - LEFT - GAP * number(charts.len() - 1)) / number(count);
-    let top = 62.0;
-    let bottom = top + ROW * number(runners.len());
+    let wide = (RIGHT - LEFT - GAP * (charts.len() - 1) as f64) / count as f64;
+    let bottom = TOP + ROW * runners.len() as f64;
     let keys = if keyed { columns[0].len().div_ceil(2) } else { 0 };
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a page's height
-    let canvas = Canvas::new((bottom + 118.0 + 19.0 * number(keys)) as u32);
-    let mut said = Vec::new();
+    let canvas = Canvas::new((bottom + 118.0 + 19.0 * keys as f64) as u32);
     for (row, runner) in runners.iter().enumerate() {
-        let y = top + ROW * number(row);
+        let y = TOP + ROW * row as f64;
         canvas.label((LEFT - 8.0, y + 0.76 * ROW), &Label::new(*runner).size(13.0).end());
     }
-    let mut tiles = Tiles::default();
+    let mut sheet = Sheet { all, runners, canvas, tiles: Tiles::default(), wide, bottom, keyed };
+    let mut said = Vec::new();
     let mut x = LEFT;
     for (chart, cases) in charts.iter().zip(&columns) {
-        let middle = x + 0.5 * wide * number(cases.len());
-        canvas.label((middle, 22.0), &Label::new(chart.title).size(15.5).bold().middle());
-        let mut counts = Vec::new();
+        said.push(sheet.chart(chart, cases, x));
+        x += wide * cases.len() as f64 + GAP;
+    }
+    sheet.tiles.draw(&sheet.canvas);
+    let mut y = bottom + 50.0;
+    if keyed {
+        for (index, case) in columns[0].iter().enumerate() {
+            let (column, row) = (index / keys, index % keys);
+            let at = (24.0 + 340.0 * column as f64, y + 19.0 * row as f64);
+            sheet.canvas.label(at, &Label::new(format!("{}  {case}", index + 1)).size(14.0));
+        }
+        y += 19.0 * keys as f64 + 6.0;
+    }
+    let here = |fate| sheet.all.iter().any(|p| p.fate == fate && charts.iter().any(|c| c.name == p.chart));
+    let used: Vec<Fate> = Fate::ALL.into_iter().filter(|&fate| here(fate)).collect();
+    legend(&sheet.canvas, y, &used);
+    Ok(Picture {
+        canvas: sheet.canvas,
+        description: format!(
+            "A table of squares, a row for each method, a column for each case. An empty square is right; marks and darkness say what \
+             went wrong, a small square at the corner what single precision does if that differs. {}",
+            said.join(" ")
+        ),
+    })
+}
+
+impl Sheet {
+    /// One chart, from `x` on; says in words what it shows.
+    fn chart(&mut self, chart: &Chart, cases: &[&str], x: f64) -> String {
+        let middle = x + 0.5 * self.wide * cases.len() as f64;
+        self.canvas.label((middle, 22.0), &Label::new(chart.title).size(15.5).bold().middle());
         for (column, case) in cases.iter().enumerate() {
-            let left = x + wide * number(column);
-            let title = if keyed { (column + 1).to_string() } else { short(case) };
-            canvas.label((left + 0.5 * wide, top - 7.0), &Label::new(title).size(11.0).middle());
-            for (row, runner) in runners.iter().enumerate() {
-                let y = top + ROW * number(row);
-                let fate = |precision: Precision| {
-                    let place = all.iter().find(|p| {
-                        p.chart == chart.name
-                            && p.case == *case
-                            && p.runner == *runner
-                            && p.precision == precision
-                    });
-                    place.map(|place| place.fate)
-                };
-                let (double, single) = (fate(Precision::Double), fate(Precision::Single));
-                if let Some(fate) = double {
-                    tiles.large[fate as usize].push([left, y, left + wide, y + ROW]);
-                }
-                if let (Some(double), Some(single)) = (double, single)
-                    && double != single
-                {
-                    let side = 0.42 * ROW;
-                    let (ex, ey) = (left + wide - 0.8, y + ROW - 0.8);
-                    tiles.small[single as usize].push([ex - side, ey - side, ex, ey]);
-                }
+            let left = x + self.wide * column as f64;
+            let title = if self.keyed { (column + 1).to_string() } else { short(case) };
+            let at = (left + 0.5 * self.wide, TOP - 7.0);
+            self.canvas.label(at, &Label::new(title).size(11.0).middle());
+            for row in 0..self.runners.len() {
+                let fate = |precision| self.fate(chart, case, self.runners[row], precision);
+                let fates = [fate(Precision::Double), fate(Precision::Single)];
+                self.tile(fates, left, TOP + ROW * row as f64);
             }
         }
-        for runner in &runners {
-            let kept = cases.iter().filter(|case| {
-                all.iter().any(|p| {
-                    p.chart == chart.name
-                        && p.case == **case
-                        && p.runner == *runner
-                        && p.precision == Precision::Double
-                        && p.fate == Fate::Right
-                })
-            });
-            counts.push((kept.count(), *runner));
-        }
-        canvas.label((middle, bottom + 20.0), &Label::new(chart.swept).size(14.0).middle());
-        said.push(format!(
+        let right = |case: &&&str, runner: &str| {
+            self.fate(chart, case, runner, Precision::Double) == Some(Fate::Right)
+        };
+        let counts: Vec<_> = self
+            .runners
+            .iter()
+            .map(|&runner| (cases.iter().filter(|case| right(case, runner)).count(), runner))
+            .collect();
+        let below = (middle, self.bottom + 20.0);
+        self.canvas.label(below, &Label::new(chart.swept).size(14.0).middle());
+        format!(
             "{}: {}, {} cases from {} to {}. {}.",
             capital(chart.title),
             chart.swept,
@@ -120,34 +140,30 @@ fn sheet(charts: &[Chart], keyed: bool) -> Drawing {
             cases.first().copied().unwrap_or_default(),
             cases.last().copied().unwrap_or_default(),
             best_and_worst(&counts)
-        ));
-        x += wide * number(cases.len()) + GAP;
+        )
     }
-    tiles.draw(&canvas);
-    let mut y = bottom + 50.0;
-    if keyed {
-        for (index, case) in columns[0].iter().enumerate() {
-            let (column, row) = (index / keys, index % keys);
-            let at = (24.0 + 340.0 * number(column), y + 19.0 * number(row));
-            canvas.label(at, &Label::new(format!("{}  {case}", index + 1)).size(14.0));
+
+    fn fate(&self, chart: &Chart, case: &str, runner: &str, precision: Precision) -> Option<Fate> {
+        let place = self.all.iter().find(|p| {
+            p.chart == chart.name && p.case == case && p.runner == runner && p.precision == precision
+        });
+        place.map(|place| place.fate)
+    }
+
+    /// A square with its corner here, for double precision, and a small one for single where that differs.
+    fn tile(&mut self, fates: [Option<Fate>; 2], left: f64, y: f64) {
+        let [double, single] = fates;
+        if let Some(fate) = double {
+            self.tiles.large[fate as usize].push([left, y, left + self.wide, y + ROW]);
         }
-        y += 19.0 * number(keys) + 6.0;
+        if let (Some(double), Some(single)) = (double, single)
+            && double != single
+        {
+            let side = 0.42 * ROW;
+            let (ex, ey) = (left + self.wide - 0.8, y + ROW - 0.8);
+            self.tiles.small[single as usize].push([ex - side, ey - side, ex, ey]);
+        }
     }
-    let used: Vec<Fate> = Fate::ALL
-        .into_iter()
-        .filter(|&fate| {
-            all.iter().any(|p| p.fate == fate && charts.iter().any(|chart| chart.name == p.chart))
-        })
-        .collect();
-    legend(&canvas, y, &used);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A table of squares, a row for each method, a column for each case. An empty square is right; marks and darkness say what \
-             went wrong, a small square at the corner what single precision does if that differs. {}",
-            said.join(" ")
-        ),
-    })
 }
 
 /// As a power of ten where that is shorter.

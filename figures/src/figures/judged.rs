@@ -127,86 +127,100 @@ fn seen(engine: &str, story: &str, middle: usize) -> Result<Vec<[f64; 3]>, Box<d
             break; // put to rest
         }
         let first = *first.get_or_insert(energy);
-        #[allow(clippy::cast_precision_loss)] // some thousand steps
         rows.push([row.step as f64 / 60.0, energy / first, row.omega[middle]]);
     }
     Ok(rows)
 }
 
-/// The engines drawn, each with its pen.
-const DRAWN: [(&str, fn() -> Pen); 4] = [
+/// An engine, and what draws its curve.
+type Drawn = (&'static str, fn() -> Pen);
+
+/// The engines drawn.
+const DRAWN: [Drawn; 4] = [
     ("mujoco-4.0.0-euler", || Pen::new(Ink::Wrong, 2.6)),
     ("rapier3d-f64-0.36.1", || Pen::new(Ink::Wrong, 2.4).dash_dotted()),
     ("bullet-3.2.7-rigid", || Pen::new(Ink::Wrong, 2.6).dotted()),
     ("mujoco-4.0.0-rk4", || Pen::new(Ink::Text, 3.2)),
 ];
 
+/// The stories drawn, with the names of curves and where they stand: time and energy.
+const PANELS: [Panel; 4] = [
+    Panel {
+        story: "box-middle",
+        title: "the box: flips",
+        at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
+    },
+    Panel {
+        story: "middle",
+        title: "middle axis: flips",
+        at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
+    },
+    Panel {
+        story: "major",
+        title: "largest axis: stable",
+        at: [("explicit", 5.5, 15.0), ("Rapier", 10.0, 1.6), ("RK4, implicit", 6.0, 0.68)],
+    },
+    Panel {
+        story: "minor",
+        title: "smallest axis: stable",
+        at: [("explicit", 2.0, 10.0), ("Rapier", 11.0, 0.58), ("RK4, implicit", 10.4, 1.13)],
+    },
+];
+
+/// One story, its upper left corner here; says how each engine ends.
+fn panel(
+    canvas: &Canvas,
+    panel: &Panel,
+    (left, top): (f64, f64),
+    last_row: bool,
+) -> Result<String, Box<dyn std::error::Error>> {
+    let plot = Plot::new(
+        canvas,
+        left,
+        top,
+        left + 272.0,
+        top + 226.0,
+        Scale::linear(0.0..20.0),
+        Scale::log(0.2..30.0),
+    );
+    let times = [0, 5, 10, 15, 20].map(|t| (f64::from(t), t.to_string()));
+    plot.x_axis(times, if last_row { "time $t$ (s)" } else { "" });
+    let ticks = [(0.3, "0.3"), (1.0, "1"), (3.0, "3"), (10.0, "10"), (30.0, "30")];
+    plot.y_axis(ticks.map(|(y, text)| (y, text.to_owned())), "");
+    canvas.label((left, top - 12.0), &Label::new(panel.title).size(19.0).bold());
+    let mut named = Vec::new();
+    for (name, t, energy) in panel.at {
+        let ink = if name.starts_with("RK4") { Ink::Text } else { Ink::Wrong };
+        let words = Label::new(name).size(19.0).ink(ink).halo(Ink::Paper);
+        named.push((plot.at(t, energy), words));
+    }
+    let middle = if panel.story == "box-middle" { 0 } else { 1 };
+    let mut last = Vec::new();
+    for (engine, pen) in DRAWN {
+        let (rows, pen) = (seen(engine, panel.story, middle)?, pen());
+        // Out of the top: up to where the line leaves.
+        let inside = rows.iter().position(|row| row[1] > 30.0).unwrap_or(rows.len());
+        plot.curve(rows[..inside].iter().map(|row| (row[0], row[1])), pen)?;
+        if inside < rows.len() {
+            let at = plot.at(rows[inside - 1][0], rows[inside - 1][1]);
+            canvas.line(at, (at.0 + 1.5, plot.at(0.0, 30.0).1), pen);
+            last.push(format!("leaves the sheet at {:.1} s", rows[inside - 1][0]));
+        } else {
+            last.push(format!("ends at {:.2}", rows[rows.len() - 1][1]));
+        }
+    }
+    for (at, words) in &named {
+        canvas.label(*at, words);
+    }
+    Ok(format!("{}: {}.", panel.title, last.join(", ")))
+}
+
 pub(super) fn energies() -> Drawing {
-    let panels = [
-        Panel {
-            story: "box-middle",
-            title: "the box: flips",
-            at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
-        },
-        Panel {
-            story: "middle",
-            title: "middle axis: flips",
-            at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
-        },
-        Panel {
-            story: "major",
-            title: "largest axis: stable",
-            at: [("explicit", 5.5, 15.0), ("Rapier", 10.0, 1.6), ("RK4, implicit", 6.0, 0.68)],
-        },
-        Panel {
-            story: "minor",
-            title: "smallest axis: stable",
-            at: [("explicit", 2.0, 10.0), ("Rapier", 11.0, 0.58), ("RK4, implicit", 10.4, 1.13)],
-        },
-    ];
     let canvas = Canvas::new(660);
     let mut said = Vec::new();
-    for (k, panel) in panels.iter().enumerate() {
-        let (left, top) = (if k % 2 == 0 { 70.0 } else { 394.0 }, if k < 2 { 86.0 } else { 372.0 });
-        let plot = Plot::new(
-            &canvas,
-            left,
-            top,
-            left + 272.0,
-            top + 226.0,
-            Scale::linear(0.0..20.0),
-            Scale::log(0.2..30.0),
-        );
-        let times = [0, 5, 10, 15, 20].map(|t| (f64::from(t), t.to_string()));
-        plot.x_axis(times, if k < 2 { "" } else { "time $t$ (s)" });
-        let ticks = [(0.3, "0.3"), (1.0, "1"), (3.0, "3"), (10.0, "10"), (30.0, "30")];
-        plot.y_axis(ticks.map(|(y, text)| (y, text.to_owned())), "");
-        canvas.label((left, top - 12.0), &Label::new(panel.title).size(19.0).bold());
-        let mut named = Vec::new();
-        for (name, t, energy) in panel.at {
-            let ink = if name.starts_with("RK4") { Ink::Text } else { Ink::Wrong };
-            let words = Label::new(name).size(19.0).ink(ink).halo(Ink::Paper);
-            named.push((plot.at(t, energy), words));
-        }
-        let middle = if panel.story == "box-middle" { 0 } else { 1 };
-        let mut last = Vec::new();
-        for (engine, pen) in DRAWN {
-            let (rows, pen) = (seen(engine, panel.story, middle)?, pen());
-            // Out of the top: up to where the line leaves.
-            let inside = rows.iter().position(|row| row[1] > 30.0).unwrap_or(rows.len());
-            plot.curve(rows[..inside].iter().map(|row| (row[0], row[1])), pen)?;
-            if inside < rows.len() {
-                let at = plot.at(rows[inside - 1][0], rows[inside - 1][1]);
-                canvas.line(at, (at.0 + 1.5, plot.at(0.0, 30.0).1), pen);
-                last.push(format!("leaves the sheet at {:.1} s", rows[inside - 1][0]));
-            } else {
-                last.push(format!("ends at {:.2}", rows[rows.len() - 1][1]));
-            }
-        }
-        for (at, words) in &named {
-            canvas.label(*at, words);
-        }
-        said.push(format!("{}: {}.", panel.title, last.join(", ")));
+    for (k, story) in PANELS.iter().enumerate() {
+        let corner = (if k % 2 == 0 { 70.0 } else { 394.0 }, if k < 2 { 86.0 } else { 372.0 });
+        said.push(panel(&canvas, story, corner, k >= 2)?);
     }
     canvas.label((24.0, 26.0), &Label::new("kinetic energy, in parts of what it was").size(19.0));
     Ok(Picture {

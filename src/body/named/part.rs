@@ -84,8 +84,8 @@ impl Part {
         }
     }
 
-    /// How wide in the xz plane, and how thick along y, it is drawn, m. What is computed as a line is drawn as thick as a racket's frame
-    /// is, and a string as a line.
+    /// How wide in the xz plane, and how thick along y, it is drawn, m. What is computed as a line is drawn
+    /// as thick as a racket's frame is, and a string as a line.
     #[must_use]
     pub fn drawn(&self) -> [f64; 2] {
         match self.section {
@@ -120,7 +120,8 @@ impl Part {
         }
     }
 
-    /// Its inertia about its middle in the body's axes, by the laws alone: to a few units in the last place, and unchecked.
+    /// Its inertia about its middle in the body's axes, by the laws alone: to a few units in the last place,
+    /// and unchecked.
     pub(super) fn inertia(&self) -> Matrix3<f64> {
         let (mass, length) = (self.mass(), self.length());
         let [across, y, along] = match self.section {

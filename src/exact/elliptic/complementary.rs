@@ -96,8 +96,8 @@ impl<T: Lane> ComplementarySeries<T> {
         let [p2, p4, p] = self.powers;
         let (e, gap, growing) = (x.square, x.gap, x.rising * x.rising);
         let square = e * e;
-        // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵); differences by
-        // the gap, which has all its digits where they are small.
+        // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵); differences
+        // by the gap, which has all its digits where they are small.
         let (b, c) = (p * growing, p4 * growing * growing);
         let (cube, fourth) = (e * square, square * square);
         let quotient = e + 1.0 + square;

@@ -16,9 +16,9 @@ pub static VERDICT: Text = Text::new();
 /// own (not above zero: none).
 ///
 /// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and with the
-/// judge's own words for all that it names by a key: each law's name, heading and growth (and what is allowed of
-/// it), each reset, what the record has nothing of, and how the rule is named. The answer is 1. For a record that
-/// cannot be judged, the text says why; the answer is 0.
+/// judge's own words for all that it names by a key: each law's name, heading and growth (and what is allowed
+/// of it), each reset, what the record has nothing of, and how the rule is named. The answer is 1. For a
+/// record that cannot be judged, the text says why; the answer is 0.
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold, fitted] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));

@@ -25,8 +25,8 @@ const MOST_FLIPS: usize = 64;
 const MOST_SAMPLES: f64 = 1000.0;
 
 /// Principal moments, kg m², and the centre of mass from where the body's drawing has its origin, m; those of
-/// the box where there is no such body. As all bodies of the book they lie with the smallest moment along z, the
-/// largest along y and the middle one along x.
+/// the box where there is no such body. As all bodies of the book they lie with the smallest moment along z,
+/// the largest along y and the middle one along x.
 fn body(which: f64) -> (Vector3<f64>, Vector3<f64>) {
     parts::body(which).map_or((named::THE_BOX.moments(), Vector3::zeros()), |body| {
         let of = body.moments();

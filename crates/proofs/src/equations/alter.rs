@@ -28,8 +28,8 @@ pub struct StillTrue {
     pub same_sides: bool,
 }
 
-/// Alters each proven equation of a text: every sign, index, power, number, sign of order and product changed;
-/// every name doubled, repeated, left out and exchanged; every two names swapped.
+/// Alters each proven equation of a text: every sign, index, power, number, sign of order and product
+/// changed; every name doubled, repeated, left out and exchanged; every two names swapped.
 #[must_use]
 pub fn alterations(expected: &Expected, equations: &[Equation]) -> Alterations {
     let mut table = Alterations::default();

@@ -1,4 +1,5 @@
-//! One hash of the answers of many scenes, which must be the same on every machine: what the tests compute, and `.ci/same-bits` elsewhere.
+//! One hash of the answers of many scenes, which must be the same on every machine: what the tests compute,
+//! and `.ci/same-bits` elsewhere.
 
 use crate::same_bits::{Hash, Random};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -34,9 +35,8 @@ fn free(hash: &mut Hash, random: &mut Random) {
         .map(|n| {
             let (moments, omega) = random.motion();
             let frame = UnitQuaternion::new_unchecked(random.attitude());
-            let turned = Inertia::from(moments)
-                .turned(frame)
-                .and_then(|tensor| Body::spinning(tensor, frame, &omega));
+            let turned =
+                Inertia::from(moments).turned(frame).and_then(|tensor| Body::spinning(tensor, frame, &omega));
             match turned {
                 Ok(body) if n < 2 => body.into(),
                 _ => InitialState::spinning(moments.vector(), omega),
