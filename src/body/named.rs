@@ -15,16 +15,14 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
-mod boxes;
 mod even;
 mod part;
 mod racket;
 mod steel;
 
 use alloc::vec::Vec;
-use boxes::REMOTE_CONTROL;
-pub use boxes::{BOOK, EvenBox, PHONE, THE_BOX};
-pub use even::{BALL, EvenBall, EvenCylinder, EvenPlate, PENCIL, PLATE};
+use even::REMOTE_CONTROL;
+pub use even::{BALL, BOOK, Even, PENCIL, PHONE, PLATE, THE_BOX};
 use part::Fill;
 pub use part::{Part, Section};
 

@@ -43,7 +43,7 @@ tumblingLive.judgeVerdict = (() => {
             ...(gaps ? [`rows are missing in ${gaps.count} places, the first before line ${gaps.line}`] : []),
             ...(ignored.length ? [`columns that are not used: ${ignored.join(", ")}`] : []),
             ...notes,
-            ...(untold.length ? [`it does not tell: ${untold.join(", ")}`] : []),
+            ...(untold.length ? [`the file does not say: ${untold.join(", ")}`] : []),
         ];
     }
 
@@ -74,7 +74,7 @@ tumblingLive.judgeVerdict = (() => {
         put(place, "p", `${words}: ${best.rule}.`);
         if (best.engines.length) put(place, "p", `As in: ${best.engines.join("; ")}.`);
         const others = alike.map(({ rule }) => rule);
-        if (others.length) put(place, "p", `Not to be told from it here: ${others.join("; ")}.`);
+        if (others.length) put(place, "p", `Cannot be distinguished from it here: ${others.join("; ")}.`);
         for (const hint of hints) put(place, "p", hint);
         if (advice) put(place, "p", `What to do: ${advice}`);
     }

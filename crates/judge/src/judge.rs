@@ -188,7 +188,7 @@ struct Start {
 }
 
 impl Start {
-    /// The first row, or the start whose exact motion is nearest to so many rows.
+    /// The first row, or the start whose exact motion is nearest to that number of rows.
     fn of(
         states: &[Row],
         stopped: Stopped,

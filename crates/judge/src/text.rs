@@ -228,7 +228,7 @@ impl fmt::Display for Diagnosis {
             };
             let names: Vec<String> = self.alike.iter().take(RULES_NAMED).map(named).collect();
             let more = if self.alike.len() > RULES_NAMED { ", and others" } else { "" };
-            writeln!(f, "  not to be told from it here: {}{more}", names.join("; "))?;
+            writeln!(f, "  cannot be distinguished from it here: {}{more}", names.join("; "))?;
         }
         if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
             writeln!(f, "  next is {}, {ratio:.1e} times as far", second.rule.name())?;

@@ -48,7 +48,7 @@ fn without_tumbling(rotation: &Matrix3<f64>) -> Matrix3<f64> {
 
 pub(super) fn draw() -> Drawing {
     let inertia = named::NamedBody::Book.properties()?.inertia();
-    let edges = Vector3::from(named::BOOK.edges);
+    let edges = Vector3::from(named::BOOK.sizes);
     // Along x, its middle axis, but for the push.
     let omega = Vector3::new(PUSH.cos(), PUSH.sin(), 0.0) * TAU;
     let momentum = inertia.momentum(&omega);

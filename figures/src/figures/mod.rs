@@ -262,7 +262,7 @@ pub(crate) static ALL: [Figure; 36] = [
 ];
 
 /// Edges of the document's box, m.
-const BOX_EDGES: [f64; 3] = named::THE_BOX.edges;
+const BOX_EDGES: [f64; 3] = named::THE_BOX.sizes;
 
 /// Its tensor.
 fn document_box() -> Result<Inertia, Error> {

@@ -1,66 +1,56 @@
-//! Even bodies of the book that have no parts to draw: a plate, a pencil, a ball.
+//! Bodies of one even shape. Where the boxes' sizes come from stands at [`super::NamedBody`].
 
-use crate::solid::{Ball, Cylinder, Shape, ThinPlate};
+use super::{Fill, Part, Section};
 use nalgebra::Vector3;
 
-/// An even thin plate in the xy plane.
+/// A body of one shape, evenly filled, about the origin: the shape's sizes in the order of its
+/// [law](crate::solid::Shape), m, and the mass, kg.
+///
+/// ```
+/// use tumbling::body::named::THE_BOX;
+/// use tumbling::solid::{Cuboid, Shape};
+/// let moments = Cuboid::moments(&THE_BOX.mass, THE_BOX.sizes.each_ref());
+/// assert_eq!(moments.as_slice(), [10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EvenPlate {
-    /// Along x and y, m.
-    pub edges: [f64; 2],
-    /// kg.
-    pub mass: f64,
-}
-
-/// An even cylinder along z.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EvenCylinder {
+pub struct Even<const N: usize> {
     /// m.
-    pub radius: f64,
-    /// Along z, m.
-    pub height: f64,
+    pub sizes: [f64; N],
     /// kg.
     pub mass: f64,
 }
 
-/// An even ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EvenBall {
-    /// m.
-    pub radius: f64,
-    /// kg.
-    pub mass: f64,
-}
+/// The edges along x, y and z of [the box](super::NamedBody::TheBox).
+pub const THE_BOX: Even<3> = Even { sizes: [2.0, 1.0, 3.0], mass: 1.0 };
 
-/// The plate of the chapter on two arrows.
-pub const PLATE: EvenPlate = EvenPlate { edges: [2.0, 1.0], mass: 1.0 };
+/// The edges along x, y and z of [the book](super::NamedBody::Book).
+pub const BOOK: Even<3> = Even { sizes: [0.129, 0.020, 0.198], mass: 0.340 };
 
-/// A pencil.
-pub const PENCIL: EvenCylinder = EvenCylinder { radius: 0.0035, height: 0.18, mass: 0.005 };
+/// The edges along x, y and z of [the phone](super::NamedBody::Phone).
+pub const PHONE: Even<3> = Even { sizes: [0.0716, 0.0078, 0.1476], mass: 0.171 };
 
-/// A ball of one metre and one kilogram.
-pub const BALL: EvenBall = EvenBall { radius: 0.5, mass: 1.0 };
+pub(super) const REMOTE_CONTROL: Even<3> = Even { sizes: [0.035, 0.00925, 0.136], mass: 0.063 };
 
-impl EvenPlate {
-    /// Its principal moments about x, y and z, kg m².
-    #[must_use]
-    pub fn moments(&self) -> Vector3<f64> {
-        ThinPlate::moments(&self.mass, self.edges.each_ref())
-    }
-}
+/// The edges along x and y of a thin plate: that of the chapter on two arrows.
+pub const PLATE: Even<2> = Even { sizes: [2.0, 1.0], mass: 1.0 };
 
-impl EvenCylinder {
-    /// Its principal moments about x, y and z, kg m².
-    #[must_use]
-    pub fn moments(&self) -> Vector3<f64> {
-        Cylinder::moments(&self.mass, [&self.radius, &self.height])
-    }
-}
+/// The radius and the length along z of a pencil.
+pub const PENCIL: Even<2> = Even { sizes: [0.0035, 0.18], mass: 0.005 };
 
-impl EvenBall {
-    /// Its principal moments, all the same, kg m².
-    #[must_use]
-    pub fn moments(&self) -> Vector3<f64> {
-        Ball::moments(&self.mass, [&self.radius])
+/// The radius of a ball of one metre and one kilogram.
+pub const BALL: Even<1> = Even { sizes: [0.5], mass: 1.0 };
+
+impl Even<3> {
+    /// It as the only part of a body, a box.
+    pub(super) fn part(&self, name: &'static str, material: &'static str) -> Part {
+        let [wide, thick, length] = self.sizes;
+        Part {
+            name,
+            material,
+            section: Section::Rectangle { wide, thick },
+            middle: Vector3::zeros(),
+            along: Vector3::new(0.0, 0.0, length),
+            fill: Fill::Mass(self.mass),
+        }
     }
 }

@@ -6,8 +6,9 @@
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::attitude::rotation_matrix;
-use tumbling::body::named;
+use tumbling::body::named::{self, Even};
 use tumbling::dynamics::observe::energy;
+use tumbling::solid::{Ball, Cuboid, Shape};
 use tumbling::step::{Carried, Engine, rk4};
 
 /// The most steps in one answer.
@@ -16,13 +17,17 @@ const MOST: usize = 1000;
 /// What comes before the samples in an answer on an engine.
 const HEAD: usize = 18;
 
+fn cuboid(body: &Even<3>) -> Vector3<f64> {
+    Cuboid::moments(&body.mass, body.sizes.each_ref())
+}
+
 /// The moments of a body, kg m². The bodies are those of the book; of each but the ball the middle axis is x.
 fn body(which: f64) -> Vector3<f64> {
     match which as u32 {
-        0 => named::THE_BOX.moments(),
-        1 => named::BOOK.moments(),
-        2 => named::PHONE.moments(),
-        _ => named::BALL.moments(),
+        0 => cuboid(&named::THE_BOX),
+        1 => cuboid(&named::BOOK),
+        2 => cuboid(&named::PHONE),
+        _ => Ball::moments(&named::BALL.mass, named::BALL.sizes.each_ref()),
     }
 }
 

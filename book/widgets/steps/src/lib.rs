@@ -4,7 +4,8 @@
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::sync::{Mutex, PoisonError};
-use tumbling::body::named;
+use tumbling::body::named::{self, Even};
+use tumbling::solid::{Cuboid, Shape};
 use tumbling::step::{Method, State, System};
 use tumbling::{Error, ErrorKind};
 
@@ -38,12 +39,16 @@ const MOST: usize = 4000;
 /// What comes before the samples in an answer on a run.
 const HEAD: usize = 6;
 
+fn cuboid(body: &Even<3>) -> Vector3<f64> {
+    Cuboid::moments(&body.mass, body.sizes.each_ref())
+}
+
 /// The moments of a body, kg m². The bodies are those of the book; of each the middle axis is x.
 fn body(which: f64) -> Vector3<f64> {
     match which as u32 {
-        0 => named::THE_BOX.moments(),
-        1 => named::BOOK.moments(),
-        _ => named::PHONE.moments(),
+        0 => cuboid(&named::THE_BOX),
+        1 => cuboid(&named::BOOK),
+        _ => cuboid(&named::PHONE),
     }
 }
 

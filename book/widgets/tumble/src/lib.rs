@@ -6,7 +6,7 @@ mod parts;
 use exchange::{Line, Numbers};
 use nalgebra::Vector3;
 use std::sync::{Mutex, PoisonError};
-use tumbling::body::named;
+use tumbling::body::named::NamedBody;
 use tumbling::exact::{FreeMotion, Regime, time_between_flips};
 use tumbling::number::Analytic;
 use tumbling::{Axis, Error, ErrorKind};
@@ -28,10 +28,8 @@ const MOST_SAMPLES: f64 = 1000.0;
 /// the box where there is no such body. As all bodies of the book they lie with the smallest moment along z,
 /// the largest along y and the middle one along x.
 fn body(which: f64) -> (Vector3<f64>, Vector3<f64>) {
-    parts::body(which).map_or((named::THE_BOX.moments(), Vector3::zeros()), |body| {
-        let of = body.moments();
-        (of.inertia.diagonal(), of.centre)
-    })
+    let of = parts::body(which).unwrap_or(NamedBody::TheBox).moments();
+    (of.inertia.diagonal(), of.centre)
 }
 
 /// What the page asks:

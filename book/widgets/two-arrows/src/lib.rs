@@ -3,21 +3,28 @@
 
 use exchange::Numbers;
 use nalgebra::Vector3;
-use tumbling::body::named::{self, EvenBox};
+use tumbling::body::named::{self, Even};
+use tumbling::solid::{Ball, Cuboid, Cylinder, Shape, ThinPlate};
 
 /// The moments of a body, kg m², and its size along its axes, m. The bodies are those of the book.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
-    let cuboid = |body: EvenBox| (body.moments(), body.edges);
+    let cuboid = |body: Even<3>| (Cuboid::moments(&body.mass, body.sizes.each_ref()), body.sizes);
     match which as u32 {
-        0 => (named::PLATE.moments(), [named::PLATE.edges[0], named::PLATE.edges[1], 0.0]),
+        0 => {
+            let Even { sizes, mass } = named::PLATE;
+            (ThinPlate::moments(&mass, sizes.each_ref()), [sizes[0], sizes[1], 0.0])
+        }
         1 => cuboid(named::THE_BOX),
         2 => cuboid(named::BOOK),
         3 => cuboid(named::PHONE),
         4 => {
-            let wide = 2.0 * named::PENCIL.radius;
-            (named::PENCIL.moments(), [wide, wide, named::PENCIL.height])
+            let Even { sizes, mass } = named::PENCIL;
+            (Cylinder::moments(&mass, sizes.each_ref()), [2.0 * sizes[0], 2.0 * sizes[0], sizes[1]])
         }
-        _ => (named::BALL.moments(), [2.0 * named::BALL.radius; 3]),
+        _ => {
+            let Even { sizes, mass } = named::BALL;
+            (Ball::moments(&mass, sizes.each_ref()), [2.0 * sizes[0]; 3])
+        }
     }
 }
 
