@@ -20,7 +20,8 @@ pub struct Options {
     /// is held too then. Without one a phase fails that is off by more than a quarter of a way round and a
     /// quarter of the ways that the exact motion makes.
     pub thresholds: [Option<f64>; 7],
-    /// To start from the exact motion that comes nearest to this number of rows, and not from the first alone.
+    /// To start from the exact motion that comes nearest to this number of rows, not from the first
+    /// alone.
     pub fit: Option<usize>,
 }
 
