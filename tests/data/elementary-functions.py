@@ -1,4 +1,4 @@
-"""Writes elementary-functions.csv: elementary functions to 200 digits, by mpmath 1.3.
+"""Writes elementary-functions.csv: elementary functions to 600 digits, by mpmath 1.3.
 
     python3 elementary-functions.py [NUMBER] > elementary-functions.csv
 

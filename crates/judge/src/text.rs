@@ -75,10 +75,10 @@ impl Verdict {
             Outcome::Failed => return None,
             Outcome::Passed => return Some(self.within()),
             Outcome::NothingToJudge if self.torque.is_some() => {
-                "a torque acts, and the laws judged here are those of a free body. What made the record is told above"
+                "a torque acts, and the laws judged here are those of a free body. The rule that made the record is named above"
             }
             Outcome::NothingToJudge if self.untraceable => {
-                "the body turns so far from row to row that no number of double precision tells where it should be. Record it with shorter \
+                "the body turns so far from row to row that no number of double precision says where it should be. Record it with shorter \
                  steps, and look at the units"
             }
             Outcome::NothingToJudge => {
@@ -135,7 +135,7 @@ impl Verdict {
             let names: Vec<&str> = self.record.untold.iter().map(|law| law.words()).collect();
             writeln!(
                 f,
-                "Not told: {} (the file has no {})",
+                "Not available: {} (the file has no {})",
                 names.join(", "),
                 if self.record.has_attitude {
                     "spin: it is made from the turns between the attitudes, by the exact motion"
@@ -156,7 +156,7 @@ impl Verdict {
 
     fn physics(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.laws.is_empty() {
-            writeln!(f, "\nErrors, beside the first row:")?;
+            writeln!(f, "\nErrors relative to the first row:")?;
             writeln!(f, "{:22} {:>11} {:>11}   grade", "law", "most", "last")?;
         }
         for law in &self.laws {

@@ -215,6 +215,7 @@ fn table() -> String {
     text
 }
 
+/// Regression test: the committed table is what the judge still says of every record.
 #[test]
 fn the_verdicts_that_the_figures_read_are_those_of_the_judge() {
     let (committed, now) = (include_str!("../data/judged.tsv"), table());

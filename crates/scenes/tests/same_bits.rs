@@ -1,4 +1,5 @@
-//! The same bits on every machine, of scenes too: a hash of many answers is the one that is committed.
+//! Regression test: a hash of many answers of scenes is the one that is committed, so that every machine has
+//! the same bits. That the answers are right is for `free.rs` and `driven.rs`.
 
 #[allow(dead_code, reason = "the library's own test uses the rest")]
 #[path = "../../../tests/common/same_bits.rs"]

@@ -31,7 +31,7 @@ pub const PHONE: Even<3> = Even { sizes: [0.0716, 0.0078, 0.1476], mass: 0.171 }
 
 pub(super) const REMOTE_CONTROL: Even<3> = Even { sizes: [0.035, 0.00925, 0.136], mass: 0.063 };
 
-/// The edges along x and y of a thin plate: that of the chapter on two arrows.
+/// The edges along x and y of a thin plate, twice as wide as high.
 pub const PLATE: Even<2> = Even { sizes: [2.0, 1.0], mass: 1.0 };
 
 /// The radius and the length along z of a pencil.

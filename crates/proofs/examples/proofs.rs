@@ -1,0 +1,29 @@
+//! Lists the proofs with the time each takes, and what their altered laws leave over.
+//!
+//! `cargo run --release -p tumbling-proofs --example proofs [-- mutants]`
+
+use std::time::Instant;
+use tumbling_proofs::proofs;
+
+fn main() {
+    let with_mutants = std::env::args().any(|argument| argument == "mutants");
+    let start = Instant::now();
+    let (mut count, mut held) = (0, 0);
+    for proof in proofs() {
+        let begin = Instant::now();
+        let outcome = (proof.check)();
+        let time = begin.elapsed();
+        count += 1;
+        held += usize::from(outcome.is_ok());
+        let verdict = outcome.map_or_else(|residue| format!("FAILS: {residue}"), |()| "holds".to_owned());
+        println!("{:>8.3} s  {}: {verdict}. {}", time.as_secs_f64(), proof.name, proof.statement);
+        if with_mutants {
+            for mutant in proof.mutants {
+                let left = (mutant.check)()
+                    .map_or_else(|residue| residue.to_string(), |()| "STILL HOLDS".to_owned());
+                println!("            with {}: {left}", mutant.change);
+            }
+        }
+    }
+    println!("{:>8.3} s  {held} of {count} hold", start.elapsed().as_secs_f64());
+}
