@@ -118,7 +118,7 @@ impl Told {
         Ok(())
     }
 
-    /// The moments that are told. Of a flat body, whose rounded moments miss the triangle rule by no more
+    /// The moments given. Of a flat body, whose rounded moments miss the triangle rule by no more
     /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
     /// so.
     pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Option<Vector3<f64>> {

@@ -85,7 +85,7 @@ impl PhysicsEngine {
     }
 }
 
-/// One step of `h` seconds by a rule, cut in so many parts, within these limits on turn and spin.
+/// One step of `h` seconds by a rule, cut into this number of parts, within these limits on turn and spin.
 pub(crate) fn parted(
     method: Method,
     parts: u32,

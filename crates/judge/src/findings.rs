@@ -59,9 +59,9 @@ pub enum Complaint {
     WrongRule(Rule),
     /// The phase ran away from the exact one.
     WrongPace {
-        /// How far, in ways round.
+        /// How far, in periods of the spin.
         off: f64,
-        /// How many ways round the exact motion goes.
+        /// The number of periods of the exact motion.
         ways: f64,
         /// How far was allowed.
         allowed: f64,
@@ -81,14 +81,14 @@ pub enum Hint {
     },
     /// The attitude stands still while the body spins.
     StandsStill {
-        /// In so many steps.
+        /// The number of steps.
         steps: usize,
         /// By so much the body should have turned at most, rad.
         angle: f64,
     },
     /// A component of the spin is zero to the last digit, where the law moves it.
     HeldAtZero {
-        /// In so many steps.
+        /// The number of steps.
         steps: usize,
     },
     /// By what the spin alone is stepped, and the attitude alone, where no rule fits both.

@@ -249,7 +249,7 @@ impl Laws {
         Some(count)
     }
 
-    /// How many ways round the exact spin goes in the time of the record.
+    /// The number of periods of the exact spin in the time of the record.
     pub(crate) fn ways_round(&self) -> f64 {
         let end = self.seen.last.t - self.start.row.t;
         match self.exact.period() {

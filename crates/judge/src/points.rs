@@ -16,7 +16,7 @@ pub struct Point {
     pub momentum: f64,
     /// The greatest angle between the momentum and the first one in the world, rad, where attitudes are told.
     pub direction: Option<f64>,
-    /// The error of phase in ways round that is largest in size, where there is a way round.
+    /// The error of phase, in periods, that is largest in size, where there is a period.
     pub phase: Option<f64>,
     /// The first row's spin in body axes, rad/s.
     pub spin: Vector3<f64>,

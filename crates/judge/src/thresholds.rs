@@ -9,8 +9,8 @@
 
 /// Error allowed of a conserved law, as a share or in rad: a percent, which nobody sees in a game.
 pub(crate) const ALLOWED: f64 = 0.01;
-/// Error of phase allowed without a limit of its own, in ways round, and as a share of those that the exact
-/// motion makes. A right rule of second order loses far less, except near the separatrix, where a way round
+/// Error of phase allowed without a limit of its own, in periods, and as a share of those that the exact
+/// motion makes. A right rule of second order loses far less, except near the separatrix, where a period
 /// takes as long as the smallest error lets it; a rule without a gyroscopic term loses all, a clock at half
 /// its pace a half.
 pub(crate) const PACE: f64 = 0.25;

@@ -38,7 +38,7 @@ fn body(which: f64) -> Vector3<f64> {
 /// steps were taken before, how many to take now, and the state as it was answered last.
 ///
 /// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an `f64`
-/// holds; the state, nine numbers; the energy and the length of the momentum, in parts of the first, and the
+/// holds; the state, nine numbers; the energy and the length of the momentum, relative to the first, and the
 /// momentum's angle from where it was, degrees, as a measurement on the body would find them; the least and
 /// the greatest energy of these steps; how many flips there were, and the time of the first; how far the
 /// spin's direction is from that at the start, degrees; and for each step (at the start: for it) the spin

@@ -45,7 +45,7 @@ fn body(which: f64) -> (Vector3<f64>, Vector3<f64>) {
 ///    flipped since time 0, and the next three flips (NaN where there is none).
 /// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and at the samples
 ///    the spin along the axis that it was spun about.
-/// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at so many points: those of that axis' positive
+/// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at a number of points: those of that axis' positive
 ///    side, on the ellipsoid of energy whose longest half axis is 1.
 ///
 /// 4 and 5. For other widgets, of any body: see [`beside::answer`], which counts them from 0.

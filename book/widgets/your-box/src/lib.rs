@@ -58,7 +58,7 @@ fn found([a, b, c, mass]: [f64; 4], omega: &Vector3<f64>) -> Result<(Inertia, f6
 /// moment. 10 and the axis: it stands on that of the middle one.
 ///
 /// The spin circles the axis of the smallest moment where `2 E I2 > L²`, that is where
-/// `w1² I1 (I2 - I1) > w3² I3 (I3 - I2)`; with the roots of both sides, and all in parts of the greatest,
+/// `w1² I1 (I2 - I1) > w3² I3 (I3 - I2)`; with the roots of both sides, all relative to the greatest,
 /// nothing leaves the range. The library's own answer needs the whole motion prepared, which would triple
 /// this module; a test holds the two to each other.
 fn fate(moments: [f64; 3], omega: [f64; 3]) -> u8 {
