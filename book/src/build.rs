@@ -17,7 +17,7 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
     let start = Instant::now();
     let pages = build_into(None, site)?;
     if !docs::lay_beside(&paths::pages())? {
-        say!("Without the library's documentation: `cargo run --release` makes that too.");
+        say!("Without the library's documentation: `cargo run` makes that too.");
     }
     say!("Built {pages} pages in {:.1} s: {}", start.elapsed().as_secs_f64(), paths::pages().display());
     Ok(())

@@ -67,7 +67,7 @@ pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     }
     wrong.sort();
     Err(format!(
-        "these figures are not up to date (`cargo run --release -- figures` draws them):\n{}",
+        "these figures are not up to date (`cargo run -- figures` draws them):\n{}",
         wrong.join("\n")
     ))
 }

@@ -21,7 +21,7 @@ fn every_committed_figure_is_what_would_be_drawn_today() {
         .collect();
     assert!(
         stale.is_empty(),
-        "redraw these with `cargo run --release -- figures {}` and look at them",
+        "redraw these with `cargo run -- figures {}` and look at them",
         stale.join(" ")
     );
 }

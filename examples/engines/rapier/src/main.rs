@@ -1,4 +1,4 @@
-//! Runs the kit's stories in Rapier: `cargo run --release -- STEP [STORY...]`, all stories if none is named.
+//! Runs the kit's stories in Rapier: `cargo run -- STEP [STORY...]`, all stories if none is named.
 //!
 //! Writes STORY.csv into the folder `records` beside this package, for `judge`.
 
