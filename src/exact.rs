@@ -37,7 +37,7 @@ mod polhode;
 mod regime;
 mod sensitivity;
 
-pub use batch::{Batch, Spins};
+pub use batch::Batch;
 pub use flips::Flips;
 pub use period::time_between_flips;
 pub use polhode::Polhode;
@@ -46,7 +46,7 @@ pub use regime::Regime;
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, Refusal, finite, finite_vector};
-use crate::inertia::{PrincipalMoments, product};
+use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
@@ -91,19 +91,6 @@ pub struct Instant {
     pub omega: Vector3<f64>,
     /// Attitude, body to world.
     pub attitude: UnitQuaternion<f64>,
-}
-
-impl Instant {
-    /// Angular velocity in world axes, rad/s. Infinite where a component is beyond `f64`, as it can be within
-    /// a factor of two of the largest number.
-    #[must_use]
-    pub fn omega_world(&self) -> Vector3<f64> {
-        let turned = self.attitude * self.omega;
-        if turned.iter().all(|x| x.is_finite()) {
-            return turned;
-        }
-        product(&crate::attitude::rotation_matrix(self.attitude.quaternion()), &self.omega)
-    }
 }
 
 impl FreeMotion {
@@ -164,15 +151,9 @@ impl FreeMotion {
     /// # Errors
     /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
     pub fn of(body: &Body) -> Result<Self, Error> {
-        let tensor = body.inertia().matrix();
         let omega = body.omega_body();
-        let diagonal = tensor[(0, 1)] == 0.0 && tensor[(0, 2)] == 0.0 && tensor[(1, 2)] == 0.0;
-        let (moments, frame) = if diagonal {
-            (PrincipalMoments::of_tensor(tensor.diagonal())?, UnitQuaternion::identity())
-        } else {
-            let principal = body.inertia().principal();
-            (principal.try_into()?, principal.rotation())
-        };
+        let (moments, frame) = body.inertia().along_principal_axes()?;
+        let frame = frame.unwrap_or_else(UnitQuaternion::identity);
         let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
         if frame != UnitQuaternion::identity() {
             motion.law.has_room_for(mount::ROOM_TO_TURN, motion.exponent)?;
@@ -295,12 +276,6 @@ impl FreeMotion {
     #[inline(always)]
     fn in_world(&self, turned: Quaternion<f64>) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.in_world(turned)))
-    }
-
-    /// The principal moments, in the order in which they were given.
-    #[must_use]
-    pub fn moments(&self) -> PrincipalMoments {
-        self.moments
     }
 
     /// What kind of motion it is, with its constants in SI units.

@@ -6,7 +6,7 @@ use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
@@ -114,7 +114,7 @@ impl<T: Lane> Kernel<T> for TopSpin<T> {
     #[inline(always)]
     fn turn(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Quaternion<T> {
         let (sin, cos) = sin_cos_of_turns(self.wobble * (time * 0.5));
-        let zero = T::splat(0.0);
+        let zero = splat::<T>(0.0);
         let [x, y, z] = self.axis.arranged([-sin, zero, zero]);
         unit(product(&about_momentum.at(time), &Quaternion::new(cos, x, y, z)))
     }

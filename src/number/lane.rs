@@ -85,12 +85,12 @@ pub trait Lane:
     /// left off.
     #[must_use]
     fn two_product_error(self, other: Self, product: Self) -> Self;
+}
 
-    /// The same number in every lane.
-    #[must_use]
-    fn splat(x: f64) -> Self {
-        Self::from_lanes(|_| x)
-    }
+/// The same number in every lane.
+#[inline(always)]
+pub(crate) fn splat<T: Lane>(x: f64) -> T {
+    T::from_lanes(|_| x)
 }
 
 impl Lane for f64 {

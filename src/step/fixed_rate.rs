@@ -28,8 +28,8 @@ const MOST_PARTS: f64 = 1000.0;
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::PrincipalMoments;
 /// use tumbling::step::{State, System, fixed_rate};
+/// use tumbling::{PrincipalMoments, dynamics::observe};
 /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 3.0)?)?;
 /// // Ten minutes about the axis of the largest moment, with a nutation: at 60 Hz a naive engine turns it
 /// // about the middle one.
@@ -38,7 +38,7 @@ const MOST_PARTS: f64 = 1000.0;
 /// for _ in 0..36_000 {
 ///     motion = fixed_rate(&system, &motion, 1.0 / 60.0)?;
 /// }
-/// let energy = |motion: &State<f64>| system.energy(motion);
+/// let energy = |state: &State<f64>| observe::energy(&system.omega(&state.momentum), &state.momentum);
 /// assert!((energy(&motion) / energy(&start) - 1.0).abs() < 1e-12);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
@@ -90,7 +90,7 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     if parts.is_nan() || parts > MOST_PARTS {
         return Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into());
     }
-    let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::whole(parts as u32)), ORDER)?;
+    let prepared = Prepared::new(inverse, &start.momentum, &(h.clone() / T::integer(parts as u32)), ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts as u32 {
         motion = prepared.step(&motion)?;

@@ -171,7 +171,7 @@ fn exact(hash: &mut Hash, random: &mut Random) {
             });
         }
         hash.answer(motion.state_transition(random.time()), |hash, transition| hash.all(&transition));
-        hash.answer(motion.tensor_sensitivity(random.time()), |hash, sensitivity| hash.all(&sensitivity));
+        hash.answer(motion.sensitivities(random.time()), |hash, (_, by_tensor)| hash.all(&by_tensor));
         hash.answer(motion.period(), |hash, period| hash.put(period.unwrap_or(f64::NAN)));
         hash.answer(motion.next_flip(0.0), |hash, flip| hash.put(flip.unwrap_or(f64::NAN)));
         hash.put(motion.twist_of_half_period().unwrap_or(f64::NAN));

@@ -23,26 +23,10 @@ use crate::body::State;
 use crate::error::{Error, Refusal};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Ring};
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
-
-const ALL: Conserved =
-    Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true };
-
-pub(crate) const ORDER_2: MethodInfo =
-    MethodInfo { name: "Moser-Veselov", order: 2, implicit: true, conserved: ALL, source: "MV91" };
-
-const fn preprocessed(name: &'static str, order: u32) -> MethodInfo {
-    MethodInfo { name, order, implicit: true, conserved: ALL, source: "HV06" }
-}
-
-pub(crate) const ORDER_4: MethodInfo = preprocessed("Moser-Veselov 4", 4);
-pub(crate) const ORDER_6: MethodInfo = preprocessed("Moser-Veselov 6", 6);
-pub(crate) const ORDER_8: MethodInfo = preprocessed("Moser-Veselov 8", 8);
-pub(crate) const ORDER_10: MethodInfo = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
 pub(crate) fn step<T: Analytic>(

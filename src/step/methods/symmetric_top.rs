@@ -5,16 +5,7 @@ use super::splitting::spun;
 use crate::attitude;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
-
-pub(crate) const INFO: MethodInfo = MethodInfo {
-    name: "symmetric top",
-    order: 2,
-    implicit: false,
-    conserved: Conserved { momentum: true, direction: true, unit: true, reversible: true, ..Conserved::NONE },
-    source: "DLM97",
-};
 
 /// The top is symmetric about z, with the moment about x for its two equal ones; the difference is a turn
 /// about y. A body is best given with the two moments first that are nearest to each other. With a torque,
