@@ -51,9 +51,9 @@ pub enum Regime {
         /// The complement `k' = sqrt(1 - k²)`, with all its digits: 0 would be the separatrix.
         complement: f64,
         /// How fast Jacobi's argument runs, 1/s: a flip comes each time it has moved by `2 K`. Where `k'` is
-        /// small, a push off the middle axis grows as `cosh(rate t)`, by the factor `1/k'` up to the flip; the
-        /// rate is at most `0.6 k'²` (relative) above that of a steady spin about that axis with the same
-        /// momentum.
+        /// at most 0.1, a push off the middle axis grows as `cosh(rate t)` at first, by the factor `1/k'` up
+        /// to the flip; the rate is at most `0.6 k'²` (relative) above that of a small push on a steady spin
+        /// about that axis with the same momentum.
         rate: f64,
     },
     /// Three different moments, exactly between the two: the spin leaves the middle axis, flips once, and

@@ -23,9 +23,9 @@ use nalgebra::Vector3;
 /// [`adaptive`](fn@crate::step::adaptive). Free motion needs no steps: see [`exact`](crate::exact). The rules
 /// of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be compared with.
 ///
-/// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque, the methods
-/// that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting, symmetric
-/// top, Moser-Veselov) are of order 2.
+/// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,
+/// the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting,
+/// symmetric top, Moser-Veselov) are of order 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Method {

@@ -16,9 +16,9 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
 ///
 /// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
-/// own axes and the world's. No step allocates. The principal axes are found once; what is stepped is never turned back and
-/// forth, so that a reversible method stays reversible. In `f32` the body is converted once and all steps are
-/// taken in `f32`.
+/// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
+/// forth, so that a reversible method stays reversible. No step allocates. In `f32` the body is converted
+/// once and all steps are taken in `f32`.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -141,8 +141,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// that fails leaves the body where it was.
     ///
     /// # Errors
-    /// As [`Method::step`], [`fixed_rate`] or [`adaptive`](fn@adaptive); a torque, such as that of a [`Torque::Function`], that is not
-    /// finite at the start or the end; a spin or a time beyond its numbers.
+    /// As [`Method::step`], [`fixed_rate`] or [`adaptive`](fn@adaptive); a torque, such as that of a
+    /// [`Torque::Function`], that is not finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         let after = self.time + finite("the step", number(h))?;
         if !after.is_finite() {

@@ -150,7 +150,7 @@ fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
 fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
     let (motion, along, _) = motion()?;
     let now = motion.at(t)?;
-    let world = now.omega_world();
+    let world = now.attitude * now.omega;
     // A push along the middle axis never carries a spin about another from its side: what changes sign is its
     // wobble.
     let flips = along == 0;
