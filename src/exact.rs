@@ -100,7 +100,7 @@ impl FreeMotion {
     /// # Errors
     /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
     /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a
-    /// push of less than 1e-570 of the spin) that the two cannot be told apart.
+    /// push of less than 1e-570 of the spin) that `f64` does not separate the two.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
@@ -192,6 +192,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite.
+    #[inline]
     pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
@@ -214,6 +215,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite.
+    #[inline]
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
@@ -223,7 +225,6 @@ impl FreeMotion {
     }
 
     /// The attitude of the principal axes, from where they are at the start.
-    #[inline(always)]
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
             _ if time == 0.0 => Quaternion::identity(),
@@ -287,7 +288,7 @@ impl FreeMotion {
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
                 axis: top.axis(),
-                nutation: per_second(top.wobble_turns() * core::f64::consts::TAU),
+                nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
                 precession: per_second(top.precession()),
             },
             Law::Elliptic(motion) => motion.regime(per_second),

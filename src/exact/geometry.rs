@@ -42,7 +42,7 @@ impl FreeMotion {
     pub fn period(&self) -> Result<Option<f64>, Error> {
         let scaled = match &self.law {
             Law::AtRest | Law::Steady(_) => None,
-            Law::Symmetric(top) => Some(1.0 / top.wobble_turns().abs()),
+            Law::Symmetric(top) => Some(1.0 / top.nutation_turns().abs()),
             Law::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
         };
         scaled.map(|time| self.seconds("the period", time)).transpose()

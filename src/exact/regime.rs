@@ -64,7 +64,7 @@ pub enum Regime {
     },
 }
 
-/// As `circulating about the axis of the largest moment, modulus 0.5`; a precision goes to each number.
+/// As `elliptic motion about the axis of the largest moment, modulus 0.5`; a precision goes to each number.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -85,7 +85,7 @@ impl fmt::Display for Regime {
                 write!(f, "symmetric top, nutation {nutation} rad/s, precession {precession} rad/s")
             }
             Self::Elliptic { about, modulus, .. } => {
-                write!(f, "circulating about the axis of the {about} moment, modulus {}", number(modulus))
+                write!(f, "elliptic motion about the axis of the {about} moment, modulus {}", number(modulus))
             }
             Self::Separatrix { rate } => write!(f, "separatrix, rate {} 1/s", number(rate)),
         }

@@ -94,8 +94,8 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite, derivatives beyond `f64`, or the separatrix where its spin has been at rest
-    /// on the middle axis for so long (700 times the inverse of its rate) that `f64` does not tell it from
-    /// rest.
+    /// on the middle axis for so long (700 times the inverse of its rate) that in `f64` it does not
+    /// move.
     pub fn state_transition(&self, t: f64) -> Result<Matrix6<f64>, Error> {
         let transition = self.transition_in_body(&self.derivatives(t, false)?);
         all_finite(&transition).map(|()| transition)
@@ -205,7 +205,7 @@ impl FreeMotion {
                     }
                 }
             }
-            Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
+            Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.nutation(), time),
             Law::Elliptic(motion) => {
                 let thin = Vector3::from(*moments).min() < NEEDLE * Vector3::from(*moments).max();
                 if motion.half_periods(time).argument.abs() <= if thin { SHORT } else { NEAR_RETURN } {

@@ -41,7 +41,7 @@ pub trait Lane:
     /// Yes or no in each lane.
     type Mask: Copy + Debug;
 
-    /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers so many bodies at once.
+    /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers this number of bodies at once.
     const WIDTH: usize;
 
     /// The number that `of` gives for each lane.

@@ -43,7 +43,7 @@ proptest! {
     fn the_twist_is_the_integral_of_the_rate_about_the_momentum(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
         let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
-        let Regime::Elliptic { about, complement, .. } = motion.regime() else { panic!("not circulating") };
+        let Regime::Elliptic { about, complement, .. } = motion.regime() else { panic!("not elliptic") };
         prop_assume!(complement > 1e-3);
         let mut order = [0, 1, 2];
         order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
@@ -119,11 +119,11 @@ fn a_top_that_swings_beyond_the_range_is_refused() {
     assert!(new(1.28e308).unwrap_err().to_string().contains("the greatest spin"));
 }
 
-/// A small wobble about a spin near the end of the range: with moments (1, 1.9, 2) the push along the first
+/// A small libration about a spin near the end of the range: with moments (1, 1.9, 2) the push along the first
 /// axis comes along the second sqrt(1/0.19) = 2.3 times as great, which is still nothing relative to the
 /// spin.
 #[test]
-fn a_small_wobble_of_the_fastest_spin_is_within_the_range() {
+fn a_small_libration_of_the_fastest_spin_is_within_the_range() {
     for push in [1e200, 1e-100, 5e-324] {
         let motion = motion([1.0, 1.9, 2.0], [push, 0.0, 1.7e308]);
         let quarter = motion.omega(0.25 * motion.period().unwrap().unwrap()).unwrap();

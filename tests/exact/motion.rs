@@ -252,7 +252,7 @@ fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
 }
 
 proptest! {
-    // Continuity: the motion is prepared so that it starts where it was told to, to the few roundings that
+    // Continuity: the motion is prepared so that it starts as it was given, to the few roundings that
     // any answer may have.
     #[test]
     fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {

@@ -123,7 +123,7 @@ fn on_the_separatrix_the_spin_is_on_the_middle_axis_however_late_one_asks() {
     }
 }
 
-/// A modulus is at most 1, and where it is 1 to rounding the complement still tells the motion from the
+/// A modulus is at most 1, and where it is 1 to rounding the complement still separates the motion from the
 /// separatrix.
 #[test]
 fn the_modulus_next_to_the_separatrix_is_not_above_one() {

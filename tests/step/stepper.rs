@@ -152,7 +152,7 @@ fn a_run_to_a_time_ends_there_forth_and_back_and_never_goes_round_for_ever() {
     let endless = stepper.run_until(1e-300, 1.0).next().unwrap().unwrap_err();
     assert_eq!(endless.kind(), ErrorKind::TooMany, "{endless}");
     assert!(endless.to_string().contains("too many"), "{endless}");
-    // So many steps as there are numbers for are begun, and no room is made for them beforehand.
+    // As many steps as there are numbers for are begun, and no room is made for them beforehand.
     assert_eq!(stepper.clone().run(1e-3, usize::MAX).take(3).filter(Result::is_ok).count(), 3);
     // A refused step leaves the body where it was.
     let before = stepper.state();

@@ -80,6 +80,7 @@ impl StepControl {
     }
 
     /// `duration` seconds on, in as many steps as that takes.
+    #[inline]
     pub(crate) fn to_the_end(
         self,
         system: &System<f64>,

@@ -35,13 +35,19 @@ pub(crate) fn step<T: Analytic>(
     h: &T,
     order: u32,
 ) -> Result<State<T>, Error> {
-    if system.is_free() {
-        return Prepared::new(system.inverse(), &start.momentum, h, order)?.step(start);
-    }
-    let half = h.clone() / T::integer(2);
-    let start = system.kick(start, half.clone());
-    let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(&start)?;
-    Ok(system.adjoint_kick(&end, half))
+    let kicked;
+    let (start, second) = if system.is_free() {
+        (start, None)
+    } else {
+        let half = h.clone() / T::integer(2);
+        kicked = system.kick(start, half.clone());
+        (&kicked, Some(half))
+    };
+    let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(start)?;
+    Ok(match second {
+        Some(half) => system.adjoint_kick(&end, half),
+        None => end,
+    })
 }
 
 /// The longest turn of a step, rad: there `|c| = 1`.
@@ -155,8 +161,8 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         let grown = T::one() + c.dot(&c);
         let miss = &kc + c.cross(&kc) - m.map(|x| x * grown.clone());
         // Columns of the derivative: K_j e_j + (K_j c - K c) x e_j - 2 c_j m.
-        let beside = |i: usize, j: usize| k[i].clone() - k[j].clone();
-        let (xy, yz, zx) = (beside(0, 1), beside(1, 2), beside(2, 0));
+        let difference = |i: usize, j: usize| k[i].clone() - k[j].clone();
+        let (xy, yz, zx) = (difference(0, 1), difference(1, 2), difference(2, 0));
         let p = |x: &T, y: &T| x.clone() * y.clone();
         let column = |j: usize, first: Vector3<T>| first - twice.map(|x| x * c[j].clone());
         let x = column(0, Vector3::new(k.x.clone(), -p(&zx, &c.z), -p(&xy, &c.y)));

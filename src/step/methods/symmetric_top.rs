@@ -14,17 +14,17 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let half = h.clone() / T::integer(2);
     let quarter = half.clone() / T::integer(2);
     let inverse = system.inverse();
-    let beside = |axis: usize| inverse[axis].clone() - inverse.x.clone();
+    let difference = |axis: usize| inverse[axis].clone() - inverse.x.clone();
     let mut motion = system.kick(start, half.clone());
     let rest = |motion: &mut State<T>| {
-        let angle = beside(1) * motion.momentum.y.clone() * quarter.clone();
+        let angle = difference(1) * motion.momentum.y.clone() * quarter.clone();
         spun(motion, 1, &angle);
     };
     rest(&mut motion);
     // A turn about the momentum, which does not move it, and one about the axis.
     let about = motion.momentum.map(|x| x * inverse.x.clone() * h.clone());
     motion.attitude = attitude::product(&motion.attitude, &attitude::turn(&about));
-    let angle = beside(2) * motion.momentum.z.clone() * half.clone();
+    let angle = difference(2) * motion.momentum.z.clone() * half.clone();
     spun(&mut motion, 2, &angle);
     rest(&mut motion);
     system.adjoint_kick(&motion, half)

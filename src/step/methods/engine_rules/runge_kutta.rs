@@ -32,7 +32,7 @@ fn stepped<T: Analytic>(
             Some((turn, push)) => (scaled(turn, time), &start.momentum + scaled(push, time)),
         };
         let omega = system.omega(&momentum);
-        // A free body's momentum does not ask for the attitude.
+        // A free body's momentum does not depend on the attitude.
         let attitude = if system.is_free() {
             start.attitude.clone()
         } else {
