@@ -17,7 +17,7 @@ mod system;
 mod torque;
 
 pub use crate::body::{Rate, State};
-pub use adaptive::{LEAST_TOLERANCE, adaptive};
+pub use adaptive::adaptive;
 pub use fixed_rate::fixed_rate;
 pub use info::{Conserved, MethodInfo};
 pub use method::Method;

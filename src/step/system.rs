@@ -2,7 +2,7 @@
 
 use crate::attitude;
 use crate::body::{Rate, State};
-use crate::dynamics::{euler, observe};
+use crate::dynamics::euler;
 use crate::error::{Error, Refusal};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
@@ -101,12 +101,6 @@ impl<T: Field> System<T> {
     pub fn momentum(&self, omega: &Vector3<T>) -> Vector3<T> {
         omega.component_mul(&self.moments)
     }
-
-    /// The kinetic energy of the rotation, J.
-    #[must_use]
-    pub fn energy(&self, state: &State<T>) -> T {
-        observe::energy(&self.omega(&state.momentum), &state.momentum)
-    }
 }
 
 impl<T: Analytic> System<T> {
@@ -130,7 +124,7 @@ impl<T: Analytic> System<T> {
         let then = self.time.clone() + time.clone();
         self.torques
             .iter()
-            .fold(none, |sum, torque| sum + torque.at(then.clone(), &rotation, &motion.momentum, &omega))
+            .fold(none, |sum, torque| sum + torque.at(&then, &rotation, &motion.momentum, &omega))
     }
 
     /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
@@ -204,7 +198,7 @@ impl<T: Analytic> System<T> {
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            torque.kick(&self.inverse, time.clone(), &rotation, &momentum, h.clone())
+            torque.kick(&self.inverse, time, &rotation, &momentum, h.clone())
         });
         State { attitude: motion.attitude.clone(), momentum }
     }

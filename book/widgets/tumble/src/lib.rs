@@ -16,7 +16,7 @@ use tumbling::{Axis, Error, ErrorKind};
 pub static WHY: Line = Line::new();
 
 /// The motion last prepared, which later questions are about, and the axis that it was spun about.
-static MOTION: Mutex<Option<(FreeMotion, usize)>> = Mutex::new(None);
+static MOTION: Mutex<Option<(FreeMotion, usize, Vector3<f64>)>> = Mutex::new(None);
 
 /// How many of the next flips are given.
 const NEXT: usize = 3;
@@ -99,13 +99,13 @@ fn spun(about: f64) -> (usize, usize) {
     }
 }
 
-fn motion() -> Result<(FreeMotion, usize), Why> {
+fn motion() -> Result<(FreeMotion, usize, Vector3<f64>), Why> {
     MOTION.lock().unwrap_or_else(PoisonError::into_inner).ok_or(Why(["a motion", " must be prepared first"]))
 }
 
 /// The moments of the motion in hand, or those of the box.
 fn moments() -> Vector3<f64> {
-    motion().map_or_else(|_| body(0.0).0, |(motion, _)| motion.moments().into())
+    motion().map_or_else(|_| body(0.0).0, |(.., moments)| moments)
 }
 
 fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
@@ -116,7 +116,7 @@ fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
     let omega = Vector3::from(parts);
     let motion = FreeMotion::new(moments.try_into()?, &omega)?;
     let beat = if along == 0 { time_between_flips(moments.try_into()?, &omega)? } else { None };
-    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some((motion, along));
+    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some((motion, along, moments));
 
     let around = match motion.regime() {
         Regime::Elliptic { about: Axis::Smallest, .. } => 2.0,
@@ -148,9 +148,9 @@ fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
 }
 
 fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
-    let (motion, along) = motion()?;
+    let (motion, along, _) = motion()?;
     let now = motion.at(t)?;
-    let world = now.omega_world();
+    let world = now.attitude * now.omega;
     // A push along the middle axis never carries a spin about another from its side: what changes sign is its
     // wobble.
     let flips = along == 0;
@@ -167,7 +167,7 @@ fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
 }
 
 fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
-    let (motion, along) = motion()?;
+    let (motion, along, _) = motion()?;
     let mut place = 1;
     if along == 0 {
         for flip in motion.flips(from, to)?.take(MOST_FLIPS) {
