@@ -1,5 +1,6 @@
 //! Which rule made a record: each suspect takes each row one step further, and is held against the next row.
 
+use crate::candidates::Subject;
 use crate::drift::Run;
 use crate::findings::Hint;
 use crate::fitted::{compound, momentum_for_spin};
@@ -7,7 +8,6 @@ use crate::hints::{apart, hints};
 use crate::rules::{Rule, frozen_at, plain};
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
-use crate::suspects::Subject;
 use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, FITS, FITS_FEW, NEAR, NEAR_RATIO, TRIED_TURNS};
 
 /// A rule, and how far its steps are from the record's.
@@ -16,27 +16,27 @@ pub struct Explanation {
     /// The rule.
     pub rule: Rule,
     /// Half of the steps are nearer than this (spin beside spin, attitude in rad).
-    pub middle: f64,
+    pub median: f64,
     /// 95 of 100 are nearer than this.
-    pub most: f64,
+    pub percentile_95: f64,
 }
 
 impl Explanation {
     fn fits(self, floor: Floor) -> bool {
-        floor.fits(self.middle, self.most)
+        floor.fits(self.median, self.percentile_95)
     }
 
     /// By how much another is farther from the record: in the middle, or in the last twentieth.
     fn beside(&self, other: &Self) -> f64 {
         let ratio = |a: f64, b: f64| a.max(f64::EPSILON) / b.max(f64::EPSILON);
-        ratio(other.middle, self.middle).max(ratio(other.most, self.most))
+        ratio(other.median, self.median).max(ratio(other.percentile_95, self.percentile_95))
     }
 }
 
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Sure {
+pub enum Confidence {
     /// Every step is the rule's to rounding.
     ToRounding,
     /// More than half of the steps are the rule's to rounding; one in twenty or more is not.
@@ -50,7 +50,7 @@ pub enum Sure {
     NoneFits,
 }
 
-impl Sure {
+impl Confidence {
     /// All of them.
     pub const ALL: [Self; 5] =
         [Self::ToRounding, Self::MostSteps, Self::Near, Self::FewDigits, Self::NoneFits];
@@ -78,7 +78,7 @@ pub struct Diagnosis {
     /// The best of those that do not.
     pub second: Option<Explanation>,
     /// How sure.
-    pub sure: Sure,
+    pub confidence: Confidence,
     /// How many steps were tried.
     pub steps: usize,
     /// What else was seen.
@@ -90,14 +90,14 @@ pub struct Diagnosis {
 
 fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
     let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
-    middle_and_most(residuals).map(|[middle, most]| Explanation { rule, middle, most })
+    middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
 }
 
 impl Diagnosis {
     /// Whether one rule is named, or several that are one here.
     #[must_use]
     pub const fn names_a_rule(&self) -> bool {
-        !matches!(self.sure, Sure::NoneFits | Sure::FewDigits)
+        !matches!(self.confidence, Confidence::NoneFits | Confidence::FewDigits)
     }
 
     /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the
@@ -108,7 +108,7 @@ impl Diagnosis {
             all.into_iter().partition(|rule| run.is_like(subject, rule));
         self.drifts = Some(like.len());
         if like.first() != Some(&self.best.rule) || !unlike.is_empty() {
-            self.sure = Sure::FewDigits;
+            self.confidence = Confidence::FewDigits;
         }
         let mut ordered = like.into_iter().chain(unlike);
         if let Some(best) = ordered.next().and_then(|rule| explained(subject, sample.pairs(), rule)) {
@@ -116,7 +116,7 @@ impl Diagnosis {
         }
         self.alike = ordered.collect();
         if self.drifts == Some(1) {
-            self.sure = Sure::ToRounding;
+            self.confidence = Confidence::ToRounding;
         }
     }
 
@@ -140,15 +140,15 @@ pub(crate) fn diagnose(
     let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
     let pairs = pairs.as_slice();
     let found = tried(subject, pairs, floor, of_momentum);
-    let least = found.iter().map(|x| x.middle).fold(f64::INFINITY, f64::min);
+    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
     if !least.is_finite() {
         return None;
     }
     // Within rounding of the best, in the middle as in the last twentieth.
     let [half, nearly_all] = floor.either(ALIKE_ROUNDINGS, ALIKE_FEW).map(|units| units * floor.size);
-    let near = |x: &&Explanation| x.middle <= (ALIKE[0] * least).max(half);
-    let best_most = found.iter().filter(near).map(|x| x.most).fold(f64::INFINITY, f64::min);
-    let alike_of = |x: &&Explanation| near(x) && x.most <= (ALIKE[1] * best_most).max(nearly_all);
+    let near = |x: &&Explanation| x.median <= (ALIKE[0] * least).max(half);
+    let best_most = found.iter().filter(near).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
+    let alike_of = |x: &&Explanation| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all);
     let best = *found.iter().find(alike_of)?;
     // The same rule with limits that the record does not reach says nothing new.
     let same =
@@ -159,12 +159,12 @@ pub(crate) fn diagnose(
         .filter(|x| !alike_of(x))
         .copied()
         .min_by(|a, b| best.beside(a).total_cmp(&best.beside(b)));
-    let sure = sureness(&best, second.as_ref(), floor);
+    let confidence = confidence_in(&best, second.as_ref(), floor);
     let mut hints = hints(subject, pairs, floor.size);
-    if sure == Sure::NoneFits && subject.torque.is_none() && !sought {
+    if confidence == Confidence::NoneFits && subject.torque.is_none() && !sought {
         hints.extend(apart(subject, pairs, floor));
     }
-    Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints, drifts: None })
+    Some(Diagnosis { best, alike, second, confidence, steps: pairs.len(), hints, drifts: None })
 }
 
 /// How far each suspect's steps are from the record's: plain rules first, and others while none fits.
@@ -185,15 +185,15 @@ fn tried(subject: &Subject, pairs: &[Pair], floor: Floor, of_momentum: bool) -> 
     found
 }
 
-fn sureness(best: &Explanation, second: Option<&Explanation>, floor: Floor) -> Sure {
+fn confidence_in(best: &Explanation, second: Option<&Explanation>, floor: Floor) -> Confidence {
     let ratio = second.map_or(f64::INFINITY, |second| best.beside(second));
     if best.fits(floor) {
-        Sure::ToRounding
-    } else if best.middle <= floor.either(FITS, FITS_FEW)[0] * floor.size {
-        Sure::MostSteps
-    } else if best.middle < NEAR && ratio >= NEAR_RATIO {
-        Sure::Near
+        Confidence::ToRounding
+    } else if best.median <= floor.either(FITS, FITS_FEW)[0] * floor.size {
+        Confidence::MostSteps
+    } else if best.median < NEAR && ratio >= NEAR_RATIO {
+        Confidence::Near
     } else {
-        Sure::NoneFits
+        Confidence::NoneFits
     }
 }

@@ -1,7 +1,7 @@
 //! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for
 //! certain, and a way round at another pace.
 
-use crate::diagnosis::{Diagnosis, Sure};
+use crate::diagnosis::{Confidence, Diagnosis};
 use crate::findings::Complaint;
 use crate::law::{FlipCount, Law, LawName};
 use crate::rules::{Base, Rule};
@@ -24,7 +24,7 @@ pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> 
 /// wrong.
 pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
     let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
-    let wrong = diagnosis.sure == Sure::ToRounding && all_wrong;
+    let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
     wrong.then_some(Complaint::WrongRule(diagnosis.best.rule))
 }
 

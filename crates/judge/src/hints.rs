@@ -1,10 +1,10 @@
 //! What is seen in the steps besides the rule.
 
+use crate::candidates::{Subject, straight};
 use crate::findings::Hint;
 use crate::rules::{Base, Rule, Spin};
 use crate::sample::Floor;
 use crate::state::{Pair, angle_between, middle_and_most, ordered};
-use crate::suspects::{Subject, straight};
 use crate::thresholds::{CAP_AT_START, STILL};
 use nalgebra::Vector3;
 use tumbling::step::Method;

@@ -1,5 +1,6 @@
 //! From a record to a verdict, one row in hand at a time.
 
+use crate::candidates::Subject;
 use crate::clock::Clock;
 use crate::columns::Kind;
 use crate::derived::{Derived, Deriver, Feed};
@@ -11,7 +12,6 @@ use crate::reading::Reading;
 use crate::rounding::rounding;
 use crate::rows::{Raw, Rows};
 use crate::state::{Row, angle_between, in_world, median};
-use crate::suspects::Subject;
 use crate::thresholds::{PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
 use crate::trial::{Conditions, Trial};
 use crate::verdict::{Options, Verdict};

@@ -10,6 +10,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod advice;
+mod candidates;
 mod catalogue;
 mod clock;
 mod columns;
@@ -41,7 +42,6 @@ mod rows;
 mod rules;
 mod sample;
 mod state;
-mod suspects;
 mod text;
 mod thresholds;
 mod trial;
@@ -51,7 +51,7 @@ mod words;
 
 pub use catalogue::PHYSICS_ENGINES;
 pub use curve::Growth;
-pub use diagnosis::{Diagnosis, Explanation, Sure};
+pub use diagnosis::{Confidence, Diagnosis, Explanation};
 pub use engines::{Limits, PhysicsEngine};
 pub use error::Error;
 pub use findings::{Complaint, Hint, Note};
@@ -60,6 +60,6 @@ pub use judge::judge;
 pub use law::{FlipCount, Law, LawName};
 pub use plain::plain_number;
 pub use points::Point;
-pub use reading::Misread;
+pub use reading::FileMistake;
 pub use rules::{Alteration, Base, Rule, Spin, Steps, When};
 pub use verdict::{Gaps, Options, Outcome, Recording, Reset, Verdict};

@@ -1,6 +1,6 @@
 //! A verdict in plain words.
 
-use crate::diagnosis::{Diagnosis, Sure};
+use crate::diagnosis::{Confidence, Diagnosis};
 use crate::law::{Law, LawName};
 use crate::rules::Rule;
 use crate::thresholds::RULES_NAMED;
@@ -50,7 +50,7 @@ impl fmt::Display for Verdict {
         let name = self.outcome.key().to_uppercase();
         let mut reasons: Vec<String> = self.reason().into_iter().collect();
         if self.outcome == Outcome::Failed {
-            if !self.misread.is_empty() {
+            if !self.file_mistakes.is_empty() {
                 reasons.push("the file is not what its names say".into());
             }
             if !self.resets.is_empty() {
@@ -110,10 +110,10 @@ impl Verdict {
         for note in &self.record.notes {
             writeln!(f, "Note:     {note}.")?;
         }
-        for misread in &self.misread {
-            writeln!(f, "File:     {}.", misread.words())?;
+        for mistake in &self.file_mistakes {
+            writeln!(f, "File:     {}.", mistake.words())?;
         }
-        if !self.misread.is_empty() {
+        if !self.file_mistakes.is_empty() {
             writeln!(f, "          What follows is of the file with that put right.")?;
         }
         for reset in &self.resets {
@@ -131,8 +131,8 @@ impl Verdict {
                 gaps.count, gaps.line, gaps.longest
             )?;
         }
-        if !self.record.untold.is_empty() {
-            let names: Vec<&str> = self.record.untold.iter().map(|law| law.words()).collect();
+        if !self.record.missing.is_empty() {
+            let names: Vec<&str> = self.record.missing.iter().map(|law| law.words()).collect();
             writeln!(
                 f,
                 "Not available: {} (the file has no {})",
@@ -208,10 +208,10 @@ impl fmt::Display for Law {
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let best = &self.best;
-        if self.sure == Sure::FewDigits {
+        if self.confidence == Confidence::FewDigits {
             return self.few_digits(f);
         }
-        let how = self.sure.words();
+        let how = self.confidence.words();
         writeln!(f, "Diagnosis: {how}: {}", best.rule.name())?;
         for engine in best.rule.engines() {
             writeln!(f, "  as in {engine}")?;
@@ -219,7 +219,7 @@ impl fmt::Display for Diagnosis {
         writeln!(
             f,
             "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
-            self.steps, best.middle, best.most
+            self.steps, best.median, best.percentile_95
         )?;
         if !self.alike.is_empty() {
             let named = |rule: &Rule| match rule.engines() {
@@ -236,7 +236,7 @@ impl fmt::Display for Diagnosis {
         for hint in &self.hints {
             writeln!(f, "  {hint}")?;
         }
-        if self.sure == Sure::NoneFits {
+        if self.confidence == Confidence::NoneFits {
             return f.write_str(
                 "What to do: compare the engine's rule with those of chapter \"Stepping through time\".",
             );
@@ -262,7 +262,7 @@ impl Diagnosis {
         writeln!(
             f,
             "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
-            self.steps, self.best.middle, self.best.most
+            self.steps, self.best.median, self.best.percentile_95
         )?;
         if like.is_empty() {
             writeln!(f, "  but over the whole record none of these drifts as it does: {}", some(unlike))?;

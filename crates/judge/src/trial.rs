@@ -1,8 +1,9 @@
 //! A trial: rows in, what they do to the laws noted, and the verdict at the end.
 
+use crate::candidates::Subject;
 use crate::clock::Clock;
 use crate::columns::Kind;
-use crate::diagnosis::{Diagnosis, Sure, diagnose};
+use crate::diagnosis::{Confidence, Diagnosis, diagnose};
 use crate::drift::Run;
 use crate::error::Error;
 use crate::faults::{spin_faults, wrong_pace, wrong_rule};
@@ -14,7 +15,6 @@ use crate::laws::Laws;
 use crate::reading::Reading;
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, Row};
-use crate::suspects::Subject;
 use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, RESETS, STILL};
 use crate::verdict::{Gaps, Options, Outcome, Recording, Reset, Verdict};
 use nalgebra::Vector3;
@@ -124,8 +124,8 @@ impl Trial {
         let mut found = self.findings(subject, options);
         let complaints = self.complaints(&found, options);
         self.weigh_drift(&mut found, subject);
-        let misread = reading.mistakes();
-        let outcome = self.outcome(&found, !misread.is_empty(), complaints.is_empty());
+        let file_mistakes = reading.mistakes();
+        let outcome = self.outcome(&found, !file_mistakes.is_empty(), complaints.is_empty());
         let Conditions { kind, clock, floor, .. } = self.conditions;
         let has_attitude = self.first.attitude.is_some();
         let ends = self.laws.separatrix().filter(|ends| found.free && ends.iter().all(|x| x.is_finite()));
@@ -140,13 +140,13 @@ impl Trial {
                 has_attitude,
                 ignored: Vec::new(),
                 notes: Vec::new(),
-                untold: untold(has_attitude, kind),
+                missing: missing(has_attitude, kind),
                 gaps: self.gaps,
                 sign_changes: self.laws.seen.sign_changes,
             },
             moments: subject.moments,
             torque: subject.torque,
-            misread,
+            file_mistakes,
             resets: self.resets,
             laws: found.laws,
             flips: found.flips,
@@ -214,17 +214,17 @@ impl Trial {
         if let (Some(diagnosis), Some(h)) = (&mut found.diagnosis, clock.step)
             && few
             && astray
-            && diagnosis.sure == Sure::ToRounding
+            && diagnosis.confidence == Confidence::ToRounding
         {
             let run = Run { first: self.first, last: self.laws.seen.last, h, flips, floor };
             diagnosis.by_drift(subject, &self.sample, &run);
         }
     }
 
-    fn outcome(&self, found: &Findings, misread: bool, no_complaint: bool) -> Outcome {
+    fn outcome(&self, found: &Findings, file_mistakes: bool, no_complaint: bool) -> Outcome {
         let Findings { free, still, broken, .. } = *found;
         let seen = &self.laws.seen;
-        if misread || !self.resets.is_empty() || self.ended.is_some() {
+        if file_mistakes || !self.resets.is_empty() || self.ended.is_some() {
             Outcome::Failed
         } else if !free || still && !broken && found.otherwise.is_none() {
             Outcome::NothingToJudge
@@ -242,7 +242,7 @@ impl Trial {
 }
 
 /// What a record without attitudes, or of attitudes alone, has nothing of.
-fn untold(attitude: bool, kind: Kind) -> Vec<LawName> {
+fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
     match (attitude, kind) {
         (false, _) => vec![LawName::Direction, LawName::Unit, LawName::Consistency],
         (true, Kind::Attitude) => vec![LawName::Consistency],

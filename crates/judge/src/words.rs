@@ -1,7 +1,7 @@
 //! The sentences for what is found, one for each, whether a page, a program or a terminal shows it.
 
 use crate::advice::significant;
-use crate::diagnosis::Sure;
+use crate::diagnosis::Confidence;
 use crate::findings::{Complaint, Hint, Note};
 use crate::verdict::Reset;
 use std::fmt;
@@ -116,7 +116,7 @@ impl fmt::Display for Note {
     }
 }
 
-impl Sure {
+impl Confidence {
     /// How a rule is named that is so sure, up to a colon and its name.
     #[must_use]
     pub const fn words(self) -> &'static str {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use tumbling::step::Method;
 use tumbling_judge::records::{RECORDED, Recorded, judged};
-use tumbling_judge::{LawName, Options, Outcome, PHYSICS_ENGINES, Sure, Verdict, judge};
+use tumbling_judge::{Confidence, LawName, Options, Outcome, PHYSICS_ENGINES, Verdict, judge};
 
 fn records() -> Vec<(String, Verdict)> {
     let read = |run: &Recorded| {
@@ -48,7 +48,12 @@ fn the_diagnosis_of_every_recorded_engine_names_its_rule() {
         let same = method == engine.method
             || story != "pushed" && twins.contains(&method) && twins.contains(&engine.method);
         assert!(same && parts == engine.parts, "{name}: {}", diagnosis.best.rule.name());
-        assert_eq!(diagnosis.sure, Sure::ToRounding, "{name}: {:e}", diagnosis.best.most);
+        assert_eq!(
+            diagnosis.confidence,
+            Confidence::ToRounding,
+            "{name}: {:e}",
+            diagnosis.best.percentile_95
+        );
         assert!(diagnosis.ratio().unwrap() > 1e5, "{name}: {:?}", diagnosis.second);
     }
 }
@@ -56,7 +61,7 @@ fn the_diagnosis_of_every_recorded_engine_names_its_rule() {
 #[test]
 fn the_file_of_no_engine_is_misread_and_only_the_four_resets_are_seen() {
     for (name, verdict) in records() {
-        assert_eq!(verdict.misread, [], "{name}");
+        assert_eq!(verdict.file_mistakes, [], "{name}");
         let expected = match name.as_str() {
             "mujoco-4.0.0-euler--major" => Some(336.0),
             "mujoco-4.0.0-euler--minor" => Some(795.0),
@@ -159,15 +164,15 @@ type Alter = fn([f64; 8]) -> [f64; 8];
 // Mistakes made on purpose in the records of real engines, which have gaps and go about one axis for long.
 #[test]
 fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
-    use tumbling_judge::Misread;
-    let mistakes: [(Misread, Alter); 5] = [
-        (Misread::Order, |[t, w, x, y, z, a, b, c]| [t, x, y, z, w, a, b, c]),
-        (Misread::ScalarFirst, |[t, w, x, y, z, a, b, c]| [t, z, w, x, y, a, b, c]),
-        (Misread::Inverse, |[t, w, x, y, z, a, b, c]| [t, w, -x, -y, -z, a, b, c]),
-        (Misread::Degrees, |[t, w, x, y, z, a, b, c]| {
+    use tumbling_judge::FileMistake;
+    let mistakes: [(FileMistake, Alter); 5] = [
+        (FileMistake::Order, |[t, w, x, y, z, a, b, c]| [t, x, y, z, w, a, b, c]),
+        (FileMistake::ScalarFirst, |[t, w, x, y, z, a, b, c]| [t, z, w, x, y, a, b, c]),
+        (FileMistake::Inverse, |[t, w, x, y, z, a, b, c]| [t, w, -x, -y, -z, a, b, c]),
+        (FileMistake::Degrees, |[t, w, x, y, z, a, b, c]| {
             [t, w, x, y, z, a.to_degrees(), b.to_degrees(), c.to_degrees()]
         }),
-        (Misread::LeftHandedSpin, |[t, w, x, y, z, a, b, c]| [t, w, x, y, z, -a, -b, -c]),
+        (FileMistake::LeftHandedSpin, |[t, w, x, y, z, a, b, c]| [t, w, x, y, z, -a, -b, -c]),
     ];
     let mut tried = 0;
     for (name, right) in records() {
@@ -187,7 +192,7 @@ fn each_misread_record_of_an_engine_is_named_and_the_rule_behind_it_too() {
             };
             let wrong = text.lines().map(line).collect::<Vec<_>>().join("\n");
             let verdict = judge(wrong.as_bytes(), &Options::default()).unwrap();
-            assert_eq!(verdict.misread, [misread], "{name}");
+            assert_eq!(verdict.file_mistakes, [misread], "{name}");
             let diagnosis = verdict.diagnosis.unwrap();
             assert_eq!(diagnosis.best.rule.method(), rule, "{name}, {misread:?}: {diagnosis}");
             tried += 1;

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{Base, LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};
+use tumbling_judge::{Base, Confidence, LawName, Options, Outcome, Rule, Spin, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
 const BODY: Vector3<f64> = common::MOMENTS;
@@ -50,7 +50,7 @@ fn judged(text: &str) -> Verdict {
 fn the_rule_of_a_plain_engine_is_named_whichever_spin_it_turns_by() {
     let named = |rows: &[Row]| {
         let diagnosis = judged(&text(rows, |x| significant(x, 17))).diagnosis.unwrap();
-        assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+        assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{diagnosis}");
         diagnosis.best.rule
     };
     assert_eq!(named(&plain(true, false, 600)), Rule::plain(Base::Straight(Spin::Explicit)));
