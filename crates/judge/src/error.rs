@@ -1,5 +1,6 @@
 //! What can be wrong with a record, each with its place.
 
+use crate::law::LawName;
 use std::fmt;
 
 /// Why a record could not be judged.
@@ -48,6 +49,13 @@ pub enum Error {
     Body(tumbling::Error),
     /// Neither a header nor the caller tells the moments.
     NoMoments,
+    /// A threshold that is no number above zero.
+    Threshold {
+        /// The law that it is for; all laws, where there is none.
+        law: Option<LawName>,
+        /// The threshold.
+        value: f64,
+    },
     /// No start could be fitted to the first rows.
     Fit {
         /// How many rows were to be fitted.
@@ -72,6 +80,10 @@ impl fmt::Display for Error {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")
             }
             Self::Body(error) => write!(f, "{error}"),
+            Self::Threshold { law, value } => {
+                let law = law.map_or("every law", LawName::words);
+                write!(f, "the threshold for {law} is {value}: it must be a number above zero")
+            }
             Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
             Self::NoMoments => f.write_str(
                 "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`, about the body's x, y and z, which must be its principal axes",

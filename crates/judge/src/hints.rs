@@ -52,7 +52,7 @@ pub(crate) fn apart(subject: &Subject, pairs: &[Pair], floor: Floor) -> Option<H
     };
     let spins = [
         (Base::Method(Method::ConstantSpin, 1), "no gyroscopic term"),
-        (Base::Straight(Spin::Explicit), "explicit gyroscopic step"),
+        (Base::Straight(Spin::Explicit, 1), "explicit gyroscopic step"),
         (Base::Method(Method::ImplicitOneNewton, 1), "one Newton step"),
         (Base::Method(Method::ImplicitMidpoint, 1), "implicit midpoint"),
         (Base::Method(Method::RungeKutta4, 1), "Runge and Kutta's fourth order"),

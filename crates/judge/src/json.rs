@@ -126,8 +126,10 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
             "percentile_95": x.percentile_95,
         })
     };
+    let mut best = explanation(&diagnosis.best);
+    best["engines"] = diagnosis.engines.clone().into();
     json!({
-        "best": explanation(&diagnosis.best),
+        "best": best,
         "alike": diagnosis
             .alike
             .iter()
@@ -137,7 +139,11 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
         "ratio": diagnosis.ratio(),
         "sure": diagnosis.confidence.key(),
         "steps": diagnosis.steps,
+        "share": diagnosis.share,
+        "single": diagnosis.single,
+        "would_decide": diagnosis.would_decide(),
+        "accuracy": diagnosis.accuracy.map(|x| json!({"order": x.order, "controlled": x.controlled, "per_second": x.per_second})),
         "hints": words(&diagnosis.hints),
-        "advice": if diagnosis.names_a_rule() { diagnosis.best.rule.advice() } else { "" },
+        "advice": diagnosis.advice.words(),
     })
 }

@@ -12,11 +12,12 @@ use crate::reading::Reading;
 use crate::rounding::rounding;
 use crate::rows::{Raw, Rows};
 use crate::state::{Row, angle_between, in_world, median};
-use crate::thresholds::{PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
+use crate::thresholds::{FAR_FROM_ONE, FEW_DIGITS, PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
 use crate::trial::{Conditions, Trial};
 use crate::verdict::{Options, Verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
+use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 
 /// Judges a record.
@@ -44,6 +45,7 @@ use tumbling::exact::FreeMotion;
 /// # Errors
 /// A record that cannot be read, with line and column; moments that are not known or that no body has.
 pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> {
+    options.checked()?;
     let mut rows = Rows::open(source)?;
     let mut probe = probed(&mut rows)?;
     let mut notes = std::mem::take(&mut rows.told.notes);
@@ -52,18 +54,21 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         None => rows.told.moments(&mut notes).ok_or(Error::NoMoments)?,
     };
     let torque = rows.told.torque.filter(|torque| *torque != Vector3::zeros());
-    let subject = Subject::new(moments, torque)?;
+    PrincipalMoments::try_from(moments)?;
+    let unit = unit_of(&moments);
+    let subject = Subject::new(moments / unit, torque.map(|torque| torque / unit))?;
     let meaning = Meaning::of(&mut probe, &rows, &moments, &mut notes);
     let told = rows.columns.kind != Kind::Attitude;
     let mut feed = Feed { told, moments, clock: meaning.clock, deriver: Deriver::default() };
     let (states, stopped) = understood(&probe, &meaning.reading, &mut feed)?;
     let floor = meaning.floor_of(&states, told);
-    let start = Start::of(&states, stopped, &probe, &moments, options)?;
+    let start = Start::of(&states, stopped, &probe, &subject.moments, options)?;
     let conditions = Conditions {
         kind: rows.columns.kind,
         clock: meaning.clock,
         floor,
-        few: rounding(&probe) > crate::thresholds::FEW_DIGITS * f64::from(f32::EPSILON),
+        few: rounding(&probe) > FEW_DIGITS * f64::from(f32::EPSILON),
+        single: rounding(&probe) == f64::from(f32::EPSILON),
     };
     let mut trial = Trial::new(&subject, start.first, start.direction, conditions)?;
     trial.rows = probe.len() as u64;
@@ -89,10 +94,23 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     trial.ended = rows.ended.take().map(|error| error.to_string());
     let mut verdict = trial.end(&subject, &meaning.reading, options);
     verdict.fit = start.fit;
+    (verdict.moments, verdict.torque) = (moments, torque);
+    if let Some(diagnosis) = &mut verdict.diagnosis {
+        diagnosis.in_units_of(unit);
+    }
+    if let Some(diagnosis) = &mut verdict.diagnosis {
+        diagnosis.name_engines(rows.told.engine.as_deref());
+    }
     verdict.record.engine = rows.told.engine;
     verdict.record.ignored = rows.columns.ignored();
     verdict.record.notes = notes;
     Ok(verdict)
+}
+
+/// What moments so large or small are divided by, so that products of momenta are numbers; a power of two.
+fn unit_of(moments: &Vector3<f64>) -> f64 {
+    let size = moments.amax().log2().floor();
+    if size.abs() < FAR_FROM_ONE { 1.0 } else { size.exp2() }
 }
 
 /// The first rows, two at least.
@@ -137,7 +155,8 @@ impl Meaning {
             Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), moments),
             kind => Reading::of(kind, &clock.pairs(probe), moments),
         };
-        let clock = clock.read(reading.time(), rows.told.step);
+        let (clock, note) = clock.read(reading.time(), rows.told.step);
+        notes.extend(note);
         let mut floor = rounding(probe);
         if let Some(grid) = &grid {
             floor = floor.max(grid.floor(probe, &reading, moments));

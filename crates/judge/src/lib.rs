@@ -9,6 +9,7 @@
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod accuracy;
 mod advice;
 mod candidates;
 mod catalogue;
@@ -23,6 +24,7 @@ mod drift;
 mod engines;
 mod error;
 mod faults;
+mod finding;
 mod findings;
 mod fit;
 mod fitted;
@@ -33,6 +35,7 @@ mod judge;
 mod jumps;
 mod law;
 mod laws;
+mod names;
 mod plain;
 mod points;
 mod reading;
@@ -49,6 +52,8 @@ mod units;
 mod verdict;
 mod words;
 
+pub use accuracy::Accuracy;
+pub use advice::Advice;
 pub use catalogue::PHYSICS_ENGINES;
 pub use curve::Growth;
 pub use diagnosis::{Confidence, Diagnosis, Explanation};

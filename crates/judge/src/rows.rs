@@ -4,7 +4,7 @@ use crate::columns::{Clock, Columns, Kind};
 use crate::comment::Told;
 use crate::digits::{last_place, significant};
 use crate::error::Error;
-use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, ROWS_BEFORE_THE_END};
+use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
 
@@ -160,9 +160,12 @@ impl Exact {
             }
         } else {
             self.digits = self.digits.max(significant(field));
-            self.place = self.place.min(last_place(field));
-            let rounded = f64::from(value as f32);
-            self.single &= rounded == value;
+            let place = last_place(field);
+            self.place = self.place.min(place);
+            // As it stands, or as decimals of it that lead back to it.
+            let off = (f64::from(value as f32) - value).abs();
+            let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
+            self.single &= off == 0.0 || decimals && off <= 0.5000001 * place;
         }
     }
 }

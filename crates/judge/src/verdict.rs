@@ -1,6 +1,7 @@
 //! A verdict: what is allowed, what was found, and how it ends.
 
 use crate::diagnosis::Diagnosis;
+use crate::error::Error;
 use crate::findings::{Complaint, Note};
 use crate::fit::Fit;
 use crate::law::{FlipCount, Law, LawName};
@@ -40,6 +41,18 @@ impl Options {
             self.thresholds[i] = Some(threshold);
         }
         self
+    }
+}
+
+impl Options {
+    /// Limits that are numbers above zero.
+    pub(crate) fn checked(&self) -> Result<(), Error> {
+        let own =
+            LawName::ALL.iter().zip(self.thresholds).filter_map(|(law, most)| Some((Some(*law), most?)));
+        match std::iter::once((None, self.threshold)).chain(own).find(|(_, most)| !(*most > 0.0)) {
+            Some((law, value)) => Err(Error::Threshold { law, value }),
+            None => Ok(()),
+        }
     }
 }
 
