@@ -38,6 +38,13 @@ pub enum Error {
         /// What is wrong with it.
         problem: String,
     },
+    /// A row in memory does not do.
+    Row {
+        /// The row, from 1.
+        row: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A line does not do as a whole.
     Line {
         /// The line, from 1.
@@ -76,6 +83,7 @@ impl fmt::Display for Error {
             Self::Columns { line, problem } | Self::Line { line, problem } => {
                 write!(f, "line {line}: {problem}")
             }
+            Self::Row { row, problem } => write!(f, "row {row}: {problem}"),
             Self::Field { line, column, name, problem } => {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")
             }

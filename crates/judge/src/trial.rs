@@ -77,13 +77,13 @@ impl Trial {
         direction: Option<Vector3<f64>>,
         conditions: Conditions,
     ) -> Result<Self, Error> {
-        let told = conditions.kind != Kind::Attitude;
+        let has_spin = conditions.kind != Kind::Attitude;
         Ok(Self {
             conditions,
             laws: Laws::new(&subject.moments, &first, direction, conditions.floor)?,
             first,
             sample: Sample::new(),
-            jumps: Jumps::new(first, subject.moments, subject.torque, told, conditions.floor),
+            jumps: Jumps::new(first, subject.moments, subject.torque, has_spin, conditions.floor),
             resets: Vec::new(),
             gaps: None,
             last: None,
@@ -113,10 +113,10 @@ impl Trial {
             }
             self.pairs += u64::from(self.resets.is_empty());
             if self.resets.is_empty() && times == 1.0 {
-                if self.jumps.told {
+                if self.jumps.has_spin {
                     self.laws.pair(&pair);
                 }
-                if self.jumps.told || state.ahead.is_some() {
+                if self.jumps.has_spin || state.ahead.is_some() {
                     self.sample.push(&pair);
                 }
             }
