@@ -8,6 +8,7 @@ mod method;
 mod moser_veselov;
 mod order;
 mod pitfalls;
+mod position_stage;
 mod rk4;
 mod stepper;
 mod torque;
