@@ -61,8 +61,10 @@ pub(super) fn draw() -> Drawing {
     plot.curve(line?, Pen::new(Ink::Text, 3.0))?;
     let start = plot.at(-323.3, least);
     canvas.disc(start, 5.0, Fill::new(Ink::Text), None);
-    canvas
-        .label((start.0 + 40.0, start.1 - 18.0), &Label::new(format!("{least:.0} s: the smallest push that")));
+    canvas.label(
+        (start.0 + 40.0, start.1 - 18.0),
+        &Label::new(format!("{least:.0} s: the smallest push that")),
+    );
     canvas.label((start.0 + 40.0, start.1 + 4.0), &Label::new("a computer’s number can be"));
     let end = plot.at(last, exact(&m, 10_f64.powf(last))?);
     let pen = Pen::new(Ink::Wrong, 3.0);
