@@ -45,6 +45,10 @@ mod three_pitfalls {}
 mod dzhanibekov {}
 
 #[cfg(doctest)]
+#[doc = include_str!("coin.md")]
+mod coin {}
+
+#[cfg(doctest)]
 #[doc = include_str!("exact-motion.md")]
 mod exact_motion {}
 

@@ -1,6 +1,6 @@
 //! The list of proofs, in the order of the library.
 
-mod closed_forms;
+pub(crate) mod closed_forms;
 mod conserved;
 pub mod engines;
 mod euler;

@@ -9,25 +9,30 @@ use tumbling::{Axis, Error, Inertia};
 mod atlas;
 mod box_arrows;
 mod box_moments;
+mod coin;
 mod cover;
 mod engines_energy;
 mod engines_fate;
 mod engines_paths;
 mod exact_errors;
-mod flip_strip;
 mod flip_time;
 mod flip_time_deep;
 mod gap_curve;
+mod hammer;
+mod jacobi;
 mod judged;
 mod moments_gallery;
 mod moments_map;
 mod polhode;
 mod polhodes;
-mod regimes;
 mod rod_two_ways;
 mod scale;
 mod scene_costs;
+mod seen_from_body;
 mod three_spins;
+mod three_tosses;
+mod torque;
+mod turning_place;
 mod turning_tensor;
 mod two_arrows;
 mod wobble_growth;
@@ -42,7 +47,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 36] = [
+pub(crate) static ALL: [Figure; 41] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -50,16 +55,28 @@ pub(crate) static ALL: [Figure; 36] = [
         draw: cover::draw,
     },
     Figure {
-        name: "flip-strip",
-        shows: "A thrown book flips: nine instants, as you see it and without the tumbling",
+        name: "three-tosses",
+        shows: "Three tosses of one book, drawn after each turn",
         chapter: "toss-a-book",
-        draw: flip_strip::draw,
+        draw: three_tosses::draw,
     },
     Figure {
         name: "rod-two-ways",
         shows: "One rod, two moments: about its length and end over end",
         chapter: "matrix-mass",
         draw: rod_two_ways::draw,
+    },
+    Figure {
+        name: "turning-place",
+        shows: "A point of a turning body, and its velocity",
+        chapter: "matrix-mass",
+        draw: turning_place::draw,
+    },
+    Figure {
+        name: "hammer",
+        shows: "A hammer made of two solids, and its principal axes",
+        chapter: "principal-axes",
+        draw: hammer::draw,
     },
     Figure {
         name: "moments-gallery",
@@ -104,6 +121,18 @@ pub(crate) static ALL: [Figure; 36] = [
         draw: turning_tensor::draw,
     },
     Figure {
+        name: "torque",
+        shows: "A torque about one axis turns a box at rest about another",
+        chapter: "eulers-equations",
+        draw: torque::draw,
+    },
+    Figure {
+        name: "seen-from-body",
+        shows: "An arrow fixed in the room, seen from a turning body",
+        chapter: "eulers-equations",
+        draw: seen_from_body::draw,
+    },
+    Figure {
         name: "three-spins",
         shows: "The same small push about each of the three axes: two wobble, one flips",
         chapter: "eulers-equations",
@@ -146,10 +175,16 @@ pub(crate) static ALL: [Figure; 36] = [
         draw: moments_map::draw_growth,
     },
     Figure {
-        name: "regimes",
-        shows: "Every free motion of the box is a level line, and one of them takes forever",
+        name: "coin",
+        shows: "A thrown plate: its axis and its spin circle its momentum",
+        chapter: "coin",
+        draw: coin::draw,
+    },
+    Figure {
+        name: "jacobi",
+        shows: "The components of the spin are Jacobi's three functions",
         chapter: "exact-motion",
-        draw: regimes::draw,
+        draw: jacobi::draw,
     },
     Figure {
         name: "flip-time-deep",
@@ -159,7 +194,7 @@ pub(crate) static ALL: [Figure; 36] = [
     },
     Figure {
         name: "exact-errors",
-        shows: "Errors of the exact motion over all bodies, beside what the motion makes of rounded inputs",
+        shows: "Errors of the exact motion over all bodies, relative to what a rounded input does",
         chapter: "exact-motion",
         draw: exact_errors::draw,
     },
