@@ -120,7 +120,10 @@ mod tests {
             told.contains("og:title\" content=\"Axes - Tumbling\">") && !told.contains("The book."),
             "{told}"
         );
-        assert!(told.contains("og:image\" content=\"preview.png\">") && !told.contains("canonical"), "{told}");
+        assert!(
+            told.contains("og:image\" content=\"preview.png\">") && !told.contains("canonical"),
+            "{told}"
+        );
         let first = with_head(&PAGE.replace("Axes", "Tumbling"), "A flip.", "", None).unwrap();
         assert!(
             first.contains("<title>Tumbling</title>") && first.contains("og:title\" content=\"Tumbling\">"),

@@ -135,7 +135,10 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
             exemptions: &[],
             notation: &[
                 exempt(r"\frac{1906}{195}\,h^2", "a term of a power series, held by an assertion beside it"),
-                exempt(r"\frac{19849}{63375}\,h^5", "a term of a power series, held by an assertion beside it"),
+                exempt(
+                    r"\frac{19849}{63375}\,h^5",
+                    "a term of a power series, held by an assertion beside it",
+                ),
             ],
         },
     ),
@@ -148,7 +151,10 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
                 exempt(r"|\mathbf{L}|", "names the momentum's length"),
                 exempt(r"|\mathbf{L}|", "names the momentum's length"),
                 exempt(r"A\boldsymbol{\delta}", "the left side of the law that follows in the sentence"),
-                exempt(r"h\,(I\boldsymbol{\omega})\times\boldsymbol{\omega}", "what the sentence sets it equal to; held by an assertion below"),
+                exempt(
+                    r"h\,(I\boldsymbol{\omega})\times\boldsymbol{\omega}",
+                    "what the sentence sets it equal to; held by an assertion below",
+                ),
                 exempt(r"h\,\boldsymbol{\tau}\cdot J\mathbf{M}", "a law of the chapter on steps, repeated"),
                 exempt(r"-c\,\boldsymbol{\omega}", "names a drag"),
                 exempt("hc", "names a product; the sentence compares it with the moments"),

@@ -20,7 +20,9 @@ const CHARTS: [(&str, &str, &str); 6] = [
 const fn meaning(fate: Fate) -> &'static str {
     match fate {
         Fate::Right => "is right: energy and momentum to a hundredth, and every flip at its time",
-        Fate::Late => "counts the flips right, but the last is early or late by more than a tenth of the time between two",
+        Fate::Late => {
+            "counts the flips right, but the last is early or late by more than a tenth of the time between two"
+        }
         Fate::Worn => "gains or loses more than a hundredth of energy or momentum, and at most a tenth",
         Fate::WrongFlips => "miscounts the flips",
         Fate::Gained => "gains more than a tenth of energy or momentum",
@@ -54,9 +56,9 @@ fn distinct<'a>(values: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 
 fn page(rows: &[Row]) -> String {
     let tables: Vec<String> = CHARTS.iter().map(|chart| table(rows, *chart)).collect();
-    let keys = Fate::ALL.iter().map(|fate| {
-        format!("<li><b>{}</b>: the method {}.</li>", fate.word(), meaning(*fate))
-    });
+    let keys = Fate::ALL
+        .iter()
+        .map(|fate| format!("<li><b>{}</b>: the method {}.</li>", fate.word(), meaning(*fate)));
     // A blank line would end the HTML.
     let script: Vec<&str> =
         include_str!("../../theme/atlas.js").lines().filter(|line| !line.trim().is_empty()).collect();
@@ -79,15 +81,14 @@ fn table(rows: &[Row], (name, title, columns): (&str, &str, &str)) -> String {
     };
     let cell = |case: &str, runner: &str| {
         let [double, single] = [Precision::Double, Precision::Single].map(|p| fate(case, runner, p));
-        match (double, single) {
-            (Some(double), Some(single)) if single != double => {
-                format!("<td>{}<small>single: {}</small></td>", double.word(), single.word())
-            }
-            (Some(double), _) => format!("<td>{}</td>", double.word()),
-            (None, _) => "<td></td>".to_owned(),
-        }
+        let Some(double) = double else { return "<td></td>".to_owned() };
+        let off = if matches!(double, Fate::Right | Fate::Refused) { "" } else { " class=\"off\"" };
+        let other = single.filter(|single| *single != double);
+        let small = other.map_or(String::new(), |other| format!("<small>single: {}</small>", other.word()));
+        format!("<td{off}>{}{small}</td>", double.word())
     };
-    let head: Vec<String> = cases.iter().map(|case| format!("<th>{}</th>", escaped(&readable(case)))).collect();
+    let head: Vec<String> =
+        cases.iter().map(|case| format!("<th>{}</th>", escaped(&readable(case)))).collect();
     let body = runners.iter().map(|runner| {
         let cells: String = cases.iter().map(|case| cell(case, runner)).collect();
         format!("<tr><th scope=\"row\">{}</th>{cells}</tr>", escaped(runner))
@@ -102,7 +103,8 @@ fn table(rows: &[Row], (name, title, columns): (&str, &str, &str)) -> String {
 
 /// `1e-20 kg m²` as `10⁻²⁰ kg m²`, for people.
 fn readable(case: &str) -> String {
-    let (number, unit) = case.split_once(' ').map_or((case, String::new()), |(n, unit)| (n, format!(" {unit}")));
+    let (number, unit) =
+        case.split_once(' ').map_or((case, String::new()), |(n, unit)| (n, format!(" {unit}")));
     let power = |exponent: &str| {
         exponent.chars().filter_map(|c| if c == '-' { Some('⁻') } else { superscript(c) }).collect::<String>()
     };
@@ -129,18 +131,24 @@ mod tests {
         assert_eq!(distinct(rows.iter().map(|row| row.chart)), CHARTS.map(|chart| chart.0));
         let double: Vec<&Row> = rows.iter().filter(|row| row.precision == Precision::Double).collect();
         let html = page(&rows);
-        assert_eq!(html.matches("<td>").count(), double.len());
+        assert_eq!(html.matches("<td").count(), double.len());
         for fate in Fate::ALL {
+            // Once more in the key.
             let count = double.iter().filter(|row| row.fate == fate).count();
-            assert_eq!(html.matches(&format!("<td>{}<", fate.word())).count(), count, "{}", fate.word());
+            assert_eq!(html.matches(&format!(">{}<", fate.word())).count(), count + 1, "{}", fate.word());
         }
         assert!(!html.contains("\n\n<t"), "a blank line would end the HTML");
     }
 
     #[test]
     fn powers_of_ten_are_written_for_people() {
-        let pairs =
-            [("1e-20 kg m²", "10⁻²⁰ kg m²"), ("1e0", "1"), ("10000", "10⁴"), ("0.01", "0.01"), ("sphere", "sphere")];
+        let pairs = [
+            ("1e-20 kg m²", "10⁻²⁰ kg m²"),
+            ("1e0", "1"),
+            ("10000", "10⁴"),
+            ("0.01", "0.01"),
+            ("sphere", "sphere"),
+        ];
         for (case, expected) in pairs {
             assert_eq!(readable(case), expected);
         }

@@ -37,7 +37,8 @@ impl Held {
         let mut sought = words(root)?;
         book.for_each_mut(|item| {
             let BookItem::Chapter(chapter) = item else { return };
-            let name = chapter.source_path.as_deref().and_then(Path::file_stem).and_then(|name| name.to_str());
+            let name =
+                chapter.source_path.as_deref().and_then(Path::file_stem).and_then(|name| name.to_str());
             let text = self.without(&chapter.content);
             chapter.content = match name.and_then(|name| sought.remove(name)) {
                 Some(words) => with_words(&text, &words),
@@ -75,7 +76,8 @@ impl Held {
     /// # Errors
     /// A page that cannot be read or written.
     pub(crate) fn put_back(&self, folder: &Path) -> Result<(), String> {
-        let cannot = |e: std::io::Error| format!("cannot put figures into the pages of {}: {e}", folder.display());
+        let cannot =
+            |e: std::io::Error| format!("cannot put figures into the pages of {}: {e}", folder.display());
         for entry in fs::read_dir(folder).map_err(cannot)? {
             let path = entry.map_err(cannot)?.path();
             if path.extension().is_some_and(|e| e == "html") {
@@ -92,7 +94,9 @@ impl Held {
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {
             let (number, after) = part.split_once(CLOSING).unwrap_or((part, ""));
-            out.push_str(number.parse::<usize>().ok().and_then(|at| pieces.get(at)).map_or("", String::as_str));
+            out.push_str(
+                number.parse::<usize>().ok().and_then(|at| pieces.get(at)).map_or("", String::as_str),
+            );
             out.push_str(after);
         }
         while let Some(start) = out.find(SOUGHT[0]) {

@@ -17,9 +17,9 @@ const LOST: f64 = 80.0;
 
 /// An engine by name and setting, its own steps a second, what it is called, and where its name stands.
 const ENGINES: [(&str, &str, u32, &str, (f64, f64)); 3] = [
-    ("Bullet", "multibody", 240, "pybullet, 240 steps/s", (0.8, 86.0)),
-    ("Rapier", "", 60, "Rapier, 60 steps/s", (25.5, 86.0)),
-    ("MuJoCo", "Euler", 500, "MuJoCo, 500 steps/s", (38.0, 70.0)),
+    ("Bullet", "multibody", 240, "pybullet, 240/s", (0.8, 86.0)),
+    ("Rapier", "", 60, "Rapier, 60/s", (25.5, 86.0)),
+    ("MuJoCo", "Euler", 500, "MuJoCo, 500/s", (38.0, 70.0)),
 ];
 
 /// The angle between a spin and the axis of the largest moment, degrees.
@@ -64,15 +64,8 @@ fn exactly() -> Result<Vec<(f64, f64)>, Box<dyn std::error::Error>> {
 pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(NARROW, 380);
     let end = f64::from(END);
-    let plot = Plot::new(
-        &canvas,
-        62.0,
-        50.0,
-        484.0,
-        316.0,
-        Scale::linear(0.0..end),
-        Scale::linear(0.0..94.0),
-    );
+    let plot =
+        Plot::new(&canvas, 62.0, 50.0, 484.0, 316.0, Scale::linear(0.0..end), Scale::linear(0.0..94.0));
     plot.x_axis((0..=4).map(|k| (15.0 * f64::from(k), (15 * k).to_string())), "time $t$ (s)");
     plot.y_axis([0, 30, 60, 90].map(|y| (f64::from(y), format!("{y}°"))), "lean of the spin from its axis");
     let mut told = Vec::new();
@@ -84,7 +77,7 @@ pub(super) fn draw() -> Drawing {
         plot.curve(points, Pen::new(Ink::Wrong, 2.8))?;
         let label = Label::new(words).ink(Ink::Wrong).halo(Ink::Paper);
         canvas.label(plot.at(at.0, at.1), &label);
-        told.push(format!("{words}: passes 60° at about {passes:.0} s"));
+        told.push(format!("{words}, in steps: passes 60° at about {passes:.0} s"));
     }
     let exact = exactly()?;
     let most = exact.iter().map(|point| point.1).fold(0.0, f64::max);

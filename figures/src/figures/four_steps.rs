@@ -36,9 +36,9 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(NARROW, 360);
     let plot = Plot::new(
         &canvas,
-        62.0,
+        72.0,
         46.0,
-        480.0,
+        474.0,
         300.0,
         Scale::linear(0.0..end),
         Scale::linear(SHOWN[0]..SHOWN[1]),
@@ -60,14 +60,12 @@ pub(super) fn draw() -> Drawing {
     for (t, y, text, ink) in [
         (3.0, 1.043, "Euler: straight ahead", Ink::Wrong),
         (24.0, 1.026, "turns about one axis: sways", Ink::Text),
-        (48.0, 0.987, "Moser-Veselov: keeps it", Ink::Text),
-        (42.0, 0.957, "Runge-Kutta 4: sinks", Ink::Wrong),
+        (3.0, 0.949, "bold: Moser-Veselov keeps it", Ink::Text),
+        (38.0, 0.968, "Runge-Kutta 4: sinks", Ink::Wrong),
     ] {
         canvas.label(plot.at(t, y), &Label::new(text).ink(ink).halo(Ink::Paper));
     }
-    let spread = |seen: &[(f64, f64)]| {
-        seen.iter().map(|p| (p.1 - 1.0).abs()).fold(0.0_f64, f64::max)
-    };
+    let spread = |seen: &[(f64, f64)]| seen.iter().map(|p| (p.1 - 1.0).abs()).fold(0.0_f64, f64::max);
     Ok(Picture {
         canvas,
         description: format!(

@@ -21,11 +21,8 @@ fn times(v: &Vector, factor: &Fraction) -> Vector {
 pub(super) mod explicit {
     use super::*;
 
-    pub(in super::super) const CASES: &[fn() -> Scope] = &[
-        of_any_body,
-        || by_the_method(Method::ExplicitEuler),
-        || by_the_method(Method::SemiImplicitEuler),
-    ];
+    pub(in super::super) const CASES: &[fn() -> Scope] =
+        &[of_any_body, || by_the_method(Method::ExplicitEuler), || by_the_method(Method::SemiImplicitEuler)];
 
     fn of_any_body() -> Scope {
         let (inverse, momentum, h) = (symmetric("J"), vector("L"), Fraction::variable("h"));
