@@ -84,6 +84,25 @@ mod tests {
 
         let page = fs::read_to_string(folder.path().join("two-arrows.html")).unwrap();
         assert!(page.contains("class=\"turning\"") && page.contains("rel=\"canonical\""));
+        assert!(
+            page.contains("<svg") && page.contains("id=\"live-two-arrows\""),
+            "what was held back is there"
+        );
+        let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+        for name in ["index.html", "body-and-world.html", "records.html", "print.html"] {
+            let page = read(name);
+            assert!(!page.contains("<!--held") && !page.contains("class=\"sought\""), "{name}");
+        }
+        assert!(read("index.html").contains("og:image"));
+        let files = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path());
+        let index =
+            files.filter(|file| file.to_string_lossy().contains("searchindex")).map(fs::read_to_string);
+        let index = index.map(Result::unwrap).collect::<String>();
+        assert!(index.contains("R I R^T") && !index.contains("With JavaScript"));
+        assert!(
+            !index.contains("Each grey curve is a method at ever finer steps. A bold"),
+            "a drawing's description"
+        );
         let map = fs::read_to_string(folder.path().join("sitemap.xml")).unwrap();
         assert_eq!(map.matches("<loc>").count(), chapters);
         assert!(map.contains("<loc>https://example.org/book/two-arrows.html</loc>"), "{map}");

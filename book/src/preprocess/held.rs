@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Where each kind begins, and what follows it.
 const KINDS: [(&str, &str); 3] = [
-    ("<svg", "\n</div>\n<a class=\"fig-large\""),
+    ("<svg", "</div>\n<a class=\"fig-large\""),
     ("<div class=\"live\"", "\n<script src=\""),
     ("<div class=\"atlas\"", "\n<script>"),
 ];
@@ -127,7 +127,7 @@ fn with_words(text: &str, words: &str) -> String {
 mod tests {
     use super::*;
 
-    const PAGE: &str = "# A\n\nOne.\n<div class=\"fig-frame\"><svg a><desc>hidden</desc></svg>\n</div>\n<a class=\"fig-large\" \
+    const PAGE: &str = "# A\n\nOne.\n<div class=\"fig-frame\"><svg a><desc>hidden</desc></svg></div>\n<a class=\"fig-large\" \
         href=\"x\">Two</a>\n<div class=\"live\" id=\"l\">\n<div>controls</div>\n</div>\n<script src=\"x\"></script>\nThree.\n";
 
     #[test]
