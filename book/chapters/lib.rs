@@ -89,6 +89,10 @@ mod about {}
 mod library {}
 
 #[cfg(doctest)]
+#[doc = include_str!("records.md")]
+mod records {}
+
+#[cfg(doctest)]
 #[doc = include_str!("notation.md")]
 mod notation {}
 

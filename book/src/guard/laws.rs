@@ -162,6 +162,51 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
         },
     ),
     (
+        "stepping-through-time",
+        Expected {
+            laws: &[
+                laws::EXPLICIT_STEP,
+                laws::EXPLICIT_GAIN,
+                laws::TURN_ANGLE,
+                laws::TURN_J,
+                laws::TURN_K,
+                laws::MEAN_MOMENTUM,
+                laws::MIDPOINT_STEP,
+                laws::MIDPOINT_WORK,
+                laws::DISCRETE_START,
+                laws::DISCRETE_END,
+            ],
+            exemptions: &[],
+            notation: &[
+                exempt(r"\frac{1906}{195}\,h^2", "a term of a power series, held by an assertion beside it"),
+                exempt(
+                    r"\frac{19849}{63375}\,h^5",
+                    "a term of a power series, held by an assertion beside it",
+                ),
+            ],
+        },
+    ),
+    (
+        "where-things-break",
+        Expected {
+            laws: &[laws::NEWTON_MATRIX],
+            exemptions: &[],
+            notation: &[
+                exempt(r"|\mathbf{L}|", "names the momentum's length"),
+                exempt(r"|\mathbf{L}|", "names the momentum's length"),
+                exempt(r"A\boldsymbol{\delta}", "the left side of the law that follows in the sentence"),
+                exempt(
+                    r"h\,(I\boldsymbol{\omega})\times\boldsymbol{\omega}",
+                    "what the sentence sets it equal to; held by an assertion below",
+                ),
+                exempt(r"h\,\boldsymbol{\tau}\cdot J\mathbf{M}", "a law of the chapter on steps, repeated"),
+                exempt(r"-c\,\boldsymbol{\omega}", "names a drag"),
+                exempt("hc", "names a product; the sentence compares it with the moments"),
+                exempt("hc", "names a product; the sentence compares it with the moments"),
+            ],
+        },
+    ),
+    (
         "proofs",
         Expected {
             laws: &[laws::POWER, laws::MIDDLE_MOMENT, laws::LARGEST_MOMENT, laws::GROWTH, laws::GAP_OF_A_BOX],

@@ -151,13 +151,6 @@ impl Canvas {
         self.push(&label.svg(at, FINENESS));
     }
 
-    /// A row of letters, each with a place of its own on one line.
-    pub(crate) fn letters(&self, x: &[f64], y: f64, label: &Label) {
-        if !x.is_empty() {
-            self.push(&label.spread(x, y, FINENESS));
-        }
-    }
-
     /// The whole document. `name` prefixes its ids.
     pub(crate) fn finish(self, name: &str, title: &str, description: &str) -> String {
         let (w, h) = (f64::from(self.size.0) * FINENESS, f64::from(self.size.1) * FINENESS);

@@ -6,7 +6,6 @@ use crate::ink::Ink;
 use tumbling::body::named;
 use tumbling::{Axis, Error, Inertia};
 
-mod atlas;
 mod box_arrows;
 mod box_moments;
 mod coin;
@@ -17,6 +16,7 @@ mod engines_paths;
 mod exact_errors;
 mod flip_time;
 mod flip_time_deep;
+mod four_steps;
 mod gap_curve;
 mod hammer;
 mod jacobi;
@@ -47,7 +47,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 41] = [
+pub(crate) static ALL: [Figure; 38] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -199,6 +199,12 @@ pub(crate) static ALL: [Figure; 41] = [
         draw: exact_errors::draw,
     },
     Figure {
+        name: "four-steps",
+        shows: "What four methods make of the energy of a tumbling box",
+        chapter: "stepping-through-time",
+        draw: four_steps::draw,
+    },
+    Figure {
         name: "work-box",
         shows: "Error of the box's attitude against run time, for every method",
         chapter: "error-against-run-time",
@@ -207,37 +213,37 @@ pub(crate) static ALL: [Figure; 41] = [
     Figure {
         name: "work-attitude",
         shows: "Error of the attitude against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_attitude,
     },
     Figure {
         name: "work-phase",
         shows: "Error of the flips' phase against run time, for the free bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_phase,
     },
     Figure {
         name: "work-energy",
         shows: "Error of the energy against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_energy,
     },
     Figure {
         name: "work-momentum",
         shows: "Error of the momentum's length against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_momentum,
     },
     Figure {
         name: "work-direction",
         shows: "Error of the momentum's direction against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_direction,
     },
     Figure {
         name: "drift",
         shows: "Error of the energy through a million turns",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_drift,
     },
     Figure {
@@ -249,7 +255,7 @@ pub(crate) static ALL: [Figure; 41] = [
     Figure {
         name: "scale",
         shows: "Answers a second for a hundred to ten million bodies",
-        chapter: "only-what-you-need",
+        chapter: "records",
         draw: scale::draw,
     },
     Figure {
@@ -257,30 +263,6 @@ pub(crate) static ALL: [Figure; 41] = [
         shows: "What the rules of physics engines make of a stable spin",
         chapter: "where-things-break",
         draw: engines_fate::draw,
-    },
-    Figure {
-        name: "atlas-steps",
-        shows: "What becomes of each method as the turn in a step grows",
-        chapter: "where-things-break",
-        draw: atlas::steps,
-    },
-    Figure {
-        name: "atlas-pushes",
-        shows: "Which methods count three flips after a push, down to the smallest",
-        chapter: "where-things-break",
-        draw: atlas::pushes,
-    },
-    Figure {
-        name: "atlas-stiff",
-        shows: "What becomes of each method on needles and under strong damping",
-        chapter: "where-things-break",
-        draw: atlas::stiff,
-    },
-    Figure {
-        name: "atlas-named",
-        shows: "What becomes of each method on odd bodies, and on scales far from one",
-        chapter: "where-things-break",
-        draw: atlas::named,
     },
     Figure {
         name: "judged-grades",
@@ -291,10 +273,13 @@ pub(crate) static ALL: [Figure; 41] = [
     Figure {
         name: "judged-energy",
         shows: "Energy of free bodies in recorded engines, beside the exact motion",
-        chapter: "test-your-engine",
+        chapter: "records",
         draw: judged::energies,
     },
 ];
+
+/// The width of a sheet whose letters are 11 px high or more on a phone, in points.
+const NARROW: u32 = 500;
 
 /// Edges of the document's box, m.
 const BOX_EDGES: [f64; 3] = named::THE_BOX.sizes;
@@ -325,6 +310,16 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
         0 => "1".into(),
         1 => "10".into(),
         n => format!("$10^{{{}}}$", n.to_string().replace('-', "−")),
+    }
+}
+
+/// The same in letters that are as large as the others.
+fn raised(exponent: i32) -> String {
+    let digits = exponent.unsigned_abs().to_string();
+    let high = digits.chars().filter_map(|c| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c.to_digit(10)? as usize));
+    match exponent {
+        0 | 1 => power_of_ten(exponent),
+        n => format!("10{}{}", if n < 0 { "⁻" } else { "" }, high.collect::<String>()),
     }
 }
 

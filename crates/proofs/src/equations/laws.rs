@@ -5,6 +5,7 @@ use super::motion::{
     self, attitude, energy, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings,
     world_inverse, world_tensor,
 };
+use super::steps::{self, explicit, turn};
 use super::tops;
 use crate::tex::{Scope, Statement, parse};
 
@@ -185,6 +186,17 @@ laws! {
     SWING = Law { attained: &[equal_moments], ..law(r"\lambda^2", swings::BOTH, "stability::rate_squared, about the largest and the smallest", ) };
     FROZEN_TENSOR = law(r"I_{\text{body}}\dot{\boldsymbol{\omega}}", &[frozen], "Engine::Frozen's rate, wrong as it is", );
     MOMENTUM_FOR_SPIN = law(r"\boldsymbol{\omega}", &[momentum_for_spin], "Engine::MomentumForSpin's omega_world, wrong as it is", );
+    EXPLICIT_STEP = law(r"\mathbf{L}'", explicit::CASES, "euler::momentum_rate held for the step, and the steps of Method::ExplicitEuler and SemiImplicitEuler", );
+    EXPLICIT_GAIN = law(r"\mathbf{L}'\cdot\mathbf{L}'", explicit::CASES, "the squared length after that step", );
+    TURN_J = law("L'_j", turn::ALL, "the momentum in the axes of a body turned by attitude::rotation_matrix, next axis");
+    TURN_K = law("L'_k", turn::ALL, "the same, the axis after that");
+    TURN_ANGLE = bare("hL_i/I_i", &[steps::angle], "the step times the spin by inertia::omega_world");
+    MEAN_MOMENTUM = law(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
+    MIDPOINT_STEP = law(r"\mathbf{L}'", &[steps::midpoint], "euler::momentum_rate at the mean, held for the step");
+    MIDPOINT_WORK = law("E'-E", &[steps::midpoint], "the change of observe::energy in that step, for a torque that is constant in it", );
+    DISCRETE_START = law(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}", &[steps::discrete], "the equation of Moser and Veselov's step");
+    DISCRETE_END = law(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}'", &[steps::discrete], "the same momentum after the turn, by attitude::rotation_matrix", );
+    NEWTON_MATRIX = law(r"A\boldsymbol{\delta}", &[steps::newton], "the tensor less the step times the derivative of euler::coupling by the spin", );
     PRODUCT_OF_INERTIA = law(r"I_{xy}", &[body], "the product in inertia::point_mass, of any points");
     ATTITUDE_RATE = law(r"\dot{q}", &[attitude], "attitude::rate");
     ROTATED = law(r"\mathbf{v}_{\text{world}}", &[attitude], "q v q* by attitude::product, with attitude::rotation_matrix", );
