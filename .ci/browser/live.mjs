@@ -3,7 +3,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { byHand, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawn.moving.mjs";
+import { byHand, finger, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed, tumbleRolls } from "./drawn.moving.mjs";
 import { arrowsDrawn, boxDrawn, read, stepsDrawn } from "./drawn.flat.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -113,21 +113,6 @@ async function twoArrows(page, wants) {
   wants(`dragged by a finger to 60° the spin stands at ${await numbers()}`, Math.abs(parseFloat((await numbers())[0]) - 60) < 1);
   wants(`and the page has scrolled by ${scrolled} px`, scrolled === 0);
   await set(page, spin, 30);
-}
-
-/** The finger goes from one place to others, as a phone reports it; returns how far the page has scrolled meanwhile. */
-async function finger(page, from, others) {
-  const client = await page.context().newCDPSession(page);
-  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
-  const scrolled = () => page.evaluate(() => scrollY);
-  const before = await scrolled();
-  await client.send("Emulation.setTouchEmulationEnabled", { enabled: true });
-  await touch("touchStart", [from]);
-  for (const place of others) await touch("touchMove", [place]);
-  await touch("touchEnd", []);
-  await client.send("Emulation.setTouchEmulationEnabled", { enabled: false });
-  await client.detach();
-  return (await scrolled()) - before;
 }
 
 /** The book of the first screen: it flips about its middle axis and about no other, goes on by itself only where it may, and turns under a finger. */
@@ -528,36 +513,55 @@ const broken = (page, widget) => page.locator(`#live-${widget}`).evaluate((box) 
   [...box.querySelectorAll("svg")].some((svg) => /NaN|Infinity|undefined/.test(svg.outerHTML)) || /NaN|Infinity|undefined|null/.test(box.innerText));
 
 async function pitfalls(page, wants) {
-  const row = (which) => page.locator("#live-pitfalls .live-engine").nth(which);
-  const of = (which, what) => row(which).locator(`[data-of=${what}]`).textContent();
+  const of = (which, what) => page.locator("#live-pitfalls .live-engine").nth(which).locator(`[data-of=${what}]`).textContent();
   const start = (which) => page.click(`#live-pitfalls [data-start="${which}"]`);
   const end = () => page.click("#pitfalls-end");
   const text = await page.textContent("main");
 
+  // All in one screen, and it keeps its size whatever its numbers are.
+  const before = page.viewportSize();
+  await page.setViewportSize({ width: 1280, height: 720 });
+  const tall = () => page.locator("#live-pitfalls .live-stage").evaluate((stage) => stage.querySelector(".live-engines").getBoundingClientRect().bottom - stage.getBoundingClientRect().top);
+  await start(1);
+  const high = await tall();
+  wants(`at 1280 by 720 the four bodies are seen at once: ${high} px`, high < 620);
+  for (const which of [1, 2, 3]) {
+    await start(which);
+    for (let i = 0; i < 3; i += 1) {
+      wants(`pitfall ${which}: nothing moves up or down: ${await tall()}, not ${high}`, Math.abs((await tall()) - high) < 0.5);
+      if (i < 2) await page.click("#pitfalls-play");
+    }
+    await end();
+    wants(`pitfall ${which}, at the end: nothing moves up or down: ${await tall()}, not ${high}`, Math.abs((await tall()) - high) < 0.5);
+  }
+  await page.setViewportSize(before);
+
   // The chapter's numbers, taken from its sentences.
-  const [, low, high] = text.match(/sinks to (\d+ %) of its energy and rises to (\d+ %)/);
+  const [, low, most] = text.match(/sinks to (\d+) % of its energy and rises to (\d+) %/);
   await start(1);
   await end();
-  wants(`with the frozen tensor the energy goes from ${low} to ${high}: ${await of(1, "energy")}`,
-    (await of(1, "energy")).includes(`${low} to ${high}`));
-  wants(`the right engine keeps it: ${await of(0, "energy")}`, (await of(0, "energy")).startsWith("100 %, off by"));
-  const [, gap, energy] = text.match(/its spin is ([\d.]+°) off.*?its energy is (\d+ %)/);
+  wants(`with the frozen tensor the energy goes from ${low} to ${most}: ${await of(1, "energy")}`,
+    (await of(1, "energy")) === `−${100 - low}/+${most - 100} %`);
+  wants(`the right engine keeps it: ${await of(0, "energy")}`, (await of(0, "energy")) === "kept" && (await of(0, "angle")) === "kept");
+  const [, gap, energy] = text.match(/its spin is ([\d.]+°) off.*?its energy is (\d+) %/);
   await start(2);
-  wants(`momentum for spin starts ${gap} off with ${energy}: ${await of(2, "off")}`, (await of(2, "off")) === `${gap} off, energy ${energy}`);
-  await set(page, "#pitfalls-body", 3);
-  wants(`a ball forgives it: ${await of(2, "off")}`, (await of(2, "off")) === "0.0° off, energy 100 %");
+  wants(`momentum for spin starts with ${energy} %: ${await of(2, "energy")}`, (await of(2, "energy")) === `+${energy - 100} %`);
+  wants(...await said(page, "pitfalls", new RegExp(`2 Momentum for spin: [^:]*Its spin began ${gap} off`)));
+  await set(page, "#pitfalls-body", 7);
+  wants(`a ball forgives it: ${await of(2, "energy")}`, (await of(2, "energy")) === "kept");
+  wants(...await said(page, "pitfalls", /2 Momentum for spin: [^:]*Its spin began 0.0° off/));
   const [, flips, first, none] = text.match(/should flip (\d+) times, the first time after ([\d.]+ s).*?it flips (\d+) times/);
   await start(3);
   await end();
-  wants(`right is ${flips} flips: ${await of(0, "flips")}`, (await of(0, "flips")) === `${flips} times, the first after ${first}; right: ${flips}`);
-  wants(`without the term there are ${none}: ${await of(3, "flips")}`, (await of(3, "flips")) === `${none} times; right: ${flips}`);
-  wants(`nor with momentum for spin: ${await of(2, "flips")}`, (await of(2, "flips")).startsWith("0 times"));
-  wants(...await said(page, "pitfalls", new RegExp(`Right would be ${flips} flips`)));
+  wants(`right is ${flips} flips: ${await of(0, "flips")}`, (await of(0, "flips")) === `${flips} of ${flips}`);
+  wants(`without the term there are ${none}: ${await of(3, "flips")}`, (await of(3, "flips")) === `${none} of ${flips}`);
+  wants(`nor with momentum for spin: ${await of(2, "flips")}`, (await of(2, "flips")) === `0 of ${flips}`);
+  wants(...await said(page, "pitfalls", new RegExp(`Right: [^:]*${flips} flips, the first after ${first}[^]*Right would be ${flips} flips`)));
 
   await pitfallsPlay(page, wants);
 
   // All ends of all controls.
-  for (const body of [3, 2, 1, 0]) {
+  for (const body of [7, 2, 1, 0]) {
     for (const [spin, push, step] of [[0, 0, 9], [9, 11, 9], [9, 0, 9], [0, 11, 4], [9, 11, 3]]) {
       await set(page, "#pitfalls-body", body);
       await set(page, "#pitfalls-spin", spin);
@@ -730,6 +734,7 @@ async function tumble(page, wants) {
     return count > 0 ? sum / count : NaN;
   });
 
+  await page.locator("#live-tumble details > summary").click();
   // It opens on the chapter's wing nut. The chapter's own table is of the box.
   wants("it opens on the wing nut", (await page.inputValue("#tumble-body")) === "4");
   await set(page, "#tumble-body", 0);
@@ -744,7 +749,7 @@ async function tumble(page, wants) {
   wants(`the smallest push: ${await beat()}`, (await beat()) === "310 s");
 
   // It flips when the prediction says so, of every body: the spin changes its sign, and the marked end goes down.
-  for (const body of [4, 3, 2, 1, 0]) {
+  for (const body of [6, 5, 4, 3, 2, 1, 0]) {
     await set(page, "#tumble-body", body);
     for (const push of ["0.1", "0.001"]) {
       await set(page, "#tumble-push-number", push);
@@ -756,8 +761,8 @@ async function tumble(page, wants) {
         wants(`body ${body}, push ${push}, at ${t}: ${await all()}`,
           (await shown(page, "tumble", "flips")) === String(flips) && (await along()) * sign > 0);
       }
-      // Half a beat from a flip the spin is along the middle axis again, turned over or back. (The racket's middle is not its centre.)
-      if (push === "0.1" || body === 3) continue;
+      // Half a beat from a flip the spin is along the middle axis again, turned over or back. (Of the racket, the hammer and the T-handle the middle is not the centre.)
+      if (push === "0.1" || [3, 5, 6].includes(body)) continue;
       for (const [t, sign] of [[0, 1], [2 * first, -1], [first + second, 1]]) {
         await set(page, "#tumble-time", t);
         const high = await marked();
@@ -783,11 +788,11 @@ async function tumble(page, wants) {
   await set(page, "#tumble-about", 0);
 
   // The solids drawn are those of the numbers: moments of what the faces enclose, by a sum over the faces alone.
-  for (const body of [0, 1, 2, 3, 4]) {
+  for (const body of [0, 1, 2, 3, 4, 5, 6, 7]) {
     const { ours, theirs, open } = await page.evaluate(async (body) => {
       const exact = await tumblingLive.module("tumble");
-      const [, ...moments] = exact.answer(0, body, 10, 0.01, 0).slice(0, 4);
-      const centre = Array.from(exact.answer(0, body, 10, 0.01, 0).slice(4, 7));
+      const at = Array.from(exact.answer(7, body));
+      const [moments, centre] = [at.slice(0, 3), at.slice(3)];
       const { parts, strings } = tumblingLive.solids(exact.answer(6, body), body, centre);
       const squares = [0, 0, 0]; // of the distances from the planes through the centre of mass, each by its mass
       let open = 0;
@@ -864,8 +869,9 @@ async function tumble(page, wants) {
   await contents(); // away: in a narrow window they take the room of the text
   for (const width of [390, 1400]) {
     await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(100);
-    for (const body of [4, 3, 2, 1, 0]) {
+    await page.waitForFunction(() => document.getAnimations().length === 0 && [...document.querySelectorAll("#live-tumble canvas")].every((canvas) =>
+      canvas.width === Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2))));
+    for (const body of [6, 5, 4, 3, 2, 1, 0]) {
       await set(page, "#tumble-body", body);
       for (const [spin, push] of [["10", "0.01"], ["-10", "0.4"], ["3", "-3"]]) {
         await set(page, "#tumble-spin-number", spin);
@@ -897,6 +903,7 @@ async function tumble(page, wants) {
   await tumblePlay(page, wants);
 
   await tumbleDrawn(page, wants);
+  await tumbleRolls(page, wants, set);
   await tumblePlayed(page, wants, set);
   await set(page, "#tumble-body", 0);
   await set(page, "#tumble-spin-number", "10");
@@ -909,6 +916,8 @@ async function tumble(page, wants) {
   await page.mouse.move(paper.x + 0.5 * paper.width, paper.y + 0.5 * paper.height);
   await page.mouse.down();
   await page.mouse.move(paper.x + 0.5 * paper.width + 40, paper.y + 0.5 * paper.height - 20, { steps: 5 });
+  // Let go at rest: in full motion it would be a flick.
+  await page.evaluate((from) => new Promise((done) => { (function wait() { performance.now() > from + 150 ? done() : requestAnimationFrame(wait); })(); }), await page.evaluate(() => performance.now()));
   await page.mouse.up();
   const dragged = await Promise.all(["turn", "tilt"].map((id) => page.inputValue(`#tumble-${id}`)));
   wants(`dragged, it is seen from ${dragged}`, String(dragged) === "48,12");
