@@ -22,10 +22,12 @@ const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 4] = [
+const MODULES: [(&str, &[&str]); 6] = [
     ("pitfalls", &["pitfalls", "tumble"]),
     ("steps", &["steps", "tumble"]),
     ("toss", &["tumble"]),
+    ("trading", &["tumble"]),
+    ("turning", &["tumble"]),
     ("your-box", &["your-box", "tumble"]),
 ];
 
