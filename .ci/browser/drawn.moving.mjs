@@ -64,6 +64,12 @@ export const byHand = (page) => page.evaluate(() => {
   };
 });
 
+/** Waits until the page has drawn so many frames: what was asked for in the first is on the screen after the second. */
+export const frames = (page, count = 2) => page.evaluate((count) => new Promise((done) => {
+  const next = (left) => (left === 0 ? done() : requestAnimationFrame(() => next(left - 1)));
+  next(count);
+}), count);
+
 /** The finger goes from one place to others, as a phone reports it; returns how far the page has scrolled meanwhile. */
 export async function finger(page, from, others) {
   const client = await page.context().newCDPSession(page);
@@ -338,11 +344,11 @@ export async function tumblePlayed(page, wants, set) {
     return [canvas.drawn.at(-1).colour, pen.fillStyle];
   });
   await page.emulateMedia({ forcedColors: "active" });
-  await page.waitForTimeout(100);
+  await frames(page);
   const [forced, meant] = await ink();
   wants(`in forced colours it is drawn in ${meant}, not ${forced}`, forced === meant);
   await page.emulateMedia({ forcedColors: "none" });
-  await page.waitForTimeout(100);
+  await frames(page);
   const [again, own] = await ink();
   wants("and in its own again", again === own && again !== forced);
 }

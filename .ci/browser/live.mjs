@@ -3,7 +3,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { byHand, finger, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed, tumbleRolls } from "./drawn.moving.mjs";
+import { byHand, finger, frames, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed, tumbleRolls } from "./drawn.moving.mjs";
 import { arrowsDrawn, boxDrawn, read, stepsDrawn } from "./drawn.flat.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -156,7 +156,7 @@ async function tossPlay(page, wants) {
     .catch(() => wants("it tumbles by itself", false));
   await page.click("#toss-play");
   const stood = await t();
-  await page.waitForTimeout(300);
+  await frames(page, 12);
   wants("paused, it rests", (await t()) === stood);
 }
 
@@ -404,7 +404,7 @@ async function judge(page, wants) {
   await page.setInputFiles("#judge-file", several[0]);
   await told(verdict, "Passed: mujoco");
   wants("the long record has ended", !(await page.isVisible(reading)));
-  await page.waitForTimeout(1000);
+  await frames(page, 60);
   wants("and does not come back", /Passed: mujoco/.test(await page.textContent(verdict)) && !(await page.isVisible(reading)));
   // The button is pressed as soon as it can be seen.
   await page.evaluate(() => {
@@ -585,7 +585,7 @@ async function pitfalls(page, wants) {
     const asleep = await high();
     await page.locator("#live-pitfalls").scrollIntoViewIfNeeded();
     await page.waitForFunction(() => document.querySelector("#live-pitfalls").dataset.state === "live");
-    await page.waitForTimeout(150);
+    await frames(page);
     wants(`${width} px: it is ${asleep} px high asleep, ${await high()} awake`, Math.abs((await high()) - asleep) < 40);
   }
   await start(3);
@@ -605,13 +605,13 @@ async function pitfallsPlay(page, wants) {
     .catch(() => wants("played, it goes on", false));
   const then = await drawn();
   if (reduced) {
-    await page.waitForTimeout(300);
+    await frames(page, 12);
     wants("by itself nothing moves", (await drawn()) === then);
     wants("a tenth at a time", (await shown(page, "pitfalls", "time")).startsWith("2.0 s"));
   } else {
     await page.keyboard.press("Enter");
     const stood = await drawn();
-    await page.waitForTimeout(300);
+    await frames(page, 12);
     wants("paused, it stands", (await drawn()) === stood && (await page.textContent("#pitfalls-play")) === "Play");
   }
 }
@@ -699,7 +699,7 @@ async function tumblePlay(page, wants) {
   const at = await all();
   const rest = [await picture("body"), await picture("polhode"), await picture("strip")];
   wants("all three drawings move", rest.every((sum, i) => sum !== start[i]));
-  await page.waitForTimeout(300);
+  await frames(page, 12);
   wants("paused, it rests", String(await all()) === String(at) && (await picture("body")) === rest[0]);
   wants(...await said(page, "tumble", /has flipped/));
 }
@@ -917,7 +917,7 @@ async function tumble(page, wants) {
   await page.mouse.down();
   await page.mouse.move(paper.x + 0.5 * paper.width + 40, paper.y + 0.5 * paper.height - 20, { steps: 5 });
   // Let go at rest: in full motion it would be a flick.
-  await page.evaluate((from) => new Promise((done) => { (function wait() { performance.now() > from + 150 ? done() : requestAnimationFrame(wait); })(); }), await page.evaluate(() => performance.now()));
+  await frames(page, 12);
   await page.mouse.up();
   const dragged = await Promise.all(["turn", "tilt"].map((id) => page.inputValue(`#tumble-${id}`)));
   wants(`dragged, it is seen from ${dragged}`, String(dragged) === "48,12");
@@ -1147,7 +1147,7 @@ async function enlivened({ open }, base, name, widget, widgets, reducedMotion, w
   const others = asked.filter((file) => file.endsWith(".wasm.js") && ![...widgets, ...modules].some((w) => file === `${w}.wasm.js`));
   wants(`it loads no other module than the page's: ${others}`, others.length === 0);
   const before = await box.innerHTML();
-  await page.waitForTimeout(200);
+  await frames(page, 12);
   wants("nothing moves until asked", before === (await box.innerHTML()));
   return page;
 }
@@ -1161,7 +1161,7 @@ async function looks({ axe, fault, shots }, page, widget, where) {
   });
   for (const width of [320, 800, 1400]) {
     await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(100);
+    await frames(page);
     for (const what of await page.evaluate(cutOff, widget)) fault(`${where}, ${width} px`, what);
     for (const theme of width === 800 ? THEMES : shots ? ["light", "navy"] : []) {
       await page.evaluate(([themes, theme]) => {

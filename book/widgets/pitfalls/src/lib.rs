@@ -24,12 +24,12 @@ const STATE: usize = 10;
 /// 0, how an engine starts: which of [`Engine::ALL`]. 1, how it goes on: which, the step in seconds, how many
 /// steps were taken before, how many to take now, and the state as it was answered last.
 ///
-/// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an `f64`
-/// holds; the state, nine numbers; the energy and the length of the momentum, relative to the first, and the
-/// momentum's angle from where it was, degrees, as a measurement on the body would find them; the least and
-/// the greatest energy of these steps; how many flips there were, and the time of the first; how far the
-/// spin's direction is from that at the start, degrees; spin and momentum in the world, as a measurement would
-/// find them; and for each step (at the start: for it) the spin about x.
+/// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an
+/// `f64` holds; the state, nine numbers; the energy and the length of the momentum, relative to the
+/// first, and the momentum's angle from where it was, degrees, as a measurement on the body would find
+/// them; the least and the greatest energy of these steps; how many flips there were, and the time of the
+/// first; how far the spin's direction is from that at the start, degrees; spin and momentum in the
+/// world, as a measurement would find them; and for each step (at the start: for it) the spin about x.
 pub fn answer(what: u32, row: &Numbers) -> usize {
     let (moments, omega) = (Vector3::from(row.take::<3>(0)), Vector3::from(row.take::<3>(3)));
     let engine = Engine::ALL.get(row.get(6) as usize).copied().unwrap_or(Engine::Turned);

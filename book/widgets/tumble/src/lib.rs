@@ -29,15 +29,16 @@ const MOST_SAMPLES: f64 = 1000.0;
 
 /// What the page asks:
 ///
-/// 0. Prepare the motion of a body, by its place in [`bodies::BODIES`] and after it, with this spin, rad/s, a
-///    push as a share of it, and the axis that it is spun about: 0, the middle one, with the push about that
-///    of the largest moment; 1, that of the smallest moment, or 2, of the largest, with the push about the
-///    middle one; or 3: the spin is the three numbers of places 7 to 9, rad/s. Places 4 to 6 are the edges, m,
-///    or the moments, kg m², of a body of the reader's own. The answer: the time between flips, s (NaN: it
-///    never flips); the moments; the centre of mass; the momentum, kg m²/s, which is fixed in the world; which
-///    axis the spin circles, 0, 1 or 2, or 3 where it stands still; twice the energy into the square of the
-///    momentum, kg m²; what a spin is to be multiplied by to lie on the ellipsoid of the polhodes; the spin at
-///    the start; and the axis that it is spun about, 0, 1 or 2 for x, y or z.
+/// 0. Prepare the motion of a body, by its place in [`bodies::BODIES`] and after it, with this spin,
+///    rad/s, a push as a share of it, and the axis that it is spun about: 0, the middle one, with the
+///    push about that of the largest moment; 1, that of the smallest moment, or 2, of the largest, with
+///    the push about the middle one; or 3: the spin is the three numbers of places 7 to 9, rad/s. Places
+///    4 to 6 are the edges, m, or the moments, kg m², of a body of the reader's own. The answer: the time
+///    between flips, s (NaN: it never flips); the moments; the centre of mass; the momentum, kg m²/s,
+///    which is fixed in the world; which axis the spin circles, 0, 1 or 2, or 3 where it stands still;
+///    twice the energy into the square of the momentum, kg m²; what a spin is to be multiplied by to lie
+///    on the ellipsoid of the polhodes; the spin at the start; and the axis that it is spun about, 0, 1
+///    or 2 for x, y or z.
 /// 1. The instant `t`: spin along the body's axes, attitude (w, x, y, z), spin in the world, how often it has
 ///    flipped since time 0, and the next three flips (NaN where there is none).
 /// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and at the samples
