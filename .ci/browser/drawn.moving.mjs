@@ -70,10 +70,17 @@ export const frames = (page, count = 2) => page.evaluate((count) => new Promise(
   next(count);
 }), count);
 
-/** The finger goes from one place to others, as a phone reports it; returns how far the page has scrolled meanwhile. */
-export async function finger(page, from, others) {
+/**
+ * The finger goes from one place to others, as a phone reports it; returns how far the page has scrolled meanwhile. With `every` the moves
+ * bear instants that many ms apart, however slow the machine is.
+ */
+export async function finger(page, from, others, every) {
   const client = await page.context().newCDPSession(page);
-  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const begun = Date.now() / 1000 - 1;
+  let count = 0;
+  const touch = (type, points) => client.send("Input.dispatchTouchEvent", {
+    type, touchPoints: points.map(([x, y]) => ({ x, y })), ...(every && { timestamp: begun + (count++ * every) / 1000 }),
+  });
   const scrolled = () => page.evaluate(() => scrollY);
   const before = await scrolled();
   await client.send("Emulation.setTouchEmulationEnabled", { enabled: true });
@@ -283,6 +290,16 @@ export async function tumbleRolls(page, wants, set) {
   wants("a body with two equal moments never flips", /never/.test(await page.textContent("#live-tumble [data-shows=beat]")));
   await set(page, "#tumble-body", 0);
 
+  // Looked round by a finger, in many small moves: the view follows to the end.
+  const ellipsoid = page.locator("#live-tumble [data-draws=polhode]");
+  await ellipsoid.scrollIntoViewIfNeeded();
+  const paper = await ellipsoid.boundingBox();
+  const along = (part) => [paper.x + (0.3 + 0.4 * part) * paper.width, paper.y + (0.4 + 0.2 * part) * paper.height];
+  const away = await finger(page, along(0), Array.from({ length: 25 }, (_, i) => along((i + 1) / 25)));
+  const [turns, tilts] = await Promise.all(["turn", "tilt"].map((id) => page.inputValue(`#tumble-${id}`)));
+  wants(`under a finger the page does not scroll: ${away} px`, away === 0);
+  wants(`the view follows the finger to its end: ${turns}, ${tilts}`, near(turns - 28, 0.2 * paper.width, 1) && near(tilts - 22, 0.1 * paper.height, 1));
+
   // A flick: the body spins about the line across the finger's way, from where it stood.
   await set(page, "#tumble-time", 0.4);
   const canvas = page.locator("#live-tumble [data-draws=body]");
@@ -291,7 +308,7 @@ export async function tumbleRolls(page, wants, set) {
   const at = (x, y) => [box.x + x * box.width, box.y + y * box.height];
   const spin = () => page.textContent("#live-tumble [data-shows=spin]");
   const before = await spin();
-  const scrolled = await finger(page, at(0.3, 0.5), Array.from({ length: 8 }, (_, i) => at(0.3 + 0.08 * i, 0.5)));
+  const scrolled = await finger(page, at(0.3, 0.5), Array.from({ length: 8 }, (_, i) => at(0.3 + 0.08 * i, 0.5)), 10);
   wants(`under a finger the page does not scroll: ${scrolled} px`, scrolled === 0);
   wants(`flicked, it spins otherwise than ${before}`, (await spin()) !== before && (await page.textContent("#live-tumble [data-shows=time]")) === "0.00 s");
   await set(page, "#tumble-body", 0);
@@ -495,9 +512,12 @@ export async function pitfallsDrawn(page, wants, set) {
   const box = await canvas.boundingBox();
   const bodies = () => page.locator("#live-pitfalls canvas").evaluateAll((all) => all.map((one) => Array.from(one.shows.body.xs).join()));
   const stood = await bodies();
+  const round = () => canvas.evaluate((one) => one.shows.turn);
+  const began = await round();
   const at = (part) => [box.x + part * box.width, box.y + 0.5 * box.height];
-  const scrolled = await finger(page, at(0.2), Array.from({ length: 20 }, (_, i) => at(0.2 + 0.03 * i)));
+  const scrolled = await finger(page, at(0.2), Array.from({ length: 20 }, (_, i) => at(0.2 + 0.03 * (i + 1))));
   const turns = await bodies();
+  wants(`the bodies follow the finger to its end: by ${(await round()) - began}° over ${0.6 * box.width} px`, near((await round()) - began, 0.3 * box.width, 1));
   wants(`under a finger the page does not scroll: ${scrolled} px`, scrolled === 0);
   wants("all four bodies turn with it", turns.every((places, i) => places !== stood[i]));
   await page.mouse.move(...at(0.8));

@@ -980,10 +980,16 @@ async function turnsAndPlays(page, wants, widget, time) {
   const looks = () => canvas.evaluate((canvas) => Array.from(canvas.shows.body.xs).join());
   await canvas.scrollIntoViewIfNeeded();
   const box = await canvas.boundingBox();
-  const at = (part) => [box.x + part * box.width, box.y + 0.5 * box.height];
+  const at = (part, low = 0.5) => [box.x + part * box.width, box.y + low * box.height];
   const seen = [await looks()];
-  const scrolled = await finger(page, at(0.3), Array.from({ length: 10 }, (_, i) => at(0.3 + 0.04 * i)));
+  // Half a degree for each pixel to the last of many small moves, downward too: a drag that died would fall short.
+  const from = () => canvas.evaluate(({ shows: { turn, tilt } }) => [turn, tilt]);
+  const stood = await from();
+  const scrolled = await finger(page, at(0.3), Array.from({ length: 20 }, (_, i) => at(0.3 + 0.02 * (i + 1), 0.5 + 0.01 * (i + 1))));
   wants(`under a finger the page does not scroll: ${scrolled} px`, scrolled === 0);
+  const went = (await from()).map((degrees, i) => degrees - stood[i]);
+  const should = [0.2 * box.width, 0.1 * box.height];
+  wants(`the picture follows the finger to its end: by ${went}, not ${should}`, went.every((degrees, i) => Math.abs(degrees - should[i]) < 1));
   seen.push(await looks());
   await page.mouse.move(...at(0.3));
   await page.mouse.down();

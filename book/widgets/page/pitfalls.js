@@ -55,7 +55,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         const [momentum, spinning] = [unit(row.momentum), unit(row.omega)];
         if (momentum) list.push({ name: "L", tip: tip(momentum, scale), colour: colours.momentum, width: 4 });
         if (spinning) list.push({ name: "ω", tip: tip(spinning, 0.86 * scale), colour: colours.omega, width: 2.6 });
-        canvas.shows = { labels: arrows(pen, colours, body, list, row.side), momentum, omega: spinning, body }; // for those who test it
+        canvas.shows = { labels: arrows(pen, colours, body, list, row.side), momentum, omega: spinning, body, turn: view.turn }; // for those who test it
     }
     for (const row of rows) {
         // Around only: upward and downward a finger scrolls the page.

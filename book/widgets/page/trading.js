@@ -35,7 +35,7 @@ tumblingLive.widget("trading", async (stage, from) => {
         const scale = Math.max(0.5 * Math.min(width, height) - 22, 1);
         const painted = paint(pen, colours, solid, through(eye, rows(state.now.slice(3, 7))), [width / 2, height / 2], scale);
         const tip = (v, far) => [far * dot(eye[0], v), -far * dot(eye[1], v)];
-        canvas("body").shows = { body: painted }; // for those who test it
+        canvas("body").shows = { body: painted, turn: state.turn, tilt: state.tilt }; // for those who test it
         arrows(pen, colours, painted, [
             { name: "L", tip: tip(unit(state.up), scale), colour: colours.momentum, width: 4.5 },
             { name: "ω", tip: tip(unit(Array.from(state.now.slice(7, 10))), 0.86 * scale), colour: colours.omega, width: 3 },

@@ -43,7 +43,7 @@ tumblingLive.widget("turning", async (stage, from) => {
         lines(eye, 1.08, ["x", "y", "z"], Array(3).fill(colours.faint), 1.2);
         const body = paint(pen, colours, { ...solid, model: solid.model.filter((part) => !part.pin) }, seen, [cx, cy], 0.86 * scale);
         lines(seen, 0.8, null, [colours["axis-mid"], colours["axis-max"], colours["axis-min"]], 3);
-        canvas.shows = { seen, body }; // for those who test it
+        canvas.shows = { body, turn: state.turn, tilt: state.tilt }; // for those who test it
     });
 
     /** Shows the instant, in the picture and in numbers; returns it in words. */
