@@ -68,8 +68,9 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const { body, world } = seen();
         const rolls = rolling.value === "plane" && setting.up !== null && setting.own !== null;
         const half = setting.moments.map((m) => Math.sqrt(setting.moments[2] / m));
-        const scale = Math.max((rolls ? 0.38 : 0.5) * Math.min(width, height) - 24, 1);
-        const [cx, cy] = [width / 2, rolls ? 0.42 * height : height / 2];
+        // The ellipsoid reaches 1 from its middle in any direction at most; its plane lies below.
+        const scale = Math.max(Math.min(0.5 * width - 26, rolls ? (height - 52) / (1 + setting.deep + 0.4 * setting.wide) : 0.5 * height - 26), 1);
+        const [cx, cy] = [width / 2, rolls ? 26 + scale : height / 2];
         const onto = (axes) => (p) => [cx + scale * dot(axes[0], p), cy - scale * dot(axes[1], p)];
         const [at, there] = [onto(body), onto(world)];
         const before = (p) => dot(p.map((x, k) => x / half[k] ** 2), body[2]) >= 0;
@@ -88,6 +89,8 @@ tumblingLive.widget("tumble", async (stage, from) => {
             pen.fillStyle = colours.ground;
             pen.fill();
             pen.globalAlpha = 1;
+        };
+        const herpolhode = () => {
             const track = state.window.track.map((p) => there(p));
             path(pen, track);
             pen.strokeStyle = colours.faint;
@@ -100,7 +103,10 @@ tumblingLive.widget("tumble", async (stage, from) => {
             pen.lineWidth = 2.2;
             pen.stroke();
         };
-        if (rolls && above) plane();
+        if (rolls && above) {
+            plane();
+            herpolhode();
+        }
         // The outline is where a ball's is, drawn out along the half axes.
         const [a, b, c] = [[0, 0], [0, 1], [1, 1]].map(([i, j]) => half.reduce((sum, h, k) => sum + h * h * body[i][k] * body[j][k], 0));
         const lean = 0.5 * Math.atan2(2 * b, a - c);
@@ -110,7 +116,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         pen.fillStyle = colours.plain[26];
         pen.strokeStyle = colours.faint;
         pen.lineWidth = 1.2;
-        pen.globalAlpha = rolls ? 0.85 : 1;
+        pen.globalAlpha = rolls ? 0.7 : 1;
         pen.fill();
         pen.globalAlpha = 1;
         pen.stroke();
@@ -150,7 +156,13 @@ tumblingLive.widget("tumble", async (stage, from) => {
             pen.fillText(name, x, y + 5);
             pen.globalAlpha = 1;
         });
+        // Seen through: what touches the plane is under the ellipsoid, or under the plane.
         if (rolls && !above) plane();
+        if (rolls) {
+            pen.globalAlpha = above ? 0.5 : 1;
+            herpolhode();
+            pen.globalAlpha = 1;
+        }
         const finite = point.every(Number.isFinite);
         place(spot, "visibility", finite ? "visible" : "hidden");
         if (!finite) return;
@@ -292,7 +304,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
             state.window = { from, to, flips: Array.from(part.slice(1, 1 + count)), samples: Array.from(part.slice(1 + count)) };
             const { setting } = state;
             state.window.track = list(exact.answer(9, from, to, 600), 6).map((all) => all.slice(3).map((x) => -x * setting.onto));
-            setting.wide = 1.1 * Math.max(...state.window.track.map((p) => Math.hypot(...p.map((x, k) => x + setting.deep * (setting.up?.[k] ?? 0)))), 1);
+            setting.wide = 1.1 * Math.max(...state.window.track.map((p) => Math.hypot(...p.map((x, k) => x + setting.deep * (setting.up?.[k] ?? 0)))), 0.9);
             [scrub.min, scrub.max] = [from, to];
             strip.prepare();
         }
