@@ -14,7 +14,7 @@ import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { figures } from "./figures.mjs";
 import { comesToRest, liveJobs } from "./live.mjs";
-import { codeFolds, keyboard, search, withoutScripts } from "./reader.mjs";
+import { codeFolds, keyboard, questions, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -195,6 +195,7 @@ const jobs = [
   // The longest first, so that none is left alone at the end.
   ...await liveJobs(tools),
   { name: "figures", run: () => figures({ open, base: bases.file, pages, fault }) },
+  { name: "questions", run: () => questions(open, bases.file, pages, fault) },
   { name: "pages without scripts", run: () => withoutScripts(open, bases.file, pages, fault) },
   ...Object.entries(bases).flatMap(([kind, base]) => [
     { name: `keyboard, ${kind}`, run: async () => keyboard(await open(base), base, fault) },

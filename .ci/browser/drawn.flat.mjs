@@ -1,4 +1,5 @@
 // What the drawings of the widgets show, read back from the page, and set beside numbers worked out here.
+import { frames } from "./drawn.moving.mjs";
 
 /** A drawing's parts, by class: the numbers of their paths, and what else they have. */
 const parts = (page, selector) => page.locator(selector).evaluate((svg) => {
@@ -157,12 +158,12 @@ export async function boxDrawn(page, set, shown, wants) {
   // What cannot be leaves the last drawing, dimmed, and one message.
   const before = await parts(page, "#live-your-box svg");
   await set(page, "#your-box-a", 0);
-  await page.waitForTimeout(100); // where less motion is wanted a style changes a moment later
+  await frames(page); // where less motion is wanted a style changes a moment later
   const after = await parts(page, "#live-your-box svg");
   wants(`a box that cannot be leaves the last drawing, dimmed: ${after.all.length} parts of ${before.all.length}`, JSON.stringify(before.all) === JSON.stringify(after.all) && after.dim && !before.dim);
   wants("and its numbers are not to be seen", !(await page.isVisible("#live-your-box dl")) && !/none/.test(await page.locator("#live-your-box .live-stage").innerText()));
   await fill([2, 1, 3, 1, 1, 1, 0]);
-  await page.waitForTimeout(100);
+  await frames(page);
   wants("put right, all is there again", !(await parts(page, "#live-your-box svg")).dim && (await page.isVisible("#live-your-box dl")));
 }
 

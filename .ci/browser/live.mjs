@@ -3,7 +3,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { byHand, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed } from "./drawn.moving.mjs";
+import { byHand, finger, frames, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed, tumbleRolls } from "./drawn.moving.mjs";
 import { arrowsDrawn, boxDrawn, read, stepsDrawn } from "./drawn.flat.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -115,21 +115,6 @@ async function twoArrows(page, wants) {
   await set(page, spin, 30);
 }
 
-/** The finger goes from one place to others, as a phone reports it; returns how far the page has scrolled meanwhile. */
-async function finger(page, from, others) {
-  const client = await page.context().newCDPSession(page);
-  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
-  const scrolled = () => page.evaluate(() => scrollY);
-  const before = await scrolled();
-  await client.send("Emulation.setTouchEmulationEnabled", { enabled: true });
-  await touch("touchStart", [from]);
-  for (const place of others) await touch("touchMove", [place]);
-  await touch("touchEnd", []);
-  await client.send("Emulation.setTouchEmulationEnabled", { enabled: false });
-  await client.detach();
-  return (await scrolled()) - before;
-}
-
 /** The book of the first screen: it flips about its middle axis and about no other, goes on by itself only where it may, and turns under a finger. */
 async function toss(page, wants) {
   const canvas = page.locator("#live-toss canvas");
@@ -171,7 +156,7 @@ async function tossPlay(page, wants) {
     .catch(() => wants("it tumbles by itself", false));
   await page.click("#toss-play");
   const stood = await t();
-  await page.waitForTimeout(300);
+  await frames(page, 12);
   wants("paused, it rests", (await t()) === stood);
 }
 
@@ -419,7 +404,7 @@ async function judge(page, wants) {
   await page.setInputFiles("#judge-file", several[0]);
   await told(verdict, "Passed: mujoco");
   wants("the long record has ended", !(await page.isVisible(reading)));
-  await page.waitForTimeout(1000);
+  await frames(page, 60);
   wants("and does not come back", /Passed: mujoco/.test(await page.textContent(verdict)) && !(await page.isVisible(reading)));
   // The button is pressed as soon as it can be seen.
   await page.evaluate(() => {
@@ -523,36 +508,55 @@ const broken = (page, widget) => page.locator(`#live-${widget}`).evaluate((box) 
   [...box.querySelectorAll("svg")].some((svg) => /NaN|Infinity|undefined/.test(svg.outerHTML)) || /NaN|Infinity|undefined|null/.test(box.innerText));
 
 async function pitfalls(page, wants) {
-  const row = (which) => page.locator("#live-pitfalls .live-engine").nth(which);
-  const of = (which, what) => row(which).locator(`[data-of=${what}]`).textContent();
+  const of = (which, what) => page.locator("#live-pitfalls .live-engine").nth(which).locator(`[data-of=${what}]`).textContent();
   const start = (which) => page.click(`#live-pitfalls [data-start="${which}"]`);
   const end = () => page.click("#pitfalls-end");
   const text = await page.textContent("main");
 
+  // All in one screen, and it keeps its size whatever its numbers are.
+  const before = page.viewportSize();
+  await page.setViewportSize({ width: 1280, height: 720 });
+  const tall = () => page.locator("#live-pitfalls .live-stage").evaluate((stage) => stage.querySelector(".live-engines").getBoundingClientRect().bottom - stage.getBoundingClientRect().top);
+  await start(1);
+  const high = await tall();
+  wants(`at 1280 by 720 the four bodies are seen at once: ${high} px`, high < 620);
+  for (const which of [1, 2, 3]) {
+    await start(which);
+    for (let i = 0; i < 3; i += 1) {
+      wants(`pitfall ${which}: nothing moves up or down: ${await tall()}, not ${high}`, Math.abs((await tall()) - high) < 0.5);
+      if (i < 2) await page.click("#pitfalls-play");
+    }
+    await end();
+    wants(`pitfall ${which}, at the end: nothing moves up or down: ${await tall()}, not ${high}`, Math.abs((await tall()) - high) < 0.5);
+  }
+  await page.setViewportSize(before);
+
   // The chapter's numbers, taken from its sentences.
-  const [, low, high] = text.match(/sinks to (\d+ %) of its energy and rises to (\d+ %)/);
+  const [, low, most] = text.match(/sinks to (\d+) % of its energy and rises to (\d+) %/);
   await start(1);
   await end();
-  wants(`with the frozen tensor the energy goes from ${low} to ${high}: ${await of(1, "energy")}`,
-    (await of(1, "energy")).includes(`${low} to ${high}`));
-  wants(`the right engine keeps it: ${await of(0, "energy")}`, (await of(0, "energy")).startsWith("100 %, off by"));
-  const [, gap, energy] = text.match(/its spin is ([\d.]+°) off.*?its energy is (\d+ %)/);
+  wants(`with the frozen tensor the energy goes from ${low} to ${most}: ${await of(1, "energy")}`,
+    (await of(1, "energy")) === `−${100 - low}/+${most - 100} %`);
+  wants(`the right engine keeps it: ${await of(0, "energy")}`, (await of(0, "energy")) === "kept" && (await of(0, "angle")) === "kept");
+  const [, gap, energy] = text.match(/its spin is ([\d.]+°) off.*?its energy is (\d+) %/);
   await start(2);
-  wants(`momentum for spin starts ${gap} off with ${energy}: ${await of(2, "off")}`, (await of(2, "off")) === `${gap} off, energy ${energy}`);
-  await set(page, "#pitfalls-body", 3);
-  wants(`a ball forgives it: ${await of(2, "off")}`, (await of(2, "off")) === "0.0° off, energy 100 %");
+  wants(`momentum for spin starts with ${energy} %: ${await of(2, "energy")}`, (await of(2, "energy")) === `+${energy - 100} %`);
+  wants(...await said(page, "pitfalls", new RegExp(`2 Momentum for spin: [^:]*Its spin began ${gap} off`)));
+  await set(page, "#pitfalls-body", 7);
+  wants(`a ball forgives it: ${await of(2, "energy")}`, (await of(2, "energy")) === "kept");
+  wants(...await said(page, "pitfalls", /2 Momentum for spin: [^:]*Its spin began 0.0° off/));
   const [, flips, first, none] = text.match(/should flip (\d+) times, the first time after ([\d.]+ s).*?it flips (\d+) times/);
   await start(3);
   await end();
-  wants(`right is ${flips} flips: ${await of(0, "flips")}`, (await of(0, "flips")) === `${flips} times, the first after ${first}; right: ${flips}`);
-  wants(`without the term there are ${none}: ${await of(3, "flips")}`, (await of(3, "flips")) === `${none} times; right: ${flips}`);
-  wants(`nor with momentum for spin: ${await of(2, "flips")}`, (await of(2, "flips")).startsWith("0 times"));
-  wants(...await said(page, "pitfalls", new RegExp(`Right would be ${flips} flips`)));
+  wants(`right is ${flips} flips: ${await of(0, "flips")}`, (await of(0, "flips")) === `${flips} of ${flips}`);
+  wants(`without the term there are ${none}: ${await of(3, "flips")}`, (await of(3, "flips")) === `${none} of ${flips}`);
+  wants(`nor with momentum for spin: ${await of(2, "flips")}`, (await of(2, "flips")) === `0 of ${flips}`);
+  wants(...await said(page, "pitfalls", new RegExp(`Right: [^:]*${flips} flips, the first after ${first}[^]*Right would be ${flips} flips`)));
 
   await pitfallsPlay(page, wants);
 
   // All ends of all controls.
-  for (const body of [3, 2, 1, 0]) {
+  for (const body of [7, 2, 1, 0]) {
     for (const [spin, push, step] of [[0, 0, 9], [9, 11, 9], [9, 0, 9], [0, 11, 4], [9, 11, 3]]) {
       await set(page, "#pitfalls-body", body);
       await set(page, "#pitfalls-spin", spin);
@@ -576,7 +580,7 @@ async function pitfalls(page, wants) {
     const asleep = await high();
     await page.locator("#live-pitfalls").scrollIntoViewIfNeeded();
     await page.waitForFunction(() => document.querySelector("#live-pitfalls").dataset.state === "live");
-    await page.waitForTimeout(150);
+    await frames(page);
     wants(`${width} px: it is ${asleep} px high asleep, ${await high()} awake`, Math.abs((await high()) - asleep) < 40);
   }
   await start(3);
@@ -596,13 +600,13 @@ async function pitfallsPlay(page, wants) {
     .catch(() => wants("played, it goes on", false));
   const then = await drawn();
   if (reduced) {
-    await page.waitForTimeout(300);
+    await frames(page, 12);
     wants("by itself nothing moves", (await drawn()) === then);
     wants("a tenth at a time", (await shown(page, "pitfalls", "time")).startsWith("2.0 s"));
   } else {
     await page.keyboard.press("Enter");
     const stood = await drawn();
-    await page.waitForTimeout(300);
+    await frames(page, 12);
     wants("paused, it stands", (await drawn()) === stood && (await page.textContent("#pitfalls-play")) === "Play");
   }
 }
@@ -690,7 +694,7 @@ async function tumblePlay(page, wants) {
   const at = await all();
   const rest = [await picture("body"), await picture("polhode"), await picture("strip")];
   wants("all three drawings move", rest.every((sum, i) => sum !== start[i]));
-  await page.waitForTimeout(300);
+  await frames(page, 12);
   wants("paused, it rests", String(await all()) === String(at) && (await picture("body")) === rest[0]);
   wants(...await said(page, "tumble", /has flipped/));
 }
@@ -725,6 +729,7 @@ async function tumble(page, wants) {
     return count > 0 ? sum / count : NaN;
   });
 
+  await page.locator("#live-tumble details > summary").click();
   // It opens on the chapter's wing nut. The chapter's own table is of the box.
   wants("it opens on the wing nut", (await page.inputValue("#tumble-body")) === "4");
   await set(page, "#tumble-body", 0);
@@ -739,7 +744,7 @@ async function tumble(page, wants) {
   wants(`the smallest push: ${await beat()}`, (await beat()) === "310 s");
 
   // It flips when the prediction says so, of every body: the spin changes its sign, and the marked end goes down.
-  for (const body of [4, 3, 2, 1, 0]) {
+  for (const body of [6, 5, 4, 3, 2, 1, 0]) {
     await set(page, "#tumble-body", body);
     for (const push of ["0.1", "0.001"]) {
       await set(page, "#tumble-push-number", push);
@@ -751,8 +756,8 @@ async function tumble(page, wants) {
         wants(`body ${body}, push ${push}, at ${t}: ${await all()}`,
           (await shown(page, "tumble", "flips")) === String(flips) && (await along()) * sign > 0);
       }
-      // Half a beat from a flip the spin is along the middle axis again, turned over or back. (The racket's middle is not its centre.)
-      if (push === "0.1" || body === 3) continue;
+      // Half a beat from a flip the spin is along the middle axis again, turned over or back. (Of the racket, the hammer and the T-handle the middle is not the centre.)
+      if (push === "0.1" || [3, 5, 6].includes(body)) continue;
       for (const [t, sign] of [[0, 1], [2 * first, -1], [first + second, 1]]) {
         await set(page, "#tumble-time", t);
         const high = await marked();
@@ -778,11 +783,11 @@ async function tumble(page, wants) {
   await set(page, "#tumble-about", 0);
 
   // The solids drawn are those of the numbers: moments of what the faces enclose, by a sum over the faces alone.
-  for (const body of [0, 1, 2, 3, 4]) {
+  for (const body of [0, 1, 2, 3, 4, 5, 6, 7]) {
     const { ours, theirs, open } = await page.evaluate(async (body) => {
       const exact = await tumblingLive.module("tumble");
-      const [, ...moments] = exact.answer(0, body, 10, 0.01, 0).slice(0, 4);
-      const centre = Array.from(exact.answer(0, body, 10, 0.01, 0).slice(4, 7));
+      const at = Array.from(exact.answer(7, body));
+      const [moments, centre] = [at.slice(0, 3), at.slice(3)];
       const { parts, strings } = tumblingLive.solids(exact.answer(6, body), body, centre);
       const squares = [0, 0, 0]; // of the distances from the planes through the centre of mass, each by its mass
       let open = 0;
@@ -859,8 +864,9 @@ async function tumble(page, wants) {
   await contents(); // away: in a narrow window they take the room of the text
   for (const width of [390, 1400]) {
     await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(100);
-    for (const body of [4, 3, 2, 1, 0]) {
+    await page.waitForFunction(() => document.getAnimations().length === 0 && [...document.querySelectorAll("#live-tumble canvas")].every((canvas) =>
+      canvas.width === Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2))));
+    for (const body of [6, 5, 4, 3, 2, 1, 0]) {
       await set(page, "#tumble-body", body);
       for (const [spin, push] of [["10", "0.01"], ["-10", "0.4"], ["3", "-3"]]) {
         await set(page, "#tumble-spin-number", spin);
@@ -892,6 +898,7 @@ async function tumble(page, wants) {
   await tumblePlay(page, wants);
 
   await tumbleDrawn(page, wants);
+  await tumbleRolls(page, wants, set);
   await tumblePlayed(page, wants, set);
   await set(page, "#tumble-body", 0);
   await set(page, "#tumble-spin-number", "10");
@@ -904,6 +911,8 @@ async function tumble(page, wants) {
   await page.mouse.move(paper.x + 0.5 * paper.width, paper.y + 0.5 * paper.height);
   await page.mouse.down();
   await page.mouse.move(paper.x + 0.5 * paper.width + 40, paper.y + 0.5 * paper.height - 20, { steps: 5 });
+  // Let go at rest: in full motion it would be a flick.
+  await frames(page, 12);
   await page.mouse.up();
   const dragged = await Promise.all(["turn", "tilt"].map((id) => page.inputValue(`#tumble-${id}`)));
   wants(`dragged, it is seen from ${dragged}`, String(dragged) === "48,12");
@@ -960,8 +969,96 @@ async function tumble(page, wants) {
   await set(page, "#tumble-time", "1.3");
 }
 
-const TESTS = { toss, "two-arrows": twoArrows, "your-box": yourBox, tumble, judge, pitfalls, steps };
-const PLAYS = { toss: tossPlay, tumble: tumblePlay, pitfalls: pitfallsPlay };
+/** A picture that turns by mouse and finger, without the page; and a widget that plays, by steps where less motion is preferred. */
+async function turnsAndPlays(page, wants, widget, time) {
+  const canvas = page.locator(`#live-${widget} canvas`).first();
+  const looks = () => canvas.evaluate((canvas) => Array.from(canvas.shows.body.xs).join());
+  await canvas.scrollIntoViewIfNeeded();
+  const box = await canvas.boundingBox();
+  const at = (part, low = 0.5) => [box.x + part * box.width, box.y + low * box.height];
+  const seen = [await looks()];
+  // Half a degree for each pixel to the last of many small moves, downward too: a drag that died would fall short.
+  const from = () => canvas.evaluate(({ shows: { turn, tilt } }) => [turn, tilt]);
+  const stood = await from();
+  const scrolled = await finger(page, at(0.3), Array.from({ length: 20 }, (_, i) => at(0.3 + 0.02 * (i + 1), 0.5 + 0.01 * (i + 1))));
+  wants(`under a finger the page does not scroll: ${scrolled} px`, scrolled === 0);
+  const went = (await from()).map((degrees, i) => degrees - stood[i]);
+  const should = [0.2 * box.width, 0.1 * box.height];
+  wants(`the picture follows the finger to its end: by ${went}, not ${should}`, went.every((degrees, i) => Math.abs(degrees - should[i]) < 1));
+  seen.push(await looks());
+  await page.mouse.move(...at(0.3));
+  await page.mouse.down();
+  for (let i = 1; i <= 10; i += 1) await page.mouse.move(...at(0.3 + 0.03 * i));
+  await page.mouse.up();
+  seen.push(await looks());
+  wants("dragged by finger and by mouse it is seen from elsewhere", new Set(seen).size === 3);
+  const address = page.url();
+  await page.locator(`#${widget}-scrub`).focus();
+  const before = await time();
+  await page.keyboard.press("ArrowRight");
+  wants("an arrow key moves time and turns no page", (await time()) !== before && page.url() === address);
+  const then = await time();
+  const reduced = await page.evaluate(() => matchMedia("(prefers-reduced-motion: reduce)").matches);
+  await page.click(`#${widget}-play`);
+  if (reduced) return wants("it goes by a step", (await time()) !== then && (await page.textContent(`#${widget}-play`)) === "Step");
+  await page.waitForFunction(([w, then]) => document.querySelector(`#${w}-scrub`).getAttribute("aria-valuetext") !== then, [widget, then])
+    .catch(() => wants("played, it goes on", false));
+  await page.click(`#${widget}-play`);
+  wants("and it can be paused", (await page.textContent(`#${widget}-play`)) === "Play");
+}
+const atTime = (page, widget) => () => page.getAttribute(`#${widget}-scrub`, "aria-valuetext");
+
+async function turning(page, wants) {
+  const entries = () => page.locator("#live-turning [data-at]").allTextContents();
+  const text = await page.textContent("main");
+  const [, large, small] = text.match(/change places: ([\d.]+) and ([\d.]+) kg/);
+  const [, equal, product] = text.match(/both are\s+([\d.]+) kg m², and a product of (−[\d.]+)/);
+  await set(page, "#turning-scrub", 90);
+  wants(`a quarter turn swaps the moments: ${await entries()}`, (await entries()).slice(0, 5).filter((_, i) => i !== 2).join() === `${large},0.000,0.000,${small}`);
+  await set(page, "#turning-scrub", 45);
+  const half = await entries();
+  wants(`half of that makes them equal: ${half}`, half[0] === equal && half[4] === equal && half[1] === product && half[3] === product);
+  wants(...await said(page, "turning", /At 45° the moments in the world/));
+  await set(page, "#turning-motion", "free");
+  await set(page, "#turning-scrub", 700);
+  const free = (await entries()).map(read);
+  wants(`tumbling, the sum of the moments stays: ${free}`, Math.abs(free[0] + free[4] + free[8] - 28 / 12) < 0.002);
+  wants("and it is symmetric, with all products", free[1] === free[3] && free[2] === free[6] && free[5] === free[7] && [1, 2, 5].every((k) => free[k] !== 0));
+  await turnsAndPlays(page, wants, "turning", atTime(page, "turning"));
+}
+
+async function trading(page, wants) {
+  const text = (await page.textContent("main")).replace(/\s+/g, " ");
+  const [, after] = text.match(/look again after ([\d.]+) s/);
+  await set(page, "#trading-scrub", after);
+  const spin = () => shown(page, "trading", "spin");
+  wants(`after ${after} s the spin is the chapter's: ${await spin()}`, (await spin()) === "0.00, 1.22, −0.87");
+  wants(...await said(page, "trading", /the energy is by 0 % along x/));
+  const rates = (await shown(page, "trading", "rate")).split(", ").map(read);
+  const [wx, wy, wz] = (await spin()).split(", ").map(read);
+  wants(`its rate follows Euler's equations: ${rates}`, Math.abs(rates[0] - (13 - 5) / 10 * wy * wz) < 0.02 && rates[1] === 0 && rates[2] === 0 && wx === 0);
+  await set(page, "#trading-start", 1);
+  await set(page, "#trading-scrub", 9.3);
+  wants(`about one axis alone nothing changes: ${await spin()}`, (await spin()) === "0.00, 0.00, 1.00");
+  for (const [start, flips] of [[2, false], [3, true], [4, false]]) {
+    await set(page, "#trading-start", start);
+    const axis = [2, 0, 1][start - 2];
+    let least = Infinity;
+    for (let t = 0; t < 8; t += 0.1) {
+      await set(page, "#trading-scrub", t);
+      least = Math.min(least, read((await spin()).split(", ")[axis]));
+    }
+    wants(`start ${start}: the spin about its axis falls to ${least}`, flips ? least < -9 : least > 9);
+  }
+  await set(page, "#trading-start", 0);
+  await turnsAndPlays(page, wants, "trading", atTime(page, "trading"));
+}
+
+const TESTS = { toss, "two-arrows": twoArrows, "your-box": yourBox, tumble, judge, pitfalls, steps, trading, turning };
+const PLAYS = {
+  toss: tossPlay, tumble: tumblePlay, pitfalls: pitfallsPlay,
+  ...Object.fromEntries(["trading", "turning"].map((widget) => [widget, (page, wants) => turnsAndPlays(page, wants, widget, atTime(page, widget))])),
+};
 
 /** What hangs out of its drawing or its frame. */
 function cutOff(widget) {
@@ -1051,7 +1148,7 @@ async function enlivened({ open }, base, name, widget, widgets, reducedMotion, w
   const others = asked.filter((file) => file.endsWith(".wasm.js") && ![...widgets, ...modules].some((w) => file === `${w}.wasm.js`));
   wants(`it loads no other module than the page's: ${others}`, others.length === 0);
   const before = await box.innerHTML();
-  await page.waitForTimeout(200);
+  await frames(page, 12);
   wants("nothing moves until asked", before === (await box.innerHTML()));
   return page;
 }
@@ -1065,7 +1162,7 @@ async function looks({ axe, fault, shots }, page, widget, where) {
   });
   for (const width of [320, 800, 1400]) {
     await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(100);
+    await frames(page);
     for (const what of await page.evaluate(cutOff, widget)) fault(`${where}, ${width} px`, what);
     for (const theme of width === 800 ? THEMES : shots ? ["light", "navy"] : []) {
       await page.evaluate(([themes, theme]) => {

@@ -1,4 +1,5 @@
 // Readers who use the book otherwise than with a mouse and scripts.
+import { finger } from "./drawn.moving.mjs";
 
 /** By keyboard alone: past the controls, and each control itself. */
 export async function keyboard(page, base, fault) {
@@ -123,5 +124,70 @@ export async function withoutScripts(open, base, pages, fault) {
       }
       await bare.context().close();
     }
+  }
+}
+
+/**
+ * Every question of the first ten chapters: its answer waits, comes with a choice by mouse, key or finger, and says whether the choice was
+ * right; a slider goes where it is dragged. Without scripts, and for print, all answers stand there.
+ */
+export async function questions(open, base, pages, fault) {
+  let seen = 0;
+  for (const name of pages.filter((name) => !["print.html", "index.html"].includes(name))) {
+    const page = await open(base, { hasTouch: true });
+    await page.goto(base + name);
+    const boxes = page.locator(".question");
+    for (let k = 0; k < await boxes.count(); k += 1, seen += 1) {
+      const box = boxes.nth(k);
+      const wants = (what, holds) => holds || fault(`${name}, question ${k + 1}`, what);
+      const answer = box.locator("em").last();
+      wants("its answer waits", !(await answer.isVisible()));
+      const right = (await answer.textContent()).trim();
+      const address = page.url();
+      const options = box.locator("ul button");
+      if (await options.count() > 0) {
+        const texts = await options.allTextContents();
+        const wrong = options.nth(texts.findIndex((text) => text.trim() !== right));
+        if (seen % 3 === 0) await wrong.click();
+        else if (seen % 3 === 1) await wrong.tap();
+        else {
+          await wrong.focus();
+          await page.keyboard.press("Enter");
+        }
+        wants(`a wrong choice is told: ${await box.locator("[role=status]").textContent()}`, /^\s*No\. /.test(await box.locator("[role=status]").textContent()));
+        wants("the right one is marked", (await box.locator(".question-right").textContent()).trim() === right && (await box.locator(".question-wrong").count()) === 1);
+      } else {
+        const slider = box.locator("input");
+        const read = async () => parseFloat(await box.locator("output").textContent());
+        await slider.scrollIntoViewIfNeeded();
+        const { x, y, width, height } = await slider.boundingBox();
+        const at = (part) => [x + part * width, y + height / 2];
+        await finger(page, at(0.2), Array.from({ length: 15 }, (_, i) => at(0.2 + 0.04 * i)));
+        // A finger makes controls a little larger, and a font that arrives moves the page; a page that scrolls goes further.
+        const scrolled = Math.abs((await slider.boundingBox()).y - y);
+        const most = Number(await slider.getAttribute("max"));
+        wants(`dragged by a finger it stands at ${await read()} of ${most}, and has moved away by ${scrolled} px`, Math.abs((await read()) / most - 0.76) < 0.05 && scrolled < 10);
+        await slider.focus();
+        const before = await read();
+        await page.keyboard.press("ArrowRight");
+        wants("an arrow key moves it and turns no page", (await read()) > before && page.url() === address);
+        await box.locator("button").click();
+        const mark = await box.locator(".question-mark").evaluate((mark) => Number(mark.style.getPropertyValue("--at")));
+        wants(`the mark stands at ${mark}, the answer is ${right}`, Math.abs(mark * most - parseFloat(right)) < 1e-9);
+      }
+      wants("then the answer is there", await answer.isVisible());
+      wants("and the page is", page.url() === address);
+    }
+    await page.context().close();
+  }
+  if (seen < 20) fault("questions", `there are ${seen} only`);
+  for (const [name, options] of [["toss-a-book.html", { javaScriptEnabled: false }], ["print.html", {}]]) {
+    const page = await open(base, options);
+    await page.goto(base + name);
+    const all = page.locator(".question em");
+    const count = await all.count();
+    for (let k = 0; k < count; k += 1) if (!(await all.nth(k).isVisible())) fault(name, "an answer is hidden where nothing can be chosen");
+    if (count === 0) fault(name, "it has no question");
+    await page.context().close();
   }
 }

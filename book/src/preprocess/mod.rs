@@ -1,5 +1,5 @@
 //! Turns what chapters write into what pages show: exercises and programs into folds, TeX into MathML,
-//! figures into inline SVG, widgets into their places.
+//! figures into inline SVG, widgets into their places, questions into boxes.
 //!
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
 //! a figure, a widget or a program; what only looks like one stays as written.
@@ -13,6 +13,7 @@ pub(crate) mod held;
 mod maths;
 mod programs;
 pub(crate) mod protocol;
+mod question;
 mod svg;
 mod theme;
 mod turning;
@@ -168,6 +169,7 @@ fn chapter_as_shown(
     faults.extend(maths.replace(source, &pieces, &mut edits));
     faults.extend(figure::replace(source, &pieces, folders, &mut seen.figures, &mut edits));
     faults.extend(widget::replace(source, &pieces, folders, &mut seen.widgets, &mut edits));
+    faults.extend(question::replace(source, &pieces, &mut edits));
     programs::replace(source.text, &pieces, &mut edits);
     if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
 }

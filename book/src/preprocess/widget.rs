@@ -22,8 +22,14 @@ const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 3] =
-    [("pitfalls", &["pitfalls", "tumble"]), ("steps", &["steps", "tumble"]), ("toss", &["tumble"])];
+const MODULES: [(&str, &[&str]); 6] = [
+    ("pitfalls", &["pitfalls", "tumble"]),
+    ("steps", &["steps", "tumble"]),
+    ("toss", &["tumble"]),
+    ("trading", &["tumble"]),
+    ("turning", &["tumble"]),
+    ("your-box", &["your-box", "tumble"]),
+];
 
 fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {
     MODULES.iter().find(|(of, _)| of == widget).map_or(std::slice::from_ref(widget), |(_, modules)| modules)
@@ -104,7 +110,9 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
     let to = folders.chapters.join("widgets");
     let mut files = BTreeMap::new();
     if !placed.is_empty() {
-        files.insert("live.js".to_owned(), read(&folders.widgets.join("page/live.js"))?);
+        for script in scripts("live", folders)? {
+            files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+        }
     }
     for name in placed.keys() {
         for script in scripts(name, folders)? {

@@ -1,9 +1,10 @@
-// Wrong and right: four engines stepped by the module, each drawn over the exact motion as it goes.
+// Wrong and right: four bodies, each turned by an engine that the module steps, and its spin over the exact one.
 "use strict";
 
 tumblingLive.widget("pitfalls", async (stage, from) => {
-    const { load, module, fixed, short, draw, drawing, sayer } = tumblingLive;
-    const [engines, motion] = await Promise.all([module("pitfalls"), module("tumble")]);
+    const { load, module, fixed, raised, short, draw, drawing, sayer } = tumblingLive;
+    const [engines, motion] = await Promise.all([module("pitfalls"), module("tumble"), load(`${from}live.solids.js`), load(`${from}live.bodies.js`)]);
+    const { dot, unit, rows: matrix, through, upright, orbit, model, palette, paper, paint, arrows, dragged } = tumblingLive.bodies;
     const control = (id) => stage.querySelector(`#pitfalls-${id}`);
     const [body, about, spin, push, step, until] = ["body", "about", "spin", "push", "step", "until"].map(control);
     const [play, end, reset] = ["play", "end", "reset"].map(control);
@@ -17,9 +18,8 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     const UNTIL = [5, 10, 20, 40, 60, 100];
     /** The starts of the chapter, as places on the sliders: body, about, spin, push, step, until. */
     const STARTS = { 1: [0, "both", 3, 10, 3, 3], 2: [0, "y", 3, 10, 3, 1], 3: [0, "both", 6, 8, 0, 2] };
-    const NAMES = ["Right: the tensor turned with the body", "Pitfall one: the tensor that never turned",
-        "Pitfall two: momentum taken for spin", "Pitfall three: no gyroscopic term"];
-    const [STATE, PIECE, HEAD] = [9, 1000, 18]; // as in pitfalls/src/lib.rs
+    const NAMES = ["Right", "1 Frozen tensor", "2 Momentum for spin", "3 No gyroscopic term"];
+    const [STATE, PIECE, HEAD] = [9, 1000, 24]; // as in pitfalls/src/lib.rs
     const PARTS = 1200; // of a drawing
     const BROKEN = 1e-3; // so great an error, in parts, is seen
     const JOINED = 24; // parts in one piece of an engine's line
@@ -27,24 +27,52 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     const still = matchMedia("(prefers-reduced-motion: reduce)");
     let start, stepping, length, exact, bundle, steps, frame = 0;
 
-    // A row for each engine: what it is, its drawing, its meters.
+    // A place for each engine: its name, its body, three readouts and its line.
+    const READ = [["energy", "energy"], ["angle", "L"], ["flips", "flips"]];
+    let view = { turn: 28, eye: upright([1, 0, 0]), solid: null };
+    const colours = palette(stage, () => rows.forEach((row) => row.paper.draw()));
     const rows = NAMES.map((name, which) => {
         const place = document.createElement("div");
         place.className = "live-engine";
-        place.innerHTML = `<p class="live-title"></p><svg class="live-drawing live-low" aria-hidden="true"></svg><dl class="live-meters">${
-            [["energy", "energy"], ["length", "|L|"], ["angle", "L’s direction"], ["flips", "flips"], ["off", "its spin, at the start"]].map(([what, words]) =>
-                `<div${what === "flips" || what === "off" ? " class=\"live-words\"" : ""}><dt>${words}</dt><dd data-of="${what}"></dd>${what === "flips" || what === "off" ? "" : "<span class=\"live-bar\" aria-hidden=\"true\"><span></span></span>"}</div>`).join("")}</dl>`;
+        place.innerHTML = `<p class="live-title"></p><canvas class="live-drawing live-low" aria-hidden="true"></canvas><dl>${
+            READ.map(([what, words]) => `<div><dt class="live-of-${what}">${words}</dt> <dd data-of="${what}"></dd></div>`).join("")}</dl><svg class="live-drawing live-low" aria-hidden="true"></svg>`;
         place.querySelector("p").textContent = name;
         stage.querySelector(".live-engines").append(place);
-        const row = { which, place };
-        row.redraw = drawing(place.querySelector("svg"), (width) => Math.max(70, Math.round(Math.min(0.16 * width, 110))),
+        const row = { which, place, side: {} };
+        row.paper = paper(place.querySelector("canvas"), (width) => Math.round(Math.min(0.96 * width, 210)), (...it) => turned(row, ...it));
+        row.redraw = drawing(place.querySelector("svg"), (width) => Math.max(50, Math.round(Math.min(0.34 * width, 80))),
             (width, height) => path(row, width, height));
         return row;
     });
 
+    /** An engine's body as it stands, its momentum and its spin, as measured on it. */
+    function turned(row, pen, width, height, canvas) {
+        if (!row.state || !view.solid) return;
+        const scale = Math.max(0.5 * Math.min(width, height) - 20, 1);
+        const body = paint(pen, colours, view.solid, through(view.eye, matrix(row.state)), [width / 2, height / 2], scale);
+        const tip = (v, far) => [far * dot(view.eye[0], v), -far * dot(view.eye[1], v)];
+        const list = [];
+        const [momentum, spinning] = [unit(row.momentum), unit(row.omega)];
+        if (momentum) list.push({ name: "L", tip: tip(momentum, scale), colour: colours.momentum, width: 4 });
+        if (spinning) list.push({ name: "ω", tip: tip(spinning, 0.86 * scale), colour: colours.omega, width: 2.6 });
+        canvas.shows = { labels: arrows(pen, colours, body, list, row.side), momentum, omega: spinning, body, turn: view.turn }; // for those who test it
+    }
+    for (const row of rows) {
+        // Around only: upward and downward a finger scrolls the page.
+        dragged(row.place.querySelector("canvas"), (x) => {
+            view.turn += 0.5 * x;
+            look();
+        });
+    }
+    function look() {
+        view.eye = orbit(upright(rows[0].first.momentum), view.turn, 22);
+        for (const row of rows) row.paper.draw();
+    }
+
     /** What an answer on an engine says, by name. */
     function told(row, found) {
-        const [energy, size, angle, low, high, flips, first, off] = found.slice(1 + STATE, HEAD);
+        const [energy, size, angle, low, high, flips, first, off, ...vectors] = found.slice(1 + STATE, HEAD);
+        [row.omega, row.momentum] = [vectors.slice(0, 3), vectors.slice(3)];
         row.state = found.slice(1, 1 + STATE);
         row.refused = false;
         Object.assign(row, { energy, size, angle, low: Math.min(row.low, low), high: Math.max(row.high, high), off });
@@ -63,21 +91,24 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     function begin() {
         stop();
         const [w, p] = [SPINS[spin.value], PUSHES[push.value]];
-        start = [Number(body.value), w, about.value === "z" ? 0 : p, about.value === "y" ? 0 : p];
+        const [, ...at] = [0, ...motion.answer(7, Number(body.value))];
+        if (view.of !== body.value) view = { ...view, of: body.value, solid: model(motion.answer(6, Number(body.value)), Number(body.value), at.slice(3)) };
+        start = [...at.slice(0, 3), w, about.value === "z" ? 0 : p, about.value === "y" ? 0 : p];
         stepping = STEPS[step.value];
         length = UNTIL[until.value];
         steps = 0;
         bundle = Math.ceil((last() + 1) / PARTS);
-        const answer = motion.answer(5, ...engines.answer(2, start[0]), ...start.slice(1), length, PARTS);
+        const answer = motion.answer(5, ...start, length, PARTS);
         const count = answer[0];
         exact = { flips: answer.slice(1, 1 + count), spins: answer.slice(1 + count) };
         exact.most = exact.spins.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
         for (const row of rows) {
             Object.assign(row, { bins: [], count: 0, flips: 0, low: Infinity, high: -Infinity });
             told(row, engines.answer(0, ...start, row.which));
-            row.first = { energy: row.energy, off: row.off };
+            row.first = { energy: row.energy, off: row.off, momentum: row.momentum };
             row.redraw();
         }
+        look();
         const tell = (input, what, value, unit) => {
             shown(what).textContent = `${value} ${unit}`;
             input.setAttribute("aria-valuetext", `${value} ${unit}`);
@@ -126,6 +157,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
 
     /** Has a drawing follow its engine: only the last piece of its line is drawn anew. */
     function follow(row) {
+        row.paper.draw();
         const { svg, x, y, name, tip, pieces } = row.pen ?? {};
         if (!svg) return; // it has no width yet
         const place = (i, at, value) => `${x((i + at) * bundle * stepping).toFixed(1)} ${y(value).toFixed(1)}`;
@@ -147,45 +179,43 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         tip.setAttribute("cy", y(row.tip).toFixed(1));
     }
 
-    /** How long a bar is, in parts, that stands for so great an error. */
-    const bar = (error) => Math.max(0, Math.min(1, (Math.log10(error) + 15) / 16)) || 0;
-    const share = (ratio) => `${ratio < 1e4 ? fixed(100 * ratio, 0) : short(100 * ratio)} %`;
-    /** That an error is, or is not, seen. */
-    const beside = (error) => (error === 0 ? "" : `, off by ${short(error)}`);
+    /** A share as a change, in per cent: with a sign, and as short as it can be. */
+    const change = (ratio) => {
+        const percent = 100 * (ratio - 1);
+        return `${percent < 0 ? "−" : "+"}${Math.abs(percent) < 1e4 ? fixed(Math.abs(percent), 0) : `10${raised(Math.floor(Math.log10(Math.abs(percent))))}`}`;
+    };
+    /** How far the energy went, from the least to the greatest that was met. */
+    function range(low, high) {
+        const [fell, rose] = [1 - low >= BROKEN, high - 1 >= BROKEN];
+        if (!fell && !rose) return "kept";
+        if (fell && rose) return `${change(low)}/${change(high)} %`;
+        return `${change(fell ? low : high)} %`;
+    }
 
     function show() {
         const time = now();
         const flipped = exact.flips.filter((t) => t <= time);
         const words = [];
         for (const row of rows) {
-            const put = (what, text, error, worst = error) => {
+            const put = (what, text, right) => {
                 const place = row.place.querySelector(`[data-of=${what}]`);
-                place.textContent = text;
-                if (error === undefined) return;
-                place.textContent = `${text} (${worst < BROKEN ? "kept" : "broken"})`;
-                const filled = place.parentNode.querySelector(".live-bar > span");
-                filled.style.width = `${(100 * bar(error)).toFixed(1)}%`;
-                filled.classList.toggle("live-slight", worst < BROKEN);
+                if (place.textContent !== text) place.textContent = text;
+                place.classList.toggle("live-broken", !right);
             };
-            const met = share(row.low) === share(row.high) ? "" : `; so far ${share(row.low)} to ${share(row.high)}`;
-            const off = Math.abs(row.energy - 1);
-            put("energy", `${share(row.energy)}${off < BROKEN ? beside(off) : ""}${met}`, off, Math.max(off, 1 - row.low, row.high - 1));
-            const far = Math.abs(row.size - 1);
-            put("length", `${share(row.size)}${far < BROKEN ? beside(far) : ""}`, far);
-            // A raised power and a sign of degrees beside it would run together.
-            const angle = row.angle === 0 || row.angle >= 0.05 ? `${fixed(row.angle, 1)}°` : `${short(row.angle)} degrees`;
-            put("angle", `${angle} off`, row.angle * Math.PI / 180);
-            const first = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
-            put("flips", `${row.flips} ${row.flips === 1 ? "time" : "times"}${first}; right: ${flipped.length}`);
-            put("off", `${fixed(row.first.off, 1)}° off, energy ${share(row.first.energy)}`);
-            row.place.querySelector(".live-title").textContent = NAMES[row.which]
-                + (row.refused ? ": refused, for its numbers leave what an f64 holds" : "");
-            words.push(`${NAMES[row.which]}: energy ${share(row.energy)}, momentum ${share(row.size)}, ${row.flips} flips.`);
+            const kept = row.angle * Math.PI / 180 < BROKEN && Math.abs(row.size - 1) < BROKEN;
+            const energy = range(row.low, row.high);
+            put("energy", energy, energy === "kept");
+            put("angle", kept ? "kept" : `${fixed(row.angle, 0)}° off`, kept);
+            put("flips", `${row.flips} of ${flipped.length}`, row.flips === flipped.length);
+            row.place.querySelector(".live-title").textContent = NAMES[row.which] + (row.refused ? ": too large for an f64" : "");
+            const turned = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
+            words.push(`${NAMES[row.which]}: energy from ${100 + Number(fixed(100 * (row.low - 1), 0).replace("−", "-"))} % to ${
+                100 + Number(fixed(100 * (row.high - 1), 0).replace("−", "-"))} %, momentum turned by ${fixed(row.angle, 1)}°, ${row.flips} flips${turned}. Its spin began ${fixed(row.first.off, 1)}° off.`);
         }
         for (const row of rows) follow(row);
         shown("time").textContent = `${fixed(time, 1)} s of ${plain(length)} s`;
         end.disabled = steps >= last();
-        play.textContent = frame ? "Pause" : still.matches ? "Go on for a tenth" : "Play";
+        play.textContent = frame ? "Pause" : still.matches ? "Step" : "Play";
         play.disabled = steps >= last();
         return `After ${fixed(time, 1)} s. ${words.join(" ")} Right would be ${flipped.length} flips.`;
     }

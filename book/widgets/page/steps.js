@@ -37,20 +37,21 @@ tumblingLive.widget("steps", async (stage, from) => {
 
     /** A run in so many steps. */
     function run(count) {
-        const answer = methods.answer(1, Number(body.value), ...SPINS[start.value], UNTIL, count, Number(method.value), ...truth);
+        const answer = methods.answer(1, ...moments, ...SPINS[start.value], UNTIL, count, Number(method.value), ...truth);
         const [taken, why, energy, length, attitude, greatest] = answer;
         const [what, step] = [why ? methods.words() : "", UNTIL / count];
         const reason = ["", `${what} was not found`, `${what} is beyond what an f64 holds`, `${what} cannot be taken`][why];
         return { count, step, taken, reason, energy, length, attitude, greatest, spins: answer.slice(HEAD) };
     }
 
-    let chosen, half, curve, told, exact, truth, key;
+    let chosen, half, curve, told, exact, moments, truth, key;
     function asked() {
         const now = [method.value, body.value, start.value].join();
         if (now !== key) {
             key = now;
             told = about(Number(method.value));
-            const begun = [...methods.answer(2, Number(body.value)), ...SPINS[start.value], UNTIL];
+            moments = motion.answer(7, Number(body.value)).slice(0, 3);
+            const begun = [...moments, ...SPINS[start.value], UNTIL];
             truth = motion.answer(4, ...begun).slice(3);
             const stretch = motion.answer(5, ...begun, 500);
             exact = stretch.slice(1 + stretch[0]);

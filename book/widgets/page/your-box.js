@@ -3,7 +3,7 @@
 
 tumblingLive.widget("your-box", async (stage) => {
     const { module, fixed, short, draw, arrow, drawing, sayer } = tumblingLive;
-    const box = await module("your-box");
+    const [box, motion] = await Promise.all([module("your-box"), module("tumble")]);
     const svg = stage.querySelector("svg");
     const fields = ["a", "b", "c", "m", "x", "y", "z"].map((id) => stage.querySelector(`#your-box-${id}`));
     const wrong = stage.querySelector(".live-wrong");
@@ -120,8 +120,9 @@ tumblingLive.widget("your-box", async (stage) => {
         put("momentum", () => three(3));
         put("gap", () => `${fixed(found[6], 1)}°`);
         put("circled", () => {
-            const fate = found[7];
             const moments = found.slice(0, 3);
+            const [fate] = motion.answer(8, ...moments, ...fields.slice(4).map((field) => Number(field.value))) ?? [];
+            if (fate === undefined) return "its motion leaves what an f64 holds";
             const named = (axis) => {
                 const which = ["smallest", "middle", "largest"][moments.filter((moment) => moment < moments[axis]).length];
                 return `the axis ${["x", "y", "z"][axis]}, of the ${which} moment`;

@@ -55,6 +55,10 @@ const SPINS: [[f64; 3]; 7] = [
     [f64::NAN, 1e200, 1.0],
 ];
 
+/// Moments of bodies flat, long, round and impossible, kg m².
+const MOMENTS: [[f64; 3]; 5] =
+    [[10.0, 13.0, 5.0], [1.0, 1.0, 1.0], [1e-6, 2.0, 2.0], [2.0, 1.0, 3.0], [1.0, 2.0, 4.0]];
+
 fn two_arrows(ask: &mut Ask<'_>) -> io::Result<()> {
     for body in 0..6 {
         for between in 0..3 {
@@ -108,13 +112,17 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
         ask("tumble", widget_tumble::answer, what, asked, Some(|| widget_tumble::WHY.said()))
     };
     tumble(1, &[1.0])?;
-    for body in 0..6 {
-        tumble(6, &[f64::from(body)])?;
+    for body in 0..11 {
+        for own in [[1.0, 2.0, 2.5], [3.0, 1.0, 1.0], [0.0, 1.0, 1.0], [1.0, f64::NAN, 1.0]] {
+            for what in [6, 7] {
+                tumble(what, &[f64::from(body), own[0], own[1], own[2]])?;
+            }
+        }
     }
     let pushes = [0.1, 0.01, 1e-3, 1e-6, 1e-9, 5e-324, 0.0, 1.0, -0.3, 1e200, f64::NAN];
     let spins = [10.0, 0.1, -7.3, 1e-300, 1e300, 0.0, f64::INFINITY];
     let times = [0.0, 0.69, 1.38, -2.5, 17.3, 1e6, 1e6 + 0.1, 1e12, 1e16, 1e300, f64::NAN];
-    for body in 0..5 {
+    for body in 0..8 {
         for push in pushes {
             for spin in spins {
                 tumble(0, &[f64::from(body), spin, push, 0.0])?;
@@ -123,6 +131,8 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
                 }
                 tumble(2, &[0.0, 8.0, 17.0])?;
                 tumble(2, &[1e6, 1e6 + 20.0, 5.0])?;
+                tumble(9, &[0.0, 8.0, 5.0])?;
+                tumble(10, &[1.3])?;
             }
         }
         for about in [1.0, 2.0] {
@@ -136,8 +146,21 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
             tumble(3, &[axis, depth, 24.0])?;
         }
     }
+    for own in [[1.0, 2.0, 2.5], [3.0, 1.0, 1.0], [1.0, 2.0, 3.5], [-1.0, 1.0, 1.0]] {
+        for which in [8.0, 9.0] {
+            for about in [0.0, 1.0, 3.0] {
+                tumble(0, &[which, 5.0, 0.1, about, own[0], own[1], own[2], 1.0, -2.0, 0.3])?;
+                tumble(1, &[2.5])?;
+                tumble(9, &[-1.0, 3.0, 7.0])?;
+                tumble(10, &[2.5])?;
+                tumble(3, &[1.0, 1.5, 24.0])?;
+            }
+        }
+    }
     for odd in [f64::NAN, f64::INFINITY, -1e300, 1e-300, 0.0] {
         tumble(0, &[odd, odd, odd, odd])?;
+        tumble(9, &[odd, 1.0, odd])?;
+        tumble(10, &[odd])?;
         tumble(2, &[odd, 1.0, odd])?;
         tumble(3, &[odd, odd, odd])?;
     }
@@ -148,10 +171,9 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
 fn engines(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
     let name = "pitfalls";
     let answer = widget_pitfalls::answer;
-    for body in 0..4 {
-        ask(name, answer, 2, &[f64::from(body)], None)?;
+    for moments in MOMENTS {
         for spin in SPINS {
-            let start = [f64::from(body), spin[0], spin[1], spin[2]];
+            let start = [moments, spin].concat();
             for engine in 0..4 {
                 for step in [0.001, 0.01, 0.5, 1e9] {
                     let begun = [&start[..], &[f64::from(engine)]].concat();
@@ -168,16 +190,17 @@ fn engines(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
     Ok(())
 }
 
-/// The exact motion of bodies flat, long, round and impossible.
+/// The exact motion, for the widgets that set something beside it.
 fn exact(ask: &mut Ask<'_>) -> io::Result<()> {
     let (name, answer) = ("tumble", widget_tumble::answer);
-    for moments in [[10.0, 13.0, 5.0], [1.0, 1.0, 1.0], [1e-6, 2.0, 2.0], [2.0, 1.0, 3.0], [1.0, 2.0, 4.0]] {
+    for moments in MOMENTS {
         for spin in SPINS {
             let start = [moments, spin].concat();
             for time in [0.0, 0.7, 20.0, -1e4, 1e12, f64::INFINITY] {
                 ask(name, answer, 4, &[&start[..], &[time]].concat(), None)?;
                 ask(name, answer, 5, &[&start[..], &[time, 20.0]].concat(), None)?;
             }
+            ask(name, answer, 8, &start, None)?;
         }
     }
     Ok(())
@@ -189,30 +212,14 @@ fn methods(ask: &mut Ask<'_>) -> io::Result<()> {
     let answer = widget_steps::answer;
     for method in 0..27 {
         ask(name, answer, 0, &[f64::from(method)], None)?;
-        for body in 0..3 {
+        for moments in MOMENTS {
             for spin in SPINS {
                 for count in [1.0, 6.0, 25.0, 200.0] {
-                    let asked = [
-                        f64::from(body),
-                        spin[0],
-                        spin[1],
-                        spin[2],
-                        10.0,
-                        count,
-                        f64::from(method),
-                        0.6,
-                        0.0,
-                        -0.8,
-                        0.0,
-                    ];
-                    let asked = &asked;
-                    ask(name, answer, 1, asked, None)?;
+                    let run = [10.0, count, f64::from(method), 0.6, 0.0, -0.8, 0.0];
+                    ask(name, answer, 1, &[&moments[..], &spin, &run].concat(), None)?;
                 }
             }
         }
-    }
-    for body in 0..3 {
-        ask(name, answer, 2, &[f64::from(body)], None)?;
     }
     Ok(())
 }

@@ -6,52 +6,33 @@
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::attitude::rotation_matrix;
-use tumbling::body::named::{self, Even};
-use tumbling::dynamics::observe::energy;
-use tumbling::solid::{Ball, Cuboid, Shape};
+use tumbling::dynamics::observe::{energy, sign_changes};
 use tumbling::step::{Carried, Engine, rk4};
 
 /// The most steps in one answer.
 const MOST: usize = 1000;
 
 /// What comes before the samples in an answer on an engine.
-const HEAD: usize = 18;
+const HEAD: usize = 24;
 
-fn cuboid(body: &Even<3>) -> Vector3<f64> {
-    Cuboid::moments(&body.mass, body.sizes.each_ref())
-}
+/// Where a question has the step, and where the state.
+const STEP: usize = 7;
+const STATE: usize = 10;
 
-/// The moments of a body, kg m². The bodies are those of the book; of each but the ball the middle axis is x.
-fn body(which: f64) -> Vector3<f64> {
-    match which as u32 {
-        0 => cuboid(&named::THE_BOX),
-        1 => cuboid(&named::BOOK),
-        2 => cuboid(&named::PHONE),
-        _ => Ball::moments(&named::BALL.mass, named::BALL.sizes.each_ref()),
-    }
-}
-
-/// All questions begin with the body (the box, the book, the phone, a ball) and the spin along its axes,
-/// rad/s.
+/// Both questions begin with a body's moments about x, y and z, kg m², and the spin along them, rad/s.
 ///
 /// 0, how an engine starts: which of [`Engine::ALL`]. 1, how it goes on: which, the step in seconds, how many
 /// steps were taken before, how many to take now, and the state as it was answered last.
 ///
-/// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an `f64`
-/// holds; the state, nine numbers; the energy and the length of the momentum, relative to the first, and the
-/// momentum's angle from where it was, degrees, as a measurement on the body would find them; the least and
-/// the greatest energy of these steps; how many flips there were, and the time of the first; how far the
-/// spin's direction is from that at the start, degrees; and for each step (at the start: for it) the spin
-/// about x.
-///
-/// 2, the body's moments, kg m².
+/// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an
+/// `f64` holds; the state, nine numbers; the energy and the length of the momentum, relative to the
+/// first, and the momentum's angle from where it was, degrees, as a measurement on the body would find
+/// them; the least and the greatest energy of these steps; how many flips there were, and the time of the
+/// first; how far the spin's direction is from that at the start, degrees; spin and momentum in the
+/// world, as a measurement would find them; and for each step (at the start: for it) the spin about x.
 pub fn answer(what: u32, row: &Numbers) -> usize {
-    let [which, x, y, z] = row.take(0);
-    let (moments, omega) = (body(which), Vector3::new(x, y, z));
-    if what == 2 {
-        return row.fill(&[moments.x, moments.y, moments.z]);
-    }
-    let engine = Engine::ALL.get(row.get(4) as usize).copied().unwrap_or(Engine::Turned);
+    let (moments, omega) = (Vector3::from(row.take::<3>(0)), Vector3::from(row.take::<3>(3)));
+    let engine = Engine::ALL.get(row.get(6) as usize).copied().unwrap_or(Engine::Turned);
     let here = Run::new(engine, &moments, &omega);
     if what == 0 { here.start(row) } else { here.go_on(row) }
 }
@@ -83,32 +64,31 @@ impl Run {
             _ => self.momentum,
         };
         for (place, number) in [1.0, 0.0, 0.0, 0.0, vector.x, vector.y, vector.z].into_iter().enumerate() {
-            row.set(8 + place, number);
+            row.set(STATE + place, number);
         }
         // No step is taken, so that neither its length nor what came before it matters.
-        for place in 5..8 {
+        for place in STEP..STATE {
             row.set(place, 0.0);
         }
         let x = self.measured(&self.motion(row)).spin;
-        row.set(15, x);
-        row.set(16, sign(x, 0.0));
+        row.set(STATE + 7, x);
+        row.set(STATE + 8, sign(x, 0.0));
         let count = self.go_on(row);
         row.set(count, x);
         count + 1
     }
 
-    /// What the page brings back: eight numbers into the row the attitude, real part first, and the carried
-    /// vector.
+    /// What the page brings back: the attitude, real part first, and the carried vector.
     fn motion(&self, row: &Numbers) -> Carried<f64> {
-        let [w, i, j, k, x, y, z] = row.take(8);
+        let [w, i, j, k, x, y, z] = row.take(STATE);
         Carried { attitude: nalgebra::Quaternion::new(w, i, j, k), vector: Vector3::new(x, y, z) }
     }
 
     fn go_on(&self, row: &Numbers) -> usize {
-        let [step, before, count] = row.take(5);
+        let [step, before, count] = row.take(STEP);
         let mut motion = self.motion(row);
-        let [mut last, mut side] = row.take(15);
-        let (mut taken, mut flips, mut first) = (0, 0.0, 0.0);
+        let [last, mut side] = row.take(STATE + 7);
+        let mut taken = 0;
         let mut found = self.measured(&motion);
         let [mut low, mut high] = [found.energy; 2];
         while taken < (count as usize).min(MOST) {
@@ -121,23 +101,18 @@ impl Run {
                 break;
             }
             (motion, found) = (next, now);
-            // A flip is a change of sign, its time by a straight line: as
-            // `tumbling::dynamics::observe::sign_changes`, which wants memory that this module else has no
-            // need of. `tests` below hold it to that.
-            if sign(found.spin, side) * side < 0.0 {
-                if flips == 0.0 {
-                    let share = if last == 0.0 { 0.0 } else { 1.0 / (1.0 + (found.spin / last).abs()) };
-                    first = step * (before + taken as f64 + share);
-                }
-                flips += 1.0;
-            }
-            (last, side) = (found.spin, sign(found.spin, side));
+            side = sign(found.spin, side);
             row.set(HEAD + taken, found.spin);
             taken += 1;
             low = low.min(found.energy);
             high = high.max(found.energy);
         }
+        // The side that the spin was on before these steps stands for all samples before the last.
+        let earlier = [(step * (before - 1.0), row.get(STATE + 8)), (step * before, last)];
+        let samples = (0..taken).map(|i| (step * (before + (i + 1) as f64), row.get(HEAD + i)));
+        let flips = sign_changes(earlier.into_iter().chain(samples));
         let (q, v) = (&motion.attitude, &motion.vector);
+        let last = if taken == 0 { last } else { row.get(HEAD + taken - 1) };
         row.fill(&[
             taken as f64,
             q.w,
@@ -154,9 +129,15 @@ impl Run {
             found.angle,
             low,
             high,
-            flips,
-            first,
+            flips.len() as f64,
+            flips.first().copied().unwrap_or(0.0),
             found.off,
+            found.omega.x,
+            found.omega.y,
+            found.omega.z,
+            found.momentum.x,
+            found.momentum.y,
+            found.momentum.z,
         ]);
         HEAD + taken
     }
@@ -172,6 +153,8 @@ impl Run {
             length: momentum.norm() / self.momentum.norm(),
             angle: between(&momentum, &self.momentum),
             off: between(&omega, &self.omega),
+            omega,
+            momentum,
         }
     }
 }
@@ -187,6 +170,8 @@ struct Measured {
     length: f64,
     angle: f64,
     off: f64,
+    omega: Vector3<f64>,
+    momentum: Vector3<f64>,
 }
 
 impl Measured {
@@ -206,13 +191,16 @@ exchange::page!(answer);
 mod tests {
     use super::*;
 
-    /// Numbers in a state.
     use nalgebra::UnitQuaternion;
-    use tumbling::dynamics::observe::sign_changes;
-    use tumbling::{Body, Inertia, body::named};
+    use tumbling::{Body, body::named};
 
     /// Numbers in a state.
-    const STATE: usize = 9;
+    const SIZE: usize = 9;
+
+    /// Moments of a body, kg m²: the box, the phone, a ball.
+    fn moments(which: usize) -> [f64; 3] {
+        [[10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0], [3.1e-4, 3.8e-4, 7.4e-5], [0.1; 3]][which]
+    }
 
     /// An engine as the page has it: started, then stepped in pieces. The last answer's head, all spins, and
     /// the flips that came first in their pieces.
@@ -220,28 +208,19 @@ mod tests {
         which: usize,
         omega: [f64; 3],
         step: f64,
-        count: usize,
-        piece: usize,
+        [count, piece]: [usize; 2],
+        body: usize,
     ) -> ([f64; HEAD], Vec<f64>, Vec<f64>) {
         let row = Numbers::new();
-        row.fill(&[0.0, omega[0], omega[1], omega[2], which as f64]);
+        let begun = [&moments(body)[..], &omega, &[which as f64]].concat();
+        row.fill(&begun);
         let places = answer(0, &row);
         let mut spins = vec![row.get(places - 1)];
         let mut flips = Vec::new();
         while spins.len() <= count {
-            let state: [f64; STATE] = row.take(1);
-            let asked = [
-                0.0,
-                omega[0],
-                omega[1],
-                omega[2],
-                which as f64,
-                step,
-                (spins.len() - 1) as f64,
-                piece as f64,
-            ];
-            row.fill(&asked);
-            state.iter().enumerate().for_each(|(i, x)| row.set(8 + i, *x));
+            let state: [f64; SIZE] = row.take(1);
+            let go_on = [step, (spins.len() - 1) as f64, piece as f64];
+            row.fill(&[&begun[..], &go_on, &state].concat());
             let places = answer(1, &row);
             spins.extend((HEAD..places).map(|place| row.get(place)));
             (0..row.get(15) as usize).for_each(|_| flips.push(row.get(16)));
@@ -257,7 +236,7 @@ mod tests {
                 let vector = Vector3::from(omega);
                 let start = Body::spinning(inertia, UnitQuaternion::identity(), &vector).unwrap();
                 let run = engine.run(&start, step, 4000).unwrap();
-                let (head, spins, flips) = paged(which, omega, step, 4000, 250);
+                let (head, spins, flips) = paged(which, omega, step, [4000, 250], 0);
                 for (i, (body, spin)) in run.iter().zip(&spins).enumerate() {
                     let off = (body.omega_body().x - spin).abs();
                     assert!(off < 1e-9 * vector.norm(), "{engine:?} {omega:?} step {i}: {off}");
@@ -285,7 +264,7 @@ mod tests {
                 let start =
                     Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::from(omega)).unwrap();
                 let run = engine.run(&start, step, count).unwrap();
-                let (head, ..) = paged(which, omega, step, count, count);
+                let (head, ..) = paged(which, omega, step, [count; 2], 0);
                 let [energy, length, angle, low, high] = std::array::from_fn(|i| head[10 + i]);
                 let off = head[17];
 
@@ -317,27 +296,15 @@ mod tests {
 
     #[test]
     fn a_run_in_pieces_is_a_run_in_one() {
-        for which in 0..4 {
-            let one = paged(which, [10.0, 0.1, 0.1], 0.005, 1000, 1000);
+        for (which, body) in [(0, 0), (1, 1), (2, 2), (3, 1)] {
+            let one = paged(which, [10.0, 0.1, 0.1], 0.005, [1000; 2], body);
             for piece in [1, 8, 100] {
-                let pieces = paged(which, [10.0, 0.1, 0.1], 0.005, 1000, piece);
+                let pieces = paged(which, [10.0, 0.1, 0.1], 0.005, [1000, piece], body);
                 assert_eq!(one.1, pieces.1);
                 assert_eq!(one.2.len(), pieces.2.len());
                 assert_eq!(one.2.first(), pieces.2.first());
                 assert_eq!(one.0[1..13], pieces.0[1..13]);
             }
         }
-    }
-
-    #[test]
-    fn x_is_the_middle_axis_of_the_books_bodies() {
-        let same = |which: f64, inertia: Inertia| {
-            let [ours, theirs] = [body(which), inertia.matrix().diagonal()];
-            assert!((ours - theirs).amax() <= 4.0 * f64::EPSILON * theirs.amax(), "{which}: {ours} {theirs}");
-            assert!(ours.z < ours.x && ours.x < ours.y);
-        };
-        same(0.0, named::NamedBody::TheBox.properties().unwrap().inertia());
-        same(1.0, named::NamedBody::Book.properties().unwrap().inertia());
-        same(2.0, named::NamedBody::Phone.properties().unwrap().inertia());
     }
 }

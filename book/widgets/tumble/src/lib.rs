@@ -1,8 +1,11 @@
 //! The tumble: a body spun about one of its axes with a push across it, at any instant, by the exact motion.
 
 mod beside;
+mod bodies;
 mod parts;
+mod path;
 
+use bodies::Chosen;
 use exchange::{Line, Numbers};
 use nalgebra::Vector3;
 use std::sync::{Mutex, PoisonError};
@@ -24,23 +27,18 @@ const NEXT: usize = 3;
 const MOST_FLIPS: usize = 64;
 const MOST_SAMPLES: f64 = 1000.0;
 
-/// Principal moments, kg m², and the centre of mass from where the body's drawing has its origin, m; those of
-/// the box where there is no such body. As all bodies of the book they lie with the smallest moment along z,
-/// the largest along y and the middle one along x.
-fn body(which: f64) -> (Vector3<f64>, Vector3<f64>) {
-    let of = parts::body(which).unwrap_or(NamedBody::TheBox).moments();
-    (of.inertia.diagonal(), of.centre)
-}
-
 /// What the page asks:
 ///
-/// 0. Prepare the motion of a body (the box, the book, the phone, the racket, the wing nut) with this spin,
-///    rad/s, a push as a share of it, and the axis that it is spun about: 0, the middle one, with the push
-///    about that of the largest moment; 1, that of the smallest moment, or 2, of the largest, with the push
-///    about the middle one. The answer: the time between flips, s (NaN: it never flips); the moments; the
-///    centre of mass; the momentum, kg m²/s, which is fixed in the world; which axis the spin circles, 0, 1
-///    or 2, or 3 where it stands still; twice the energy into the square of the momentum, kg m²; and what a
-///    spin is to be multiplied by to lie on the ellipsoid of the polhodes.
+/// 0. Prepare the motion of a body, by its place in [`bodies::BODIES`] and after it, with this spin,
+///    rad/s, a push as a share of it, and the axis that it is spun about: 0, the middle one, with the
+///    push about that of the largest moment; 1, that of the smallest moment, or 2, of the largest, with
+///    the push about the middle one; or 3: the spin is the three numbers of places 7 to 9, rad/s. Places
+///    4 to 6 are the edges, m, or the moments, kg m², of a body of the reader's own. The answer: the time
+///    between flips, s (NaN: it never flips); the moments; the centre of mass; the momentum, kg m²/s,
+///    which is fixed in the world; which axis the spin circles, 0, 1 or 2, or 3 where it stands still;
+///    twice the energy into the square of the momentum, kg m²; what a spin is to be multiplied by to lie
+///    on the ellipsoid of the polhodes; the spin at the start; and the axis that it is spun about, 0, 1
+///    or 2 for x, y or z.
 /// 1. The instant `t`: spin along the body's axes, attitude (w, x, y, z), spin in the world, how often it has
 ///    flipped since time 0, and the next three flips (NaN where there is none).
 /// 2. A stretch of time, `from`, `to`, and how many samples: how many flips, their times, and at the samples
@@ -48,20 +46,25 @@ fn body(which: f64) -> (Vector3<f64>, Vector3<f64>) {
 /// 3. The polhode around axis 0, 1 or 2 of this `L²/2E`, at a number of points: those of that axis' positive
 ///    side, on the ellipsoid of energy whose longest half axis is 1.
 ///
-/// 4 and 5. For other widgets, of any body: see [`beside::answer`], which counts them from 0.
+/// 4, 5 and 8. For other widgets, of any body: see [`beside::answer`], which counts them 0, 1 and 2.
 ///
-/// 6. The parts of a body, for its drawing: see [`parts::answer`].
+/// 6. The parts of a body, for its drawing: which, and the three numbers of one of the reader's own. See
+///    [`parts::answer`].
+/// 7. The moments and the centre of mass of a body, asked in the same way. See [`bodies::answer`].
+/// 9. The path of the spin of the prepared motion, in the body and in the world. See [`path::path`].
+/// 10. The tensor in the world, and how the spin changes, at an instant. See [`path::turned`].
 pub fn answer(what: u32, row: &Numbers) -> usize {
-    if what == 6 {
-        return parts::answer(row.get(0), row);
-    }
-    if let Some(what) = what.checked_sub(4) {
-        return beside::answer(what, row);
-    }
+    let [which, own @ ..] = row.take::<4>(0);
     let found = match what {
         0 => prepared(row.take(0)).map(|found| row.fill(&found)),
         1 => instant(row.get(0)).map(|found| row.fill(&found)),
         2 => stretch(row.take(0), row),
+        4 | 5 => return beside::answer(what - 4, row),
+        6 => return parts::answer(which, own, row),
+        7 => bodies::answer(which, own, row),
+        8 => return beside::answer(2, row),
+        9 => path::path(row.take(0), row),
+        10 => path::turned(which, row),
         _ => Ok(polhode(row.take(0), row)),
     };
     found.unwrap_or_else(|Why(words)| {
@@ -73,7 +76,8 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
 /// What is wrong, and by which rule.
 struct Why([&'static str; 2]);
 
-/// `tests` below hold these words to the library's.
+/// `tests` below hold these words to the library's, but for the rule of the triangle, which the library gives
+/// with numbers.
 impl From<Error> for Why {
     fn from(error: Error) -> Self {
         let rule = match error.kind() {
@@ -81,9 +85,12 @@ impl From<Error> for Why {
             ErrorKind::Unrepresentable => {
                 ": its true value is beyond what a finite, nonzero f64 holds in full"
             }
-            ErrorKind::OutOfBounds => {
-                ": it must be at most the greatest for which f64 tells one flip's time from the next"
-            }
+            ErrorKind::OutOfBounds => match error.subject() {
+                subject if subject.starts_with("the edge") => ": it must be above zero",
+                subject if subject.starts_with("a principal") => ": it must be above zero",
+                _ => ": it must be at most the greatest for which f64 tells one flip's time from the next",
+            },
+            ErrorKind::Impossible => ": no body has them: two of them must add up to at least the third",
             _ => ": there is no answer to this",
         };
         Self([error.subject(), rule])
@@ -103,17 +110,25 @@ fn motion() -> Result<(FreeMotion, usize, Vector3<f64>), Why> {
     MOTION.lock().unwrap_or_else(PoisonError::into_inner).ok_or(Why(["a motion", " must be prepared first"]))
 }
 
-/// The moments of the motion in hand, or those of the box.
-fn moments() -> Vector3<f64> {
-    motion().map_or_else(|_| body(0.0).0, |(.., moments)| moments)
+/// The moments and the centre of mass of a body; those of the box where there is no such body.
+fn body(which: f64, own: [f64; 3]) -> Result<(Vector3<f64>, Vector3<f64>), Why> {
+    Ok(Chosen::new(which, own).unwrap_or(Ok(Chosen::Named(NamedBody::TheBox)))?.moments())
 }
 
-fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
-    let (moments, centre) = body(which);
+/// The spin at the start, and which of x, y, z it is about: of one given in full that of its greatest part.
+fn start([spin, push, about]: [f64; 3], given: Vector3<f64>) -> (Vector3<f64>, usize) {
+    if about == 3.0 {
+        return (given, given.iamax());
+    }
     let (along, across) = spun(about);
     let mut parts = [0.0; 3];
     (parts[along], parts[across]) = (spin, spin * push);
-    let omega = Vector3::from(parts);
+    (Vector3::from(parts), along)
+}
+
+fn prepared([which, spin, push, about, a, b, c, x, y, z]: [f64; 10]) -> Result<[f64; 17], Why> {
+    let (moments, centre) = body(which, [a, b, c])?;
+    let (omega, along) = start([spin, push, about], Vector3::new(x, y, z));
     let motion = FreeMotion::new(moments.try_into()?, &omega)?;
     let beat = if along == 0 { time_between_flips(moments.try_into()?, &omega)? } else { None };
     *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some((motion, along, moments));
@@ -144,6 +159,10 @@ fn prepared([which, spin, push, about]: [f64; 4]) -> Result<[f64; 13], Why> {
         around,
         depth,
         onto,
+        omega.x,
+        omega.y,
+        omega.z,
+        along as f64,
     ])
 }
 
@@ -188,14 +207,18 @@ fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
 /// In the components of the spin each times the root of its moment, the energy is a sphere and the momentum
 /// an elliptic cone about the axis that is circled.
 fn polhode([around, depth, points]: [f64; 3], row: &Numbers) -> usize {
-    let moments: [f64; 3] = moments().into();
+    let of_box = || body(0.0, [0.0; 3]).map_or([f64::NAN; 3], |(moments, _)| moments.into());
+    let moments: [f64; 3] = motion().map_or_else(|_| of_box(), |(.., moments)| moments.into());
     let axes = match around as u32 {
         0 => [0, 1, 2],
         1 => [1, 2, 0],
         _ => [2, 0, 1],
     };
     let [about, first, second] = axes.map(|axis: usize| moments.get(axis).copied().unwrap_or(f64::NAN));
-    let amplitude = |moment: f64| ((depth - about) / (moment - about)).clamp(0.0, 1.0).sqrt();
+    // Of two equal moments each spin between their axes stays: the path is a point.
+    let amplitude = |moment: f64| {
+        if moment == about { 0.0 } else { ((depth - about) / (moment - about)).clamp(0.0, 1.0).sqrt() }
+    };
     let (wide, high) = (amplitude(first), amplitude(second));
     let points = points.clamp(2.0, MOST_SAMPLES) as u32;
     for i in 0..points {
@@ -216,7 +239,7 @@ mod tests {
     use super::*;
 
     /// Held by a test that prepares a motion: there is one for all.
-    static ALONE: Mutex<()> = Mutex::new(());
+    pub(crate) static ALONE: Mutex<()> = Mutex::new(());
 
     /// By symmetry: at time 0 the spin is at its most along x, so that it is nothing half a beat later and
     /// earlier, and each beat from there.
@@ -226,7 +249,7 @@ mod tests {
         let row = Numbers::new();
         for (which, spin, push) in [(3.0, 10.0, 0.3), (4.0, -7.3, 0.01)] {
             row.fill(&[which, spin, push, 0.0]);
-            assert_eq!(answer(0, &row), 13);
+            assert_eq!(answer(0, &row), 17);
             let beat = row.get(0);
             let half = |count: u32| (f64::from(count) + 0.5) * beat;
             for flip in 0..5 {
@@ -255,7 +278,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_told_in_the_words_of_the_library() {
-        let moments = body(0.0).0;
+        let moments = body(0.0, [0.0; 3]).unwrap_or_else(|_| unreachable!()).0;
         let motion = FreeMotion::new(moments.try_into().unwrap(), &Vector3::new(10.0, 0.1, 0.0)).unwrap();
         let wrong = [
             FreeMotion::new(moments.try_into().unwrap(), &Vector3::new(f64::NAN, 0.0, 0.0)).unwrap_err(),
@@ -275,11 +298,11 @@ mod tests {
     fn spun_about_the_smallest_or_the_largest_moment_no_body_ever_turns_over() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
         let row = Numbers::new();
-        for which in 0..5 {
+        for which in 0..7 {
             for (about, along) in [(1.0, 2), (2.0, 1)] {
                 for push in [1e-3, 0.4, 1.0] {
                     row.fill(&[f64::from(which), -7.3, push, about]);
-                    assert_eq!(answer(0, &row), 13);
+                    assert_eq!(answer(0, &row), 17);
                     assert!(row.get(0).is_nan());
                     assert_eq!(row.get(10), along as f64, "it circles the axis that it is spun about");
                     row.fill(&[0.0, 40.0, 500.0]);
@@ -300,7 +323,7 @@ mod tests {
         let row = Numbers::new();
         let push = 0.3;
         row.fill(&[3.0, 10.0, push, 0.0]);
-        assert_eq!(answer(0, &row), 13);
+        assert_eq!(answer(0, &row), 17);
         let [beat, x, y, z] = row.take(0);
         let [around, depth, onto] = row.take(10);
         row.fill(&[around, depth, 1000.0]);

@@ -1,31 +1,35 @@
 //! What the page draws: the parts of a body, as the library has them.
 
+use crate::bodies::{Chosen, OWN_MASS};
 use exchange::Numbers;
-use tumbling::body::named::{NamedBody, Part, Section};
+use tumbling::body::named::{self, Part, Section};
 
 /// How many numbers describe a part.
 pub(crate) const SIZE: usize = 8;
 
-/// The bodies of the page.
-const BODIES: [NamedBody; 5] =
-    [NamedBody::TheBox, NamedBody::Book, NamedBody::Phone, NamedBody::TennisRacket, NamedBody::WingNut];
-
-pub(crate) fn body(which: f64) -> Option<NamedBody> {
-    BODIES.get(which as usize).copied()
-}
-
 /// The parts of a body, of [`SIZE`] numbers each; m and kg. A bar: 0, its ends' x, z, x, z, its width in the
 /// xz plane and its thickness along y, its mass. A tube along x: 1, its ends' x, its inner and its outer
-/// radius, twice 0, its mass.
-pub(crate) fn answer(which: f64, row: &Numbers) -> usize {
+/// radius, twice 0, its mass. A ball about the origin: 2, its radius, five times 0, its mass. A round bar: 3,
+/// its ends' x, z, x, z, its radius, 0, its mass.
+///
+/// There is no answer where there is no such body.
+pub(crate) fn answer(which: f64, own: [f64; 3], row: &Numbers) -> usize {
     let mut place = 0;
-    if let Some(body) = body(which) {
-        body.each_part(&mut |part| {
-            for number in numbers(&part) {
-                row.set(place, number);
-                place += 1;
-            }
-        });
+    let mut put = |numbers: [f64; SIZE]| {
+        for number in numbers {
+            row.set(place, number);
+            place += 1;
+        }
+    };
+    match Chosen::new(which, own) {
+        Some(Ok(Chosen::Named(body))) => body.each_part(&mut |part| put(numbers(&part))),
+        Some(Ok(Chosen::Ball)) => {
+            put([2.0, named::BALL.sizes[0], 0.0, 0.0, 0.0, 0.0, 0.0, named::BALL.mass]);
+        }
+        Some(Ok(Chosen::Box { edges: [wide, thick, long], .. })) => {
+            put([0.0, 0.0, -0.5 * long, 0.0, 0.5 * long, wide, thick, OWN_MASS]);
+        }
+        _ => {}
     }
     place
 }
@@ -34,6 +38,7 @@ fn numbers(part: &Part) -> [f64; SIZE] {
     let ([from, to], mass) = (part.ends(), part.mass());
     match part.section {
         Section::Ring { inner, outer } => [1.0, from.x, to.x, inner, outer, 0.0, 0.0, mass],
+        Section::Round { radius } => [3.0, from.x, from.z, to.x, to.z, radius, 0.0, mass],
         _ => {
             let [wide, thick] = part.drawn();
             [0.0, from.x, from.z, to.x, to.z, wide, thick, mass]
@@ -44,13 +49,14 @@ fn numbers(part: &Part) -> [f64; SIZE] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bodies::BODIES;
     use nalgebra::{Rotation3, UnitQuaternion, Vector3};
     use tumbling::solid::{Compound, Cuboid, Cylinder, MassProperties, Solid, ThinRod};
 
     /// A body put together from its parts; bars that lean, and strings, as thin rods if so asked.
     fn made(which: usize, thin: bool) -> MassProperties {
         let row = Numbers::new();
-        let count = answer(which as f64, &row);
+        let count = answer(which as f64, [0.0; 3], &row);
         assert!(count > 0 && count.is_multiple_of(SIZE) && count <= exchange::ROOM);
         let mut body = Compound::new();
         for part in 0..count / SIZE {
@@ -67,7 +73,9 @@ mod tests {
             }
             let (from, to) = (Vector3::new(a, 0.0, b), Vector3::new(c, 0.0, d));
             let long = (to - from).norm();
-            let solid = if wide == 0.0 || (thin && a != c) {
+            let solid = if kind == 3.0 {
+                Cylinder::new(wide, long).unwrap().with_mass(mass)
+            } else if wide == 0.0 || (thin && a != c) {
                 ThinRod::new(long).unwrap().with_mass(mass)
             } else {
                 Cuboid::new(wide, thick, long).unwrap().with_mass(mass)
@@ -80,10 +88,7 @@ mod tests {
 
     #[test]
     fn the_drawn_parts_make_the_bodies_of_the_book() {
-        let names = ["the box", "the book", "the phone", "the tennis racket", "the wing nut"];
-        for (which, name) in names.into_iter().enumerate() {
-            let theirs = body(which as f64).unwrap();
-            assert_eq!(theirs.to_string(), name);
+        for (which, theirs) in BODIES.into_iter().enumerate() {
             let theirs = theirs.properties().unwrap();
             let tensor = theirs.inertia().matrix();
             let size = tensor.amax();
@@ -105,8 +110,22 @@ mod tests {
     #[test]
     fn what_is_no_body_has_no_parts() {
         let row = Numbers::new();
-        for odd in [5.0, 1e300, f64::INFINITY] {
-            assert_eq!(answer(odd, &row), 0, "{odd}");
+        for odd in [10.0, 1e300, f64::INFINITY] {
+            assert_eq!(answer(odd, [1.0; 3], &row), 0, "{odd}");
+        }
+        assert_eq!(answer(8.0, [1.0, 0.0, 2.0], &row), 0);
+        assert_eq!(answer(9.0, [1.0, 2.0, 3.5], &row), 0);
+    }
+
+    #[test]
+    fn a_box_of_the_readers_own_is_drawn_with_the_moments_that_it_has() {
+        let row = Numbers::new();
+        assert_eq!(answer(8.0, [3.0, 1.0, 2.0], &row), SIZE);
+        assert_eq!(row.take(0), [0.0, 0.0, -1.5, 0.0, 1.5, 2.0, 1.0, 1.0]);
+        assert_eq!(answer(9.0, [5.0 / 12.0, 13.0 / 12.0, 10.0 / 12.0], &row), SIZE);
+        let [.., long, wide, thick, _] = row.take::<SIZE>(0);
+        for (drawn, right) in [(wide, 2.0), (thick, 1.0), (2.0 * long, 3.0)] {
+            assert!((drawn - right).abs() < 1e-14, "{drawn}, not {right}");
         }
     }
 }

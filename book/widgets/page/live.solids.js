@@ -1,4 +1,4 @@
-// The tumble's bodies as solids of flat faces, from the parts that the module tells of: see tumble/src/parts.rs.
+// Bodies as solids of flat faces, from the parts that the tumble's module gives: see tumble/src/parts.rs.
 "use strict";
 
 /**
@@ -42,9 +42,57 @@ tumblingLive.solids = (told, which, centre) => {
         parts.push({ corners, faces: [...wall, ...round, ...caps], mass });
     }
 
+    /** A round bar, of flat sides, as heavy as it would be round; one along z has its side toward positive x painted. */
+    function rod(x, z, toX, toZ, radius, mass) {
+        const long = Math.hypot(toX - x, toZ - z);
+        const [ux, uz] = [(toX - x) / long, (toZ - z) / long];
+        const angle = (2 * Math.PI) / SIDES;
+        const fair = Math.sqrt(angle / Math.sin(angle));
+        const ring = (atX, atZ) => Array.from({ length: SIDES }, (_, i) => {
+            const [far, deep] = [fair * radius * Math.cos(i * angle), fair * radius * Math.sin(i * angle)];
+            return [atX + far * uz, deep, atZ - far * ux];
+        });
+        const corners = [ring(x, z), ring(toX, toZ)].flat();
+        const kind = (i) => (x !== toX || Math.cos((i + 0.5) * angle) > 0 ? "mark" : "plain");
+        const faces = Array.from({ length: SIDES }, (_, i) => {
+            const next = (i + 1) % SIDES;
+            return { at: [i, next, SIDES + next, SIDES + i], kind: kind(i), smooth: true };
+        });
+        const [low, high] = [0, 1].map((k) => Array.from({ length: SIDES }, (_, i) => k * SIDES + i));
+        faces.push({ at: low.reverse(), kind: x === toX ? "plain" : "mark" }, { at: high, kind: x === toX ? "plain" : "mark" });
+        parts.push({ corners, faces, mass });
+    }
+
+    /** A ball, of flat faces, with its side toward positive x painted. */
+    function ball(radius, mass) {
+        const [ROUND, HIGH] = [24, 12];
+        const fair = 1.012 * radius; // as much stays within the true ball as without it
+        const corners = [];
+        for (let k = 0; k <= HIGH; k += 1) {
+            const [z, wide] = [Math.cos((k * Math.PI) / HIGH), Math.sin((k * Math.PI) / HIGH)];
+            for (let i = 0; i < ROUND; i += 1) {
+                const turn = (i * 2 * Math.PI) / ROUND;
+                corners.push([fair * wide * Math.sin(turn), fair * wide * Math.cos(turn), fair * z]);
+            }
+        }
+        const faces = [];
+        for (let k = 0; k < HIGH; k += 1) {
+            for (let i = 0; i < ROUND; i += 1) {
+                const next = (i + 1) % ROUND;
+                const at = [ROUND * k + i, ROUND * k + next, ROUND * (k + 1) + next, ROUND * (k + 1) + i];
+                if (k === 0) at.splice(1, 1);
+                if (k === HIGH - 1) at.pop();
+                faces.push({ at, kind: i < ROUND / 2 ? "mark" : "plain", smooth: true });
+            }
+        }
+        parts.push({ corners, faces, mass });
+    }
+
     for (let from = 0; from < told.length; from += SIZE) {
         const [kind, a, b, c, d, wide, thick, mass] = told.slice(from, from + SIZE);
-        if (kind === 1) tube(a, b, c, d, mass);
+        if (kind === 2) ball(a, mass);
+        else if (kind === 3) rod(a, b, c, d, wide, mass);
+        else if (kind === 1) tube(a, b, c, d, mass);
         else if (wide === 0) strings.push({ ends: [[a, 0, b], [c, 0, d]], mass });
         else bar(a, b, c, d, wide, thick, mass);
     }
