@@ -2,7 +2,7 @@
 
 use crate::attitude;
 use crate::body::{Rate, State};
-use crate::dynamics::euler;
+use crate::dynamics::{euler, observe};
 use crate::error::{Error, Refusal};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
@@ -100,6 +100,12 @@ impl<T: Field> System<T> {
     #[must_use]
     pub fn momentum(&self, omega: &Vector3<T>) -> Vector3<T> {
         omega.component_mul(&self.moments)
+    }
+
+    /// The kinetic energy of the rotation, J.
+    #[must_use]
+    pub fn energy(&self, state: &State<T>) -> T {
+        observe::energy(&self.omega(&state.momentum), &state.momentum)
     }
 }
 
