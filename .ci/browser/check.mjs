@@ -14,7 +14,7 @@ import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { figures } from "./figures.mjs";
 import { comesToRest, liveJobs } from "./live.mjs";
-import { codeFolds, keyboard, questions, search, withoutScripts } from "./reader.mjs";
+import { atlas, codeFolds, keyboard, questions, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -199,6 +199,7 @@ const jobs = [
   { name: "pages without scripts", run: () => withoutScripts(open, bases.file, pages, fault) },
   ...Object.entries(bases).flatMap(([kind, base]) => [
     { name: `keyboard, ${kind}`, run: async () => keyboard(await open(base), base, fault) },
+    { name: `atlas, ${kind}`, run: async () => atlas(await open(base), base, fault) },
     { name: `search, ${kind}`, run: async () => search(await open(base), base, fault) },
     { name: `code folds, ${kind}`, run: async () => codeFolds(await open(base), base, fault) },
   ]),

@@ -11,8 +11,8 @@ const CHARTS: [(&str, &str, &str); 6] = [
     ("steady spin", "a stable spin", "turn in a step, rad"),
     ("flipping", "a body that flips", "turn in a step, rad"),
     ("needles", "needles", "largest over smallest moment"),
-    ("damping", "damping", "damping times step over inertia"),
     ("pushes", "three flips after a push", "push, rad/s, on a spin of 10 rad/s"),
+    ("damping", "damping", "damping times step over inertia"),
     ("named", "odd bodies and far scales", "case"),
 ];
 

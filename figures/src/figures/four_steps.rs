@@ -70,9 +70,8 @@ pub(super) fn draw() -> Drawing {
         canvas,
         description: format!(
             "Energy of the box with a spin of (1, 1, 1) rad/s, as a share of the first, over {end:.0} s in steps of {STEP} s. Euler's method \
-             leaves the sheet upward after {:.1} s. Runge and Kutta's sinks to {:.0} % after {:.0} s. The turns about one axis sway \
+             leaves the sheet upward at the first step. Runge and Kutta's sinks to {:.0} % after {:.0} s. The turns about one axis sway \
              by up to {:.1} %. Moser and Veselov's method stays level.",
-            last.0,
             100.0 * classical.last().map_or(1.0, |p| p.1),
             classical.last().map_or(0.0, |p| p.0),
             100.0 * spread(&turns),
