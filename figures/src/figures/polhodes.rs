@@ -10,7 +10,7 @@ const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 pub(super) fn draw() -> Drawing {
     let ellipsoid = Ellipsoid::new(MOMENTS)?;
     let canvas = Canvas::sized(500, 470);
-    let view = View::new((236.0, 240.0), 218.0, 58.0, 27.0);
+    let view = View::new((246.0, 240.0), 218.0, 58.0, 27.0);
     paths(&canvas, &ellipsoid, &view, &[0.22, 0.44, 0.66, 0.86])?;
     let [min, mid, max] = [Axis::Smallest, Axis::Middle, Axis::Largest].map(|axis| {
         let mut end = Vector3::zeros();
