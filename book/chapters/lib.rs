@@ -73,6 +73,10 @@ mod where_things_break {}
 mod test_your_engine {}
 
 #[cfg(doctest)]
+#[doc = include_str!("put-it-into-your-engine.md")]
+mod put_it_into_your_engine {}
+
+#[cfg(doctest)]
 #[doc = include_str!("proofs.md")]
 mod proofs {}
 

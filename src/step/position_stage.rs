@@ -81,7 +81,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     }
 
     /// For a body with these inverse moments along the axes of its frame, 1/(kg m²), as engines store them.
-    /// Zero about an axis means that nothing turns the body about it, or about no axis if all are zero.
+    /// Zero locks an axis: no torque turns the body about it.
     ///
     /// With one or more locked axes the spin stays constant over the step and the attitude turns about it:
     /// that is the exact motion of a body whose locked axes are fixed in it and have no spin about them, and

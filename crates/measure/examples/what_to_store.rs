@@ -1,6 +1,6 @@
-//! What an engine in single precision should store between two steps: the spin in the world, the spin in the
-//! body, or the momentum in the world. Prints by how much energy and momentum are off at worst, over the named
-//! bodies at 60 Hz.
+//! What an engine in single precision should store between two steps: the spin in the world, the spin in
+//! the body, or the momentum in the world. Prints by how much energy and momentum are off at worst, over the
+//! named bodies at 60 Hz.
 //!
 //! `cargo run --release -p tumbling-measure --example what_to_store`
 
