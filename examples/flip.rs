@@ -1,6 +1,6 @@
 //! A flip in the terminal: the spin about each of the book's axes while it flies, a line for each instant.
 //!
-//! `cargo run --release --example flip`
+//! `cargo run --example flip`
 
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;

@@ -2,7 +2,7 @@
 //! the spin (body axes, rad/s) and the attitude (body to world, scalar part first) at each time.
 //!
 //! ```text
-//! cargo run --release --example free_motion -- CASES.json
+//! cargo run --example free_motion -- CASES.json
 //! ```
 //!
 //! The file holds `{"cases": [{"name": ..., "inertia": [3], "w0": [3], "t": [...]}]}`, its numbers as numbers

@@ -167,22 +167,7 @@ impl Body {
     }
 
     /// The same body in another state; its inverse is not computed again.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::{Body, Inertia};
-    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 1.0);
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
-    /// let body = Body::spinning(inertia, turned, &Vector3::new(0.1, 2.0, 0.3))?;
-    /// let same = body.with_state(&body.state())?;
-    /// let moved = (same.momentum_world() - body.momentum_world()).norm();
-    /// assert!(moved < 1e-15 * body.momentum_world().norm());
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
+    pub(crate) fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
         let attitude = attitude::checked(UnitQuaternion::new_unchecked(state.attitude))?;
         self.with(attitude, &product(&attitude::rotation_matrix(attitude.quaternion()), &state.momentum))
     }
@@ -201,5 +186,29 @@ impl Body {
             |v: Vector3<f64>| (v.map(|x| times_power_of_two(x, -exponent(v.amax()))), exponent(v.amax()));
         let ((omega, a), (momentum, b)) = (scaled(omega), scaled(momentum));
         times_power_of_two(0.5 * omega.dot(&momentum), a + b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_takes_its_own_state_up_to_the_largest_numbers() {
+        let turn = UnitQuaternion::from_euler_angles(0.4, -1.1, 2.0);
+        let inertia = Inertia::from_moments(1.0, 1.5, 2.0).unwrap();
+        for tensor in [inertia, inertia.turned(UnitQuaternion::from_euler_angles(1.0, 0.2, -0.5)).unwrap()] {
+            for momentum in [Vector3::new(f64::MAX, 0.0, 0.0), Vector3::new(1.0, 0.9, -1.1) * 1e308] {
+                for size in [1.0, 1.0 - 1e-11, 0.5] {
+                    let Ok(body) = Body::new(tensor, turn, &(momentum * size)) else { continue };
+                    let same = body.with_state(&body.state()).unwrap();
+                    let off = (same.momentum_world() * 0.25 - body.momentum_world() * 0.25).amax();
+                    assert!(off <= 1e-15 * f64::MAX, "{off:e}");
+                    assert!(body.omega_world().iter().chain(&body.omega_body()).all(|x| x.is_finite()));
+                }
+            }
+        }
+        let nearly = Body::new(inertia, turn, &Vector3::new(0.999 * f64::MAX, 0.0, 0.0));
+        assert!(nearly.is_ok(), "{nearly:?}");
     }
 }

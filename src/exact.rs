@@ -37,7 +37,7 @@ mod polhode;
 mod regime;
 mod sensitivity;
 
-pub use batch::{Batch, Spins};
+pub use batch::Batch;
 pub use flips::Flips;
 pub use period::time_between_flips;
 pub use polhode::Polhode;
@@ -46,7 +46,7 @@ pub use regime::Regime;
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
 use crate::error::{Error, Refusal, finite, finite_vector};
-use crate::inertia::{PrincipalMoments, product};
+use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
@@ -93,19 +93,6 @@ pub struct Instant {
     pub attitude: UnitQuaternion<f64>,
 }
 
-impl Instant {
-    /// Angular velocity in world axes, rad/s. Infinite where a component is beyond `f64`, as it can be within
-    /// a factor of two of the largest number.
-    #[must_use]
-    pub fn omega_world(&self) -> Vector3<f64> {
-        let turned = self.attitude * self.omega;
-        if turned.iter().all(|x| x.is_finite()) {
-            return turned;
-        }
-        product(&crate::attitude::rotation_matrix(self.attitude.quaternion()), &self.omega)
-    }
-}
-
 impl FreeMotion {
     /// From the principal moments and the spin (rad/s) along the same axes at time 0. The world
     /// is taken along the body's axes at that time: the attitude starts as the identity.
@@ -113,7 +100,7 @@ impl FreeMotion {
     /// # Errors
     /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
     /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a
-    /// push of less than 1e-570 of the spin) that the two cannot be told apart.
+    /// push of less than 1e-570 of the spin) that `f64` does not separate the two.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector("the spin", omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
@@ -164,15 +151,9 @@ impl FreeMotion {
     /// # Errors
     /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
     pub fn of(body: &Body) -> Result<Self, Error> {
-        let tensor = body.inertia().matrix();
         let omega = body.omega_body();
-        let diagonal = tensor[(0, 1)] == 0.0 && tensor[(0, 2)] == 0.0 && tensor[(1, 2)] == 0.0;
-        let (moments, frame) = if diagonal {
-            (PrincipalMoments::of_tensor(tensor.diagonal())?, UnitQuaternion::identity())
-        } else {
-            let principal = body.inertia().principal();
-            (principal.try_into()?, principal.rotation())
-        };
+        let (moments, frame) = body.inertia().along_principal_axes()?;
+        let frame = frame.unwrap_or_else(UnitQuaternion::identity);
         let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
         if frame != UnitQuaternion::identity() {
             motion.law.has_room_for(mount::ROOM_TO_TURN, motion.exponent)?;
@@ -211,6 +192,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite.
+    #[inline]
     pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
@@ -233,6 +215,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite.
+    #[inline]
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
@@ -242,7 +225,6 @@ impl FreeMotion {
     }
 
     /// The attitude of the principal axes, from where they are at the start.
-    #[inline(always)]
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
             _ if time == 0.0 => Quaternion::identity(),
@@ -297,12 +279,6 @@ impl FreeMotion {
         UnitQuaternion::new_unchecked(self.mount.as_ref().map_or(turned, |mount| mount.in_world(turned)))
     }
 
-    /// The principal moments, in the order in which they were given.
-    #[must_use]
-    pub fn moments(&self) -> PrincipalMoments {
-        self.moments
-    }
-
     /// What kind of motion it is, with its constants in SI units.
     #[must_use]
     pub fn regime(&self) -> Regime {
@@ -312,7 +288,7 @@ impl FreeMotion {
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
                 axis: top.axis(),
-                nutation: per_second(top.wobble_turns() * core::f64::consts::TAU),
+                nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
                 precession: per_second(top.precession()),
             },
             Law::Elliptic(motion) => motion.regime(per_second),

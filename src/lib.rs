@@ -47,6 +47,8 @@
 //! | to | use |
 //! |---|---|
 //! | get the free motion of a body at any instant, its flips, its period | [`exact::FreeMotion`] |
+//! | bound the angle between one of its axes and its momentum | [`FreeMotion::angles_to_momentum`](exact::FreeMotion::angles_to_momentum) |
+//! | find how far it turns about its momentum from flip to flip | [`FreeMotion::twist_of_half_period`](exact::FreeMotion::twist_of_half_period) |
 //! | propagate the covariance of its attitude and spin | [`FreeMotion::state_transition`](exact::FreeMotion::state_transition) |
 //! | step a body in a loop of your own, free or under torques | [`step::Stepper`]; [`step::Method`] says which method for what |
 //! | answer many free bodies at once | [`exact::Batch`] |

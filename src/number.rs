@@ -13,8 +13,9 @@ mod lane;
 pub(crate) mod power_of_two;
 
 pub use lane::Lane;
-pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two};
+pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two, splat};
 
+use core::any::Any;
 use core::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{Float, One, Zero};
@@ -31,7 +32,12 @@ pub trait Ring:
 {
     /// The integer `n` in this ring, by doubling and adding 1: exact wherever `n` has a place.
     #[must_use]
+    #[inline]
     fn integer(n: u32) -> Self {
+        // The compiler knows which type it is, and leaves one of the two ways.
+        if let Some(float) = (&f64::from(n) as &dyn Any).downcast_ref::<Self>() {
+            return float.clone();
+        }
         let mut sum = Self::zero();
         for bit in (0..u32::BITS - n.leading_zeros()).rev() {
             sum += sum.clone();
@@ -81,12 +87,6 @@ pub trait Analytic: Field {
     #[must_use]
     fn cos_sinc_of_root(&self) -> (Self, Self);
 
-    /// The integer `n`, as [`Ring::integer`] gives it, but at once where the type can.
-    #[must_use]
-    fn whole(n: u32) -> Self {
-        Self::integer(n)
-    }
-
     /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a
     /// power series anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
     #[must_use]
@@ -110,10 +110,6 @@ impl Analytic for f64 {
     }
     fn cos_sinc_of_root(&self) -> (Self, Self) {
         functions::cos_sinc_of_root(*self)
-    }
-    #[inline]
-    fn whole(n: u32) -> Self {
-        f64::from(n)
     }
     fn size(&self) -> f64 {
         self.abs()

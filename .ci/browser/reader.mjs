@@ -77,19 +77,23 @@ export async function codeFolds(page, base, fault) {
   await page.context().close();
 }
 
-/** A word of the book is found, and the find leads to its page. */
+/** What a reader would type is found, leads to its page, and shows no words that the page does not. */
 export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
-  await page.goto(base + "index.html");
-  await page.keyboard.press("/");
-  await page.locator("#mdbook-searchbar").pressSequentially("book"); // it listens to keys
-  const hits = page.locator("#mdbook-searchresults li a");
-  try {
-    await hits.first().waitFor({ timeout: 10000 });
-    await hits.first().click();
-    await page.waitForURL(/highlight=book/);
-  } catch {
-    fault(where, "the word `book` is not found, or what is found leads nowhere");
+  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/]]) {
+    await page.goto(base + "index.html");
+    await page.keyboard.press("/");
+    await page.locator("#mdbook-searchbar").pressSequentially(typed); // it listens to keys
+    const hits = page.locator("#mdbook-searchresults li a");
+    try {
+      await hits.first().waitFor({ timeout: 10000 });
+      const words = await page.textContent("#mdbook-searchresults");
+      if (/With JavaScript|A table of squares|Small plots, one for each/.test(words)) fault(where, `for \`${typed}\` it shows what no page shows`);
+      await hits.first().click();
+      await page.waitForURL(leads);
+    } catch {
+      fault(where, `\`${typed}\` is not found, or what is found leads to ${page.url()}`);
+    }
   }
   await page.context().close();
 }

@@ -45,6 +45,10 @@ mod three_pitfalls {}
 mod dzhanibekov {}
 
 #[cfg(doctest)]
+#[doc = include_str!("coin.md")]
+mod coin {}
+
+#[cfg(doctest)]
 #[doc = include_str!("exact-motion.md")]
 mod exact_motion {}
 
@@ -83,6 +87,10 @@ mod about {}
 #[cfg(doctest)]
 #[doc = include_str!("library.md")]
 mod library {}
+
+#[cfg(doctest)]
+#[doc = include_str!("records.md")]
+mod records {}
 
 #[cfg(doctest)]
 #[doc = include_str!("notation.md")]

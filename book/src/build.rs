@@ -1,6 +1,7 @@
 //! Building the pages.
 
-use crate::preprocess::Preprocess;
+use crate::preprocess::Holding;
+use crate::preprocess::held::Held;
 use crate::share::{self, Site};
 use crate::{docs, log, paths, say};
 use mdbook_driver::MDBook;
@@ -17,7 +18,7 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
     let start = Instant::now();
     let pages = build_into(None, site)?;
     if !docs::lay_beside(&paths::pages())? {
-        say!("Without the library's documentation: `cargo run --release` makes that too.");
+        say!("Without the library's documentation: `cargo run` makes that too.");
     }
     say!("Built {pages} pages in {:.1} s: {}", start.elapsed().as_secs_f64(), paths::pages().display());
     Ok(())
@@ -25,6 +26,7 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
 
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
 fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, String> {
+    let held = Held::default();
     let (built, complaints) = log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
         let mut book = MDBook::load(paths::book())?;
         if let Some(folder) = destination {
@@ -32,7 +34,7 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
         }
         // book.toml names our preprocessor as a command, for those who run mdBook itself. Here it
         // is at hand: ours of the same name takes the place of the command.
-        book.with_preprocessor(Preprocess);
+        book.with_preprocessor(Holding(held.clone()));
         book.build()?;
         Ok(book.build_dir_for("html"))
     });
@@ -42,6 +44,7 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
     }
     // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
     let _ = fs::remove_file(folder.join("lib.rs"));
+    held.put_back(&folder)?;
     share::tell(paths::book(), &folder, site)?;
     left_directives(&folder)
 }
@@ -81,6 +84,25 @@ mod tests {
 
         let page = fs::read_to_string(folder.path().join("two-arrows.html")).unwrap();
         assert!(page.contains("class=\"turning\"") && page.contains("rel=\"canonical\""));
+        assert!(
+            page.contains("<svg") && page.contains("id=\"live-two-arrows\""),
+            "what was held back is there"
+        );
+        let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+        for name in ["index.html", "body-and-world.html", "records.html", "print.html"] {
+            let page = read(name);
+            assert!(!page.contains("<!--held") && !page.contains("class=\"sought\""), "{name}");
+        }
+        assert!(read("index.html").contains("og:image"));
+        let files = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path());
+        let index =
+            files.filter(|file| file.to_string_lossy().contains("searchindex")).map(fs::read_to_string);
+        let index = index.map(Result::unwrap).collect::<String>();
+        assert!(index.contains("R I R^T") && !index.contains("With JavaScript"));
+        assert!(
+            !index.contains("Each grey curve is a method at ever finer steps. A bold"),
+            "a drawing's description"
+        );
         let map = fs::read_to_string(folder.path().join("sitemap.xml")).unwrap();
         assert_eq!(map.matches("<loc>").count(), chapters);
         assert!(map.contains("<loc>https://example.org/book/two-arrows.html</loc>"), "{map}");

@@ -13,19 +13,8 @@ const FOLDER: &str = "api";
 /// # Errors
 /// Cargo could not be run, or did not get through; it has said why.
 pub(crate) fn make() -> Result<(), String> {
-    // By the profile of this program, so that it waits for no build of the tests.
     let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args([
-            "doc",
-            "--release",
-            "--quiet",
-            "--no-deps",
-            "-p",
-            "tumbling",
-            "-p",
-            "tumbling-scenes",
-            "--manifest-path",
-        ])
+        .args(["doc", "--quiet", "--no-deps", "-p", "tumbling", "-p", "tumbling-scenes", "--manifest-path"])
         .arg(paths::repository().join("Cargo.toml"))
         .status()
         .map_err(|e| format!("cannot run cargo for the library's documentation: {e}"))?;

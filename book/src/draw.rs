@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
-use tumbling_figures::{Figure, agree, registry};
+use tumbling_figures::{Figure, registry};
 
 /// A figure as just drawn, or why it could not be, and how long that took.
 type Drawn<'a> = (&'a Figure, Result<String, String>, Duration);
@@ -52,7 +52,7 @@ pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
         Err(reason) => wrong.push(format!("  {}: {reason}", figure.name)),
         Ok(svg) => match fs::read_to_string(file_of(figure, folder)) {
             Err(_) => wrong.push(format!("  {}: the file is missing", figure.name)),
-            Ok(old) if !agree(&old, &svg) => {
+            Ok(old) if old != svg => {
                 wrong.push(format!("  {}: the file is not what would be drawn", figure.name));
             }
             Ok(_) => {}
@@ -67,7 +67,7 @@ pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     }
     wrong.sort();
     Err(format!(
-        "these figures are not up to date (`cargo run --release -- figures` draws them):\n{}",
+        "these figures are not up to date (`cargo run -- figures` draws them):\n{}",
         wrong.join("\n")
     ))
 }

@@ -163,7 +163,7 @@ fn next(all: &[Exercise], standings: &[Standing]) -> String {
     match next {
         None => "Nothing is left to do.".into(),
         Some((exercise, Standing::Gone)) => format!(
-            "Next: {}, whose file cannot be read; this brings it back:\n    cargo run --release -- exercises reset {}",
+            "Next: {}, whose file cannot be read; this brings it back:\n    cargo run -- exercises reset {}",
             exercise.name, exercise.name
         ),
         Some((exercise, _)) => {

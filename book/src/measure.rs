@@ -6,12 +6,10 @@ use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::process::Command;
 use std::time::Instant;
-use tempfile::TempDir;
 use tumbling_measure::campaign::{self, Campaign};
 use tumbling_measure::instructions::{self, Again};
 use tumbling_measure::measure::Effort;
-use tumbling_measure::record::Record;
-use tumbling_measure::{atlas as places, contestant, saving, savings, story};
+use tumbling_measure::{atlas as places, contestant, story};
 
 /// What to measure.
 #[derive(Debug, Args)]
@@ -54,9 +52,6 @@ enum What {
         #[arg(long)]
         quick: bool,
     },
-    /// A scene for valgrind to watch
-    #[command(hide = true)]
-    Scene { name: String, plans: u64, rounds: u64 },
     /// A short run for valgrind to watch
     #[command(hide = true)]
     Count { contestant: String, times: u64 },
@@ -67,7 +62,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     match (&arguments.what, &arguments.long) {
         (Some(What::Scenes { check, builds }), _) => scenes(*check, *builds),
         (Some(What::Scale { quick }), _) => scale(*quick),
-        (Some(What::Scene { name, plans, rounds }), _) => Ok(savings::child(name, *plans, *rounds)?),
         (Some(What::Count { contestant, times }), _) => {
             instructions::child(&contestant::ours(), &story::all()?, contestant, *times)?;
             Ok(())
@@ -83,6 +77,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
 fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
+    if cfg!(debug_assertions) {
+        return Err("times of a build for tests say nothing: `cargo run --release -- measure`".into());
+    }
     let folder = paths::repository().join("crates/measure").join(if quick { "quick" } else { "record" });
     let start = Instant::now();
     if peers {
@@ -91,7 +88,7 @@ fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
         if quick {
             cargo.arg("--quick");
         }
-        through(cargo)?;
+        through(cargo, "the program of the peers")?;
     } else {
         let contestants = contestant::ours();
         let effort = if quick { Effort::QUICK } else { Effort::FULL };
@@ -104,26 +101,26 @@ fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     say!("{}", folder.display());
     if !quick {
         say!(
-            "Draw its figures with `cargo run --release`. The book's own record: `git checkout crates/measure/record`."
+            "Draw its figures with `cargo run`. The book's own record: `git checkout crates/measure/record`."
         );
     }
     Ok(())
 }
 
+fn cargo() -> Command {
+    Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+}
+
 /// How the program of the peers is run.
 fn peers_program() -> Command {
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let mut cargo = cargo();
     let manifest = paths::repository().join("crates/measure/peers/Cargo.toml");
     cargo.args(["run", "--release", "--manifest-path"]).arg(manifest);
     cargo
 }
 
-fn through(mut cargo: Command) -> Result<(), Box<dyn Error>> {
-    if cargo.status()?.success() {
-        Ok(())
-    } else {
-        Err("the program of the peers did not get through".into())
-    }
+fn through(mut cargo: Command, what: &str) -> Result<(), Box<dyn Error>> {
+    if cargo.status()?.success() { Ok(()) } else { Err(format!("{what} failed").into()) }
 }
 
 /// Many bodies, beside Rapier: by a build for any machine, then by one for this machine.
@@ -147,8 +144,8 @@ fn scale(quick: bool) -> Result<(), Box<dyn Error>> {
         }
         cargo
     };
-    through(asked("default", false))?;
-    through(asked("native", true))?;
+    through(asked("default", false), "the program of the peers")?;
+    through(asked("native", true), "the program of the peers")?;
     say!("Measured in {:.0} s. The record is in", start.elapsed().as_secs_f64());
     say!("{}", folder.join("scale.csv").display());
     Ok(())
@@ -175,29 +172,11 @@ fn progress() -> impl FnMut(&str) {
     }
 }
 
-/// Counts what scenes cost; renews the record with that and with what each part brings to a build, or holds
-/// the record to it.
+/// Has the program that counts what scenes cost compiled for release, and run.
 fn scenes(check: bool, builds: bool) -> Result<(), Box<dyn Error>> {
-    let words = ["measure", "scene"].map(Into::into).to_vec();
-    let again = Again { program: std::env::current_exe()?.into(), words };
-    let mut rows = savings::executed(&again, &mut progress())?;
-    let old = saving::recorded()?;
-    if check {
-        let told = savings::differences(&old.rows, &rows);
-        if told.is_empty() {
-            say!("{} counts are those of the record.", rows.len());
-            return Ok(());
-        }
-        return Err(told.join("\n").into());
-    }
-    let folder = builds.then(TempDir::new).transpose()?;
-    let folder = folder.as_ref().map(TempDir::path);
-    rows.extend(savings::compiled(paths::repository(), folder, &mut progress())?);
-    let file = paths::repository().join("crates/measure/record/scenes.csv");
-    // The record as it is now, not as it was when this program was compiled.
-    let now = std::fs::read_to_string(&file).ok().and_then(|text| Record::read(&text).ok());
-    std::fs::write(&file, savings::renewed(now.unwrap_or(old), rows).write())
-        .map_err(|error| format!("{}: {error}", file.display()))?;
-    say!("The record is in {}", file.display());
-    Ok(())
+    let mut cargo = cargo();
+    cargo.args(["run", "--release", "--quiet", "-p", "tumbling-measure", "--example", "scene_costs"]);
+    cargo.current_dir(paths::repository()).arg("--");
+    cargo.args(check.then_some("--check")).args(builds.then_some("--builds"));
+    through(cargo, "the count of what scenes cost")
 }

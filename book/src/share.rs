@@ -84,11 +84,16 @@ fn with_head(html: &str, sentence: &str, address: &str, site: Option<&Site>) -> 
         "{sentence}\">\n        <meta property=\"og:type\" content=\"article\">\n        <meta property=\"og:title\" \
          content=\"{title}\">\n        <meta property=\"og:description\" content=\"{sentence}"
     );
-    if let Some(Site(root)) = site {
+    // Without an address the picture's is relative: enough for those who read the pages where they stand.
+    let root = site.map_or("", |Site(root)| root);
+    head.push_str(&format!(
+        "\">\n        <meta property=\"og:image\" content=\"{root}{PREVIEW}\">\n        <meta name=\"twitter:card\" \
+         content=\"summary_large_image"
+    ));
+    if site.is_some() {
         head.push_str(&format!(
             "\">\n        <link rel=\"canonical\" href=\"{root}{address}\">\n        <meta property=\"og:url\" \
-             content=\"{root}{address}\">\n        <meta property=\"og:image\" content=\"{root}{PREVIEW}\">\n        \
-             <meta name=\"twitter:card\" content=\"summary_large_image"
+             content=\"{root}{address}"
         ));
     }
     let html = html.replacen(&format!("<title>{written}</title>"), &format!("<title>{title}</title>"), 1);
@@ -115,7 +120,10 @@ mod tests {
             told.contains("og:title\" content=\"Axes - Tumbling\">") && !told.contains("The book."),
             "{told}"
         );
-        assert!(!told.contains("canonical"));
+        assert!(
+            told.contains("og:image\" content=\"preview.png\">") && !told.contains("canonical"),
+            "{told}"
+        );
         let first = with_head(&PAGE.replace("Axes", "Tumbling"), "A flip.", "", None).unwrap();
         assert!(
             first.contains("<title>Tumbling</title>") && first.contains("og:title\" content=\"Tumbling\">"),

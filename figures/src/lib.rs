@@ -38,30 +38,6 @@ impl Figure {
     }
 }
 
-/// Whether two drawings are the same but for where their specks lie.
-///
-/// Specks show errors of rounding. These are a machine's own, for they come from its sine and exponential
-/// too; how many there are, and all else to the byte, must be the same everywhere.
-///
-/// ```
-/// use tumbling_figures::agree;
-/// assert!(agree("<path d=\"M1 2h0M3 4h0\"/>", "<path d=\"M5 6h0M7 8h0\"/>"));
-/// assert!(!agree("<path d=\"M1 2h0M3 4h0\"/>", "<path d=\"M1 2h0\"/>"));
-/// assert!(!agree("<path d=\"M1 2l3 4\"/>", "<path d=\"M1 2l3 5\"/>"));
-/// ```
-#[must_use]
-pub fn agree(one: &str, other: &str) -> bool {
-    but_for_specks(one) == but_for_specks(other)
-}
-
-fn but_for_specks(svg: &str) -> String {
-    let pieces = svg.split(" d=\"M").map(|piece| match piece.split_once('"') {
-        Some((data, rest)) if data.ends_with("h0") => format!("{} specks{rest}", data.matches("h0").count()),
-        _ => piece.to_owned(),
-    });
-    pieces.collect::<Vec<_>>().join(" d=\"M")
-}
-
 /// Every figure, in the order of the book.
 #[must_use]
 pub fn registry() -> &'static [Figure] {

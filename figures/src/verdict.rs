@@ -52,12 +52,12 @@ pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> 
 /// What made the record, in a line.
 fn diagnosis(verdict: &Verdict) -> String {
     let Some(diagnosis) = &verdict.diagnosis else { return "no rule is told".into() };
-    format!("{}: {}", diagnosis.sure.words(), diagnosis.best.rule.name())
+    format!("{}: {}", diagnosis.confidence.words(), diagnosis.best.rule.name())
 }
 
 fn grade(verdict: &Verdict) -> String {
     let words = verdict.outcome.key();
-    let reason = match (verdict.misread.first(), verdict.resets.first(), verdict.complaints.last()) {
+    let reason = match (verdict.file_mistakes.first(), verdict.resets.first(), verdict.complaints.last()) {
         (Some(_), ..) => Some("the file is not what its names say".to_owned()),
         (_, Some(reset), _) => Some(format!("the motion starts anew at {:.3} s", reset.time)),
         (.., Some(complaint)) => Some(complaint.to_string()),
@@ -339,7 +339,7 @@ fn description(verdict: &Verdict) -> String {
             law.plain()
         );
     }
-    for misread in &verdict.misread {
+    for misread in &verdict.file_mistakes {
         let _ = write!(text, " The file: {}.", misread.words());
     }
     text

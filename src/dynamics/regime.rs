@@ -168,7 +168,7 @@ fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) 
     if difference.hi().abs() > 1e-15 * above.hi() {
         return difference;
     }
-    // So close that twice the precision may not tell it from the separatrix: without rounding.
+    // So close that twice the precision may not separate it from the separatrix: without rounding.
     let terms = |axis: usize, sign: f64| {
         let w = times_power_of_two(omega[axis], -scale);
         let gap = DoubleDouble::sum(i[axis], -i[middle]);

@@ -10,6 +10,7 @@ use super::{FreeMotion, Instant, Law};
 use crate::error::{Error, finite};
 use crate::number::Lane;
 use alloc::vec::Vec;
+use core::marker::PhantomData;
 use group::Group;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -20,9 +21,13 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// of a kind are filled with copies. A body on the separatrix itself, or whose spin is beyond 1e±180 rad/s,
 /// is answered alone.
 ///
+/// The answer `A` is spin and attitude as an [`Instant`], or the spin alone as a `Vector3<f64>` in body axes
+/// (rad/s): what attitudes need is then left out, from the memory and from the work.
+///
 /// A batch of some hundred bodies fits a processor's second cache; make several batches of more.
 ///
 /// ```
+/// use nalgebra::Vector3;
 /// use tumbling::{PrincipalMoments, exact::{Batch, FreeMotion}};
 /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
 /// let motions = [[0.0, 0.0, 5.0], [1.0, 2.0, 3.0], [0.0, 10.0, 0.001]]
@@ -31,41 +36,69 @@ use nalgebra::{UnitQuaternion, Vector3};
 ///     .collect::<Result<Vec<_>, _>>()?;
 /// // `f64` is one lane. A vector type that implements `number::Lane` answers several bodies at once, with
 /// // the same bits.
-/// let batch = Batch::<f64>::new(&motions);
+/// let (both, spins) = (Batch::<f64>::new(&motions), Batch::<f64, Vector3<f64>>::new(&motions));
 /// let times = [1.0, 1e6];
-/// batch.each(&times, |time, body, instant| {
+/// both.each(&times, |time, body, instant| {
 ///     assert_eq!(Ok(instant), motions[body].at(times[time]));
 /// })?;
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone)]
-pub struct Batch<T> {
-    kinds: Kinds<T>,
-}
-
-/// The spins alone of many bodies in free motion: what attitudes need is left out, from the memory and from
-/// the work.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::PrincipalMoments;
-/// use tumbling::exact::{Batch, FreeMotion, Spins};
-/// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(1.0, 2.0, 3.0))?;
-/// let (spins, both) = (Spins::<f64>::new(&[motion; 100]), Batch::<f64>::new(&[motion; 100]));
+/// spins.each(&times, |time, body, omega| assert_eq!(Ok(omega), motions[body].omega(times[time])))?;
 /// assert!(spins.bytes() < both.bytes());
-/// spins.each(&[0.5], |_, _, omega| assert_eq!(Ok(omega), motion.omega(0.5)))?;
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Spins<T> {
+pub struct Batch<T, A = Instant> {
     kinds: Kinds<T>,
+    answer: PhantomData<A>,
 }
 
-impl<T: Lane> Batch<T> {
+/// What a batch may answer.
+pub trait Answer {
+    /// Whether it has an attitude.
+    const ATTITUDE: bool;
+
+    /// From what a body does at an instant; the attitude is any where none is needed.
+    fn of(instant: Instant) -> Self;
+
+    /// That of one body alone.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    fn alone(motion: &FreeMotion, t: f64) -> Result<Self, Error>
+    where
+        Self: Sized;
+}
+
+impl Answer for Instant {
+    const ATTITUDE: bool = true;
+
+    #[inline(always)]
+    fn of(instant: Instant) -> Self {
+        instant
+    }
+
+    fn alone(motion: &FreeMotion, t: f64) -> Result<Self, Error> {
+        motion.at(t)
+    }
+}
+
+impl Answer for Vector3<f64> {
+    const ATTITUDE: bool = false;
+
+    #[inline(always)]
+    fn of(instant: Instant) -> Self {
+        instant.omega
+    }
+
+    fn alone(motion: &FreeMotion, t: f64) -> Result<Self, Error> {
+        motion.omega(t)
+    }
+}
+
+impl<T: Lane, A: Answer> Batch<T, A> {
     /// Prepares these motions; the index of a body is its place among them.
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
-        Self { kinds: Kinds::new(motions, true) }
+        Self { kinds: Kinds::new(motions, A::ATTITUDE), answer: PhantomData }
     }
 
     /// The memory it holds, bytes.
@@ -74,59 +107,23 @@ impl<T: Lane> Batch<T> {
         self.kinds.bytes()
     }
 
-    /// Spin and attitude of every body at each of `times`: `put` gets the index of the time, that of the
-    /// body, and the answer, in no particular order.
+    /// The answer for every body at each of `times`: `put` gets the index of the time, that of the body, and
+    /// the answer, in no particular order.
     ///
     /// # Errors
     /// A time that is not finite, before any answer is put.
-    pub fn each(&self, times: &[f64], mut put: impl FnMut(usize, usize, Instant)) -> Result<(), Error> {
+    pub fn each(&self, times: &[f64], mut put: impl FnMut(usize, usize, A)) -> Result<(), Error> {
         for &t in times {
             finite("the time", t)?;
         }
-        let first = |body| self.kinds.first(body);
-        self.kinds.direct.instants(times, &first, &mut put);
-        self.kinds.complementary.instants(times, &first, &mut put);
-        self.kinds.tops.instants(times, &first, &mut put);
-        self.kinds.steady.instants(times, &first, &mut put);
+        let first = |body| A::of(self.kinds.first(body));
+        self.kinds.direct.each(times, &first, &mut put);
+        self.kinds.complementary.each(times, &first, &mut put);
+        self.kinds.tops.each(times, &first, &mut put);
+        self.kinds.steady.each(times, &first, &mut put);
         for (body, motion) in &self.kinds.alone {
             for (k, &t) in times.iter().enumerate() {
-                put(k, *body, motion.at(t)?);
-            }
-        }
-        Ok(())
-    }
-}
-
-impl<T: Lane> Spins<T> {
-    /// Prepares these motions; the index of a body is its place among them.
-    #[must_use]
-    pub fn new(motions: &[FreeMotion]) -> Self {
-        Self { kinds: Kinds::new(motions, false) }
-    }
-
-    /// The memory it holds, bytes.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.kinds.bytes()
-    }
-
-    /// The spin of every body at each of `times`: `put` gets the index of the time, that of the body, and the
-    /// spin in body axes, rad/s, in no particular order.
-    ///
-    /// # Errors
-    /// A time that is not finite, before any answer is put.
-    pub fn each(&self, times: &[f64], mut put: impl FnMut(usize, usize, Vector3<f64>)) -> Result<(), Error> {
-        for &t in times {
-            finite("the time", t)?;
-        }
-        let first = |body| self.kinds.first(body).omega;
-        self.kinds.direct.spins(times, &first, &mut put);
-        self.kinds.complementary.spins(times, &first, &mut put);
-        self.kinds.tops.spins(times, &first, &mut put);
-        self.kinds.steady.spins(times, &first, &mut put);
-        for (body, motion) in &self.kinds.alone {
-            for (k, &t) in times.iter().enumerate() {
-                put(k, *body, motion.omega(t)?);
+                put(k, *body, A::alone(motion, t)?);
             }
         }
         Ok(())

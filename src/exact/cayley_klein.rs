@@ -16,7 +16,7 @@
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, exp_and_exp_m1, hypot, powi, sin_cos};
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 
 /// `a + b j`, not of length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +64,7 @@ impl<T: Lane> Pair<T> {
             times(conjugate(a0), self.b),
             times(b0, conjugate(self.a)),
         ];
-        let over = T::splat(1.0) / self.length();
+        let over = splat::<T>(1.0) / self.length();
         [
             (dot[0][0] + dot[1][0]) * over,
             (dot[0][1] + dot[1][1]) * over,
@@ -161,7 +161,7 @@ impl<T: Lane> DirectPair<T> {
 /// `b`, whose axes follow each other one way or the other.
 #[inline(always)]
 fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
-    let cyclic = T::splat(0.0).lt(sense);
+    let cyclic = splat::<T>(0.0).lt(sense);
     [T::select(cyclic, real, imaginary), T::select(cyclic, imaginary, -real)]
 }
 

@@ -6,7 +6,7 @@ use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
@@ -88,10 +88,10 @@ pub(crate) struct TopSpin<T = f64> {
     /// Along that axis and the next two, at the start.
     omega: [T; 3],
     /// Turns about it per unit of scaled time.
-    wobble: DoubleDouble<T>,
+    nutation: DoubleDouble<T>,
 }
 
-gather_fields!(TopSpin { axis, omega, wobble });
+gather_fields!(TopSpin { axis, omega, nutation });
 
 impl<T: Lane> Kernel<T> for TopSpin<T> {
     /// The turn about the momentum.
@@ -106,15 +106,15 @@ impl<T: Lane> Kernel<T> for TopSpin<T> {
 
     #[inline(always)]
     fn omega(&self, &time: &T) -> Vector3<T> {
-        let (sin, cos) = sin_cos_of_turns(self.wobble * time);
+        let (sin, cos) = sin_cos_of_turns(self.nutation * time);
         let [along, first, second] = self.omega;
         self.axis.arranged([along, first * cos - second * sin, second * cos + first * sin]).into()
     }
 
     #[inline(always)]
     fn turn(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Quaternion<T> {
-        let (sin, cos) = sin_cos_of_turns(self.wobble * (time * 0.5));
-        let zero = T::splat(0.0);
+        let (sin, cos) = sin_cos_of_turns(self.nutation * (time * 0.5));
+        let zero = splat::<T>(0.0);
         let [x, y, z] = self.axis.arranged([-sin, zero, zero]);
         unit(product(&about_momentum.at(time), &Quaternion::new(cos, x, y, z)))
     }
@@ -136,7 +136,7 @@ impl Precession {
     pub(crate) fn new(moments: &[f64; 3], axis: usize, scaled: &[f64; 3], omega: &Vector3<f64>) -> Self {
         let equal = moments[(axis + 1) % 3];
         let difference = DoubleDouble::from(moments[axis]) - DoubleDouble::from(equal);
-        let wobble = difference * scaled[axis] / DoubleDouble::from(equal) / (DoubleDouble::PI * 2.0);
+        let nutation = difference * scaled[axis] / DoubleDouble::from(equal) / (DoubleDouble::PI * 2.0);
         let momentum =
             [0, 1, 2].map(|k| DoubleDouble::product(moments[k], scaled[k]) / DoubleDouble::from(equal));
         let about_momentum = Turn::along(momentum);
@@ -146,7 +146,7 @@ impl Precession {
         let (length, along) = (about_momentum.rate(), w[axis].abs());
         let smooth = (twice_energy + length * along) / (length + moments[axis] / equal * along);
         let omega = [0, 1, 2].map(|k| omega[(axis + k) % 3]);
-        let spin = TopSpin { axis: FirstAxis::new(axis), omega, wobble };
+        let spin = TopSpin { axis: FirstAxis::new(axis), omega, nutation };
         Self { axis, spin, about_momentum, smooth }
     }
 
@@ -161,12 +161,12 @@ impl Precession {
     }
 
     /// Turns per unit of scaled time.
-    pub(crate) fn wobble_turns(&self) -> f64 {
-        self.spin.wobble.hi()
+    pub(crate) fn nutation_turns(&self) -> f64 {
+        self.spin.nutation.hi()
     }
 
-    pub(crate) fn wobble(&self) -> DoubleDouble {
-        self.spin.wobble
+    pub(crate) fn nutation(&self) -> DoubleDouble {
+        self.spin.nutation
     }
 
     /// `L / I` with the equal moments, radians per unit of scaled time.
@@ -176,7 +176,7 @@ impl Precession {
 
     /// Radians about the momentum in half a turn of the spin.
     pub(crate) fn twist_of_half_period(&self) -> f64 {
-        0.5 * self.smooth / self.wobble_turns().abs()
+        0.5 * self.smooth / self.nutation_turns().abs()
     }
 
     pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {

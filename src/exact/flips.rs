@@ -67,7 +67,7 @@ impl Clock {
             return Err(Refusal::Order {
                 smaller: "the number of flips from the start",
                 small: half_turns.abs(),
-                larger: "the greatest for which f64 tells one flip's time from the next",
+                larger: "the greatest for which the times of two flips differ in f64",
                 large: room,
             }
             .into());

@@ -1,17 +1,12 @@
 //! What can be read off a whole motion: its period, its angles to the momentum, how far it twists.
 
-use super::{FreeMotion, Law, Regime};
-use crate::dynamics::stability::{Stability, of_spin};
+use super::{FreeMotion, Law};
 use crate::error::{Error, Refusal};
-use crate::inertia::Axis;
 use crate::inertia::unit;
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::times_power_of_two;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
-
-/// The complementary modulus up to which a motion is said to pass the middle axis closely.
-const CLOSE: f64 = 0.1;
 
 impl Law {
     /// Refuses a motion whose greatest spin times `room` is beyond `f64`; scaled spins are times
@@ -47,53 +42,10 @@ impl FreeMotion {
     pub fn period(&self) -> Result<Option<f64>, Error> {
         let scaled = match &self.law {
             Law::AtRest | Law::Steady(_) => None,
-            Law::Symmetric(top) => Some(1.0 / top.wobble_turns().abs()),
+            Law::Symmetric(top) => Some(1.0 / top.nutation_turns().abs()),
             Law::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
         };
         scaled.map(|time| self.seconds("the period", time)).transpose()
-    }
-
-    /// The rate at which a small push off the middle axis grows, 1/s, where this motion has such growth: a
-    /// steady spin about that axis, the separatrix, and every motion that passes the axis so closely that its
-    /// complementary modulus `k'` is 0.1 or less. `None` for all others: a libration about a stable axis, or
-    /// a tumbling too wide to have an exponential stretch.
-    ///
-    /// The spin along the circled axis is least as the motion passes the middle axis, and from there to the
-    /// flip it grows by the factor `1/k'`, at first as `cosh(rate t)`. The rate is that of the motion, at
-    /// most `0.6 k'²` (relative) above the rate of the steady spin about the middle axis with the same
-    /// momentum: half a percent where `k'` is 0.1.
-    ///
-    /// ```
-    /// use nalgebra::Vector3;
-    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
-    /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-    /// let rate = |x: f64, y: f64, z: f64| FreeMotion::new(moments, &Vector3::new(x, y, z))?.growth_rate();
-    /// // 10 rad/s about the middle axis: 10/sqrt(3).
-    /// assert!((rate(0.0, 10.0, 0.0)?.unwrap() - 5.7735).abs() < 1e-4);
-    /// assert!((rate(0.0, 10.0, 0.001)?.unwrap() - 5.7735).abs() < 1e-4);
-    /// // The same push on a stable spin does not grow.
-    /// assert_eq!(rate(0.0, 0.001, 10.0)?, None);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A rate beyond `f64`.
-    pub fn growth_rate(&self) -> Result<Option<f64>, Error> {
-        match self.regime() {
-            Regime::Separatrix { rate } => Ok(Some(rate)),
-            Regime::Elliptic { rate, complement, .. } => Ok((complement <= CLOSE).then_some(rate)),
-            Regime::Steady { speed } => {
-                let order = self.moments.order();
-                if self.start[order[0]] != 0.0 || self.start[order[2]] != 0.0 {
-                    return Ok(None);
-                }
-                Ok(match of_spin(self.moments, Axis::Middle, speed)? {
-                    Stability::Growth { rate } => Some(rate),
-                    Stability::Libration { .. } | Stability::Neutral => None,
-                })
-            }
-            Regime::AtRest | Regime::SymmetricTop { .. } => Ok(None),
-        }
     }
 
     /// The least and greatest angle, radians, between principal axis number `axis` (from 0, in the order of

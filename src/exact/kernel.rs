@@ -1,6 +1,6 @@
 //! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one.
 
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 use nalgebra::{Quaternion, Vector3};
 
 /// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart,
@@ -40,7 +40,7 @@ impl<T: Lane> FirstAxis<T> {
     /// Components given from the first axis on, in the order of the body.
     #[inline(always)]
     pub(super) fn arranged(&self, [first, second, third]: [T; 3]) -> [T; 3] {
-        let (is_x, is_z) = (self.index.lt(T::splat(0.5)), T::splat(1.5).lt(self.index));
+        let (is_x, is_z) = (self.index.lt(splat::<T>(0.5)), splat::<T>(1.5).lt(self.index));
         if T::WIDTH == 1 {
             // One branch is less than six selections.
             return match (T::any(is_x), T::any(is_z)) {

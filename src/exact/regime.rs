@@ -50,7 +50,10 @@ pub enum Regime {
         modulus: f64,
         /// The complement `k' = sqrt(1 - k²)`, with all its digits: 0 would be the separatrix.
         complement: f64,
-        /// How fast Jacobi's argument runs, 1/s: a flip comes each time it has moved by `2 K`.
+        /// How fast Jacobi's argument runs, 1/s: a flip comes each time it has moved by `2 K`. Where `k'` is
+        /// at most 0.1, a push off the middle axis grows as `cosh(rate t)` at first, by the factor `1/k'` up
+        /// to the flip; the rate is at most `0.6 k'²` (relative) above that of a small push on a steady spin
+        /// about that axis with the same momentum.
         rate: f64,
     },
     /// Three different moments, exactly between the two: the spin leaves the middle axis, flips once, and
@@ -61,7 +64,7 @@ pub enum Regime {
     },
 }
 
-/// As `circulating about the axis of the largest moment, modulus 0.5`; a precision goes to each number.
+/// As `elliptic motion about the axis of the largest moment, modulus 0.5`; a precision goes to each number.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -82,7 +85,7 @@ impl fmt::Display for Regime {
                 write!(f, "symmetric top, nutation {nutation} rad/s, precession {precession} rad/s")
             }
             Self::Elliptic { about, modulus, .. } => {
-                write!(f, "circulating about the axis of the {about} moment, modulus {}", number(modulus))
+                write!(f, "elliptic motion about the axis of the {about} moment, modulus {}", number(modulus))
             }
             Self::Separatrix { rate } => write!(f, "separatrix, rate {} 1/s", number(rate)),
         }

@@ -94,16 +94,16 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite, derivatives beyond `f64`, or the separatrix where its spin has been at rest
-    /// on the middle axis for so long (700 times the inverse of its rate) that `f64` does not tell it from
-    /// rest.
+    /// on the middle axis for so long (700 times the inverse of its rate) that in `f64` it does not
+    /// move.
     pub fn state_transition(&self, t: f64) -> Result<Matrix6<f64>, Error> {
         let transition = self.transition_in_body(&self.derivatives(t, false)?);
         all_finite(&transition).map(|()| transition)
     }
 
-    /// The derivatives of attitude (rad, as in [`state_transition`](Self::state_transition)) and spin (rad/s)
-    /// at time `t` by the tensor's entries (kg m²) `Ixx`, `Iyy`, `Izz`, `Ixy`, `Ixz`, `Iyz` in body axes, at
-    /// fixed attitude and spin at the start.
+    /// The [`state_transition`](Self::state_transition) to time `t`, and the derivatives of attitude (rad, as
+    /// there) and spin (rad/s) at that time by the tensor's entries (kg m²) `Ixx`, `Iyy`, `Izz`, `Ixy`,
+    /// `Ixz`, `Iyz` in body axes, at fixed attitude and spin at the start.
     ///
     /// `Ixy` is the entry of the tensor's matrix and its mirror together; it turns the principal axes, and
     /// where two moments agree the derivatives are the limit, since the motion is smooth in the tensor.
@@ -116,21 +116,11 @@ impl FreeMotion {
     /// // A heavier body moves in the same way: along the tensor itself nothing changes.
     /// let moments = PrincipalMoments::new(0.05, 0.03, 0.07)?;
     /// let motion = FreeMotion::new(moments, &Vector3::new(0.1, -0.2, 0.3))?;
-    /// let by_tensor = motion.tensor_sensitivity(20.0)?;
+    /// let (_, by_tensor) = motion.sensitivities(20.0)?;
     /// let change = by_tensor * Vector6::new(0.05, 0.03, 0.07, 0.0, 0.0, 0.0);
     /// assert!(change.norm() < 1e-14 * by_tensor.norm());
     /// # Ok::<(), tumbling::Error>(())
     /// ```
-    ///
-    /// # Errors
-    /// As [`state_transition`](Self::state_transition).
-    pub fn tensor_sensitivity(&self, t: f64) -> Result<Matrix6<f64>, Error> {
-        let sensitivity = self.by_tensor_in_body(&self.derivatives(t, true)?);
-        all_finite(&sensitivity).map(|()| sensitivity)
-    }
-
-    /// Both [`state_transition`](Self::state_transition) and [`tensor_sensitivity`](Self::tensor_sensitivity)
-    /// at time `t`, which share most of their work.
     ///
     /// # Errors
     /// As [`state_transition`](Self::state_transition).
@@ -215,7 +205,7 @@ impl FreeMotion {
                     }
                 }
             }
-            Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.wobble(), time),
+            Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.nutation(), time),
             Law::Elliptic(motion) => {
                 let thin = Vector3::from(*moments).min() < NEEDLE * Vector3::from(*moments).max();
                 if motion.half_periods(time).argument.abs() <= if thin { SHORT } else { NEAR_RETURN } {
@@ -307,7 +297,7 @@ impl Derivatives {
 }
 
 /// The coefficients of a tensor's entries along its principal axes, in the order of [`ByTensor`], in terms of
-/// its entries in body axes, in the order of [`FreeMotion::tensor_sensitivity`].
+/// its entries in body axes, in the order of [`FreeMotion::sensitivities`].
 fn along_principal_axes(frame: &Matrix3<f64>) -> Matrix6<f64> {
     Matrix6::from_fn(|row, column| {
         let (a, b) = if row < 3 { (row, row) } else { ((row + 1) % 3, (row + 2) % 3) };

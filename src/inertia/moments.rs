@@ -108,7 +108,11 @@ impl PrincipalMoments {
 /// Indices of the components, smallest first; of equal ones, the earlier first.
 pub(crate) fn ascending(v: &Vector3<f64>) -> [usize; 3] {
     let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| v[i].total_cmp(&v[j]));
+    for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+        if v[order[j]].total_cmp(&v[order[i]]).is_lt() {
+            order.swap(i, j);
+        }
+    }
     order
 }
 

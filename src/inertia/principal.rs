@@ -1,6 +1,6 @@
 //! Principal axes: the three perpendicular directions about which a body spins cleanly.
 
-use super::{PrincipalMoments, ascending};
+use super::{Inertia, PrincipalMoments, ascending, is_diagonal};
 use crate::error::Error;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
@@ -104,6 +104,23 @@ impl PrincipalAxes {
             frame: canonical_frame(&moments, &axes),
             moments: moments.map(|x| times_power_of_two(x, scale)),
         }
+    }
+}
+
+impl Inertia {
+    /// The moments along the body's axes where these are principal, otherwise along the principal axes, with
+    /// the turn from those to the body's axes.
+    ///
+    /// # Errors
+    /// A smallest moment that is not positive, such as that of an ideal rod.
+    pub(crate) fn along_principal_axes(
+        &self,
+    ) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), Error> {
+        if is_diagonal(&self.tensor) {
+            return Ok((PrincipalMoments::of_tensor(self.tensor.diagonal())?, None));
+        }
+        let principal = self.principal();
+        Ok((principal.try_into()?, Some(principal.rotation())))
     }
 }
 

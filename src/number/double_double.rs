@@ -5,7 +5,7 @@
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
 use crate::number::power_of_two::times_power_of_two;
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
@@ -108,8 +108,8 @@ impl<T: Lane> DoubleDouble<T> {
         let left = (self.hi - whole) + self.lo;
         // The low part can carry it just past the half.
         let more = left.round_ties_even();
-        let finite = left.abs().lt(T::splat(f64::INFINITY));
-        (T::select(finite, whole + more, T::splat(0.0)), T::select(finite, left - more, T::splat(0.0)))
+        let finite = left.abs().lt(splat::<T>(f64::INFINITY));
+        (T::select(finite, whole + more, splat::<T>(0.0)), T::select(finite, left - more, splat::<T>(0.0)))
     }
 }
 

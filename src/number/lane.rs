@@ -41,7 +41,7 @@ pub trait Lane:
     /// Yes or no in each lane.
     type Mask: Copy + Debug;
 
-    /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers so many bodies at once.
+    /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers this number of bodies at once.
     const WIDTH: usize;
 
     /// The number that `of` gives for each lane.
@@ -85,12 +85,12 @@ pub trait Lane:
     /// left off.
     #[must_use]
     fn two_product_error(self, other: Self, product: Self) -> Self;
+}
 
-    /// The same number in every lane.
-    #[must_use]
-    fn splat(x: f64) -> Self {
-        Self::from_lanes(|_| x)
-    }
+/// The same number in every lane.
+#[inline(always)]
+pub(crate) fn splat<T: Lane>(x: f64) -> T {
+    T::from_lanes(|_| x)
 }
 
 impl Lane for f64 {

@@ -3,21 +3,21 @@
 use super::methods::dormand_prince::Stages;
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, finite, positive};
+use crate::number::Analytic;
 use crate::number::functions::fifth_root;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
 use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
-
-/// Below this tolerance a step's error is rounding, and no step meets it.
-pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+use num_traits::FromPrimitive;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
 ///
 /// The first step follows from how fast the body turns; each of the others from the error of the one before.
-/// The tolerance is of a step, not of the run: errors add up.
+/// The tolerance is of a step, not of the run: errors add up. A body of any tensor goes by
+/// [`Stepper::adaptive`](crate::step::Stepper::adaptive).
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -37,27 +37,18 @@ pub const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 /// fails.
 ///
 /// # Errors
-/// A duration that is not finite, a tolerance below [`LEAST_TOLERANCE`], a motion that leaves `f64`, an error
-/// that stays too large however short the step; one of kind [`TooMany`](crate::ErrorKind::TooMany) after
-/// `budget` steps, or as soon as stiff losses would need more.
-pub fn adaptive(
-    system: &System<f64>,
-    start: &State<f64>,
+/// A duration that is not finite, a tolerance below four roundings of `T`, a
+/// motion that leaves what `T` holds, an error that stays too large however short the step; one of kind
+/// [`TooMany`](crate::ErrorKind::TooMany) after `budget` steps, or as soon as stiff losses would need more.
+pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
+    system: &System<T>,
+    start: &State<T>,
     duration: f64,
     tolerance: f64,
     budget: &mut usize,
-) -> Result<State<f64>, Error> {
+) -> Result<State<T>, Error> {
     finite("the duration", duration)?;
-    positive("the tolerance", tolerance)?;
-    if tolerance < LEAST_TOLERANCE {
-        return Err(Refusal::Order {
-            smaller: "rounding in a step",
-            small: LEAST_TOLERANCE,
-            larger: "the tolerance",
-            large: tolerance,
-        }
-        .into());
-    }
+    check_tolerance::<T>(tolerance)?;
     (*start).checked()?;
     let mut run = Run::new(system, start, duration, tolerance)?;
     while run.time != duration {
@@ -73,6 +64,17 @@ pub fn adaptive(
     run.state.checked()
 }
 
+/// That the tolerance of a step is above rounding.
+pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> {
+    positive("the tolerance", tolerance)?;
+    let least = 4.0 * T::rounding();
+    if tolerance >= least {
+        return Ok(());
+    }
+    let (smaller, larger) = ("rounding in a step", "the tolerance");
+    Err(Refusal::Order { smaller, small: least, larger, large: tolerance }.into())
+}
+
 /// A step of more than this many decay times is held back by stability, not by its error: the bound of
 /// [HW96](crate::references), IV.2, for this pair.
 const STIFF: f64 = 3.25;
@@ -81,15 +83,15 @@ const STIFF: f64 = 3.25;
 const STIFF_STEPS: u32 = 15;
 
 /// A run on its way.
-struct Run<'a> {
-    system: &'a System<f64>,
+struct Run<'a, T: Analytic> {
+    system: &'a System<T>,
     duration: f64,
     tolerance: f64,
     /// Seconds since the start.
     time: f64,
-    state: State<f64>,
+    state: State<T>,
     /// The rates at `state`.
-    slope: Rate<f64>,
+    slope: Rate<T>,
     /// The next step, s.
     h: f64,
     steps: usize,
@@ -100,14 +102,9 @@ struct Run<'a> {
     mild: u32,
 }
 
-impl<'a> Run<'a> {
-    fn new(
-        system: &'a System<f64>,
-        start: &State<f64>,
-        duration: f64,
-        tolerance: f64,
-    ) -> Result<Self, Error> {
-        check_square_underflow(&system.omega(&start.momentum), &duration)?;
+impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
+    fn new(system: &'a System<T>, start: &State<T>, duration: f64, tolerance: f64) -> Result<Self, Error> {
+        check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
         let slope = system.rate(start);
         let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
         if !size.is_finite() {
@@ -118,12 +115,16 @@ impl<'a> Run<'a> {
         let torque = largest(system.torque(start).as_slice());
         let turning =
             over(largest(slope.attitude.coords.as_slice()), largest(start.attitude.coords.as_slice()));
-        let pace = (2.0 * turning).max((torque * system.inverse().max()).sqrt());
+        let pace = (2.0 * turning).max((torque * largest(system.inverse().as_slice())).sqrt());
         let guess = fifth_root(tolerance) / pace;
         let h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
-        let state = *start;
+        let (state, time) = (*start, 0.0);
         let (steps, rejected, stiff, mild) = (0, 0, 0, 0);
-        Ok(Self { system, duration, tolerance, time: 0.0, state, slope, h, steps, rejected, stiff, mild })
+        Ok(Self { system, duration, tolerance, time, state, slope, h, steps, rejected, stiff, mild })
+    }
+
+    fn number(x: f64) -> T {
+        T::from_f64(x).unwrap_or_else(T::zero)
     }
 
     /// One step tried, and taken if its error is below the tolerance.
@@ -138,9 +139,10 @@ impl<'a> Run<'a> {
             }
             .into());
         }
-        let stages = Stages::new(self.system, &self.state, self.slope, &self.time, &h);
-        let end_slope = self.system.rate_after(&stages.end, &(self.time + h));
-        let error = self.error(&stages.error(&end_slope, &h), &h) / self.tolerance;
+        let (step, end_time) = (Self::number(h), Self::number(self.time + h));
+        let stages = Stages::new(self.system, &self.state, self.slope, &Self::number(self.time), &step);
+        let end_slope = self.system.rate_after(&stages.end, &end_time);
+        let error = self.error(&stages.error(&end_slope, &step), h) / self.tolerance;
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() { f64::INFINITY } else { error };
         // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
@@ -158,7 +160,7 @@ impl<'a> Run<'a> {
     }
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
-    fn error(&self, off: &State<f64>, h: &f64) -> f64 {
+    fn error(&self, off: &State<T>, h: f64) -> f64 {
         // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will
         // do.
         let gained = largest(self.slope.momentum.as_slice()) * h.abs();
@@ -173,8 +175,8 @@ impl<'a> Run<'a> {
 
     /// Counts steps that are long relative to the fastest decay: of two states near the end of the step, how
     /// much faster the rates differ than the states.
-    fn watch(&mut self, stages: &Stages<f64>, end_slope: &Rate<f64>, h: f64) {
-        let apart = |a: &Vector3<f64>, b: &Vector3<f64>| largest((a - b).as_slice());
+    fn watch(&mut self, stages: &Stages<T>, end_slope: &Rate<T>, h: f64) {
+        let apart = |a: &Vector3<T>, b: &Vector3<T>| largest((a - b).as_slice());
         let [.., near_slope] = &stages.slopes;
         let decay = h.abs()
             * over(
@@ -206,8 +208,8 @@ impl<'a> Run<'a> {
 
 /// The size of the largest number, without a square, which would leave the range before the number does; NaN
 /// if one is.
-fn largest(parts: &[f64]) -> f64 {
-    parts.iter().fold(0.0, |most: f64, x| if x.abs() > most || x.is_nan() { x.abs() } else { most })
+fn largest<T: Analytic>(parts: &[T]) -> f64 {
+    parts.iter().map(Analytic::size).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
 }
 
 /// A share, of which zero is zero of anything.
@@ -232,7 +234,8 @@ mod tests {
         let (sine, cosine) = 5e-4_f64.sin_cos();
         let from = State { attitude: Quaternion::new(cosine, 0.0, 0.0, sine), momentum: Vector3::zeros() };
         let energy = |state: &State<f64>| {
-            system.energy(state) + pull * crate::attitude::rotation_matrix(&state.attitude)[(0, 0)]
+            crate::dynamics::observe::energy(&system.omega(&state.momentum), &state.momentum)
+                + pull * crate::attitude::rotation_matrix(&state.attitude)[(0, 0)]
         };
         let mut run = Run::new(&system, &from, 40.0, 1e-9).unwrap();
         while run.time != 40.0 {

@@ -7,7 +7,6 @@ use super::methods::{
 use crate::body::State;
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
-use crate::step::info::MethodInfo;
 use crate::step::system::System;
 use core::fmt;
 use nalgebra::Vector3;
@@ -24,9 +23,9 @@ use nalgebra::Vector3;
 /// [`adaptive`](fn@crate::step::adaptive). Free motion needs no steps: see [`exact`](crate::exact). The rules
 /// of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be compared with.
 ///
-/// [Order](MethodInfo::order) and conserved quantities are those of free motion. Under a torque, the methods
-/// that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting, symmetric
-/// top, Moser-Veselov) are of order 2.
+/// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,
+/// the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting,
+/// symmetric top, Moser-Veselov) are of order 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Method {
@@ -132,39 +131,6 @@ impl Method {
         Self::TurnedRungeKutta4,
     ];
 
-    /// Its name, order and conserved quantities.
-    #[must_use]
-    pub const fn info(self) -> &'static MethodInfo {
-        match self {
-            Self::ExplicitEuler => &explicit::EULER,
-            Self::RungeKutta4 => &rk4::INFO,
-            Self::DormandPrince5 => &dormand_prince::INFO,
-            Self::MuntheKaas4 => &lie::INFO,
-            Self::Buss => &buss::INFO,
-            Self::Spiral => &spiral::INFO,
-            Self::ImplicitMidpoint => &gauss::MIDPOINT,
-            Self::Gauss4 => &gauss::GAUSS_4,
-            Self::Gauss6 => &gauss::GAUSS_6,
-            Self::RotationSplitting2 => &splitting::ORDER_2,
-            Self::RotationSplitting4 => &splitting::ORDER_4,
-            Self::RotationSplitting6 => &splitting::ORDER_6,
-            Self::SymmetricTop => &symmetric_top::INFO,
-            Self::MoserVeselov2 => &moser_veselov::ORDER_2,
-            Self::MoserVeselov4 => &moser_veselov::ORDER_4,
-            Self::MoserVeselov6 => &moser_veselov::ORDER_6,
-            Self::MoserVeselov8 => &moser_veselov::ORDER_8,
-            Self::MoserVeselov10 => &moser_veselov::ORDER_10,
-            Self::ConstantSpin => &simple::CONSTANT_SPIN,
-            Self::SemiImplicitEuler => &simple::SEMI_IMPLICIT,
-            Self::Rescaled => &simple::RESCALED,
-            Self::RescaledLinearAttitude => &simple::RESCALED_STRAIGHT,
-            Self::ImplicitOneNewton => &newton::ONE_NEWTON,
-            Self::LinearisedImplicit => &newton::LINEARISED,
-            Self::MeanSpinRungeKutta4 => &runge_kutta::MEAN_SPIN,
-            Self::TurnedRungeKutta4 => &runge_kutta::CORRECTED,
-        }
-    }
-
     /// One step of `h` seconds: back in time if negative, the start again, to rounding, if zero.
     ///
     /// The attitude should be of length 1, which is not checked: a torque that depends on the attitude grows
@@ -188,7 +154,7 @@ impl Method {
     /// # Errors
     /// A step so long that an implicit method does not find its end or might find another, or that the motion
     /// leaves what the number type holds. A step of which the method makes nonsense that is finite is no
-    /// error: see [`MethodInfo`].
+    /// error: see [`MethodInfo`](crate::step::MethodInfo).
     pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
         let h = &h;
         check_square_underflow(&system.omega(&start.momentum), h)?;
@@ -224,7 +190,7 @@ impl Method {
     }
 }
 
-/// Its [name](MethodInfo::name).
+/// Its [name](crate::step::MethodInfo::name).
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.info().name)

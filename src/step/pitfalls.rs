@@ -173,7 +173,7 @@ impl Engine {
         let mut motion = Carried { attitude: body.attitude().into_inner(), vector: carried };
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();
-        // Asked for at once, so that a run too long for the memory is refused before it begins.
+        // Reserved at once, so that a run too long for the memory is refused before it begins.
         bodies.try_reserve_exact(length).map_err(|_| Refusal::TooMany { what: "steps", count })?;
         for step in 0..=count {
             if step > 0 {

@@ -1,5 +1,6 @@
 //! A body of any tensor, stepped in its own axes.
 
+use super::adaptive::{adaptive, check_tolerance};
 use super::fixed_rate::fixed_rate;
 use crate::attitude;
 use crate::body::{Body, State};
@@ -12,12 +13,12 @@ use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 
-/// Steps a body through time, by one method and under any torques.
+/// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
 ///
 /// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
 /// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
-/// forth, so that a reversible method stays reversible. In `f32` the body is converted once and all steps are
-/// taken in `f32`.
+/// forth, so that a reversible method stays reversible. No step allocates. In `f32` the body is converted
+/// once and all steps are taken in `f32`.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -49,10 +50,11 @@ pub struct Stepper<T: nalgebra::Scalar = f64> {
     time: f64,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Rule {
     Method(Method),
     FixedRate,
+    Adaptive { tolerance: f64, budget: usize },
 }
 
 impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
@@ -72,26 +74,37 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Self::by(body, Rule::FixedRate)
     }
 
+    /// A free body, each step of which is made of as many as keep the error of each below `tolerance`, as
+    /// [`adaptive`](fn@adaptive) chooses them, and of at most `budget`.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+    /// use tumbling::step::Stepper;
+    /// use tumbling::{Body, Inertia, exact::FreeMotion};
+    /// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
+    /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
+    /// let mut stepper = Stepper::<f64>::adaptive(&handle, 1e-12, 10_000)?;
+    /// stepper.step(2.0)?;
+    /// assert!((stepper.omega() - FreeMotion::of(&handle)?.omega(2.0)?).norm() < 1e-9);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), or a tolerance below four roundings of `T`.
+    pub fn adaptive(body: &Body, tolerance: f64, budget: usize) -> Result<Self, Error> {
+        check_tolerance::<T>(tolerance)?;
+        Self::by(body, Rule::Adaptive { tolerance, budget })
+    }
+
     fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
-        let tensor = body.inertia().matrix();
-        let (moments, frame) = if tensor == nalgebra::Matrix3::from_diagonal(&tensor.diagonal()) {
-            (tensor.diagonal(), None)
-        } else {
-            let principal = body.inertia().principal();
-            (principal.moments(), Some(principal.rotation()))
-        };
-        // Checks the moments; those of a tensor are possible to its own rounding, which is more than that of
-        // three numbers.
-        for &moment in &moments {
-            crate::error::positive("a principal moment", moment)?;
-        }
+        let (moments, frame) = body.inertia().along_principal_axes()?;
         let start = body.state();
         let turned = |frame: UnitQuaternion<f64>| State {
             attitude: start.attitude * frame.into_inner(),
             momentum: frame.inverse() * start.momentum,
         };
         let start = frame.map_or(start, turned);
-        let moments = cast_exactly("a principal moment", &moments)?;
+        let moments = cast_exactly("a principal moment", &moments.vector())?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
         if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
             return Err(Refusal::OutOfRange { what: "an inverse moment", value }.into());
@@ -128,8 +141,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// that fails leaves the body where it was.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`fixed_rate`]; a torque, such as that of a [`Torque::Function`], that is not
-    /// finite at the start or the end; a spin or a time beyond its numbers.
+    /// As [`Method::step`], [`fixed_rate`] or [`adaptive`](fn@adaptive); a torque, such as that of a
+    /// [`Torque::Function`], that is not finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         let after = self.time + finite("the step", number(h))?;
         if !after.is_finite() {
@@ -138,6 +151,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
             Rule::FixedRate => fixed_rate(&self.system, &self.state, h),
+            Rule::Adaptive { tolerance, mut budget } => {
+                adaptive(&self.system, &self.state, number(h), tolerance, &mut budget)
+            }
         }
         .map_err(|error| self.torque_not_finite(after).unwrap_or(error))?;
         let start = core::mem::replace(&mut self.state, end);
@@ -272,12 +288,6 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     #[must_use]
     pub fn omega(&self) -> Vector3<T> {
         self.in_body(self.system.omega(&self.state.momentum))
-    }
-
-    /// The sum of the torques on the body as it is now, along its own axes, N m.
-    #[must_use]
-    pub fn torque(&self) -> Vector3<T> {
-        self.in_body(self.system.torque(&self.state))
     }
 
     /// A vector along the body's axes, from one along the principal axes.

@@ -130,7 +130,7 @@ impl<T: Analytic> System<T> {
         let then = self.time.clone() + time.clone();
         self.torques
             .iter()
-            .fold(none, |sum, torque| sum + torque.at(then.clone(), &rotation, &motion.momentum, &omega))
+            .fold(none, |sum, torque| sum + torque.at(&then, &rotation, &motion.momentum, &omega))
     }
 
     /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
@@ -204,7 +204,7 @@ impl<T: Analytic> System<T> {
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            torque.kick(&self.inverse, time.clone(), &rotation, &momentum, h.clone())
+            torque.kick(&self.inverse, time, &rotation, &momentum, h.clone())
         });
         State { attitude: motion.attitude.clone(), momentum }
     }

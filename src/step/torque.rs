@@ -113,7 +113,7 @@ impl<T: Field> Torque<T> {
     /// world), with the momentum and spin in body axes.
     pub(crate) fn at(
         &self,
-        time: T,
+        time: &T,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
         omega: &Vector3<T>,
@@ -126,7 +126,7 @@ impl<T: Field> Torque<T> {
             Self::Dissipation(strength) => {
                 momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
             }
-            Self::Function(TorqueFunction(law)) => law(time, rotation, omega),
+            Self::Function(TorqueFunction(law)) => law(time.clone(), rotation, omega),
         }
     }
 }
@@ -138,7 +138,7 @@ impl<T: Analytic> Torque<T> {
     pub(crate) fn kick(
         &self,
         inverse: &Vector3<T>,
-        time: T,
+        time: &T,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
         h: T,
@@ -148,18 +148,31 @@ impl<T: Analytic> Torque<T> {
                 // None of the three looks at the spin.
                 momentum + self.at(time, rotation, momentum, momentum).map(|x| x * h.clone())
             }
-            Self::Function(TorqueFunction(law)) => {
-                let push = |momentum: &Vector3<T>, h: T| {
-                    law(time.clone(), rotation, &momentum.component_mul(inverse)).map(|x| x * h.clone())
-                };
-                let halfway = momentum + push(momentum, h.clone() / T::integer(2));
-                momentum + push(&halfway, h)
-            }
+            Self::Function(law) => law.kick(inverse, time, rotation, momentum, h),
             Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
                 momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
             }),
             Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h)),
         }
+    }
+}
+
+impl<T: Analytic> TorqueFunction<T> {
+    // Not inlined: most torques are others, and their way is the shorter for it.
+    #[inline(never)]
+    fn kick(
+        &self,
+        inverse: &Vector3<T>,
+        time: &T,
+        rotation: &Matrix3<T>,
+        momentum: &Vector3<T>,
+        h: T,
+    ) -> Vector3<T> {
+        let push = |momentum: &Vector3<T>, h: T| {
+            (self.0)(time.clone(), rotation, &momentum.component_mul(inverse)).map(|x| x * h.clone())
+        };
+        let halfway = momentum + push(momentum, h.clone() / T::integer(2));
+        momentum + push(&halfway, h)
     }
 }
 
@@ -175,8 +188,8 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
     let square = part.dot(&part);
     let decay = |i: usize| {
         // In this order: nothing times anything finite is nothing.
-        let beside = (inverse[i].clone() - inverse[slowest].clone()) * time.clone();
-        (-(beside * largest.clone() * largest.clone() * square.clone())).exp()
+        let faster = (inverse[i].clone() - inverse[slowest].clone()) * time.clone();
+        (-(faster * largest.clone() * largest.clone() * square.clone())).exp()
     };
     let shrunk = Vector3::from_fn(|i, _| part[i].clone() * decay(i));
     let back = (square.clone() / shrunk.dot(&shrunk)).sqrt();

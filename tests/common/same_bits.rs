@@ -9,7 +9,7 @@ use tumbling::{Body, Inertia, PrincipalMoments, State, body::named::NamedBody};
 /// Hashes numbers: FNV-1a over their bits.
 pub struct Hash {
     state: u64,
-    /// How many numbers were put in.
+    /// The number of numbers put in.
     pub numbers: u64,
 }
 
@@ -171,7 +171,7 @@ fn exact(hash: &mut Hash, random: &mut Random) {
             });
         }
         hash.answer(motion.state_transition(random.time()), |hash, transition| hash.all(&transition));
-        hash.answer(motion.tensor_sensitivity(random.time()), |hash, sensitivity| hash.all(&sensitivity));
+        hash.answer(motion.sensitivities(random.time()), |hash, (_, by_tensor)| hash.all(&by_tensor));
         hash.answer(motion.period(), |hash, period| hash.put(period.unwrap_or(f64::NAN)));
         hash.answer(motion.next_flip(0.0), |hash, flip| hash.put(flip.unwrap_or(f64::NAN)));
         hash.put(motion.twist_of_half_period().unwrap_or(f64::NAN));
@@ -181,7 +181,7 @@ fn exact(hash: &mut Hash, random: &mut Random) {
     });
 }
 
-/// Several bodies asked together.
+/// Several bodies answered together.
 fn batch(hash: &mut Hash, random: &mut Random) {
     let motions: Vec<_> = (0..4)
         .filter_map(|_| {
@@ -191,11 +191,11 @@ fn batch(hash: &mut Hash, random: &mut Random) {
         .collect();
     let times = [random.time(), random.time()];
     let mut answers = vec![[f64::NAN; 7]; 2 * motions.len()];
-    let asked = Batch::<f64>::new(&motions).each(&times, |time, body, instant| {
+    let answered = Batch::<f64>::new(&motions).each(&times, |time, body, instant| {
         let (w, q) = (instant.omega, instant.attitude.coords);
         answers[2 * body + time] = [w.x, w.y, w.z, q.x, q.y, q.z, q.w];
     });
-    hash.answer(asked, |hash, ()| hash.all(answers.iter().flatten()));
+    hash.answer(answered, |hash, ()| hash.all(answers.iter().flatten()));
 }
 
 /// A few steps of every method, with and without torques, in both precisions.

@@ -1,4 +1,4 @@
-//! Growth, wobble and the time between flips, against numbers computed elsewhere and against runs.
+//! Growth, libration and the time between flips, against numbers computed elsewhere and against runs.
 
 use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -148,7 +148,7 @@ proptest! {
 }
 
 #[test]
-fn a_wobble_of_equal_moments_is_neutral_and_impossible_input_is_named() {
+fn a_disturbance_of_equal_moments_is_neutral_and_impossible_input_is_named() {
     assert_eq!(of_spin([1.0, 1.0, 1.5].try_into().unwrap(), Axis::Middle, 2.0).unwrap(), Stability::Neutral);
     assert_eq!(of_spin([1.0, 2.0, 2.5].try_into().unwrap(), Axis::Middle, 0.0).unwrap(), Stability::Neutral);
     assert!(PrincipalMoments::new(1.0, -2.0, 2.5).unwrap_err().to_string().contains("-2.0"));

@@ -170,7 +170,7 @@ proptest! {
         m in prop_oneof![any_vector(), moments()], omega in any_vector(), t in anything(), u in anything(),
     ) {
         let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) else { return Ok(()) };
-        let _ = (motion.period(), motion.growth_rate(), motion.next_flip(t), motion.regime());
+        let _ = (motion.period(), motion.next_flip(t), motion.regime());
         let _ = (motion.twist_of_half_period(), motion.angles_to_momentum(1));
         if let Ok(flips) = motion.flips(t, u) {
             let _ = flips.take(4).count();
@@ -232,7 +232,7 @@ fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
             let spin = (at.omega - turned * plain.omega).norm() / omega.norm();
             let attitude = apart(&at.attitude, &(plain.attitude * turned.inverse()));
             worst = [
-                worst[0].max((askew.moments().vector().min() / thin - 1.0).abs()),
+                worst[0].max((inertia.principal().moments().min() / thin - 1.0).abs()),
                 worst[1].max(spin.max(attitude)),
             ];
         }
@@ -252,7 +252,7 @@ fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
 }
 
 proptest! {
-    // Continuity: the motion is prepared so that it starts where it was told to, to the few roundings that
+    // Continuity: the motion is prepared so that it starts as it was given, to the few roundings that
     // any answer may have.
     #[test]
     fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {
@@ -277,14 +277,6 @@ fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
     refused(FreeMotion::of(&body), ErrorKind::Unrepresentable, "the greatest spin");
     let slower = Body::spinning(leaning, UnitQuaternion::identity(), &(fast * 0.05)).unwrap();
     assert!(FreeMotion::of(&slower).unwrap().omega(1e-307).unwrap().iter().all(|x| x.is_finite()));
-    // In the world.
-    for moments in [[1.1, 0.46, 1.05], [1.0, 1.0, 1.0]] {
-        let motion = motion(moments, [1.5e308, 0.0, 0.2e308]);
-        for k in 0..5 {
-            let world = motion.at(0.25e-300 * f64::from(k)).unwrap().omega_world();
-            assert!(world.iter().all(|x| x.is_finite()), "{world:?}");
-        }
-    }
     let sphere = PrincipalMoments::new(1.0, 1.0, 1.0).unwrap();
     let speed = FreeMotion::new(sphere, &Vector3::new(-1.4e308, 1.5e308, 0.0));
     refused(speed, ErrorKind::Unrepresentable, "the greatest spin");
@@ -298,17 +290,6 @@ fn a_top_that_precesses_faster_than_any_number_is_refused() {
     let slower = FreeMotion::new(moments, &(spin * 0.9)).unwrap().regime();
     let Regime::SymmetricTop { precession, nutation, .. } = slower else { panic!("{slower:?}") };
     assert!(precession.is_finite() && nutation.is_finite(), "{slower:?}");
-}
-
-#[test]
-fn a_spin_near_the_largest_number_is_seen_from_the_world_without_overflow_on_the_way() {
-    let attitude = UnitQuaternion::from_euler_angles(0.4, -1.1, 2.0);
-    for omega in [Vector3::new(1.2e308, -0.9e308, 0.4e308), Vector3::new(0.0, 0.0, f64::MAX)] {
-        let seen = Instant { omega, attitude }.omega_world();
-        // The same at a size where nothing can overflow.
-        let expected = (attitude * (omega * 2_f64.powi(-100))) * 2_f64.powi(100);
-        assert!((seen - expected).amax() <= 1e-15 * f64::MAX, "{seen:?} {expected:?}");
-    }
 }
 
 #[test]

@@ -175,7 +175,7 @@ fn an_ideal_rod_has_one_zero_moment_to_rounding_however_it_is_turned() {
 // [[1, p], [p, s]]: the smaller moment is s - p²/(1 - s) to first order. Beside the larger moment p is
 // nothing; relative to their geometric mean it is a tenth, and drops the smaller moment by a hundredth.
 #[test]
-fn a_product_that_is_nothing_beside_the_large_moment_still_counts_for_the_small_one() {
+fn a_product_that_is_nothing_relative_to_the_large_moment_still_counts_for_the_small_one() {
     let (small, product) = (1e-34, 1e-18);
     let tensor = Matrix3::new(1.0, 0.0, product, 0.0, 1.0, 0.0, product, 0.0, small);
     let moment = Inertia::try_from(tensor).unwrap().principal().moment(Axis::Smallest);
@@ -211,7 +211,7 @@ fn each_axis_points_so_that_its_first_large_component_is_positive() {
 // hand.
 #[test]
 fn two_equal_moments_take_the_direction_nearest_the_axis_that_leans_least() {
-    // The lone axis (6, 2, -3)/7 leans least on y; it comes first beside two larger, last beside two smaller.
+    // The lone axis (6, 2, -3)/7 leans least on y; it comes first of two larger, last of two smaller.
     let lone = seventh(2);
     let axes = Matrix3::from_columns(&[seventh(0), seventh(1), lone]);
     let first = (Vector3::y() - lone * (2.0 / 7.0)).normalize();

@@ -15,7 +15,7 @@ pub fn fault(exercise: &Exercise, text: &str) -> Option<String> {
     let found = |what: String| {
         Some(format!(
             "book/exercises/stubs/{name}.md{what}\nOnly what stands between the marks is yours. This brings the file \
-             back, without your answer:\n    cargo run --release -- exercises reset {name}"
+             back, without your answer:\n    cargo run -- exercises reset {name}"
         ))
     };
     let stub = exercise.stub();

@@ -107,7 +107,7 @@ pub fn file(exercise: &Exercise, folder: &Path) -> Result<String, String> {
         };
         format!(
             "book/exercises/stubs/{name}.md {why}, and no exercise runs without it. This brings it back, with its \
-             place open:\n    cargo run --release -- exercises reset {name}"
+             place open:\n    cargo run -- exercises reset {name}"
         )
     })
 }

@@ -71,7 +71,7 @@ pub fn verdict(names: &[impl AsRef<str>], told: &str) -> Result<(), String> {
         if !passed.contains_key(name) {
             return Err(format!(
                 "Nothing ran for `{name}`, so nothing is solved. This brings its file back:\n    \
-                 cargo run --release -- exercises reset {name}"
+                 cargo run -- exercises reset {name}"
             ));
         }
     }

@@ -121,7 +121,7 @@ fn the_file_to_edit_differs_from_the_solution_in_the_marked_place_alone() {
         assert!(
             same,
             "book/exercises/stubs/{name}.md is not the exercise's outside of its marks; this brings it back: \
-             cargo run --release -- exercises reset {name}"
+             cargo run -- exercises reset {name}"
         );
         assert!(!exercise.stub().contains(exercise.solution()), "{name} tells its solution");
     }
@@ -220,7 +220,7 @@ fn a_file_that_is_missing_or_no_text_is_named_with_what_brings_it_back() {
     assert!(no_text.starts_with("book/exercises/stubs/proofs_3.md is no text in UTF-8"), "{no_text}");
     assert!(missing.starts_with("book/exercises/stubs/proofs_3.md is missing"), "{missing}");
     for told in [no_text, missing] {
-        assert!(told.ends_with("cargo run --release -- exercises reset proofs_3"), "{told}");
+        assert!(told.ends_with("cargo run -- exercises reset proofs_3"), "{told}");
     }
 }
 

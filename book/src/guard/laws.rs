@@ -2,8 +2,6 @@
 
 use tumbling_proofs::equations::{Exemption, Expected, laws};
 
-const JACOBI: &str = "the name of a function; what it does is proven in closed_forms";
-
 const fn exempt(tex: &'static str, reason: &'static str) -> Exemption {
     Exemption { tex, reason }
 }
@@ -15,8 +13,10 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
         "matrix-mass",
         Expected {
             laws: &[
-                laws::RATE_OF_A_TURNING_PLACE,
+                laws::VELOCITY,
                 laws::MOMENTUM_OF_A_PIECE,
+                laws::FIRST_OF_A_PIECE,
+                laws::FIRST_OF_A_PIECE,
                 laws::PRODUCT_WITHOUT_MINUS,
                 laws::MOMENTUM,
                 laws::MOMENTUM_BY_ENTRY,
@@ -36,7 +36,15 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
     (
         "principal-axes",
         Expected {
-            laws: &[laws::AXIS_MOMENTUM, laws::TRIANGLE],
+            laws: &[
+                laws::AXIS_MOMENTUM,
+                laws::PARALLEL_AXES,
+                laws::SUM_ABOUT_1,
+                laws::SUM_ABOUT_2,
+                laws::SUM_ABOUT_3,
+                laws::THIRD_INEQUALITY,
+                laws::TRIANGLE,
+            ],
             exemptions: &[
                 exempt(
                     r"I=\begin{pmatrix}I_1&0&0\\0&I_2&0\\0&0&I_3\end{pmatrix}",
@@ -81,6 +89,7 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
         "eulers-equations",
         Expected {
             laws: &[
+                laws::FROM_REST,
                 laws::RATE_SEEN_FROM_THE_BODY,
                 laws::MOMENTUM_RATE,
                 laws::MOMENTUM_RATE_BY_ACCELERATION,
@@ -90,6 +99,9 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
                 laws::EULER_3,
                 laws::MOMENTUM_RATE,
                 laws::ENERGY,
+                laws::LINEARISED_A,
+                laws::LINEARISED_B,
+                laws::LINEARISED_TWICE,
                 laws::WOBBLE,
                 laws::SWING,
                 laws::GROWTH,
@@ -106,14 +118,91 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
         Expected { laws: &[laws::FROZEN_TENSOR, laws::MOMENTUM_FOR_SPIN], exemptions: &[], notation: &[] },
     ),
     (
+        "dzhanibekov",
+        Expected {
+            laws: &[laws::ENERGY_ELLIPSOID, laws::MOMENTUM_ELLIPSOID],
+            exemptions: &[],
+            notation: &[],
+        },
+    ),
+    (
+        "coin",
+        Expected {
+            laws: &[
+                laws::COIN_1,
+                laws::COIN_2,
+                laws::COIN_RATE,
+                laws::COIN_COSINE,
+                laws::COIN_SINE,
+                laws::COIN_SPIN,
+                laws::COIN_AXIS,
+            ],
+            exemptions: &[exempt(r"\phi=\Omega t", "names the angle")],
+            notation: &[],
+        },
+    ),
+    (
         "exact-motion",
         Expected {
-            laws: &[],
+            laws: &[
+                laws::JACOBI_SN,
+                laws::JACOBI_CN,
+                laws::JACOBI_DN,
+                laws::JACOBI_1,
+                laws::JACOBI_2,
+                laws::JACOBI_3,
+                laws::JACOBI_RATE,
+                laws::JACOBI_PARAMETER,
+                laws::JACOBI_A1,
+                laws::JACOBI_A2,
+                laws::JACOBI_A3,
+            ],
+            exemptions: &[],
+            notation: &[],
+        },
+    ),
+    (
+        "stepping-through-time",
+        Expected {
+            laws: &[
+                laws::EXPLICIT_STEP,
+                laws::EXPLICIT_GAIN,
+                laws::TURN_ANGLE,
+                laws::TURN_J,
+                laws::TURN_K,
+                laws::MEAN_MOMENTUM,
+                laws::MIDPOINT_STEP,
+                laws::MIDPOINT_WORK,
+                laws::DISCRETE_START,
+                laws::DISCRETE_END,
+            ],
             exemptions: &[],
             notation: &[
-                exempt(r"\operatorname{sn}", JACOBI),
-                exempt(r"\operatorname{cn}", JACOBI),
-                exempt(r"\operatorname{dn}", JACOBI),
+                exempt(r"\frac{1906}{195}\,h^2", "a term of a power series, held by an assertion beside it"),
+                exempt(
+                    r"\frac{19849}{63375}\,h^5",
+                    "a term of a power series, held by an assertion beside it",
+                ),
+            ],
+        },
+    ),
+    (
+        "where-things-break",
+        Expected {
+            laws: &[laws::NEWTON_MATRIX],
+            exemptions: &[],
+            notation: &[
+                exempt(r"|\mathbf{L}|", "names the momentum's length"),
+                exempt(r"|\mathbf{L}|", "names the momentum's length"),
+                exempt(r"A\boldsymbol{\delta}", "the left side of the law that follows in the sentence"),
+                exempt(
+                    r"h\,(I\boldsymbol{\omega})\times\boldsymbol{\omega}",
+                    "what the sentence sets it equal to; held by an assertion below",
+                ),
+                exempt(r"h\,\boldsymbol{\tau}\cdot J\mathbf{M}", "a law of the chapter on steps, repeated"),
+                exempt(r"-c\,\boldsymbol{\omega}", "names a drag"),
+                exempt("hc", "names a product; the sentence compares it with the moments"),
+                exempt("hc", "names a product; the sentence compares it with the moments"),
             ],
         },
     ),

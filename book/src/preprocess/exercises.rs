@@ -38,7 +38,7 @@ fn section(exercises: &[&Exercise]) -> String {
     let mut out = String::from(
         "Each of these has a file of its own. Fill the place that is marked in it, and run its command; it fails until you \
          are right, and shows your value next to the expected one. The first run compiles the library, and takes a while. \
-         `cargo run --release -- exercises` shows how far you \
+         `cargo run -- exercises` shows how far you \
          have come.\n",
     );
     for exercise in exercises {

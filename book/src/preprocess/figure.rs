@@ -175,7 +175,7 @@ fn opening(
     let text = fs::read_to_string(&file).map_err(|e| {
         format!(
             "there is no drawing figures/{name}.svg ({e}); \
-             `cargo run --release -- figures {name}` draws it if `-- list` knows it"
+             `cargo run -- figures {name}` draws it if `-- list` knows it"
         )
     })?;
     let drawing = svg::Drawing::new(name, text)?;

@@ -4,10 +4,12 @@
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
 //! a figure, a widget or a program; what only looks like one stays as written.
 
+mod atlas;
 mod check;
 mod edits;
 mod exercises;
 mod figure;
+pub(crate) mod held;
 mod maths;
 mod programs;
 pub(crate) mod protocol;
@@ -45,43 +47,67 @@ impl Preprocessor for Preprocess {
         Ok(supports(renderer))
     }
 
-    fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        let maths = maths::Maths::new();
-        let folders = Folders {
-            chapters: context.root.join(&context.config.book.src),
-            figures: context.root.join("../figures"),
-            widgets: context.root.join("widgets"),
+    fn run(&self, context: &PreprocessorContext, book: Book) -> Result<Book> {
+        run(context, book)
+    }
+}
+
+/// The same, with drawings and widgets held back until the pages and the index of the search are made.
+pub(crate) struct Holding(pub(crate) held::Held);
+
+impl Preprocessor for Holding {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn supports_renderer(&self, renderer: &str) -> Result<bool> {
+        Ok(supports(renderer))
+    }
+
+    fn run(&self, context: &PreprocessorContext, book: Book) -> Result<Book> {
+        let mut book = run(context, book)?;
+        self.0.take(&mut book, &context.root).map_err(Error::msg)?;
+        Ok(book)
+    }
+}
+
+fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
+    let maths = maths::Maths::new();
+    let folders = Folders {
+        chapters: context.root.join(&context.config.book.src),
+        figures: context.root.join("../figures"),
+        widgets: context.root.join("widgets"),
+    };
+    let exercises = tumbling_exercises::all().map_err(Error::msg)?;
+    let mut seen = Seen::default();
+    let mut faults = Vec::new();
+    book.for_each_mut(|item| {
+        let BookItem::Chapter(chapter) = item else {
+            return;
         };
-        let exercises = tumbling_exercises::all().map_err(Error::msg)?;
-        let mut seen = Seen::default();
-        let mut faults = Vec::new();
-        book.for_each_mut(|item| {
-            let BookItem::Chapter(chapter) = item else {
-                return;
-            };
-            let Some(path) = chapter.source_path.clone() else {
-                return;
-            };
-            let written = Source { path: &path, text: &chapter.content };
-            let text = match exercises::replace(&written, &exercises) {
-                Ok(text) => text,
-                Err(fault) => return faults.push(fault),
-            };
-            let source = Source { path: &path, text: &text };
-            match chapter_as_shown(&source, &maths, &folders, &mut seen) {
-                Ok(text) => chapter.content = text,
-                Err(more) => faults.extend(more),
-            }
-        });
-        faults.extend(turning::add(&mut book, &context.root));
-        if faults.is_empty() {
-            figure::lay_out(&seen.figures, &folders.chapters.join("figures")).map_err(Error::msg)?;
-            widget::lay_out(&seen.widgets, &folders).map_err(Error::msg)?;
-            theme::lay_out(&context.root.join("theme")).map_err(Error::msg)?;
-            Ok(book)
-        } else {
-            Err(Error::msg(faults.join("\n")))
+        let Some(path) = chapter.source_path.clone() else {
+            return;
+        };
+        let written = Source { path: &path, text: &chapter.content };
+        let text = exercises::replace(&written, &exercises).and_then(|text| atlas::replace(&text));
+        let text = match text {
+            Ok(text) => text,
+            Err(fault) => return faults.push(fault),
+        };
+        let source = Source { path: &path, text: &text };
+        match chapter_as_shown(&source, &maths, &folders, &mut seen) {
+            Ok(text) => chapter.content = text,
+            Err(more) => faults.extend(more),
         }
+    });
+    faults.extend(turning::add(&mut book, &context.root));
+    if faults.is_empty() {
+        figure::lay_out(&seen.figures, &folders.chapters.join("figures")).map_err(Error::msg)?;
+        widget::lay_out(&seen.widgets, &folders).map_err(Error::msg)?;
+        theme::lay_out(&context.root.join("theme")).map_err(Error::msg)?;
+        Ok(book)
+    } else {
+        Err(Error::msg(faults.join("\n")))
     }
 }
 

@@ -1,250 +1,233 @@
-//! What a rule is called, who goes by it, and what to do about it.
+//! What to do about a finding, as a value and in words.
 
-use crate::catalogue::PHYSICS_ENGINES;
-use crate::engines::Limits;
-use crate::rules::{Alteration, Base, Rule, Spin, When};
+use crate::diagnosis::{Confidence, Diagnosis};
+use crate::rules::{Alteration, Base, Rule, Spin};
 use tumbling::step::Method;
 
-/// A number with five significant digits, as people write it.
-pub(crate) fn significant(x: f64) -> String {
-    let size = x.abs().log10().floor();
-    if x == 0.0 || !x.is_finite() {
-        return x.to_string();
-    }
-    if !(-4.0..9.0).contains(&size) {
-        return format!("{x:.4e}");
-    }
-    let decimals = (4.0 - size).max(0.0) as usize;
-    format!("{x:.decimals$}")
+/// What a finding means for a body, and what to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Advice {
+    /// The steps are the motion's, and every law is kept.
+    NothingToDo,
+    /// The steps are the motion's to the rounding of single precision.
+    SinglePrecision,
+    /// The steps are the motion's to the rounding of the record, and a law is broken over all of it.
+    BelowRounding,
+    /// The gyroscopic term is missing.
+    NoGyroscopicTerm,
+    /// The gyroscopic term is taken at the start of the step.
+    ExplicitTerm,
+    /// The same, and the attitude is stepped straight.
+    ExplicitTermTurnedStraight,
+    /// The momentum is rescaled after an explicit step.
+    Rescaled,
+    /// One step of an implicit solution takes energy away.
+    Dissipative,
+    /// The attitude is of lower order than the spin.
+    MeanSpin,
+    /// Everything is stepped straight ahead.
+    ExplicitEuler,
+    /// The errors are small and add up.
+    HighOrder,
+    /// The method keeps what it says it keeps.
+    KeepsLaws,
+    /// The body is too fast for the engine's limits.
+    EngineLimits,
+    /// The tensor does not turn with the body.
+    FrozenTensor,
+    /// The momentum turns the body.
+    MomentumForSpin,
+    /// The engine steps another body.
+    OtherMoments,
+    /// Damping takes spin in each step.
+    Damped,
+    /// Damping takes spin about each axis of the body by a factor of its own.
+    DampedByAxis,
+    /// The spin is cut off at a limit.
+    Capped,
+    /// Small turns are dropped.
+    SmallTurn,
+    /// Small spins are set to zero.
+    Zeroed,
+    /// The attitude does not turn by the spin times the step.
+    OtherTurn,
+    /// The engine's step is not the record's.
+    OtherStep,
+    /// Some of the steps are made by something else.
+    OddSteps,
+    /// The record has too few digits.
+    MoreDigits,
+    /// The record has too few rows that follow one another.
+    EveryStep,
+    /// An accurate rule, and none of those known.
+    Accurate,
+    /// None of the rules known.
+    Unknown,
 }
 
-impl Base {
-    /// What it is called.
-    #[must_use]
-    pub fn name(&self) -> String {
-        match self {
-            Self::Exact => "the exact motion".into(),
-            Self::Method(method, 1) => method.info().name.into(),
-            Self::Method(method, parts) => format!("{}, {parts} parts a step", method.info().name),
-            Self::Engine(engine) => {
-                format!(
-                    "{}, with the limits of {} ({})",
-                    Self::Method(engine.method, engine.parts).name(),
-                    engine.name,
-                    limits(&engine.limits)
-                )
-            }
-            Self::FrozenTensor(_) | Self::FrozenAt(..) => "a tensor frozen in the world".into(),
-            Self::MomentumForSpin(mass) => {
-                format!("momentum taken for spin (divided by {})", significant(*mass))
-            }
-            Self::Straight(Spin::Kept) => {
-                "no gyroscopic term, and the attitude stepped straight (q + h/2 q w)".into()
-            }
-            Self::Straight(Spin::Explicit) => {
-                "explicit gyroscopic step (w + h w'), and the attitude stepped straight by the new spin (q + h/2 q w)".into()
-            }
+impl Advice {
+    /// What follows from a diagnosis; `kept` says whether every law is kept.
+    pub(crate) fn of(diagnosis: &Diagnosis, kept: bool) -> Self {
+        match diagnosis.confidence {
+            Confidence::NoneFits => Self::Unknown,
+            Confidence::Accurate => Self::Accurate,
+            Confidence::FewSteps => Self::EveryStep,
+            Confidence::FewDigits => Self::MoreDigits,
+            Confidence::MostSteps => Self::OddSteps,
+            Confidence::ToRounding | Confidence::Near => match Self::of_rule(&diagnosis.best.rule) {
+                Self::NothingToDo if diagnosis.single => Self::SinglePrecision,
+                Self::NothingToDo if !kept => Self::BelowRounding,
+                advice => advice,
+            },
         }
     }
-}
 
-impl Base {
-    /// What it means for a body, and what to do.
-    const fn advice(&self) -> &'static str {
+    /// What follows from a rule that all steps are made by.
+    #[must_use]
+    pub const fn of_rule(rule: &Rule) -> Self {
+        match &rule.alteration {
+            Some(Alteration::OtherMoments(_)) => Self::OtherMoments,
+            Some(Alteration::Damped(..)) => Self::Damped,
+            Some(Alteration::DampedByAxis(..)) => Self::DampedByAxis,
+            Some(Alteration::Capped(_)) => Self::Capped,
+            Some(Alteration::SmallTurn(_)) => Self::SmallTurn,
+            Some(Alteration::Zeroed(_)) => Self::Zeroed,
+            Some(Alteration::OtherTurn(_)) => Self::OtherTurn,
+            Some(Alteration::OtherStep(_)) => Self::OtherStep,
+            None => match &rule.base {
+                Base::Exact => Self::NothingToDo,
+                Base::Method(method, _) => Self::of_method(*method),
+                Base::Engine(engine) if engine.limits.rate.is_none() => Self::EngineLimits,
+                Base::Engine(engine) => Self::of_method(engine.method),
+                Base::FrozenTensor(_) | Base::FrozenAt(..) => Self::FrozenTensor,
+                Base::MomentumForSpin(_) => Self::MomentumForSpin,
+                Base::Straight(Spin::Kept, _) => Self::NoGyroscopicTerm,
+                Base::Straight(Spin::Explicit, _) => Self::ExplicitTermTurnedStraight,
+            },
+        }
+    }
+
+    const fn of_method(method: Method) -> Self {
+        match method {
+            Method::ConstantSpin => Self::NoGyroscopicTerm,
+            Method::SemiImplicitEuler => Self::ExplicitTerm,
+            Method::Rescaled | Method::RescaledLinearAttitude => Self::Rescaled,
+            Method::ImplicitOneNewton | Method::LinearisedImplicit => Self::Dissipative,
+            Method::MeanSpinRungeKutta4 => Self::MeanSpin,
+            Method::ExplicitEuler => Self::ExplicitEuler,
+            Method::RungeKutta4
+            | Method::DormandPrince5
+            | Method::TurnedRungeKutta4
+            | Method::MuntheKaas4 => Self::HighOrder,
+            _ => Self::KeepsLaws,
+        }
+    }
+
+    /// In a sentence or two.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
         match self {
-            Self::Exact => "Nothing to do: the steps are the motion itself.",
-            Self::Method(method, _) => of_method(*method),
-            Self::Engine(engine) if engine.limits.rate.is_none() => {
-                "The body is too fast for the engine's limits, which slow it or turn it too little: take shorter steps, or raise the \
-                 limits. Chapter \"Stepping through time\"."
+            Self::NothingToDo => "Nothing to do: the steps are the motion itself.",
+            Self::SinglePrecision => {
+                "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer runs or \
+                 for stricter limits carry attitude and momentum in double precision."
             }
-            Self::Engine(engine) => of_method(engine.method),
-            Self::FrozenTensor(_) | Self::FrozenAt(..) => {
-                "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with the \
-                 body, R I R^T, at each step. Chapter \"Three pitfalls\", 1."
+            Self::BelowRounding => {
+                "Each step is exact to the record's rounding, and over the whole record the laws named above are not kept: errors \
+                 below that rounding add up. Record all digits, or longer steps, and judge it again."
             }
-            Self::MomentumForSpin(_) => {
-                "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to the \
-                 world, w = R J R^T L. Chapter \"Three pitfalls\", 2."
+            Self::NoGyroscopicTerm => {
+                "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same where \
+                 the momentum is taken for the spin). Turn gyroscopic forces on, or add w x I w."
             }
-            Self::Straight(Spin::Kept) => of_method(Method::ConstantSpin),
-            Self::Straight(Spin::Explicit) => {
+            Self::ExplicitTerm => {
+                "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. Turn the \
+                 momentum instead of adding to it (three exact turns a step, or Buss's method)."
+            }
+            Self::ExplicitTermTurnedStraight => {
                 "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and the \
                  straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a step), and \
-                 the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis). Chapter \"Where things break\", the fix."
+                 the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis)."
             }
-        }
-    }
-}
-
-impl When {
-    const fn word(self) -> &'static str {
-        match self {
-            Self::Before => "before",
-            Self::After => "after",
-        }
-    }
-}
-
-impl Alteration {
-    /// What it is called.
-    #[must_use]
-    pub fn name(&self) -> String {
-        match self {
-            Self::OtherMoments(moments) => {
-                let [x, y, z] = moments.map(significant).into();
-                format!("other moments ({x}, {y}, {z})")
+            Self::Rescaled => {
+                "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts toward the \
+                 separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without rescaling)."
             }
-            Self::Damped(factor, when) => {
-                let (lost, when) = (1.0 - factor, when.word());
-                format!("damping left on ({lost:.3e} of the spin each step, {when} the rule)")
+            Self::Dissipative => {
+                "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by themselves; of a \
+                 step that turns by a radian or more it can multiply the energy. Use the implicit midpoint rule or three exact turns a \
+                 step."
             }
-            Self::DampedByAxis(factors, when) => {
-                let [x, y, z] = factors.map(|x| 1.0 - x).into();
-                let when = when.word();
-                format!(
-                    "damping by axis ({x:.3e}, {y:.3e} and {z:.3e} of the spin about the body's axes each step, {when} the rule)"
-                )
+            Self::MeanSpin => {
+                "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' spins to the \
+                 turn since the start of the step."
             }
-            Self::SmallTurn(angle) => {
-                format!("a threshold for small rotations (no turn of {angle:.3e} rad or less)")
+            Self::ExplicitEuler => {
+                "Everything is stepped straight ahead, the crudest of all: take any other method."
             }
-            Self::Zeroed(least) => {
-                format!(
-                    "small spins put to zero (a component of {least:.3e} rad/s or less about an axis of the body)"
-                )
+            Self::HighOrder => {
+                "A good method whose errors fall fast with the step, and add up: for long runs take one that keeps the laws."
             }
-            Self::OtherTurn(factor) => format!("a turn {} times what the spin says", significant(*factor)),
-            Self::OtherStep(factor) => {
-                format!("steps {} times as long as the record says", significant(*factor))
+            Self::KeepsLaws => {
+                "A method that keeps what it says it keeps; what is left is an error of phase."
             }
-            Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
+            Self::EngineLimits => {
+                "The body is too fast for the engine's limits, which slow it or turn it too little: take shorter steps, or raise the \
+                 limits."
+            }
+            Self::FrozenTensor => {
+                "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with the body, \
+                 R I R^T, at each step."
+            }
+            Self::MomentumForSpin => {
+                "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to the world, \
+                 w = R J R^T L."
+            }
+            _ => self.of_alteration(),
         }
     }
 
-    /// What it means for a body, and what to do.
-    const fn advice(&self) -> &'static str {
+    const fn of_alteration(self) -> &'static str {
         match self {
-            Self::OtherMoments(..) => {
+            Self::OtherMoments => {
                 "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal frame \
-                 that is left out, or a shape that replaces the moments set. A free body tells their ratios, never their \
-                 common scale. Chapter \"Principal axes\"."
+                 that is left out, or a shape that replaces the moments set. A free body shows their ratios, never their common scale."
             }
-            Self::DampedByAxis(..) => {
-                "Damping takes spin in each step, about each axis of the body by a factor of its own: set the engine's angular damping to \
-                 0 about all of them. Chapter \"Stepping through time\"."
+            Self::Damped => "Damping takes spin in each step: set the engine's angular damping to 0.",
+            Self::DampedByAxis => {
+                "Damping takes spin in each step, about each axis of the body by a factor of its own: set the engine's angular damping \
+                 to 0 about all of them."
             }
-            Self::SmallTurn(..) => {
+            Self::Capped => "The spin is cut off at a limit: raise the engine's greatest angular velocity.",
+            Self::SmallTurn => {
                 "A slow body, or one with short steps, stands still while it has spin: turn by small angles too (the sine of a small \
-                 angle over the angle is 1, and no division is needed). Chapter \"Stepping through time\"."
+                 angle over the angle is 1, and no division is needed)."
             }
-            Self::Zeroed(..) => {
+            Self::Zeroed => {
                 "A flip starts from a small spin across the axis, and this takes it away: the body spins on about its middle axis for \
-                 ever. Take the threshold out, or let the body sleep as a whole. Chapter \"Stepping through time\"."
+                 ever. Take the threshold out, or let the body sleep as a whole."
             }
-            Self::OtherTurn(..) => {
+            Self::OtherTurn => {
                 "The attitude does not turn by the spin times the step: look for the half in q' = q w / 2, for a turn made twice, or for \
-                 a unit. Chapter \"Stepping through time\"."
+                 a unit."
             }
-            Self::OtherStep(..) => {
-                "The engine's step is not the one that the times tell: look for substeps that are not recorded, for steps recorded twice, \
-                 or for a time scale. Chapter \"Stepping through time\"."
+            Self::OtherStep => {
+                "The engine's step is not the one that the times show: look for substeps that are not recorded, for steps recorded \
+                 twice, or for a time scale."
             }
-            Self::Damped(..) => {
-                "Damping takes spin in each step: set the engine's angular damping to 0. Chapter \"Stepping through time\"."
+            Self::OddSteps => {
+                "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push."
             }
-            Self::Capped(..) => {
-                "The spin is cut off at a limit: raise the engine's greatest angular velocity."
+            Self::MoreDigits => {
+                "Write the record with all digits (17 of double precision, 9 of single), and judge it again."
             }
-        }
-    }
-}
-
-impl Rule {
-    /// What it is called.
-    #[must_use]
-    pub fn name(&self) -> String {
-        match &self.alteration {
-            Some(alteration) => format!("{}, {}", alteration.name(), self.base.name()),
-            None => self.base.name(),
-        }
-    }
-
-    /// Physics engines known to go by it, with their settings.
-    #[must_use]
-    pub fn engines(&self) -> Vec<String> {
-        PHYSICS_ENGINES
-            .iter()
-            .filter(|engine| match (self.base, self.alteration) {
-                (Base::Method(method, parts), None) => (engine.method, engine.parts) == (method, parts),
-                (Base::Engine(this), None) => {
-                    (engine.method, engine.parts, engine.limits) == (this.method, this.parts, this.limits)
-                }
-                _ => false,
-            })
-            .map(|engine| match engine.version {
-                Some(version) => format!("{} {version}, {}", engine.name, engine.setting),
-                None => format!("{}, {}", engine.name, engine.setting),
-            })
-            .collect()
-    }
-
-    /// What it means for a body, and what to do.
-    #[must_use]
-    pub fn advice(&self) -> &'static str {
-        self.alteration.as_ref().map_or_else(|| self.base.advice(), Alteration::advice)
-    }
-}
-
-fn limits(limits: &Limits) -> String {
-    let mut all = Vec::new();
-    if let Some(angle) = limits.turn {
-        all.push(format!("a step beyond {:.0} degrees turns too little", angle.to_degrees()));
-    }
-    if let Some(most) = limits.component {
-        all.push(format!("spin is cut at {most:.1} rad/s along each axis of the world"));
-    }
-    if let Some(angle) = limits.spin {
-        all.push(format!("spin is slowed to {:.0} degrees a step", angle.to_degrees()));
-    }
-    if let Some(most) = limits.rate {
-        all.push(format!("put back beyond {most:e} rad/s2"));
-    }
-    all.join("; ")
-}
-
-const fn of_method(method: Method) -> &'static str {
-    match method {
-        Method::ConstantSpin => {
-            "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same where the \
-             momentum is taken for the spin). Turn gyroscopic forces on, or add w x I w. Chapter \"Three pitfalls\", 3."
-        }
-        Method::SemiImplicitEuler => {
-            "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. Turn the \
-             momentum instead of adding to it (three exact turns a step, or Buss's method). Chapter \"Where things break\", the fix."
-        }
-        Method::Rescaled | Method::RescaledLinearAttitude => {
-            "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts \
-             toward the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without \
-             rescaling). Chapter \"Where things break\", the fix."
-        }
-        Method::ImplicitOneNewton | Method::LinearisedImplicit => {
-            "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by themselves; of a step \
-             that turns by a radian or more it can multiply the energy. Use the implicit midpoint rule or three exact turns a step. Chapter \"Where things break\", the fix."
-        }
-        Method::MeanSpinRungeKutta4 => {
-            "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' spins to the turn \
-             since the start of the step. Chapter \"Stepping through time\"."
-        }
-        Method::ExplicitEuler => {
-            "Everything is stepped straight ahead, the crudest of all: take any other method. Chapter \"Stepping through time\"."
-        }
-        Method::RungeKutta4 | Method::DormandPrince5 | Method::TurnedRungeKutta4 | Method::MuntheKaas4 => {
-            "A good method whose errors fall fast with the step, and add up: for long runs take one that keeps the laws. \
-             Chapter \"Stepping through time\"."
-        }
-        _ => {
-            "A method that keeps what it says it keeps; what is left is an error of phase. Chapter \"Stepping through time\"."
+            Self::EveryStep => "Write a row at every step, and judge it again.",
+            Self::Accurate => {
+                "The rule is none of those known here, as those with steps chosen by error control are. Its errors fall with its \
+                 tolerance or its step; what drifts in the table above goes on drifting."
+            }
+            _ => "Compare the engine's rule with those that are known.",
         }
     }
 }

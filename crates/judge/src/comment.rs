@@ -1,4 +1,4 @@
-//! What the comment lines of a record tell.
+//! What the comment lines of a record say.
 
 use crate::digits::last_place;
 use crate::error::Error;
@@ -7,9 +7,9 @@ use crate::thresholds::MOMENTS_MISS;
 use crate::units;
 use nalgebra::Vector3;
 
-/// What was told before the first row.
+/// What the comments before the first row say.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Told {
+pub struct Header {
     /// Who made the record.
     pub engine: Option<String>,
     /// Principal moments, kg m².
@@ -70,7 +70,7 @@ fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
     Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
 }
 
-impl Told {
+impl Header {
     /// Reads one more comment line. What it does not understand it takes for prose, and says so where it
     /// seems to tell something.
     pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
@@ -106,7 +106,7 @@ impl Told {
                     continue;
                 };
                 if !(step.is_finite() && step > 0.0) {
-                    let problem = format!("the step is told as {step}: it must be above zero");
+                    let problem = format!("the step is given as {step}: it must be above zero");
                     return Err(Error::Line { line, problem });
                 }
                 self.step = Some(step);
@@ -122,18 +122,18 @@ impl Told {
     /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
     /// so.
     pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Option<Vector3<f64>> {
-        let told = self.inertia?;
-        let largest = told.imax();
-        let rest = told[(largest + 1) % 3] + told[(largest + 2) % 3];
-        let missing = told[largest] - rest;
+        let named = self.inertia?;
+        let largest = named.imax();
+        let rest = named[(largest + 1) % 3] + named[(largest + 2) % 3];
+        let missing = named[largest] - rest;
         // One or two digits are no rounding, but a mistake.
-        let rounded = missing <= self.open.sum() && missing <= MOMENTS_MISS * told[largest];
-        if !(missing > 0.0 && rounded && told.min() > 0.0) {
-            return Some(told);
+        let rounded = missing <= self.open.sum() && missing <= MOMENTS_MISS * named[largest];
+        if !(missing > 0.0 && rounded && named.min() > 0.0) {
+            return Some(named);
         }
-        let mut moments = told;
+        let mut moments = named;
         moments[largest] = rest;
-        notes.push(Note::Flat { printed: told[largest], missing, moments });
+        notes.push(Note::Flat { printed: named[largest], missing, moments });
         Some(moments)
     }
 }

@@ -80,7 +80,7 @@ impl Deriver {
 
 /// Rows, with spins where the record tells none.
 pub(crate) struct Feed {
-    pub told: bool,
+    pub has_spin: bool,
     pub moments: Vector3<f64>,
     pub clock: Clock,
     pub deriver: Deriver,
@@ -92,7 +92,7 @@ impl Feed {
             let problem = "the quaternion has no length: it is no attitude".into();
             return Err(Error::Line { line: state.line, problem });
         }
-        if self.told {
+        if self.has_spin {
             return Ok(Derived::Known(*state));
         }
         let (h, times) = self.deriver.last().map_or((0.0, 1.0), |last| self.clock.between(last, state.t));

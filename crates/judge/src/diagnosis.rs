@@ -1,59 +1,83 @@
-//! Which rule made a record: each suspect takes each row one step further, and is held against the next row.
+//! Which rule made a record: each candidate takes each row one step further, and is held against the next
+//! row.
 
+use crate::accuracy::{Accuracy, accuracy};
+use crate::advice::Advice;
+use crate::candidates::Subject;
+use crate::catalogue::PHYSICS_ENGINES;
 use crate::drift::Run;
 use crate::findings::Hint;
 use crate::fitted::{compound, momentum_for_spin};
 use crate::hints::{apart, hints};
-use crate::rules::{Rule, frozen_at, plain};
+use crate::names::named;
+use crate::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain};
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
-use crate::suspects::Subject;
-use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, FITS, FITS_FEW, NEAR, NEAR_RATIO, TRIED_TURNS};
+use crate::thresholds::{
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, CLEAR, FITS_EXACT, NEAR, NEAR_RATIO, TRIED_IN_PARTS, TRIED_SHARE,
+    TRIED_TURNS,
+};
 
 /// A rule, and how far its steps are from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Explanation {
     /// The rule.
     pub rule: Rule,
-    /// Half of the steps are nearer than this (spin beside spin, attitude in rad).
-    pub middle: f64,
-    /// 95 of 100 are nearer than this.
-    pub most: f64,
+    /// The median of the steps' distances: of the spin relative to its length, of the attitude in rad,
+    /// whichever is larger.
+    pub median: f64,
+    /// Their 95th percentile.
+    pub percentile_95: f64,
 }
 
 impl Explanation {
     fn fits(self, floor: Floor) -> bool {
-        floor.fits(self.middle, self.most)
+        let fits = floor.fits(self.median, self.percentile_95);
+        let [half, nearly_all] = FITS_EXACT.map(|units| units * floor.size);
+        fits && (self.rule != Rule::EXACT || self.median <= half && self.percentile_95 <= nearly_all)
     }
 
-    /// By how much another is farther from the record: in the middle, or in the last twentieth.
-    fn beside(&self, other: &Self) -> f64 {
+    /// By how much another is farther from the record: in the median, or in the 95th percentile.
+    fn relative_to(&self, other: &Self) -> f64 {
         let ratio = |a: f64, b: f64| a.max(f64::EPSILON) / b.max(f64::EPSILON);
-        ratio(other.middle, self.middle).max(ratio(other.most, self.most))
+        ratio(other.median, self.median).max(ratio(other.percentile_95, self.percentile_95))
     }
 }
 
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Sure {
+pub enum Confidence {
     /// Every step is the rule's to rounding.
     ToRounding,
-    /// More than half of the steps are the rule's to rounding; one in twenty or more is not.
+    /// More than half of the steps are the rule's to rounding; one in twenty or more is not, or the record
+    /// breaks a law that the rule keeps.
     MostSteps,
     /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
     Near,
     /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
     /// drift as the record does, or it is one of several that do.
     FewDigits,
+    /// Too few of the rows follow one another by one step.
+    FewSteps,
+    /// None of the rules known here, and nearer to the exact motion than to any of them:
+    /// [`accuracy`](Diagnosis::accuracy) says how near.
+    Accurate,
     /// None of the rules known here.
     NoneFits,
 }
 
-impl Sure {
+impl Confidence {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::ToRounding, Self::MostSteps, Self::Near, Self::FewDigits, Self::NoneFits];
+    pub const ALL: [Self; 7] = [
+        Self::ToRounding,
+        Self::MostSteps,
+        Self::Near,
+        Self::FewDigits,
+        Self::FewSteps,
+        Self::Accurate,
+        Self::NoneFits,
+    ];
 
     /// What a program calls it.
     #[must_use]
@@ -63,6 +87,8 @@ impl Sure {
             Self::MostSteps => "most steps",
             Self::Near => "near",
             Self::FewDigits => "too few digits",
+            Self::FewSteps => "too few steps",
+            Self::Accurate => "accurate",
             Self::NoneFits => "none fits",
         }
     }
@@ -78,26 +104,61 @@ pub struct Diagnosis {
     /// The best of those that do not.
     pub second: Option<Explanation>,
     /// How sure.
-    pub sure: Sure,
-    /// How many steps were tried.
+    pub confidence: Confidence,
+    /// The number of steps tried.
     pub steps: usize,
+    /// The share of the pairs of rows that are one step apart.
+    pub share: f64,
     /// What else was seen.
     pub hints: Vec<Hint>,
     /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
     /// drift as the whole record does.
     pub drifts: Option<usize>,
+    /// Engines known to go by the best rule; where the record names one of them that goes by a rule that fits,
+    /// this one.
+    pub engines: Vec<String>,
+    /// How the errors of the steps go, where no rule is named.
+    pub accuracy: Option<Accuracy>,
+    /// What to do about it.
+    pub advice: Advice,
+    /// Whether the numbers are of single precision.
+    pub single: bool,
+    /// Whether they are of fewer digits.
+    pub(crate) few: bool,
 }
 
 fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
     let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
-    middle_and_most(residuals).map(|[middle, most]| Explanation { rule, middle, most })
+    middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
 }
 
 impl Diagnosis {
     /// Whether one rule is named, or several that are one here.
     #[must_use]
     pub const fn names_a_rule(&self) -> bool {
-        !matches!(self.sure, Sure::NoneFits | Sure::FewDigits)
+        matches!(self.confidence, Confidence::ToRounding | Confidence::MostSteps | Confidence::Near)
+    }
+
+    /// Whether the steps are the exact motion's, to the rounding of the record: any rule with smaller errors
+    /// would look the same.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.confidence == Confidence::ToRounding && self.best.rule == Rule::EXACT
+    }
+
+    /// What would decide between the rules that explain the record alike.
+    #[must_use]
+    pub fn would_decide(&self) -> Option<&'static str> {
+        let open = !self.alike.is_empty() || self.is_exact();
+        match self.confidence {
+            Confidence::FewSteps => Some("a row at every step"),
+            Confidence::NoneFits | Confidence::Accurate => None,
+            _ if !open => None,
+            _ if self.single || self.few => Some(
+                "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
+            ),
+            _ => Some("a faster spin, or longer steps"),
+        }
     }
 
     /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the
@@ -108,73 +169,150 @@ impl Diagnosis {
             all.into_iter().partition(|rule| run.is_like(subject, rule));
         self.drifts = Some(like.len());
         if like.first() != Some(&self.best.rule) || !unlike.is_empty() {
-            self.sure = Sure::FewDigits;
+            self.confidence = Confidence::FewDigits;
         }
         let mut ordered = like.into_iter().chain(unlike);
         if let Some(best) = ordered.next().and_then(|rule| explained(subject, sample.pairs(), rule)) {
             self.best = best;
         }
         self.alike = ordered.collect();
-        if self.drifts == Some(1) {
-            self.sure = Sure::ToRounding;
+    }
+
+    /// With moments counted in this unit.
+    pub(crate) fn in_units_of(&mut self, unit: f64) {
+        let rules = self.second.iter_mut().map(|x| &mut x.rule).chain(&mut self.alike);
+        for rule in rules.chain([&mut self.best.rule]) {
+            if let Some(Alteration::OtherMoments(moments)) = &mut rule.alteration {
+                *moments *= unit;
+            }
+            if let Base::MomentumForSpin(mass) = &mut rule.base {
+                *mass *= unit;
+            }
         }
     }
 
     /// By how much the next rule is farther from the record than the best.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
-        self.second.map(|second| self.best.beside(&second))
+        self.second.map(|second| self.best.relative_to(&second))
+    }
+
+    /// The engines of the best rule; or the one that the record names, where it goes by a rule that fits.
+    pub(crate) fn name_engines(&mut self, header: Option<&str>) {
+        let header = header.unwrap_or_default().to_lowercase();
+        let words: Vec<&str> = header.split(|c: char| !c.is_alphanumeric()).collect();
+        let of_header = |name: &str| {
+            name.to_lowercase().split(", ").any(|name| {
+                let first = name.split(' ').next().unwrap_or(name);
+                words.contains(&first)
+            })
+        };
+        let rules = || std::iter::once(&self.best.rule).chain(&self.alike);
+        let same = PHYSICS_ENGINES.iter().filter(|engine| of_header(engine.name)).filter_map(|engine| {
+            let steps = rules().find_map(|rule| rule.steps_of(engine))?;
+            Some(named(engine, steps))
+        });
+        let same: Vec<String> = same.collect();
+        self.engines = if same.is_empty() { self.best.rule.engines() } else { same };
     }
 }
 
-/// Tries every suspect on the sample.
-pub(crate) fn diagnose(
-    subject: &Subject,
-    sample: &Sample,
-    floor: Floor,
-    of_momentum: bool,
-) -> Option<Diagnosis> {
+/// What holds for the sample as a whole.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Circumstances {
+    pub floor: Floor,
+    /// Whether the record is of momenta.
+    pub of_momentum: bool,
+    /// The number of the engine's steps from row to row, where the header names it.
+    pub per_row: Option<u32>,
+    /// The share of the pairs of rows that are one step apart.
+    pub share: f64,
+}
+
+/// Tries every candidate on the sample.
+pub(crate) fn diagnose(subject: &Subject, sample: &Sample, about: Circumstances) -> Option<Diagnosis> {
+    let floor = about.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
     let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
     let every = if sought { sample.pairs().len().div_ceil(TRIED_TURNS).max(1) } else { 1 };
     let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
     let pairs = pairs.as_slice();
-    let found = tried(subject, pairs, floor, of_momentum);
-    let least = found.iter().map(|x| x.middle).fold(f64::INFINITY, f64::min);
+    let found = tried(subject, pairs, about, sought);
+    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
     if !least.is_finite() {
         return None;
     }
-    // Within rounding of the best, in the middle as in the last twentieth.
-    let [half, nearly_all] = floor.either(ALIKE_ROUNDINGS, ALIKE_FEW).map(|units| units * floor.size);
-    let near = |x: &&Explanation| x.middle <= (ALIKE[0] * least).max(half);
-    let best_most = found.iter().filter(near).map(|x| x.most).fold(f64::INFINITY, f64::min);
-    let alike_of = |x: &&Explanation| near(x) && x.most <= (ALIKE[1] * best_most).max(nearly_all);
-    let best = *found.iter().find(alike_of)?;
+    let alike_of = alike_to_best(&found, floor);
+    let best = *found.iter().find(|x| alike_of(x))?;
     // The same rule with limits that the record does not reach says nothing new.
     let same =
         |rule: &Rule| *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method();
-    let alike = found.iter().filter(alike_of).map(|x| x.rule).filter(|rule| !same(rule)).collect();
-    let second = found
-        .iter()
-        .filter(|x| !alike_of(x))
-        .copied()
-        .min_by(|a, b| best.beside(a).total_cmp(&best.beside(b)));
-    let sure = sureness(&best, second.as_ref(), floor);
+    let alike = found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
+    let others = found.iter().filter(|x| !alike_of(x)).copied();
+    let second = others.min_by(|a, b| best.relative_to(a).total_cmp(&best.relative_to(b)));
+    let mut confidence = confidence_in(&best, second.as_ref(), about);
     let mut hints = hints(subject, pairs, floor.size);
-    if sure == Sure::NoneFits && subject.torque.is_none() && !sought {
+    let none = matches!(confidence, Confidence::NoneFits | Confidence::Accurate);
+    let mut errors = None;
+    if none && subject.torque.is_none() && !sought {
         hints.extend(apart(subject, pairs, floor));
+        errors = accuracy(&subject.moments, pairs, floor.size);
     }
-    Some(Diagnosis { best, alike, second, sure, steps: pairs.len(), hints, drifts: None })
+    if errors.is_none() && confidence == Confidence::Accurate {
+        confidence = Confidence::NoneFits;
+    }
+    let (steps, share) = (pairs.len(), about.share);
+    let mut diagnosis = Diagnosis {
+        best,
+        alike,
+        second,
+        confidence,
+        steps,
+        share,
+        hints,
+        drifts: None,
+        engines: Vec::new(),
+        accuracy: errors,
+        advice: Advice::NothingToDo,
+        single: floor.single,
+        few: floor.few,
+    };
+    diagnosis.name_engines(None);
+    Some(diagnosis)
 }
 
-/// How far each suspect's steps are from the record's: plain rules first, and others while none fits.
-fn tried(subject: &Subject, pairs: &[Pair], floor: Floor, of_momentum: bool) -> Vec<Explanation> {
+/// Whether a rule is within rounding of the best, in the median as in the 95th percentile.
+fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Explanation) -> bool + use<> {
+    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
+    let [half, nearly_all] = floor.either(ALIKE_ROUNDINGS, ALIKE_FEW).map(|units| units * floor.size);
+    let near = move |x: &Explanation| x.median <= (ALIKE[0] * least).max(half);
+    let best_most = found.iter().filter(|x| near(x)).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
+    move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)
+}
+
+/// How far each candidate's steps are from the record's: plain rules first, and others while none fits.
+fn tried(subject: &Subject, pairs: &[Pair], about: Circumstances, sought: bool) -> Vec<Explanation> {
+    let floor = about.floor;
     let explained = |rule: Rule| explained(subject, pairs, rule);
     let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
     let free = subject.torque.is_none();
     let mut found: Vec<Explanation> = plain(free, pairs).into_iter().filter_map(explained).collect();
-    if free && (of_momentum || !fits(&found)) {
+    if free && (about.of_momentum || !fits(&found)) {
         found.extend(momentum_for_spin(subject, pairs).and_then(explained));
+    }
+    let rules = match in_the_clear(&found, floor) {
+        _ if !free => Vec::new(),
+        None => in_parts(about.per_row, !sought),
+        // The same steps by other rules.
+        Some(parts) => of_parts(parts),
+    };
+    if !rules.is_empty() {
+        let mut in_parts = tried_in_parts(subject, pairs, rules, floor);
+        // Those of the number that the header names go before the same rules in one part.
+        if about.per_row.is_some_and(|parts| parts > 1) {
+            std::mem::swap(&mut found, &mut in_parts);
+        }
+        found.extend(in_parts);
     }
     if free && !fits(&found) {
         found.extend(frozen_at(pairs).into_iter().filter_map(explained));
@@ -185,15 +323,51 @@ fn tried(subject: &Subject, pairs: &[Pair], floor: Floor, of_momentum: bool) -> 
     found
 }
 
-fn sureness(best: &Explanation, second: Option<&Explanation>, floor: Floor) -> Sure {
-    let ratio = second.map_or(f64::INFINITY, |second| best.beside(second));
-    if best.fits(floor) {
-        Sure::ToRounding
-    } else if best.middle <= floor.either(FITS, FITS_FEW)[0] * floor.size {
-        Sure::MostSteps
-    } else if best.middle < NEAR && ratio >= NEAR_RATIO {
-        Sure::Near
+/// In how many parts the best rule found makes its steps, if no rule in another number of parts can come as
+/// near: the steps are exact to rounding, or they are a rule's own and its error is plain.
+fn in_the_clear(found: &[Explanation], floor: Floor) -> Option<u32> {
+    let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else { return Some(1) };
+    if alike_to_best(found, floor)(exact) && exact.fits(floor) {
+        return Some(1);
+    }
+    let fits = found.iter().filter(|x| x.fits(floor) && x.rule != Rule::EXACT);
+    let best = fits.min_by(|a, b| a.median.total_cmp(&b.median))?;
+    let parts = best.rule.method().map_or(1, |(_, parts)| parts);
+    (exact.median > CLEAR * best.median.max(floor.size)).then_some(parts)
+}
+
+/// The rules in parts that a few of the pairs do not rule out.
+fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Floor) -> Vec<Explanation> {
+    let [first, more] = TRIED_IN_PARTS.map(|count| -> Vec<Pair> {
+        pairs.iter().step_by(pairs.len().div_ceil(count).max(1)).copied().collect()
+    });
+    let [half, nearly_all] = floor.limits();
+    let possible = |rule: &Rule| {
+        let (mut far, mut off) = (0, 0);
+        first.iter().all(|pair| {
+            let residual = subject.residual(rule, pair);
+            far += u32::from(residual > nearly_all);
+            off += usize::from(residual > half);
+            far < 2 && 2 * off <= first.len() + 1
+        })
+    };
+    rules.into_iter().filter(possible).filter_map(|rule| explained(subject, &more, rule)).collect()
+}
+
+fn confidence_in(best: &Explanation, second: Option<&Explanation>, about: Circumstances) -> Confidence {
+    let floor = about.floor;
+    let ratio = second.map_or(f64::INFINITY, |second| best.relative_to(second));
+    if about.share < TRIED_SHARE {
+        Confidence::FewSteps
+    } else if best.fits(floor) {
+        Confidence::ToRounding
+    } else if best.median <= floor.limits()[0] {
+        Confidence::MostSteps
+    } else if best.median < NEAR && best.rule.base == Base::Exact && best.rule.alteration.is_none() {
+        Confidence::Accurate
+    } else if best.median < NEAR && ratio >= NEAR_RATIO {
+        Confidence::Near
     } else {
-        Sure::NoneFits
+        Confidence::NoneFits
     }
 }

@@ -1,8 +1,8 @@
 //! A rule over a whole run: whether it drifts as the record does.
 
+use crate::candidates::Subject;
 use crate::rules::Rule;
 use crate::state::{Row, ordered};
-use crate::suspects::Subject;
 use crate::thresholds::{DRIFT_APART, DRIFT_ROUNDINGS, FLIPS_APART, FLIPS_MISSED, RUN_STEPS};
 
 /// A whole run, from its first row to its last.

@@ -1,5 +1,6 @@
 //! What can be wrong with a record, each with its place.
 
+use crate::law::LawName;
 use std::fmt;
 
 /// Why a record could not be judged.
@@ -37,6 +38,13 @@ pub enum Error {
         /// What is wrong with it.
         problem: String,
     },
+    /// A row in memory does not do.
+    Row {
+        /// The row, from 1.
+        row: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A line does not do as a whole.
     Line {
         /// The line, from 1.
@@ -48,6 +56,13 @@ pub enum Error {
     Body(tumbling::Error),
     /// Neither a header nor the caller tells the moments.
     NoMoments,
+    /// A threshold that is no number above zero.
+    Threshold {
+        /// The law that it is for; all laws, where there is none.
+        law: Option<LawName>,
+        /// The threshold.
+        value: f64,
+    },
     /// No start could be fitted to the first rows.
     Fit {
         /// How many rows were to be fitted.
@@ -68,10 +83,15 @@ impl fmt::Display for Error {
             Self::Columns { line, problem } | Self::Line { line, problem } => {
                 write!(f, "line {line}: {problem}")
             }
+            Self::Row { row, problem } => write!(f, "row {row}: {problem}"),
             Self::Field { line, column, name, problem } => {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")
             }
             Self::Body(error) => write!(f, "{error}"),
+            Self::Threshold { law, value } => {
+                let law = law.map_or("every law", LawName::words);
+                write!(f, "the threshold for {law} is {value}: it must be a number above zero")
+            }
             Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
             Self::NoMoments => f.write_str(
                 "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`, about the body's x, y and z, which must be its principal axes",

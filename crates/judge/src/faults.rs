@@ -1,10 +1,10 @@
 //! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for
 //! certain, and a way round at another pace.
 
-use crate::diagnosis::{Diagnosis, Sure};
+use crate::diagnosis::{Confidence, Diagnosis};
 use crate::findings::Complaint;
 use crate::law::{FlipCount, Law, LawName};
-use crate::rules::{Base, Rule};
+use crate::rules::{Base, Rule, Spin};
 use crate::thresholds::PACE;
 use crate::verdict::Options;
 use tumbling::step::Method;
@@ -20,11 +20,11 @@ pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> 
     over.into_iter().chain(counted)
 }
 
-/// A rule that no body goes by, however small the step; several that are not to be told apart must all be
+/// A rule that no body goes by, however small the step; of several that cannot be distinguished all must be
 /// wrong.
 pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
     let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
-    let wrong = diagnosis.sure == Sure::ToRounding && all_wrong;
+    let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
     wrong.then_some(Complaint::WrongRule(diagnosis.best.rule))
 }
 
@@ -33,6 +33,11 @@ const fn is_wrong(rule: &Rule) -> bool {
     match (rule.base, rule.alteration) {
         (Base::Exact, None) => false,
         (Base::Method(method, _), None) => matches!(method, Method::ConstantSpin),
+        // A limit on the turn of a step is out of reach of shorter ones.
+        (Base::Engine(engine), None) => {
+            engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
+        }
+        (Base::Straight(spin, _), None) => matches!(spin, Spin::Kept),
         _ => true,
     }
 }

@@ -120,10 +120,24 @@ pub enum Note {
         /// The moments judged, kg m².
         moments: Vector3<f64>,
     },
-    /// Times of few digits are taken for equal steps.
+    /// The header names a step of which each row is a whole number.
+    StepsPerRow {
+        /// The step named, s.
+        named: f64,
+        /// The number of such steps from row to row.
+        steps: u32,
+    },
+    /// The header names a step of which the time from row to row is no whole number.
+    OtherStep {
+        /// The step named, s.
+        named: f64,
+        /// The time from row to row, s.
+        row: f64,
+    },
+    /// Times of few digits are taken for multiples of one step.
     EvenSteps {
         /// Whether the record names the step.
-        told: bool,
+        named: bool,
         /// The step, as the file counts.
         step: f64,
     },

@@ -1,8 +1,8 @@
 //! Suspects with a number in them, each fitted to the record before it is held against it.
 
+use crate::candidates::Subject;
 use crate::rules::{Alteration, Base, Rule, When};
 use crate::state::{Pair, median};
-use crate::suspects::Subject;
 use crate::thresholds::{
     BEYOND, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_UP, DAMPING_ROUNDS, FITTED_STEPS, FRACTION,
     FRACTION_APART, JOLT, MOMENTS_ROUNDS, OTHER_PACE, SMALL_COMPONENT,

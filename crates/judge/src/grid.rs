@@ -17,13 +17,13 @@ pub(crate) struct Grid {
     half: f64,
     /// The most significant digits that they have.
     digits: i32,
-    told: bool,
+    named: bool,
 }
 
 impl Grid {
-    /// Where the printed digits make the steps uneven, and a step, told or the mean one, explains all of the
+    /// Where the printed digits make the steps uneven, and a step, the named one or the mean, explains all of the
     /// times.
-    pub(crate) fn of(probe: &[Raw], told: Option<f64>) -> Option<Self> {
+    pub(crate) fn of(probe: &[Raw], named: Option<f64>) -> Option<Self> {
         let (first, last) = (probe.first()?, probe.last()?);
         // Of those printed without the zeros at their ends some have all the digits there are.
         let half = probe.iter().map(|raw| raw.printed.half).fold(f64::INFINITY, f64::min);
@@ -34,7 +34,7 @@ impl Grid {
         let most = steps.fold(0.0, f64::max);
         let rounding = EVEN_TIMES * f64::EPSILON * last.t.abs().max(first.t.abs());
         // Even ones, and those with missing rows, are taken as they are.
-        let even = most - least <= rounding && told.is_none_or(|told| (most - told).abs() <= rounding);
+        let even = most - least <= rounding && named.is_none_or(|named| (most - named).abs() <= rounding);
         if half <= rounding || even {
             return None;
         }
@@ -45,10 +45,10 @@ impl Grid {
             off: 2.0 * half_of(last, half, digits) / count,
             half,
             digits,
-            told: false,
+            named: false,
         };
-        let told = told.map(|step| Self { step, off: 0.0, told: true, ..mean });
-        told.into_iter().chain([mean]).find(|grid| grid.explains(probe))
+        let named = named.map(|step| Self { step, off: 0.0, named: true, ..mean });
+        named.into_iter().chain([mean]).find(|grid| grid.explains(probe))
     }
 
     fn explains(&self, probe: &[Raw]) -> bool {
@@ -84,7 +84,7 @@ impl Grid {
 
     /// What was made of the times.
     pub(crate) const fn note(&self) -> Note {
-        Note::EvenSteps { told: self.told, step: self.step }
+        Note::EvenSteps { named: self.named, step: self.step }
     }
 }
 

@@ -1,10 +1,10 @@
 //! What is seen in the steps besides the rule.
 
+use crate::candidates::{Subject, straight};
 use crate::findings::Hint;
 use crate::rules::{Base, Rule, Spin};
 use crate::sample::Floor;
 use crate::state::{Pair, angle_between, middle_and_most, ordered};
-use crate::suspects::{Subject, straight};
 use crate::thresholds::{CAP_AT_START, STILL};
 use nalgebra::Vector3;
 use tumbling::step::Method;
@@ -52,7 +52,7 @@ pub(crate) fn apart(subject: &Subject, pairs: &[Pair], floor: Floor) -> Option<H
     };
     let spins = [
         (Base::Method(Method::ConstantSpin, 1), "no gyroscopic term"),
-        (Base::Straight(Spin::Explicit), "explicit gyroscopic step"),
+        (Base::Straight(Spin::Explicit, 1), "explicit gyroscopic step"),
         (Base::Method(Method::ImplicitOneNewton, 1), "one Newton step"),
         (Base::Method(Method::ImplicitMidpoint, 1), "implicit midpoint"),
         (Base::Method(Method::RungeKutta4, 1), "Runge and Kutta's fourth order"),

@@ -52,10 +52,10 @@ impl Verdict {
             "duration": self.record.duration,
             "step": self.record.step,
             "rounding": self.record.rounding,
-            "misread": self.misread.iter().map(|x| x.words()).collect::<Vec<_>>(),
+            "misread": self.file_mistakes.iter().map(|x| x.words()).collect::<Vec<_>>(),
             "ignored": self.record.ignored,
             "notes": words(&self.record.notes),
-            "untold": self.record.untold.iter().map(|law| law.key()).collect::<Vec<_>>(),
+            "untold": self.record.missing.iter().map(|law| law.key()).collect::<Vec<_>>(),
             "resets": resets,
             "gaps": self.record.gaps.map(|gaps| json!({"count": gaps.count, "line": gaps.line, "longest": gaps.longest})),
             "sign_changes": self.record.sign_changes,
@@ -122,12 +122,14 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
         json!({
             "rule": x.rule.name(),
             "engines": x.rule.engines(),
-            "median": x.middle,
-            "percentile_95": x.most,
+            "median": x.median,
+            "percentile_95": x.percentile_95,
         })
     };
+    let mut best = explanation(&diagnosis.best);
+    best["engines"] = diagnosis.engines.clone().into();
     json!({
-        "best": explanation(&diagnosis.best),
+        "best": best,
         "alike": diagnosis
             .alike
             .iter()
@@ -135,9 +137,13 @@ fn diagnosis(diagnosis: &Diagnosis) -> Value {
             .collect::<Vec<_>>(),
         "second": diagnosis.second.as_ref().map(explanation),
         "ratio": diagnosis.ratio(),
-        "sure": diagnosis.sure.key(),
+        "sure": diagnosis.confidence.key(),
         "steps": diagnosis.steps,
+        "share": diagnosis.share,
+        "single": diagnosis.single,
+        "would_decide": diagnosis.would_decide(),
+        "accuracy": diagnosis.accuracy.map(|x| json!({"order": x.order, "controlled": x.controlled, "per_second": x.per_second})),
         "hints": words(&diagnosis.hints),
-        "advice": if diagnosis.names_a_rule() { diagnosis.best.rule.advice() } else { "" },
+        "advice": diagnosis.advice.words(),
     })
 }

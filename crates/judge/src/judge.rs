@@ -1,5 +1,6 @@
 //! From a record to a verdict, one row in hand at a time.
 
+use crate::candidates::Subject;
 use crate::clock::Clock;
 use crate::columns::Kind;
 use crate::derived::{Derived, Deriver, Feed};
@@ -11,12 +12,12 @@ use crate::reading::Reading;
 use crate::rounding::rounding;
 use crate::rows::{Raw, Rows};
 use crate::state::{Row, angle_between, in_world, median};
-use crate::suspects::Subject;
-use crate::thresholds::{PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
+use crate::thresholds::{FAR_FROM_ONE, FEW_DIGITS, PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
 use crate::trial::{Conditions, Trial};
 use crate::verdict::{Options, Verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
+use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 
 /// Judges a record.
@@ -45,25 +46,71 @@ use tumbling::exact::FreeMotion;
 /// A record that cannot be read, with line and column; moments that are not known or that no body has.
 pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> {
     let mut rows = Rows::open(source)?;
-    let mut probe = probed(&mut rows)?;
-    let mut notes = std::mem::take(&mut rows.told.notes);
+    let mut notes = std::mem::take(&mut rows.header.notes);
     let moments = match options.inertia {
         Some(moments) => moments,
-        None => rows.told.moments(&mut notes).ok_or(Error::NoMoments)?,
+        None => rows.header.moments(&mut notes).ok_or(Error::NoMoments)?,
     };
-    let torque = rows.told.torque.filter(|torque| *torque != Vector3::zeros());
-    let subject = Subject::new(moments, torque)?;
-    let meaning = Meaning::of(&mut probe, &rows, &moments, &mut notes);
-    let told = rows.columns.kind != Kind::Attitude;
-    let mut feed = Feed { told, moments, clock: meaning.clock, deriver: Deriver::default() };
+    let second = rows.columns.second.map(|(kind, places)| (kind, rows.columns.names[places[0]].clone()));
+    let torque = rows.header.torque.filter(|torque| *torque != Vector3::zeros());
+    let about = About { kind: rows.columns.kind, second, step: rows.header.step, torque, moments, notes };
+    let mut verdict = judge_rows(&mut rows, about, options)?;
+    if let Some(diagnosis) = &mut verdict.diagnosis {
+        diagnosis.name_engines(rows.header.engine.as_deref());
+    }
+    verdict.record.engine = rows.header.engine;
+    verdict.record.ignored = rows.columns.ignored();
+    Ok(verdict)
+}
+
+/// Where rows come from.
+pub(crate) trait Source {
+    /// The next row; `None` after the last, or where the numbers end.
+    fn next(&mut self) -> Result<Option<Raw>, Error>;
+
+    /// Where the numbers end before the rows do.
+    fn ended(&mut self) -> Option<Error>;
+}
+
+/// What is known of a record besides its rows.
+pub(crate) struct About {
+    pub kind: Kind,
+    /// Another vector of the rows, and the name of its first column.
+    pub second: Option<(Kind, String)>,
+    /// The step that it names, s.
+    pub step: Option<f64>,
+    /// Constant in the world, N m.
+    pub torque: Option<Vector3<f64>>,
+    /// Principal moments, kg m².
+    pub moments: Vector3<f64>,
+    pub notes: Vec<Note>,
+}
+
+/// Judges rows from anywhere.
+pub(crate) fn judge_rows(
+    rows: &mut dyn Source,
+    mut about: About,
+    options: &Options,
+) -> Result<Verdict, Error> {
+    options.checked()?;
+    let mut probe = probed(rows)?;
+    let (moments, torque) = (about.moments, about.torque);
+    PrincipalMoments::try_from(moments)?;
+    let unit = unit_of(&moments);
+    let subject = Subject::new(moments / unit, torque.map(|torque| torque / unit))?;
+    let meaning = Meaning::of(&mut probe, &mut about);
+    let has_spin = about.kind != Kind::Attitude;
+    let mut feed = Feed { has_spin, moments, clock: meaning.clock, deriver: Deriver::default() };
     let (states, stopped) = understood(&probe, &meaning.reading, &mut feed)?;
-    let floor = meaning.floor_of(&states, told);
-    let start = Start::of(&states, stopped, &probe, &moments, options)?;
+    let start = Start::of(&states, stopped, &probe, &subject.moments, options)?;
+    let floor = meaning.floor_of(&states, has_spin);
+    let rounding = rounding(&probe);
     let conditions = Conditions {
-        kind: rows.columns.kind,
+        kind: about.kind,
         clock: meaning.clock,
         floor,
-        few: rounding(&probe) > crate::thresholds::FEW_DIGITS * f64::from(f32::EPSILON),
+        few: rounding > FEW_DIGITS * f64::from(f32::EPSILON),
+        single: rounding == f64::from(f32::EPSILON),
     };
     let mut trial = Trial::new(&subject, start.first, start.direction, conditions)?;
     trial.rows = probe.len() as u64;
@@ -71,6 +118,21 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         trial.row(state)?;
     }
     trial.stopped = stopped;
+    follow(rows, &mut trial, &meaning, &mut feed)?;
+    trial.second = disagreement(&about, &probe, &meaning.reading, floor);
+    trial.ended = rows.ended().map(|error| error.to_string());
+    let mut verdict = trial.end(&subject, &meaning.reading, options);
+    verdict.fit = start.fit;
+    (verdict.moments, verdict.torque) = (moments, torque);
+    if let Some(diagnosis) = &mut verdict.diagnosis {
+        diagnosis.in_units_of(unit);
+    }
+    verdict.record.notes = about.notes;
+    Ok(verdict)
+}
+
+/// The rows after those that the reading was settled by.
+fn follow(rows: &mut dyn Source, trial: &mut Trial, meaning: &Meaning, feed: &mut Feed) -> Result<(), Error> {
     while let Some(mut raw) = rows.next()? {
         if let Some(grid) = &meaning.grid {
             grid.put(&mut raw);
@@ -79,24 +141,23 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         if trial.stopped.is_some() {
             continue;
         }
-        match feed.push(&meaning.reading.state(&raw, &moments))? {
+        match feed.push(&meaning.reading.state(&raw, &feed.moments))? {
             Derived::Known(state) => trial.row(&state)?,
             Derived::Unknown => {}
             Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
         }
     }
-    trial.second = disagreement(&rows, &probe, &meaning.reading, &moments, floor);
-    trial.ended = rows.ended.take().map(|error| error.to_string());
-    let mut verdict = trial.end(&subject, &meaning.reading, options);
-    verdict.fit = start.fit;
-    verdict.record.engine = rows.told.engine;
-    verdict.record.ignored = rows.columns.ignored();
-    verdict.record.notes = notes;
-    Ok(verdict)
+    Ok(())
+}
+
+/// What moments so large or small are divided by, so that products of momenta are numbers; a power of two.
+fn unit_of(moments: &Vector3<f64>) -> f64 {
+    let size = moments.amax().log2().floor();
+    if size.abs() < FAR_FROM_ONE { 1.0 } else { size.exp2() }
 }
 
 /// The first rows, two at least.
-fn probed(rows: &mut Rows<impl BufRead>) -> Result<Vec<Raw>, Error> {
+fn probed(rows: &mut dyn Source) -> Result<Vec<Raw>, Error> {
     let mut probe = Vec::new();
     while probe.len() < PROBE_ROWS
         && let Some(raw) = rows.next()?
@@ -121,23 +182,20 @@ struct Meaning {
 
 impl Meaning {
     /// From the first rows, whose times are put to the grid that they are rounded from.
-    fn of<R: BufRead>(
-        probe: &mut [Raw],
-        rows: &Rows<R>,
-        moments: &Vector3<f64>,
-        notes: &mut Vec<Note>,
-    ) -> Self {
-        let grid = Grid::of(probe, rows.told.step);
+    fn of(probe: &mut [Raw], about: &mut About) -> Self {
+        let (notes, moments) = (&mut about.notes, &about.moments);
+        let grid = Grid::of(probe, about.step);
         if let Some(grid) = &grid {
             notes.push(grid.note());
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
         let clock = Clock::of(probe);
-        let reading = match rows.columns.kind {
+        let reading = match about.kind {
             Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), moments),
             kind => Reading::of(kind, &clock.pairs(probe), moments),
         };
-        let clock = clock.read(reading.time(), rows.told.step);
+        let (clock, note) = clock.read(reading.time(), about.step);
+        notes.extend(note);
         let mut floor = rounding(probe);
         if let Some(grid) = &grid {
             floor = floor.max(grid.floor(probe, &reading, moments));
@@ -147,8 +205,8 @@ impl Meaning {
 
     /// The rounding of the spins. A rounding of attitudes alone is so much more relative to the turn that
     /// makes a spin.
-    fn floor_of(&self, states: &[Row], told: bool) -> f64 {
-        if told {
+    fn floor_of(&self, states: &[Row], has_spin: bool) -> f64 {
+        if has_spin {
             return self.floor;
         }
         let turn = median(states.iter().filter_map(|state| {
@@ -238,22 +296,16 @@ fn momentum_of(
 
 /// Where a second vector of the record, as a spin, is not what the first one says: the first such row looked
 /// at.
-fn disagreement<R>(
-    rows: &Rows<R>,
-    probe: &[Raw],
-    reading: &Reading,
-    moments: &Vector3<f64>,
-    floor: f64,
-) -> Option<Complaint> {
-    let (kind, places) = rows.columns.second.filter(|_| reading.mistakes().is_empty())?;
+fn disagreement(about: &About, probe: &[Raw], reading: &Reading, floor: f64) -> Option<Complaint> {
+    let (kind, column) = about.second.as_ref().filter(|_| reading.mistakes().is_empty())?;
+    let moments = &about.moments;
     let [roundings, share] = VECTORS_APART;
     probe.iter().find_map(|raw| {
         let first = reading.state(raw, moments).omega;
         let other = Raw { attitude: reading.state(raw, moments).attitude, vector: raw.second, ..*raw };
-        let other = other.omega(kind, moments);
+        let other = other.omega(*kind, moments);
         let off = (first - other).norm() / first.norm().max(other.norm());
-        let column = || rows.columns.names[places[0]].clone();
         let apart = off > (roundings * floor).max(share);
-        apart.then(|| Complaint::OtherSpin { column: column(), off, line: raw.line })
+        apart.then(|| Complaint::OtherSpin { column: column.clone(), off, line: raw.line })
     })
 }

@@ -16,7 +16,7 @@ pub(crate) struct Jumps {
     /// Constant in the world, N m.
     pub torque: Option<Vector3<f64>>,
     /// Whether the record has spins.
-    pub told: bool,
+    pub has_spin: bool,
     /// The rounding of the numbers, relative to 1.
     pub floor: f64,
     errors: Errors,
@@ -41,10 +41,10 @@ impl Jumps {
         first: Row,
         moments: Vector3<f64>,
         torque: Option<Vector3<f64>>,
-        told: bool,
+        has_spin: bool,
         floor: f64,
     ) -> Self {
-        Self { first, moments, torque, told, floor, errors: Errors::default() }
+        Self { first, moments, torque, has_spin, floor, errors: Errors::default() }
     }
 
     /// Whether the motion starts anew with a row, so many steps after the last.
@@ -63,7 +63,7 @@ impl Jumps {
     fn jumps(&mut self, pair: &Pair) -> bool {
         let (from, to) = (pair.from.omega, pair.to.omega);
         // Of attitudes alone a spin that is out of all proportion is what is to be found.
-        let speed = if self.told { from.norm().max(to.norm()) } else { from.norm() };
+        let speed = if self.has_spin { from.norm().max(to.norm()) } else { from.norm() };
         let mean = (from + to) / 2.0;
         let rate = euler::angular_acceleration(&self.moments, &mean, &self.torque(pair));
         let spin = (to - from - rate * pair.h).norm() / speed;

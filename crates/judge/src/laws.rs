@@ -10,7 +10,10 @@ use crate::thresholds::{
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{Axis, dynamics::observe};
+use tumbling::{
+    Axis,
+    dynamics::{euler, observe},
+};
 
 /// Everything that is followed from row to row.
 pub(crate) struct Laws {
@@ -58,13 +61,27 @@ pub(crate) struct Seen {
 }
 
 struct Flips {
+    /// Since when a flip is one, s from the first row.
+    from: f64,
     exact: Box<dyn Iterator<Item = f64>>,
     count: FlipCount,
     last: Option<(f64, f64)>,
 }
 
+/// The time, s, up to which the spin along the middle axis is zero to rounding, where it starts at zero.
+fn flips_from(moments: &Vector3<f64>, first: &Row, middle: Option<usize>) -> f64 {
+    let Some(middle) = middle else { return 0.0 };
+    let zero = ON_AXIS * f64::EPSILON * first.omega.amax();
+    if first.omega[middle].abs() > zero {
+        return 0.0;
+    }
+    let rate = euler::angular_acceleration(moments, &first.omega, &Vector3::zeros())[middle].abs();
+    let from = 2.0 * zero / rate;
+    if from.is_finite() { from } else { 0.0 }
+}
+
 impl Laws {
-    /// From the first row; `floor` is the rounding of the numbers, beside 1.
+    /// From the first row; `floor` is the rounding of the numbers, relative to 1.
     pub(crate) fn new(
         moments: &Vector3<f64>,
         first: &Row,
@@ -81,7 +98,9 @@ impl Laws {
             _ => None,
         };
         let angular = moments.component_mul(&first.omega);
-        let flips = exact.flips(0.0, 1e9).or_else(|_| exact.flips(0.0, 1e3));
+        // A spin that starts in the plane of the other two axes does not flip there.
+        let flips_from = flips_from(moments, first, middle);
+        let flips = exact.flips(flips_from, 1e9).or_else(|_| exact.flips(flips_from, 1e3));
         let exact_flips: Box<dyn Iterator<Item = f64>> = match flips {
             Ok(flips) => Box::new(flips),
             Err(_) => Box::new(std::iter::empty()),
@@ -111,7 +130,7 @@ impl Laws {
             curves: LawName::ALL.map(|name| (name, Curve::new())),
             points: Points::new(),
             lag: 0.0,
-            flips: Flips { exact: exact_flips, count: FlipCount::default(), last: None },
+            flips: Flips { from: flips_from, exact: exact_flips, count: FlipCount::default(), last: None },
             seen,
             floor,
         })
@@ -136,8 +155,8 @@ impl Laws {
         let middle = ordered(&self.moments)[1];
         let separatrix =
             |energy: f64, momentum: f64| 2.0 * energy / momentum * (self.moments[middle] / momentum);
-        let error = separatrix(energy, momentum) - separatrix(self.start.energy, self.start.momentum);
-        self.put(LawName::Separatrix, t, error);
+        let first = separatrix(self.start.energy, self.start.momentum);
+        self.put(LawName::Separatrix, t, separatrix(energy, momentum) / first - 1.0);
         let mut turned_away = None;
         if let Some(q) = state.attitude {
             self.put(LawName::Unit, t, q.norm() - 1.0);
@@ -219,7 +238,7 @@ impl Laws {
         }
         let x = state.omega[middle];
         let flips = &mut self.flips;
-        if x == 0.0 {
+        if x == 0.0 || t <= flips.from && flips.from > 0.0 {
             return;
         }
         if let Some((t0, x0)) = flips.last
@@ -243,7 +262,7 @@ impl Laws {
         self.middle?;
         let end = self.seen.last.t - self.start.row.t;
         let mut count = self.flips.count.clone();
-        let exact = self.exact.flips(0.0, end).ok()?;
+        let exact = self.exact.flips(self.flips.from.min(end), end).ok()?;
         count.exact = exact.remaining();
         count.first_exact = exact.into_iter().next();
         Some(count)

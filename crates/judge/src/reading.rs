@@ -16,7 +16,7 @@ use tumbling::dynamics::euler;
 /// A mistake of a file: what its numbers seem to be, against what its names say.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Misread {
+pub enum FileMistake {
     /// What is named in body axes is in the world's, or the other way round.
     Frame,
     /// The attitude is x, y, z, w; of attitudes alone this is not to be told from
@@ -50,7 +50,7 @@ pub enum Misread {
     MirroredComponent(usize),
 }
 
-impl Misread {
+impl FileMistake {
     /// What is wrong, and what to do.
     #[must_use]
     pub fn words(self) -> String {
@@ -81,18 +81,18 @@ impl Misread {
 }
 
 /// Units of spins, in rad/s, that are taken for it.
-const SPINS: [(Misread, f64); 3] = [
-    (Misread::Degrees, std::f64::consts::PI / 180.0),
-    (Misread::RevolutionsPerMinute, std::f64::consts::PI / 30.0),
-    (Misread::Revolutions, std::f64::consts::TAU),
+const SPINS: [(FileMistake, f64); 3] = [
+    (FileMistake::Degrees, std::f64::consts::PI / 180.0),
+    (FileMistake::RevolutionsPerMinute, std::f64::consts::PI / 30.0),
+    (FileMistake::Revolutions, std::f64::consts::TAU),
 ];
 
 /// Units of time, in s, that are taken for it.
-const TIMES: [(Misread, f64); 4] = [
-    (Misread::Milliseconds, 1e-3),
-    (Misread::Microseconds, 1e-6),
-    (Misread::Nanoseconds, 1e-9),
-    (Misread::Minutes, 60.0),
+const TIMES: [(FileMistake, f64); 4] = [
+    (FileMistake::Milliseconds, 1e-3),
+    (FileMistake::Microseconds, 1e-6),
+    (FileMistake::Nanoseconds, 1e-9),
+    (FileMistake::Minutes, 60.0),
 ];
 
 /// A way to take the numbers.
@@ -145,31 +145,31 @@ impl Reading {
     }
 
     /// What it takes for wrong.
-    pub(crate) fn mistakes(&self) -> Vec<Misread> {
+    pub(crate) fn mistakes(&self) -> Vec<FileMistake> {
         let mut all = Vec::new();
         match self.order {
             Order::AsNamed => {}
-            Order::Last => all.push(Misread::Order),
-            Order::First => all.push(Misread::ScalarFirst),
+            Order::Last => all.push(FileMistake::Order),
+            Order::First => all.push(FileMistake::ScalarFirst),
         }
         match (self.inverse, self.hand) {
-            (true, Hand::Left) => all.push(Misread::LeftHanded),
+            (true, Hand::Left) => all.push(FileMistake::LeftHanded),
             (inverse, hand) => {
                 if inverse {
-                    all.push(Misread::Inverse);
+                    all.push(FileMistake::Inverse);
                 }
                 match hand {
                     Hand::Right => {}
-                    Hand::Left => all.push(Misread::LeftHandedSpin),
-                    Hand::One(i) => all.push(Misread::MirroredComponent(i)),
+                    Hand::Left => all.push(FileMistake::LeftHandedSpin),
+                    Hand::One(i) => all.push(FileMistake::MirroredComponent(i)),
                 }
             }
         }
         if self.frame {
-            all.push(Misread::Frame);
+            all.push(FileMistake::Frame);
         }
         if self.momentum {
-            all.push(Misread::Momentum);
+            all.push(FileMistake::Momentum);
         }
         all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
         all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
@@ -296,9 +296,9 @@ impl Reading {
                 .mistakes()
                 .iter()
                 .map(|x| match x {
-                    Misread::MirroredComponent(_) => RARE_MISTAKE[1],
+                    FileMistake::MirroredComponent(_) => RARE_MISTAKE[1],
                     // The rarer of two that may look alike.
-                    Misread::ScalarFirst | Misread::Momentum => RARE_MISTAKE[0],
+                    FileMistake::ScalarFirst | FileMistake::Momentum => RARE_MISTAKE[0],
                     _ => 1.0,
                 })
                 .sum();
@@ -326,7 +326,7 @@ impl Reading {
     }
 
     fn with_units(self, ratio: f64) -> Self {
-        let near = |unit: &&(Misread, f64)| (ratio / unit.1 - 1.0).abs() < UNIT_APART;
+        let near = |unit: &&(FileMistake, f64)| (ratio / unit.1 - 1.0).abs() < UNIT_APART;
         match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < UNIT_APART)) {
             (Some(unit), _) => Self { spin: unit.1, ..self },
             (None, Some(unit)) => Self { time: unit.1, ..self },

@@ -94,11 +94,11 @@ impl Recorded {
     /// A record that does not do, or has no moments or attitudes.
     pub fn read(&self) -> Result<Trajectory, Error> {
         let mut rows = Rows::open(self.text.as_bytes())?;
-        let moments = rows.told.inertia.ok_or(Error::NoMoments)?;
-        let torque = rows.told.torque.unwrap_or_default();
-        let step = rows.told.step.unwrap_or(1.0);
+        let moments = rows.header.inertia.ok_or(Error::NoMoments)?;
+        let torque = rows.header.torque.unwrap_or_default();
+        let step = rows.header.step.unwrap_or(1.0);
         let mut read = Vec::new();
-        while let Some(Raw { line, t, attitude, vector, .. }) = rows.next()? {
+        while let Some(Raw { line, t, attitude, vector, .. }) = rows.advance()? {
             let problem = || "the row has no attitude".to_owned();
             let attitude = attitude.ok_or_else(|| Error::Line { line, problem: problem() })?;
             let step = (t / step).round() as usize;

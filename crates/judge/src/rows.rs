@@ -1,10 +1,11 @@
 //! A record, row by row: one line in memory at a time.
 
 use crate::columns::{Clock, Columns, Kind};
-use crate::comment::Told;
+use crate::comment::Header;
 use crate::digits::{last_place, significant};
 use crate::error::Error;
-use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, ROWS_BEFORE_THE_END};
+use crate::judge::Source;
+use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
 
@@ -46,7 +47,7 @@ pub(crate) struct Rows<R> {
     line: usize,
     text: Vec<u8>,
     pub columns: Columns,
-    pub told: Told,
+    pub header: Header,
     last: Option<f64>,
     fields: Vec<f64>,
     rows: u64,
@@ -58,17 +59,17 @@ impl<R: BufRead> Rows<R> {
     /// Reads up to the line of names.
     pub(crate) fn open(source: R) -> Result<Self, Error> {
         let mut lines = Lines { source, line: 0, text: Vec::new() };
-        let mut told = Told::default();
+        let mut header = Header::default();
         loop {
             if !lines.advance()? {
                 return Err(Error::Empty);
             }
             let text = text_of(&lines.text, lines.line)?.trim_start_matches('\u{feff}').trim();
             if let Some(comment) = text.strip_prefix('#') {
-                told.read(comment, lines.line)?;
+                header.read(comment, lines.line)?;
             } else if !text.is_empty() {
                 let columns = Columns::of(text, lines.line)?;
-                if matches!(columns.clock, Clock::Steps(_)) && told.step.is_none() {
+                if matches!(columns.clock, Clock::Steps(_)) && header.step.is_none() {
                     return Err(Error::Columns {
                         line: lines.line,
                         problem: "steps are counted, and how long one is is not told: a comment line `# dt: 0.01`, or a \
@@ -82,7 +83,7 @@ impl<R: BufRead> Rows<R> {
                     line,
                     text,
                     columns,
-                    told,
+                    header,
                     last: None,
                     fields: Vec::new(),
                     rows: 0,
@@ -92,8 +93,8 @@ impl<R: BufRead> Rows<R> {
         }
     }
 
-    /// The next row; `None` after the last.
-    pub(crate) fn next(&mut self) -> Result<Option<Raw>, Error> {
+    /// The next row; `None` after the last, or where the numbers end.
+    pub(crate) fn advance(&mut self) -> Result<Option<Raw>, Error> {
         loop {
             if self.ended.is_some() {
                 return Ok(None);
@@ -107,7 +108,7 @@ impl<R: BufRead> Rows<R> {
             }
             let text = text_of(&self.text, self.line)?.trim();
             if !(text.is_empty() || text.starts_with('#')) {
-                let raw = match read(&self.columns, text, self.line, &self.told, &mut self.fields) {
+                let raw = match read(&self.columns, text, self.line, &self.header, &mut self.fields) {
                     Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
                         self.ended = Some(error);
                         continue;
@@ -131,6 +132,16 @@ impl<R: BufRead> Rows<R> {
                 return Ok(Some(raw));
             }
         }
+    }
+}
+
+impl<R: BufRead> Source for Rows<R> {
+    fn next(&mut self) -> Result<Option<Raw>, Error> {
+        self.advance()
+    }
+
+    fn ended(&mut self) -> Option<Error> {
+        self.ended.take()
     }
 }
 
@@ -160,9 +171,12 @@ impl Exact {
             }
         } else {
             self.digits = self.digits.max(significant(field));
-            self.place = self.place.min(last_place(field));
-            let rounded = f64::from(value as f32);
-            self.single &= rounded == value;
+            let place = last_place(field);
+            self.place = self.place.min(place);
+            // As it stands, or as decimals of it that lead back to it.
+            let off = (f64::from(value as f32) - value).abs();
+            let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
+            self.single &= off == 0.0 || decimals && off <= 0.5000001 * place;
         }
     }
 }
@@ -218,13 +232,13 @@ fn read(
     columns: &Columns,
     text: &str,
     line: usize,
-    told: &Told,
+    header: &Header,
     fields: &mut Vec<f64>,
 ) -> Result<Raw, Wrong> {
     let Exact { printed, digits, single, place } = numbers(columns, text, line, fields)?;
     let t = match columns.clock {
         Clock::Time(i) => fields[i] / columns.per_second,
-        Clock::Steps(i) => fields[i] * told.step.unwrap_or(1.0),
+        Clock::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
     };
     let printed = match columns.clock {
         Clock::Time(_) => Printed {

@@ -3,7 +3,7 @@
 use crate::catalogue::PHYSICS_ENGINES;
 use crate::engines::{Limits, PhysicsEngine};
 use crate::state::Pair;
-use crate::thresholds::BEYOND;
+use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude;
 use tumbling::step::Method;
@@ -23,7 +23,7 @@ pub struct Rule {
 pub enum Base {
     /// The motion itself.
     Exact,
-    /// A method of the library, with so many parts a step.
+    /// A method of the library, with this number of parts a step.
     Method(Method, u32),
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
@@ -33,9 +33,9 @@ pub enum Base {
     FrozenAt(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
-    /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length put right or
-    /// not. (By the old spin it is [`Method::ExplicitEuler`].)
-    Straight(Spin),
+    /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1 or
+    /// not; in this number of parts. (By the old spin it is [`Method::ExplicitEuler`].)
+    Straight(Spin, u32),
 }
 
 /// What is altered of a step.
@@ -151,10 +151,51 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
         }
     }
     if free {
-        all.extend([Base::Straight(Spin::Kept), Base::Straight(Spin::Explicit)]);
+        all.extend([Base::Straight(Spin::Kept, 1), Base::Straight(Spin::Explicit, 1)]);
     }
     all.extend([Base::FrozenTensor(Steps::First), Base::FrozenTensor(Steps::Fourth)]);
     all.into_iter().map(Rule::plain).collect()
+}
+
+/// Rules in parts of a row, as of an engine whose rows are not written at every step; those of the header's
+/// number first.
+pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
+    let named = per_row.filter(|parts| *parts > 1);
+    let mut found = Vec::new();
+    let mut add = |base: Base| {
+        if !found.contains(&base) {
+            found.push(base);
+        }
+    };
+    if let Some(parts) = named {
+        for engine in PHYSICS_ENGINES {
+            add(Base::Method(engine.method, parts.saturating_mul(engine.parts)));
+        }
+        Method::ALL.iter().for_each(|&method| add(Base::Method(method, parts)));
+        add(Base::Straight(Spin::Explicit, parts));
+        add(Base::Straight(Spin::Kept, parts));
+    }
+    let more = |order: u32| if order <= 4 { &MORE_PARTS[..] } else { &[] };
+    let few = if all { &PARTS[..] } else { &PARTS[..3] };
+    for &method in Method::ALL {
+        let more = if all { more(method.info().order) } else { &[] };
+        few.iter().chain(more).for_each(|&parts| add(Base::Method(method, parts)));
+    }
+    for &parts in few.iter().chain(if all { &MORE_PARTS[..] } else { &[] }) {
+        add(Base::Straight(Spin::Explicit, parts));
+        add(Base::Straight(Spin::Kept, parts));
+    }
+    found.into_iter().map(Rule::plain).collect()
+}
+
+/// Every rule in this number of parts; none for one part, in which all are tried anyway.
+pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
+    if parts == 1 {
+        return Vec::new();
+    }
+    let methods = Method::ALL.iter().map(|&method| Base::Method(method, parts));
+    let straight = [Spin::Explicit, Spin::Kept].map(|spin| Base::Straight(spin, parts));
+    methods.chain(straight).map(Rule::plain).collect()
 }
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.

@@ -1,7 +1,7 @@
 //! Steps of a record of any length, evenly from all of it; and what is rounding in them.
 
 use crate::state::Pair;
-use crate::thresholds::{FITS, FITS_FEW, TRIED_STEPS};
+use crate::thresholds::{FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, TRIED_STEPS};
 
 /// Pairs of rows from all of a record of any length.
 #[derive(Debug)]
@@ -49,6 +49,8 @@ pub(crate) struct Floor {
     pub size: f64,
     /// Whether it is of a few decimal digits, fewer than single precision has.
     pub few: bool,
+    /// Whether it is that of single precision.
+    pub single: bool,
 }
 
 impl Floor {
@@ -58,11 +60,21 @@ impl Floor {
     }
 
     /// Whether every step is a rule's, except for rounding and what a step that multiplies it makes of it:
-    /// half of them are within `middle`, 95 in 100 within `most`. A few decimal digits are off by half a one
+    /// half of them are within `median`, 95 in 100 within `percentile_95`. A few decimal digits are off by half a one
     /// of the last place and not more, and of what they leave open a wrong rule may be all.
-    pub(crate) fn fits(self, middle: f64, most: f64) -> bool {
-        let [half, nearly_all] = self.either(FITS, FITS_FEW);
-        middle <= half * self.size && most <= nearly_all * self.size
+    pub(crate) fn fits(self, median: f64, percentile_95: f64) -> bool {
+        let [half, nearly_all] = self.limits();
+        median <= half && percentile_95 <= nearly_all
+    }
+
+    /// How far half of a rule's own steps may be from the record's, and how far 95 in 100.
+    pub(crate) fn limits(self) -> [f64; 2] {
+        let units = match self.single {
+            true => FITS_SINGLE,
+            false if self.size > FITS_FEW_FROM => FITS_FEW,
+            false => FITS,
+        };
+        units.map(|units| units * self.size)
     }
 }
 

@@ -1,9 +1,7 @@
 //! A verdict in plain words.
 
-use crate::diagnosis::{Diagnosis, Sure};
 use crate::law::{Law, LawName};
-use crate::rules::Rule;
-use crate::thresholds::RULES_NAMED;
+use crate::names::readable;
 use crate::verdict::{Outcome, Verdict};
 use std::fmt;
 
@@ -12,10 +10,11 @@ impl fmt::Display for Verdict {
         if let Some(engine) = &self.record.engine {
             writeln!(f, "Engine:   {engine}")?;
         }
-        let [a, b, c] = self.moments.into();
+        let [a, b, c] = self.moments.map(readable).into();
         writeln!(f, "Body:     moments {a}, {b}, {c} kg m2")?;
         if let Some(torque) = self.torque {
-            writeln!(f, "Torque:   {}, {}, {} N m, constant in the world", torque.x, torque.y, torque.z)?;
+            let [x, y, z] = torque.map(readable).into();
+            writeln!(f, "Torque:   {x}, {y}, {z} N m, constant in the world")?;
         }
         let step = match self.record.step {
             Some(step) => format!("steps of {step:.6} s"),
@@ -50,7 +49,7 @@ impl fmt::Display for Verdict {
         let name = self.outcome.key().to_uppercase();
         let mut reasons: Vec<String> = self.reason().into_iter().collect();
         if self.outcome == Outcome::Failed {
-            if !self.misread.is_empty() {
+            if !self.file_mistakes.is_empty() {
                 reasons.push("the file is not what its names say".into());
             }
             if !self.resets.is_empty() {
@@ -110,10 +109,10 @@ impl Verdict {
         for note in &self.record.notes {
             writeln!(f, "Note:     {note}.")?;
         }
-        for misread in &self.misread {
-            writeln!(f, "File:     {}.", misread.words())?;
+        for mistake in &self.file_mistakes {
+            writeln!(f, "File:     {}.", mistake.words())?;
         }
-        if !self.misread.is_empty() {
+        if !self.file_mistakes.is_empty() {
             writeln!(f, "          What follows is of the file with that put right.")?;
         }
         for reset in &self.resets {
@@ -131,8 +130,8 @@ impl Verdict {
                 gaps.count, gaps.line, gaps.longest
             )?;
         }
-        if !self.record.untold.is_empty() {
-            let names: Vec<&str> = self.record.untold.iter().map(|law| law.words()).collect();
+        if !self.record.missing.is_empty() {
+            let names: Vec<&str> = self.record.missing.iter().map(|law| law.words()).collect();
             writeln!(
                 f,
                 "Not available: {} (the file has no {})",
@@ -202,77 +201,5 @@ impl fmt::Display for Law {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.name.heading();
         write!(f, "{name:22} {:>11.3e} {:>11.3e}   {}", self.most, self.last, self.growth)
-    }
-}
-
-impl fmt::Display for Diagnosis {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let best = &self.best;
-        if self.sure == Sure::FewDigits {
-            return self.few_digits(f);
-        }
-        let how = self.sure.words();
-        writeln!(f, "Diagnosis: {how}: {}", best.rule.name())?;
-        for engine in best.rule.engines() {
-            writeln!(f, "  as in {engine}")?;
-        }
-        writeln!(
-            f,
-            "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
-            self.steps, best.middle, best.most
-        )?;
-        if !self.alike.is_empty() {
-            let named = |rule: &Rule| match rule.engines() {
-                engines if engines.is_empty() => rule.name(),
-                engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
-            };
-            let names: Vec<String> = self.alike.iter().take(RULES_NAMED).map(named).collect();
-            let more = if self.alike.len() > RULES_NAMED { ", and others" } else { "" };
-            writeln!(f, "  cannot be distinguished from it here: {}{more}", names.join("; "))?;
-        }
-        if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
-            writeln!(f, "  next is {}, {ratio:.1e} times as far", second.rule.name())?;
-        }
-        for hint in &self.hints {
-            writeln!(f, "  {hint}")?;
-        }
-        if self.sure == Sure::NoneFits {
-            return f.write_str(
-                "What to do: compare the engine's rule with those of chapter \"Stepping through time\".",
-            );
-        }
-        write!(f, "What to do: {}", best.rule.advice())
-    }
-}
-
-impl Diagnosis {
-    /// What is said where a few digits fit several rules.
-    fn few_digits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
-        let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
-        let some = |names: &[String]| {
-            let more = if names.len() > RULES_NAMED { "; and others" } else { "" };
-            format!("{}{more}", names.iter().take(RULES_NAMED).cloned().collect::<Vec<_>>().join("; "))
-        };
-        writeln!(
-            f,
-            "Diagnosis: too few digits to name the rule by its single steps: they fit {} rules alike",
-            all.len()
-        )?;
-        writeln!(
-            f,
-            "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
-            self.steps, self.best.middle, self.best.most
-        )?;
-        if like.is_empty() {
-            writeln!(f, "  but over the whole record none of these drifts as it does: {}", some(unlike))?;
-        } else {
-            writeln!(f, "  over the whole record these drift as it does: {}", some(like))?;
-            writeln!(f, "  and these do not: {}", some(unlike))?;
-        }
-        for hint in &self.hints {
-            writeln!(f, "  {hint}")?;
-        }
-        f.write_str("What to do: write the record with all digits (17 of double precision, 9 of single), and judge it again.")
     }
 }

@@ -35,6 +35,16 @@ pub(crate) const PROBE_PAIRS: usize = 256;
 pub(crate) const TRIED_STEPS: usize = 2048;
 /// The same where each rule's spin has first to be found, step by step.
 pub(crate) const TRIED_TURNS: usize = 256;
+/// Share of the pairs of rows that must be one step apart for a rule to be named.
+pub(crate) const TRIED_SHARE: f64 = 0.25;
+/// Pairs of rows by which a rule in parts is looked at first, and those that it is then tried on.
+pub(crate) const TRIED_IN_PARTS: [usize; 2] = [12, 128];
+/// Numbers of parts of a row that every rule is tried with.
+pub(crate) const PARTS: [u32; 15] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16];
+/// More of them for rules of order four or less, whose errors show in these too.
+pub(crate) const MORE_PARTS: [u32; 10] = [17, 20, 24, 25, 32, 33, 40, 48, 50, 64];
+/// Errors of the exact motion, in those of the best rule, beyond which no rule in parts comes near to that one.
+pub(crate) const CLEAR: f64 = 1e3;
 /// Steps to which a rule's numbers are fitted.
 pub(crate) const FITTED_STEPS: usize = 96;
 /// Stretches of time in which an error's course is kept.
@@ -54,6 +64,10 @@ pub(crate) const FIELD_SHOWN: usize = 40;
 /// Rows before a value that is not finite, from which on the rest is judged up to there.
 pub(crate) const ROWS_BEFORE_THE_END: u64 = 2;
 
+/// Powers of two of the largest moment from which on momenta are counted in that unit: their squares are to be
+/// numbers.
+pub(crate) const FAR_FROM_ONE: f64 = 128.0;
+
 // The rounding of a record's numbers.
 
 /// Significant digits that a double has at least: with as many, numbers are taken for doubles.
@@ -63,7 +77,9 @@ pub(crate) const MOST_DIGITS: u32 = 17;
 /// Significant digits that any decimal keeps in single precision; numbers of no more are not taken for
 /// rounded to it.
 pub(crate) const DIGITS_OF_SINGLE: u32 = 6;
-/// Below so many digits nothing is concluded from them: 0.5 has one, and is exact.
+/// The most significant digits that single precision needs.
+pub(crate) const MOST_DIGITS_OF_SINGLE: u32 = 9;
+/// With fewer digits nothing is concluded from them: 0.5 has one, and is exact.
 pub(crate) const FEWEST_DIGITS: u32 = 4;
 /// Rounding beyond so many of single precision's means few decimal digits.
 pub(crate) const FEW_DIGITS: f64 = 2.0;
@@ -80,6 +96,11 @@ pub(crate) const MOMENTS_MISS: f64 = 2e-3;
 pub(crate) const STEP_SLACK: f64 = 0.05;
 /// Share by which times of equal steps, or the step named and the one seen, may differ.
 pub(crate) const STEP_APART: f64 = 0.02;
+/// How far the number of the header's steps from row to row may be from a whole one: for the step to be taken
+/// to the digit, and to be taken at all.
+pub(crate) const STEPS_PER_ROW_APART: [f64; 2] = [0.02, 0.1];
+/// The greatest number of steps from row to row that is tried.
+pub(crate) const STEPS_PER_ROW_MOST: f64 = 4096.0;
 /// Roundings of an `f64` time within which steps are equal.
 pub(crate) const EVEN_TIMES: f64 = 64.0;
 /// Half units of the last digit printed by which a time may miss its step: one for each of two times, and
@@ -192,8 +213,14 @@ pub(crate) const GENTLE: f64 = 0.1;
 /// Roundings within which steps are a rule's own: half of them, and 95 in 100; a step may multiply its
 /// rounding.
 pub(crate) const FITS: [f64; 2] = [100.0, 1e4];
+/// The same for numbers of single precision, of which a rule that is another is not so far.
+pub(crate) const FITS_SINGLE: [f64; 2] = [8.0, 64.0];
 /// The same for few decimal digits, which are off by half a unit and no more.
 pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];
+/// The same for the exact motion, to which any accurate rule comes near.
+pub(crate) const FITS_EXACT: [f64; 2] = [8.0, 256.0];
+/// Rounding from which on it is that of decimal digits, not of an engine's double precision.
+pub(crate) const FITS_FEW_FROM: f64 = 5e-15;
 /// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
 pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];
 /// The same in roundings.
@@ -204,6 +231,19 @@ pub(crate) const ALIKE_FEW: [f64; 2] = [2.0, 16.0];
 pub(crate) const NEAR: f64 = 0.01;
 /// How many times as far the next rule must be then.
 pub(crate) const NEAR_RATIO: f64 = 10.0;
+/// Roundings that a step's error must have for it to say anything.
+pub(crate) const ABOVE_ROUNDING: f64 = 16.0;
+/// Steps with such an error that show an order.
+pub(crate) const ORDER_STEPS: usize = 24;
+/// Orders looked for, up to this one.
+pub(crate) const ORDERS: u32 = 8;
+/// Spread of the errors, in powers of e, that the terms of an order may leave; and in the spread of the
+/// errors themselves.
+pub(crate) const ORDER_SPREAD: f64 = 0.6;
+/// The same in the spread of the errors themselves.
+pub(crate) const ORDER_PLAINER: f64 = 0.5;
+/// Spread of the errors, in that of the terms of the highest order, below which they are controlled.
+pub(crate) const EVEN_ERRORS: f64 = 0.2;
 /// Steps of a whole run taken once more for each rule: longer runs are compared by a part.
 pub(crate) const RUN_STEPS: f64 = 20_000.0;
 /// Share of a drift that a rule's own drift may miss.

@@ -1,8 +1,10 @@
 //! A trial: rows in, what they do to the laws noted, and the verdict at the end.
 
+use crate::advice::Advice;
+use crate::candidates::Subject;
 use crate::clock::Clock;
 use crate::columns::Kind;
-use crate::diagnosis::{Diagnosis, Sure, diagnose};
+use crate::diagnosis::{Circumstances, Confidence, Diagnosis, diagnose};
 use crate::drift::Run;
 use crate::error::Error;
 use crate::faults::{spin_faults, wrong_pace, wrong_rule};
@@ -12,9 +14,9 @@ use crate::jumps::Jumps;
 use crate::law::{FlipCount, Law, LawName};
 use crate::laws::Laws;
 use crate::reading::Reading;
+use crate::rules::{Base, Rule};
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, Row};
-use crate::suspects::Subject;
 use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, RESETS, STILL};
 use crate::verdict::{Gaps, Options, Outcome, Recording, Reset, Verdict};
 use nalgebra::Vector3;
@@ -29,6 +31,8 @@ pub(crate) struct Conditions {
     pub floor: f64,
     /// Whether the record has fewer digits than single precision.
     pub few: bool,
+    /// Whether its numbers are those of single precision.
+    pub single: bool,
 }
 
 /// A trial as far as it has come.
@@ -42,6 +46,8 @@ pub(crate) struct Trial {
     gaps: Option<Gaps>,
     last: Option<Row>,
     pub rows: u64,
+    /// The number of pairs of rows that follow one another, however far apart.
+    pairs: u64,
     /// At which line the attitude turns too far to tell which way, and by how much, rad.
     pub stopped: Option<(usize, f64)>,
     /// How a second vector of the record is at odds with the first.
@@ -71,17 +77,18 @@ impl Trial {
         direction: Option<Vector3<f64>>,
         conditions: Conditions,
     ) -> Result<Self, Error> {
-        let told = conditions.kind != Kind::Attitude;
+        let has_spin = conditions.kind != Kind::Attitude;
         Ok(Self {
             conditions,
             laws: Laws::new(&subject.moments, &first, direction, conditions.floor)?,
             first,
             sample: Sample::new(),
-            jumps: Jumps::new(first, subject.moments, subject.torque, told, conditions.floor),
+            jumps: Jumps::new(first, subject.moments, subject.torque, has_spin, conditions.floor),
             resets: Vec::new(),
             gaps: None,
             last: None,
             rows: 0,
+            pairs: 0,
             stopped: None,
             second: None,
             ended: None,
@@ -94,7 +101,7 @@ impl Trial {
         if let Some(last) = self.last.replace(*state) {
             let (h, times) = self.conditions.clock.between(last.t, state.t);
             steps = times;
-            if times != 1.0 {
+            if times > 1.0 {
                 let gaps = self.gaps.get_or_insert(Gaps { count: 0, line: state.line, longest: 0.0 });
                 gaps.count += 1;
                 gaps.longest = gaps.longest.max(times);
@@ -104,11 +111,12 @@ impl Trial {
             if self.resets.len() < RESETS {
                 self.resets.extend(reset);
             }
+            self.pairs += u64::from(self.resets.is_empty());
             if self.resets.is_empty() && times == 1.0 {
-                if self.jumps.told {
+                if self.jumps.has_spin {
                     self.laws.pair(&pair);
                 }
-                if self.jumps.told || state.ahead.is_some() {
+                if self.jumps.has_spin || state.ahead.is_some() {
                     self.sample.push(&pair);
                 }
             }
@@ -124,8 +132,13 @@ impl Trial {
         let mut found = self.findings(subject, options);
         let complaints = self.complaints(&found, options);
         self.weigh_drift(&mut found, subject);
-        let misread = reading.mistakes();
-        let outcome = self.outcome(&found, !misread.is_empty(), complaints.is_empty());
+        contradicted(&mut found, options);
+        let file_mistakes = reading.mistakes();
+        let outcome = self.outcome(&found, !file_mistakes.is_empty(), complaints.is_empty());
+        let kept = outcome == Outcome::Passed && found.laws.iter().all(|law| law.growth.rank() == 0);
+        if let Some(diagnosis) = &mut found.diagnosis {
+            diagnosis.advice = Advice::of(diagnosis, kept);
+        }
         let Conditions { kind, clock, floor, .. } = self.conditions;
         let has_attitude = self.first.attitude.is_some();
         let ends = self.laws.separatrix().filter(|ends| found.free && ends.iter().all(|x| x.is_finite()));
@@ -140,13 +153,13 @@ impl Trial {
                 has_attitude,
                 ignored: Vec::new(),
                 notes: Vec::new(),
-                untold: untold(has_attitude, kind),
+                missing: missing(has_attitude, kind),
                 gaps: self.gaps,
                 sign_changes: self.laws.seen.sign_changes,
             },
             moments: subject.moments,
             torque: subject.torque,
-            misread,
+            file_mistakes,
             resets: self.resets,
             laws: found.laws,
             flips: found.flips,
@@ -161,15 +174,20 @@ impl Trial {
     }
 
     fn findings(&self, subject: &Subject, options: &Options) -> Findings {
-        let Conditions { kind, floor, few, .. } = self.conditions;
+        let Conditions { kind, clock, floor, few, single } = self.conditions;
         let (laws, sample) = (&self.laws, &self.sample);
         let free = subject.torque.is_none();
         let still = free
             && laws.seen.constant
             && !should_change(subject, sample.pairs(), floor)
             && (laws.on_axis() || !laws.untraceable() && laws.seen.moved <= STILL * floor);
-        let size = Floor { size: floor, few };
-        let diagnosis = if still { None } else { diagnose(subject, sample, size, kind.is_momentum()) };
+        let about = Circumstances {
+            floor: Floor { size: floor, few, single },
+            of_momentum: kind.is_momentum(),
+            per_row: clock.per_row,
+            share: sample.seen() as f64 / self.pairs.max(1) as f64,
+        };
+        let diagnosis = if still { None } else { diagnose(subject, sample, about) };
         let mut kept = laws.kept(|law| options.allowed(law));
         if !free {
             kept.retain(|law| matches!(law.name, LawName::Unit | LawName::Consistency));
@@ -214,17 +232,17 @@ impl Trial {
         if let (Some(diagnosis), Some(h)) = (&mut found.diagnosis, clock.step)
             && few
             && astray
-            && diagnosis.sure == Sure::ToRounding
+            && diagnosis.confidence == Confidence::ToRounding
         {
             let run = Run { first: self.first, last: self.laws.seen.last, h, flips, floor };
             diagnosis.by_drift(subject, &self.sample, &run);
         }
     }
 
-    fn outcome(&self, found: &Findings, misread: bool, no_complaint: bool) -> Outcome {
+    fn outcome(&self, found: &Findings, file_mistakes: bool, no_complaint: bool) -> Outcome {
         let Findings { free, still, broken, .. } = *found;
         let seen = &self.laws.seen;
-        if misread || !self.resets.is_empty() || self.ended.is_some() {
+        if file_mistakes || !self.resets.is_empty() || self.ended.is_some() {
             Outcome::Failed
         } else if !free || still && !broken && found.otherwise.is_none() {
             Outcome::NothingToJudge
@@ -241,8 +259,25 @@ impl Trial {
     }
 }
 
+/// A rule that keeps a law does not make every step of a record that breaks it.
+fn contradicted(found: &mut Findings, options: &Options) {
+    let Some(diagnosis) = &mut found.diagnosis else { return };
+    let Rule { base: Base::Method(method, _), alteration: None } = diagnosis.best.rule else { return };
+    let keeps = method.info().conserved;
+    let kept = |law: LawName| match law {
+        LawName::Energy => keeps.energy,
+        LawName::Momentum => keeps.momentum,
+        LawName::Direction => keeps.direction,
+        _ => false,
+    };
+    let broken = |law: &Law| kept(law.name) && options.allowed(law.name).is_some_and(|most| law.most > most);
+    if diagnosis.confidence == Confidence::ToRounding && found.laws.iter().any(broken) {
+        diagnosis.confidence = Confidence::MostSteps;
+    }
+}
+
 /// What a record without attitudes, or of attitudes alone, has nothing of.
-fn untold(attitude: bool, kind: Kind) -> Vec<LawName> {
+fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
     match (attitude, kind) {
         (false, _) => vec![LawName::Direction, LawName::Unit, LawName::Consistency],
         (true, Kind::Attitude) => vec![LawName::Consistency],

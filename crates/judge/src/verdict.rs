@@ -1,11 +1,12 @@
 //! A verdict: what is allowed, what was found, and how it ends.
 
 use crate::diagnosis::Diagnosis;
+use crate::error::Error;
 use crate::findings::{Complaint, Note};
 use crate::fit::Fit;
 use crate::law::{FlipCount, Law, LawName};
 use crate::points::Point;
-use crate::reading::Misread;
+use crate::reading::FileMistake;
 use crate::thresholds::ALLOWED;
 use nalgebra::Vector3;
 
@@ -40,6 +41,18 @@ impl Options {
             self.thresholds[i] = Some(threshold);
         }
         self
+    }
+}
+
+impl Options {
+    /// Limits that are numbers above zero.
+    pub(crate) fn checked(&self) -> Result<(), Error> {
+        let own =
+            LawName::ALL.iter().zip(self.thresholds).filter_map(|(law, most)| Some((Some(*law), most?)));
+        match std::iter::once((None, self.threshold)).chain(own).find(|(_, most)| !(*most > 0.0)) {
+            Some((law, value)) => Err(Error::Threshold { law, value }),
+            None => Ok(()),
+        }
     }
 }
 
@@ -123,7 +136,7 @@ pub struct Recording {
     /// What was made of the file besides its rows.
     pub notes: Vec<Note>,
     /// Laws of which it has nothing: no attitude, or no spin.
-    pub untold: Vec<LawName>,
+    pub missing: Vec<LawName>,
     /// Missing rows.
     pub gaps: Option<Gaps>,
     /// Times at which the quaternion changes its sign and not its attitude.
@@ -142,7 +155,7 @@ pub struct Verdict {
     /// A torque constant in the world, N m, that the record names.
     pub torque: Option<Vector3<f64>>,
     /// Mistakes of the file. What follows is of the file with these put right.
-    pub misread: Vec<Misread>,
+    pub file_mistakes: Vec<FileMistake>,
     /// Where the motion starts anew; the laws are followed up to the first.
     pub resets: Vec<Reset>,
     /// The laws.

@@ -1,8 +1,7 @@
 //! The sentences for what is found, one for each, whether a page, a program or a terminal shows it.
 
-use crate::advice::significant;
-use crate::diagnosis::Sure;
 use crate::findings::{Complaint, Hint, Note};
+use crate::names::significant;
 use crate::verdict::Reset;
 use std::fmt;
 
@@ -104,28 +103,22 @@ impl fmt::Display for Note {
                  printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
                 moments.x, moments.y, moments.z
             ),
-            Self::EvenSteps { told, step } => {
-                let which = if *told { "told" } else { "that they have in the mean" };
+            Self::EvenSteps { named, step } => {
+                let which = if *named { "that the header names" } else { "that they have in the mean" };
                 write!(
                     f,
-                    "the times are printed with few digits: with those they are steps of the length {which}, {step:.9} s as the \
-                     file counts, and are taken for that"
+                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the \
+                     file counts"
                 )
             }
-        }
-    }
-}
-
-impl Sure {
-    /// How a rule is named that is so sure, up to a colon and its name.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::ToRounding => "Every step is made by",
-            Self::MostSteps => "Most steps, but not all, are made by",
-            Self::Near => "Most like",
-            Self::FewDigits => "Too few digits to name the rule by its single steps. One that fits is",
-            Self::NoneFits => "None of the known rules fits. Nearest is",
+            Self::StepsPerRow { named, steps } => {
+                write!(f, "the header names a step of {named:.9} s: from row to row are {steps} such steps")
+            }
+            Self::OtherStep { named, row } => write!(
+                f,
+                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is \
+                 not used"
+            ),
         }
     }
 }

@@ -5,7 +5,7 @@ mod common;
 use common::{Row, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::Method;
-use tumbling_judge::{LawName, Misread, Options, Outcome, Rule, judge};
+use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};
 
 const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
 
@@ -23,7 +23,7 @@ fn the_exact_motion_by_its_attitudes_alone_is_kept_to_rounding_in_every_law_that
         for h in [1.0 / 30.0, 1.0 / 240.0] {
             let verdict = judged(&attitudes(&exact(spin.into(), h, 1500)));
             assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
-            assert_eq!(verdict.record.untold, [LawName::Consistency]);
+            assert_eq!(verdict.record.missing, [LawName::Consistency]);
             for law in &verdict.laws {
                 assert_eq!(law.growth.rank(), 0, "{spin:?} {h}: {law}");
                 assert!(law.most < 1e-6, "{law}");
@@ -63,14 +63,14 @@ fn the_order_and_the_sense_of_attitudes_alone_are_told_by_the_law() {
         let rows = exact(spin.into(), 0.02, 800);
         let order: Vec<Row> =
             rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w)).collect();
-        assert_eq!(judged(&attitudes(&order)).misread, [Misread::Order]);
+        assert_eq!(judged(&attitudes(&order)).file_mistakes, [FileMistake::Order]);
         let first: Vec<Row> =
             rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w)).collect();
         // Not to be told from the other: the one is the other's mirror image.
-        assert_eq!(judged(&attitudes(&first)).misread, [Misread::Order]);
+        assert_eq!(judged(&attitudes(&first)).file_mistakes, [FileMistake::Order]);
         let inverse: Vec<Row> = rows.iter().map(|(t, q, w)| (*t, q.conjugate(), *w)).collect();
-        assert_eq!(judged(&attitudes(&inverse)).misread, [Misread::Inverse]);
-        assert_eq!(judged(&attitudes(&rows)).misread, []);
+        assert_eq!(judged(&attitudes(&inverse)).file_mistakes, [FileMistake::Inverse]);
+        assert_eq!(judged(&attitudes(&rows)).file_mistakes, []);
     }
 }
 

@@ -5,7 +5,7 @@ mod common;
 use common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::Method;
-use tumbling_judge::{Misread, Options, Outcome, judge};
+use tumbling_judge::{FileMistake, Options, Outcome, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
 
@@ -28,29 +28,29 @@ fn altered(rows: &[Row], how: impl Fn(&Row) -> Row) -> Vec<Row> {
 fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
     for rows in good() {
         let right = judged(&csv(&rows));
-        assert_eq!(right.misread, []);
+        assert_eq!(right.file_mistakes, []);
         let rule = right.diagnosis.unwrap().best.rule.method();
         let conj = |q: &Quaternion<f64>| q.conjugate();
         let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * w;
-        type Mistake<'a> = (Misread, Box<dyn Fn(&Row) -> Row + 'a>);
+        type Mistake<'a> = (FileMistake, Box<dyn Fn(&Row) -> Row + 'a>);
         let mistakes: [Mistake<'_>; 12] = [
-            (Misread::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
-            (Misread::Order, Box::new(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w))),
-            (Misread::ScalarFirst, Box::new(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w))),
+            (FileMistake::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
+            (FileMistake::Order, Box::new(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w))),
+            (FileMistake::ScalarFirst, Box::new(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w))),
             (
-                Misread::RevolutionsPerMinute,
+                FileMistake::RevolutionsPerMinute,
                 Box::new(|(t, q, w)| (*t, *q, w * (30.0 / std::f64::consts::PI))),
             ),
-            (Misread::Microseconds, Box::new(|(t, q, w)| (t * 1e6, *q, *w))),
-            (Misread::Inverse, Box::new(|(t, q, w)| (*t, conj(q), *w))),
-            (Misread::Degrees, Box::new(|(t, q, w)| (*t, *q, w.map(f64::to_degrees)))),
-            (Misread::Milliseconds, Box::new(|(t, q, w)| (t * 1e3, *q, *w))),
-            (Misread::LeftHandedSpin, Box::new(|(t, q, w)| (*t, *q, -w))),
-            (Misread::LeftHanded, Box::new(|(t, q, w)| (*t, conj(q), -w))),
-            (Misread::MirroredComponent(1), Box::new(|(t, q, w)| (*t, *q, Vector3::new(w.x, -w.y, w.z)))),
+            (FileMistake::Microseconds, Box::new(|(t, q, w)| (t * 1e6, *q, *w))),
+            (FileMistake::Inverse, Box::new(|(t, q, w)| (*t, conj(q), *w))),
+            (FileMistake::Degrees, Box::new(|(t, q, w)| (*t, *q, w.map(f64::to_degrees)))),
+            (FileMistake::Milliseconds, Box::new(|(t, q, w)| (t * 1e3, *q, *w))),
+            (FileMistake::LeftHandedSpin, Box::new(|(t, q, w)| (*t, *q, -w))),
+            (FileMistake::LeftHanded, Box::new(|(t, q, w)| (*t, conj(q), -w))),
+            (FileMistake::MirroredComponent(1), Box::new(|(t, q, w)| (*t, *q, Vector3::new(w.x, -w.y, w.z)))),
             // One component of all, the z: half a turn about it away from the mirrored one above.
             (
-                Misread::LeftHanded,
+                FileMistake::LeftHanded,
                 Box::new(|(t, q, w)| {
                     (*t, Quaternion::new(q.w, q.i, q.j, -q.k), Vector3::new(w.x, w.y, -w.z))
                 }),
@@ -58,7 +58,7 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
         ];
         for (misread, how) in mistakes {
             let verdict = judged(&csv(&altered(&rows, how)));
-            assert_eq!(verdict.misread, [misread]);
+            assert_eq!(verdict.file_mistakes, [misread]);
             assert_eq!(verdict.outcome, Outcome::Failed);
             assert!(verdict.to_string().contains(&misread.words()));
             let diagnosis = verdict.diagnosis.unwrap();
@@ -72,7 +72,7 @@ fn two_mistakes_at_once_are_both_named() {
     for rows in good() {
         let both =
             altered(&rows, |(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), w.map(f64::to_degrees)));
-        assert_eq!(judged(&csv(&both)).misread, [Misread::Order, Misread::Degrees]);
+        assert_eq!(judged(&csv(&both)).file_mistakes, [FileMistake::Order, FileMistake::Degrees]);
     }
 }
 
@@ -88,13 +88,16 @@ fn spins(rows: &[Row]) -> String {
 #[test]
 fn without_an_attitude_the_law_tells_units_and_hand() {
     for rows in good() {
-        assert_eq!(judged(&spins(&rows)).misread, []);
+        assert_eq!(judged(&spins(&rows)).file_mistakes, []);
         for (misread, how) in [
-            (Misread::Degrees, &(|(t, q, w): &Row| (*t, *q, w.map(f64::to_degrees))) as &dyn Fn(&Row) -> Row),
-            (Misread::Milliseconds, &|(t, q, w)| (t * 1e3, *q, *w)),
-            (Misread::LeftHandedSpin, &|(t, q, w)| (*t, *q, -w)),
+            (
+                FileMistake::Degrees,
+                &(|(t, q, w): &Row| (*t, *q, w.map(f64::to_degrees))) as &dyn Fn(&Row) -> Row,
+            ),
+            (FileMistake::Milliseconds, &|(t, q, w)| (t * 1e3, *q, *w)),
+            (FileMistake::LeftHandedSpin, &|(t, q, w)| (*t, *q, -w)),
         ] {
-            assert_eq!(judged(&spins(&altered(&rows, how))).misread, [misread]);
+            assert_eq!(judged(&spins(&altered(&rows, how))).file_mistakes, [misread]);
         }
     }
 }
@@ -104,7 +107,7 @@ fn units_that_the_names_tell_are_no_mistake() {
     let rows = exact(SPIN, 0.01, 300);
     let text = csv(&altered(&rows, |(t, q, w)| (*t, *q, w.map(f64::to_degrees))));
     let verdict = judged(&text.replace("wx,wy,wz", "wx [deg/s],wy [deg/s],wz [deg/s]"));
-    assert_eq!(verdict.misread, []);
+    assert_eq!(verdict.file_mistakes, []);
     assert_eq!(verdict.outcome, Outcome::Passed);
 }
 
@@ -119,7 +122,7 @@ fn spin_in_world_axes_and_momentum_in_either_are_judged_alike() {
         ("Lx_world,Ly_world,Lz_world", &|(t, q, w)| (*t, *q, world(q, &w.component_mul(&MOMENTS)))),
     ] {
         let verdict = judged(&csv(&altered(&rows, how)).replace("wx,wy,wz", names));
-        assert_eq!(verdict.misread, [], "{names}");
+        assert_eq!(verdict.file_mistakes, [], "{names}");
         let diagnosis = verdict.diagnosis.unwrap();
         assert_eq!(diagnosis.best.rule, expected, "{names}: {diagnosis}");
     }
@@ -341,5 +344,5 @@ fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
     assert!((verdict.record.rounding - f64::from(f32::EPSILON)).abs() < 1e-12);
     let diagnosis = verdict.diagnosis.unwrap();
     assert_eq!(diagnosis.best.rule.method(), Some((Method::SemiImplicitEuler, 1)), "{diagnosis}");
-    assert_eq!(diagnosis.sure, tumbling_judge::Sure::ToRounding, "{diagnosis}");
+    assert_eq!(diagnosis.confidence, tumbling_judge::Confidence::ToRounding, "{diagnosis}");
 }

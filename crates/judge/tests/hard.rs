@@ -150,7 +150,7 @@ fn rules_are_named_whatever_the_body_the_spin_the_step_the_rounding_and_the_name
                     let omega = Vector3::new(0.3, 1.0, 0.4).normalize() * speed;
                     let verdict = judged(&record(method, &moments, omega, h, single, (i + 2 * j + k) % 3));
                     let about = format!("{method:?} {moments:?} {speed} {h} single: {single}");
-                    assert_eq!(verdict.misread, [], "{about}");
+                    assert_eq!(verdict.file_mistakes, [], "{about}");
                     assert_eq!(verdict.resets, [], "{about}");
                     let diagnosis = verdict.diagnosis.as_ref().unwrap();
                     let mut named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);

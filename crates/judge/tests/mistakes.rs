@@ -6,7 +6,7 @@ use common::{MOMENTS, Row, csv, exact, judged, stepped_by};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::turn;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{Alteration, Diagnosis, Outcome, Rule, Sure};
+use tumbling_judge::{Alteration, Confidence, Diagnosis, Outcome, Rule};
 
 const H: f64 = 1.0 / 60.0;
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
@@ -31,7 +31,7 @@ fn diagnosed(rows: &[Row]) -> Diagnosis {
     let verdict = judged(&csv(rows));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     let diagnosis = verdict.diagnosis.unwrap();
-    assert!(matches!(diagnosis.sure, Sure::ToRounding), "{diagnosis}");
+    assert!(matches!(diagnosis.confidence, Confidence::ToRounding), "{diagnosis}");
     diagnosis
 }
 

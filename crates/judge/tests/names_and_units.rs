@@ -5,7 +5,7 @@ mod common;
 use common::{MOMENTS, Row, csv, exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::rotation_matrix;
-use tumbling_judge::{Misread, Options, Outcome, Verdict, judge};
+use tumbling_judge::{FileMistake, Options, Outcome, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
 const H: f64 = 1.0 / 60.0;
@@ -28,7 +28,7 @@ fn error(text: &str) -> String {
 
 fn sound(verdict: &Verdict) {
     assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
-    assert_eq!((&verdict.misread[..], &verdict.record.ignored[..]), (&[][..], &[][..]), "{verdict}");
+    assert_eq!((&verdict.file_mistakes[..], &verdict.record.ignored[..]), (&[][..], &[][..]), "{verdict}");
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn spin_and_time_both_in_units_of_their_own_are_told() {
     let rows = altered(|(t, q, w)| (t * 1e3, *q, w.map(f64::to_degrees)));
     let verdict = judged(&csv(&rows));
     assert_eq!(verdict.outcome, Outcome::Failed);
-    assert_eq!(verdict.misread, [Misread::Degrees, Misread::Milliseconds], "{verdict}");
+    assert_eq!(verdict.file_mistakes, [FileMistake::Degrees, FileMistake::Milliseconds], "{verdict}");
     // Times a hundred times too long are in no unit: the pace tells.
     let verdict = judged(&csv(&altered(|(t, q, w)| (t * 100.0, *q, *w))));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
@@ -170,10 +170,10 @@ fn a_plate_whose_rounded_moments_miss_by_a_digit_is_judged_as_flat_and_said_to_b
 fn a_momentum_under_the_names_of_a_spin_is_named() {
     let body = altered(|(t, q, w)| (*t, *q, MOMENTS.component_mul(w)));
     let verdict = judged(&csv(&body));
-    assert_eq!(verdict.misread, [Misread::Momentum], "{verdict}");
+    assert_eq!(verdict.file_mistakes, [FileMistake::Momentum], "{verdict}");
     let world = altered(|(t, q, w)| (*t, *q, rotation_matrix(q) * MOMENTS.component_mul(w)));
     let verdict = judged(&csv(&world));
-    assert_eq!(verdict.misread, [Misread::Frame, Misread::Momentum], "{verdict}");
+    assert_eq!(verdict.file_mistakes, [FileMistake::Frame, FileMistake::Momentum], "{verdict}");
     assert_eq!(verdict.diagnosis.unwrap().best.rule, tumbling_judge::Rule::EXACT);
 }
 
@@ -181,5 +181,5 @@ fn a_momentum_under_the_names_of_a_spin_is_named() {
 fn an_inverse_of_the_common_order_is_named_by_the_common_names() {
     let rows = altered(|(t, q, w)| (*t, Quaternion::new(-q.i, -q.j, -q.k, q.w), *w));
     let verdict = judged(&csv(&rows));
-    assert_eq!(verdict.misread, [Misread::Order, Misread::Inverse], "{verdict}");
+    assert_eq!(verdict.file_mistakes, [FileMistake::Order, FileMistake::Inverse], "{verdict}");
 }

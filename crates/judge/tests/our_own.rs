@@ -6,7 +6,7 @@ use common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
 use nalgebra::Vector3;
 use tumbling::step::{Engine, Method, State, System};
 use tumbling::{Body, Inertia};
-use tumbling_judge::{Alteration, Base, Growth, LawName, Outcome, Rule, Sure, Verdict};
+use tumbling_judge::{Alteration, Base, Confidence, Growth, LawName, Outcome, Rule, Verdict};
 
 const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
 
@@ -52,7 +52,7 @@ fn every_method_is_graded_as_it_says_of_itself_and_named() {
         let diagnosis = verdict.diagnosis.unwrap();
         let named = std::iter::once(diagnosis.best.rule).chain(diagnosis.alike.iter().copied());
         assert!(named.filter_map(|rule| rule.method()).any(|x| x == (method, 1)), "{method:?}: {diagnosis}");
-        assert_eq!(diagnosis.sure, Sure::ToRounding, "{method:?}");
+        assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{method:?}");
     }
 }
 
@@ -71,7 +71,7 @@ fn a_tensor_frozen_in_the_world_is_named() {
     let verdict = judged(&csv(&rows));
     let diagnosis = verdict.diagnosis.unwrap();
     assert!(matches!(diagnosis.best.rule.base, Base::FrozenTensor(_)), "{diagnosis}");
-    assert_eq!(diagnosis.sure, Sure::ToRounding);
+    assert_eq!(diagnosis.confidence, Confidence::ToRounding);
     assert_eq!(verdict.outcome, Outcome::Failed);
 }
 
@@ -99,7 +99,7 @@ fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
         matches!(diagnosis.best.rule.base, Base::MomentumForSpin(mass) if (mass - 5.5 / 3.0).abs() < 1e-6),
         "{diagnosis}"
     );
-    assert!(diagnosis.best.middle < 1e-8 && diagnosis.ratio().unwrap() > 1e4, "{diagnosis}");
+    assert!(diagnosis.best.median < 1e-8 && diagnosis.ratio().unwrap() > 1e4, "{diagnosis}");
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn a_rule_that_none_knows_is_not_given_a_name() {
         end
     });
     let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
-    assert_eq!(diagnosis.sure, Sure::NoneFits, "{diagnosis}");
+    assert_eq!(diagnosis.confidence, Confidence::NoneFits, "{diagnosis}");
     assert!(diagnosis.to_string().contains("None of the known rules fits"));
 }
 
@@ -203,7 +203,7 @@ fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
                     }
                     let verdict = judged(&csv(&rows));
                     let what = format!("{} {} {omega:?} {h} {}", engine.name, engine.setting, rows.len());
-                    assert_eq!(verdict.misread, [], "{what}");
+                    assert_eq!(verdict.file_mistakes, [], "{what}");
                     assert_eq!(verdict.resets, [], "{what}");
                     let diagnosis = verdict.diagnosis.unwrap();
                     let mut named =

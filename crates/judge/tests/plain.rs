@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{Base, LawName, Options, Outcome, Rule, Spin, Sure, Verdict, judge};
+use tumbling_judge::{Base, Confidence, LawName, Options, Outcome, Rule, Spin, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
 const BODY: Vector3<f64> = common::MOMENTS;
@@ -50,11 +50,11 @@ fn judged(text: &str) -> Verdict {
 fn the_rule_of_a_plain_engine_is_named_whichever_spin_it_turns_by() {
     let named = |rows: &[Row]| {
         let diagnosis = judged(&text(rows, |x| significant(x, 17))).diagnosis.unwrap();
-        assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+        assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{diagnosis}");
         diagnosis.best.rule
     };
-    assert_eq!(named(&plain(true, false, 600)), Rule::plain(Base::Straight(Spin::Explicit)));
-    assert_eq!(named(&plain(false, false, 600)), Rule::plain(Base::Straight(Spin::Kept)));
+    assert_eq!(named(&plain(true, false, 600)), Rule::plain(Base::Straight(Spin::Explicit, 1)));
+    assert_eq!(named(&plain(false, false, 600)), Rule::plain(Base::Straight(Spin::Kept, 1)));
     assert_eq!(named(&plain(true, true, 600)).method(), Some((Method::ExplicitEuler, 1)));
 }
 
@@ -74,7 +74,7 @@ fn a_rule_that_few_digits_do_not_tell_is_not_named_for_a_wrong_one() {
         let diagnosis = verdict.diagnosis.unwrap();
         // Whatever is said for sure is so; and what drifts as the record does is among what is said.
         let right = [
-            Rule::plain(Base::Straight(Spin::Explicit)),
+            Rule::plain(Base::Straight(Spin::Explicit, 1)),
             Rule::plain(Base::Method(Method::ExplicitEuler, 1)),
         ];
         let gyroscopic = |rule: &Rule| {
@@ -90,7 +90,8 @@ fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     let diagnosis = verdict.diagnosis.unwrap();
     let kept = |rule: &Rule| {
-        rule.method() == Some((Method::ConstantSpin, 1)) || *rule == Rule::plain(Base::Straight(Spin::Kept))
+        rule.method() == Some((Method::ConstantSpin, 1))
+            || *rule == Rule::plain(Base::Straight(Spin::Kept, 1))
     };
     assert!(kept(&diagnosis.best.rule), "{diagnosis}");
     // Stepped slowly enough for no single step to show it.

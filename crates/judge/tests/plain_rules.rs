@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::step::Method;
-use tumbling_judge::{Base, Options, Outcome, Sure, Verdict, judge};
+use tumbling_judge::{Base, Confidence, Options, Outcome, Verdict, judge};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 2.7];
 const H: f64 = 1.0 / 60.0;
@@ -87,9 +87,9 @@ fn rules_written_out_by_hand_are_the_best_and_to_rounding() {
     ];
     for (rule, attitude, methods) in cases {
         let verdict = judged(&written(run(rule, start()), attitude));
-        assert_eq!((verdict.outcome, &verdict.misread[..]), (Outcome::Failed, &[][..]), "{verdict}");
+        assert_eq!((verdict.outcome, &verdict.file_mistakes[..]), (Outcome::Failed, &[][..]), "{verdict}");
         let diagnosis = verdict.diagnosis.as_ref().unwrap();
-        assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+        assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{diagnosis}");
         let (method, parts) = diagnosis.best.rule.method().unwrap();
         assert!(methods.contains(&method) && parts == 1, "{diagnosis}");
     }
@@ -101,7 +101,7 @@ fn a_tensor_frozen_at_a_turned_start_is_named() {
     assert_eq!(verdict.outcome, Outcome::Failed);
     let diagnosis = verdict.diagnosis.unwrap();
     assert!(matches!(diagnosis.best.rule.base, Base::FrozenAt(..)), "{diagnosis}");
-    assert_eq!(diagnosis.sure, Sure::ToRounding, "{diagnosis}");
+    assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{diagnosis}");
 }
 
 #[test]

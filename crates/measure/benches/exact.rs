@@ -74,7 +74,7 @@ fn works() -> Vec<Work> {
             works.push((
                 name(&format!("derivatives by the tensor{what}")),
                 Box::new(move |k| {
-                    drop(black_box(motion.tensor_sensitivity(black_box(again[k as usize % 1024]))));
+                    drop(black_box(motion.sensitivities(black_box(again[k as usize % 1024]))));
                 }),
             ));
         }

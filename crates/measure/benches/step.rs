@@ -9,13 +9,15 @@
 //! The first prints ratios of times; the second runs one piece of work 1000 times inside a function whose
 //! instructions are counted. Under `cargo test` it does nothing but make sure that it runs.
 
+mod plain;
 mod ratios;
 
 use nalgebra::{Quaternion, Vector3};
+use plain::{Number, Plain};
 use ratios::Work;
 use std::hint::black_box;
 use tumbling::PrincipalMoments;
-use tumbling::step::{Method, State, System, fixed_rate};
+use tumbling::step::{Method, PositionStage, State, System, fixed_rate};
 
 type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
 
@@ -49,7 +51,41 @@ fn works() -> Vec<Work> {
             Box::new(move |system, motion, h| method.step(system, motion, h).expect("a step")),
         );
     }
+    in_an_engine::<f64>(&mut works, ["bare rule, f64", "position stage, f64", "position stage, f64, frame"]);
+    in_an_engine::<f32>(&mut works, ["bare rule, f32", "position stage, f32", "position stage, f32, frame"]);
     works
+}
+
+/// The rule as an engine writes it, and what replaces it: attitude and spin in the world, both ways.
+fn in_an_engine<T: Number>(works: &mut Vec<Work>, [rule, stage, framed]: [&'static str; 3]) {
+    let number = |x: f32| <T as From<f32>>::from(x);
+    let h = number(1.0 / 60.0);
+    let moments = Vector3::new(10.0, 13.0, 5.0).map(|x: f32| number(x / 12.0));
+    let inverse = moments.map(|x| T::one() / x);
+    let attitude = Quaternion::new(T::one(), T::zero(), T::zero(), T::zero());
+    let start = Plain { attitude, omega: Vector3::new(10.0, 0.1, 0.1).map(number) };
+    let mut now = start;
+    works.push((
+        rule,
+        Box::new(move |k| {
+            now = if k % 512 == 0 { start } else { now };
+            now = plain::step(black_box(&moments), black_box(&inverse), black_box(&now), black_box(h));
+        }),
+    ));
+    let body = PositionStage::new(&moments).expect("a body");
+    let turned = Quaternion::new(number(0.6), number(0.0), number(0.8), number(0.0));
+    for (name, body) in [(stage, body), (framed, body.in_frame(turned))] {
+        let mut now = start;
+        works.push((
+            name,
+            Box::new(move |k| {
+                now = if k % 512 == 0 { start } else { now };
+                let end =
+                    black_box(&body).step(black_box(&now.attitude), black_box(&now.omega), black_box(h));
+                now = Plain { attitude: end.attitude, omega: end.omega };
+            }),
+        ));
+    }
 }
 
 fn main() {

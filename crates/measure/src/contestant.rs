@@ -44,7 +44,7 @@ impl Group {
         }
     }
 
-    fn of(info: &MethodInfo) -> Self {
+    fn of(info: MethodInfo) -> Self {
         match (info.order, info.conserved.energy, info.conserved.momentum) {
             (0, ..) => Self::Wrong,
             (_, true, true) => Self::Both,

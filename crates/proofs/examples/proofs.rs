@@ -1,6 +1,6 @@
 //! Lists the proofs with the time each takes, and what their altered laws leave over.
 //!
-//! `cargo run --release -p tumbling-proofs --example proofs [-- mutants]`
+//! `cargo run --example proofs [-- mutants]`
 
 use std::time::Instant;
 use tumbling_proofs::proofs;

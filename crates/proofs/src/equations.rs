@@ -17,6 +17,8 @@ mod alter;
 mod bodies;
 pub mod laws;
 mod motion;
+mod steps;
+mod tops;
 
 pub use alter::{Alterations, StillTrue, alterations};
 pub use laws::{Exemption, Law};

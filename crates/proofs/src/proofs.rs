@@ -1,6 +1,6 @@
 //! The list of proofs, in the order of the library.
 
-mod closed_forms;
+pub(crate) mod closed_forms;
 mod conserved;
 pub mod engines;
 mod euler;
@@ -8,6 +8,7 @@ mod gap;
 mod inertia;
 mod methods;
 mod order;
+mod position_stage;
 mod solids;
 mod stability;
 mod turning;
@@ -17,7 +18,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 11] = [
+    let parts: [&[Proof]; 12] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -29,6 +30,7 @@ pub fn proofs() -> Vec<&'static Proof> {
         closed_forms::PROOFS,
         order::PROOFS,
         methods::PROOFS,
+        position_stage::PROOFS,
     ];
     parts.into_iter().flatten().collect()
 }

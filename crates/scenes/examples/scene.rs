@@ -1,9 +1,9 @@
 //! Answers a scene from a file, in the cheapest way that is accurate enough.
 //!
 //! ```text
-//! cargo run --release --example scene -- FILE.toml             the states, as comma-separated values
-//! cargo run --release --example scene -- --summary FILE.toml   each body in a few lines
-//! cargo run --release --example scene -- --explain FILE.toml   what was chosen, what left out, what it costs
+//! cargo run --example scene -- FILE.toml             the states, as comma-separated values
+//! cargo run --example scene -- --summary FILE.toml   each body in a few lines
+//! cargo run --example scene -- --explain FILE.toml   what was chosen, what left out, what it costs
 //! ```
 //!
 //! With `--features tumbling-scenes/threads` a scene of many bodies is shared out over the processor's cores.

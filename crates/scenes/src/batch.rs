@@ -42,10 +42,11 @@ use crate::error::Error;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::states::{Answer, States};
+use nalgebra::Vector3;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
-use tumbling::exact::{Batch, FreeMotion, Spins};
+use tumbling::exact::{Batch, FreeMotion};
 
 /// The number of tiles in work at once, on any number of threads, so that the order is always the same.
 const AT_ONCE: usize = 32;
@@ -137,7 +138,7 @@ struct ActiveTile<'p> {
 }
 
 enum Lanes {
-    Spins(Spins<FourLanes>),
+    Spins(Batch<FourLanes, Vector3<f64>>),
     Instants(Batch<FourLanes>),
 }
 
@@ -153,7 +154,7 @@ impl<'p> ActiveTile<'p> {
         let lanes = if scene.outputs().attitude {
             Lanes::Instants(Batch::new(&motions))
         } else {
-            Lanes::Spins(Spins::new(&motions))
+            Lanes::Spins(Batch::new(&motions))
         };
         let others = |place: &usize| places.binary_search(place).is_err();
         let alone = (0..plans.len())

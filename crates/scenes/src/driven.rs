@@ -4,11 +4,11 @@ use crate::error::Error;
 use crate::initial_state::Principal;
 use crate::prices;
 use crate::scene::Scene;
-use crate::step_control::StepControl;
+use crate::step_control::{LEAST_TOLERANCE, StepControl};
 use crate::strategy::{Driven, Strategy};
 use crate::trial::{Chosen, Trial};
 use nalgebra::Vector3;
-use tumbling::step::{LEAST_TOLERANCE, Method, State, System, Torque};
+use tumbling::step::{Method, State, System, Torque};
 
 /// A torque given in body axes, along the principal axes.
 ///

@@ -46,11 +46,12 @@ pub use solver::Solver;
 use crate::error::{Error, finite};
 use crate::initial_state::InitialState;
 
+use nalgebra::Vector3;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tumbling::exact::{Batch, Spins};
+use tumbling::exact::Batch;
 
 /// The number of bodies that are sorted, worked on and put out together.
 pub const TILE: usize = 256;
@@ -129,7 +130,7 @@ impl Ensemble<Batch<FourLanes>> {
     }
 }
 
-impl Ensemble<Spins<FourLanes>> {
+impl Ensemble<Batch<FourLanes, Vector3<f64>>> {
     /// As [`instants`](Self::instants), for their spin alone, which takes about half the memory and the time.
     pub fn spins(
         bodies: usize,

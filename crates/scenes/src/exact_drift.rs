@@ -14,7 +14,7 @@ use tumbling::step::{State, System};
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::PrincipalMoments;
+/// use tumbling::{PrincipalMoments, dynamics::observe};
 /// use tumbling::step::{State, System, Torque};
 /// use tumbling_scenes::exact_drift;
 /// // A free body, an hour in one step.
@@ -22,7 +22,7 @@ use tumbling::step::{State, System};
 /// let free = System::free(moments)?;
 /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
 /// let end = exact_drift::step(&free, &start, 3600.0)?;
-/// let energy = |state: &State<f64>| free.energy(state);
+/// let energy = |state: &State<f64>| observe::energy(&free.omega(&state.momentum), &state.momentum);
 /// assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-14);
 /// // A step forth and one back, under a torque.
 /// let weight = Torque::gravity(&Vector3::new(0.0, 0.0, 0.1), 3.0);

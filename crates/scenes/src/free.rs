@@ -87,8 +87,8 @@ fn attainable(
         Regime::Elliptic { complement, .. } => complement,
         _ => 0.0,
     };
-    let moments = motion.moments();
-    let thin = moments.vector().max() / moments.vector().min();
+    let moments = body.moments.vector();
+    let thin = moments.max() / moments.min();
     let bound = ROUNDINGS * f64::EPSILON * thin * coarsening(body) * (speed * end).max(1.0)
         / (complement * complement);
     if accuracy >= bound {

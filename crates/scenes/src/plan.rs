@@ -21,7 +21,6 @@ pub struct Plan<'a> {
     /// Where it does not change.
     pub(crate) energy: Option<f64>,
     pub(crate) gap: Option<f64>,
-    pub(crate) inertia: Inertia,
 }
 
 impl Scene {
@@ -53,7 +52,6 @@ impl<'a> Plan<'a> {
             refuse_of_driven(outputs)?;
             if outputs.states() { driven::strategy(&body, scene)? } else { Strategy::Nothing }
         };
-        let inertia = Inertia::from(body.moments);
         let energy = if outputs.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
         if outputs.gap && body.omega == Vector3::zeros() {
             return Err(Error::Undefined {
@@ -65,8 +63,12 @@ impl<'a> Plan<'a> {
             strategy,
             Strategy::Nothing | Strategy::Constant { .. } | Strategy::Rotation(_) | Strategy::SymmetricTop(_)
         );
-        let gap = if outputs.gap && steady { Some(inertia.angle_to_momentum(&body.omega)?) } else { None };
-        Ok(Self { scene, body, strategy, energy, gap, inertia })
+        let gap = if outputs.gap && steady {
+            Some(Inertia::from(body.moments).angle_to_momentum(&body.omega)?)
+        } else {
+            None
+        };
+        Ok(Self { scene, body, strategy, energy, gap })
     }
 
     /// The strategy chosen.

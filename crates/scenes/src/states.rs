@@ -5,6 +5,7 @@ use crate::plan::{Plan, energy};
 use crate::scene::Scene;
 use crate::strategy::{Driven, Strategy};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use tumbling::Inertia;
 use tumbling::step::State;
 
 /// A body at one time: the outputs requested.
@@ -171,7 +172,7 @@ impl Plan<'_> {
                 None => self.energy,
             },
             gap: match moving(outputs.gap, self.gap) {
-                Some(omega) => Some(self.inertia.angle_to_momentum(&omega)?),
+                Some(omega) => Some(Inertia::from(self.body.moments).angle_to_momentum(&omega)?),
                 None => self.gap,
             },
         })

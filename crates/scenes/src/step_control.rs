@@ -3,7 +3,10 @@
 use crate::error::Error;
 use crate::exact_drift;
 use crate::prices;
-use tumbling::step::{LEAST_TOLERANCE, Method, State, System, adaptive};
+use tumbling::step::{Method, State, System, adaptive};
+
+/// The least tolerance that [`adaptive`] takes: below it a step's error is rounding.
+pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,6 +80,7 @@ impl StepControl {
     }
 
     /// `duration` seconds on, in as many steps as that takes.
+    #[inline]
     pub(crate) fn to_the_end(
         self,
         system: &System<f64>,

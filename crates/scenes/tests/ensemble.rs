@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use std::sync::Mutex;
-use tumbling::exact::{Batch, Instant, Regime, Spins};
+use tumbling::exact::{Batch, Instant, Regime};
 use tumbling::number::Lane;
 use tumbling_scenes::ensemble::{Chunk, Ensemble, FourLanes, INSTANTS, Solver, TILE};
 use tumbling_scenes::{InitialState, Start};
@@ -85,7 +85,7 @@ fn bodies_of_every_kind_and_size_answer_in_lanes_as_each_does_alone_to_the_bit()
     for speed in [1.0, 1e-150, 1e150] {
         let times = times_of(speed);
         let (four, one) = (answers::<Batch<FourLanes>>(&all, &times), answers::<Batch<f64>>(&all, &times));
-        let spins = answers::<Spins<FourLanes>>(&all, &times);
+        let spins = answers::<Batch<FourLanes, Vector3<f64>>>(&all, &times);
         for (k, &t) in times.iter().enumerate() {
             for (n, body) in all.iter().enumerate() {
                 let alone = body.motion().unwrap();

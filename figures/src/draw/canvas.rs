@@ -86,29 +86,6 @@ impl Canvas {
         self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{:.0}\" style=\"{style}\"/>\n", r * FINENESS));
     }
 
-    /// Many small round dots in one element: strokes of no length with round ends.
-    pub(crate) fn specks(&self, centres: impl IntoIterator<Item = P>, pen: Pen) {
-        let mut data = String::new();
-        for (x, y) in centres.into_iter().map(fine) {
-            let _ = write!(data, "M{x} {y}h0");
-        }
-        if !data.is_empty() {
-            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", pen.css()));
-        }
-    }
-
-    /// Many triangles of one look in one element.
-    pub(crate) fn triangles(&self, corners: impl IntoIterator<Item = [P; 3]>, fill: Fill) {
-        let mut data = String::new();
-        for triangle in corners {
-            data.push_str(&path_data(&triangle.map(fine)));
-            data.push('z');
-        }
-        if !data.is_empty() {
-            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", fill.css()));
-        }
-    }
-
     /// Many rectangles (left, top, right, bottom) of one look in one element.
     pub(crate) fn tiles(&self, tiles: &[[f64; 4]], fill: Fill, outline: Option<Pen>) {
         let mut data = String::new();
@@ -174,25 +151,20 @@ impl Canvas {
         self.push(&label.svg(at, FINENESS));
     }
 
-    /// A row of letters, each with a place of its own on one line.
-    pub(crate) fn letters(&self, x: &[f64], y: f64, label: &Label) {
-        if !x.is_empty() {
-            self.push(&label.spread(x, y, FINENESS));
-        }
-    }
-
     /// The whole document. `name` prefixes its ids.
     pub(crate) fn finish(self, name: &str, title: &str, description: &str) -> String {
         let (w, h) = (f64::from(self.size.0) * FINENESS, f64::from(self.size.1) * FINENESS);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" viewBox=\"0 0 {w} {h}\" role=\"img\" \
              aria-labelledby=\"{name}-title {name}-desc\" fill=\"currentColor\" font-size=\"{}\" \
-             style=\"font-family:var(--fig-font,system-ui,sans-serif)\">\n\
+             style=\"font-family:var(--fig-font,system-ui,sans-serif){}\">\n\
              <title id=\"{name}-title\">{}</title>\n<desc id=\"{name}-desc\">{}</desc>\n\
              <style>{}</style>\n\
              <g fill=\"none\" stroke-width=\"{DEFAULT_WIDTH}\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n{}</g>\n</svg>\n",
             self.size.0,
             SIZE * FINENESS,
+            // A narrow sheet is not stretched to the page: its letters have their size already.
+            if self.size.0 < WIDTH { ";min-width:0" } else { "" },
             escaped(title),
             escaped(description),
             stand_alone_style(),

@@ -55,13 +55,8 @@ impl Label {
 
     /// The SVG element, with the baseline at the point.
     pub(super) fn svg(&self, at: P, fineness: f64) -> String {
-        self.spread(&[at.0], at.1, fineness)
-    }
-
-    /// The same with a place of its own for each letter, so that a row of signs is one element.
-    pub(super) fn spread(&self, x: &[f64], y: f64, fineness: f64) -> String {
-        let x: Vec<String> = x.iter().map(|x| (x * fineness).round().to_string()).collect();
-        let mut tag = format!("<text x=\"{}\" y=\"{}\"", x.join(" "), (y * fineness).round());
+        let [x, y] = [at.0, at.1].map(|x| (x * fineness).round());
+        let mut tag = format!("<text x=\"{x}\" y=\"{y}\"");
         if self.size != SIZE {
             let _ = write!(tag, " font-size=\"{:.0}\"", self.size * fineness);
         }

@@ -3,13 +3,13 @@ use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 
-const CENTRE: P = (196.0, 362.0);
+const CENTRE: P = (128.0, 352.0);
 /// Pixels of a metre of the box.
-const METRE: f64 = 140.0;
+const METRE: f64 = 108.0;
 
 /// The place of the tip of an arrow from the centre.
 fn tip(x: f64, y: f64) -> P {
-    const UNIT: f64 = 262.0;
+    const UNIT: f64 = 250.0;
     (CENTRE.0 + UNIT * x, CENTRE.1 - UNIT * y)
 }
 
@@ -20,7 +20,7 @@ pub(super) fn draw() -> Drawing {
     let [w_angle, l_angle] = [omega, momentum].map(|v| v.y.atan2(v.x));
     let gap = inertia.angle_to_momentum(&omega)?.to_degrees();
 
-    let canvas = Canvas::new(480);
+    let canvas = Canvas::sized(500, 450);
     the_box(&canvas);
     components(&canvas, &omega, &momentum);
     arrows(&canvas, &omega, &momentum, gap);
@@ -46,9 +46,9 @@ fn the_box(canvas: &Canvas) {
     let corners = [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| (centre.0 + x, centre.1 + y));
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
-    canvas.line((centre.0 - a - 20.0, centre.1), (590.0, centre.1), axis);
+    canvas.line((centre.0 - a - 20.0, centre.1), (470.0, centre.1), axis);
     canvas.line((centre.0, centre.1 + b + 20.0), (centre.0, 40.0), axis);
-    canvas.label((598.0, centre.1 + 5.0), &Label::new("$x$"));
+    canvas.label((476.0, centre.1 + 5.0), &Label::new("$x$"));
     canvas.label((centre.0 - 5.0, 30.0), &Label::new("$y$"));
     canvas.label(
         (centre.0 - 0.5 * a, centre.1 + b + 24.0),
@@ -91,20 +91,23 @@ fn arrows(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>, gap: f
     let arc = Pen::new(Ink::Text, 1.2);
     canvas.arc(centre, 60.0, 0.0, w_angle, arc);
     canvas.arc(centre, 100.0, 0.0, l_angle, arc);
-    canvas.arc(centre, 236.0, w_angle, l_angle, Pen::new(Ink::Text, 2.4));
+    canvas.arc(centre, 226.0, w_angle, l_angle, Pen::new(Ink::Text, 2.4));
     canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
     canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
     canvas.disc(centre, 4.0, Fill::new(Ink::Text), None);
-    canvas.label((w_tip.0 + 12.0, w_tip.1 + 4.0), &Label::new("$!ω$ = (1, 1, 0) rad/s").ink(Ink::Omega));
+    let text = Label::new("$!ω$ = (1, 1, 0) rad/s").ink(Ink::Omega).halo(Ink::Paper);
+    canvas.label((496.0, w_tip.1 + 66.0), &text.end());
     canvas.label(
-        (l_tip.0 - 4.0, l_tip.1 - 14.0),
-        &Label::new(format!("$!L$ = ({:.3}, {:.3}, 0) kg m²/s", momentum.x, momentum.y)).ink(Ink::Momentum),
+        (496.0, l_tip.1 - 16.0),
+        &Label::new(format!("$!L$ = ({:.3}, {:.3}, 0) kg m²/s", momentum.x, momentum.y))
+            .ink(Ink::Momentum)
+            .end(),
     );
     let small =
         |at: (f64, f64), text: String| canvas.label((at.0 + 5.0, at.1 + 4.0), &Label::new(text).size(15.5));
     small(polar(centre, 60.0, 0.35), format!("{:.0}°", w_angle.to_degrees()));
     small(polar(centre, 100.0, 0.4), format!("{:.1}°", l_angle.to_degrees()));
-    let by_the_arc = polar(centre, 236.0, 0.5 * (w_angle + l_angle));
+    let by_the_arc = polar(centre, 226.0, 0.5 * (w_angle + l_angle));
     canvas
         .label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());
 }

@@ -8,16 +8,12 @@ use tumbling::{Axis, PrincipalAxes};
 pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
     let principal = inertia.principal();
-    let canvas = Canvas::new(530);
-    let view = View::new((326.0, 286.0), 104.0, 42.0, 24.0);
+    let canvas = Canvas::sized(500, 500);
+    let view = View::new((232.0, 276.0), 88.0, 42.0, 24.0);
     let solid = Cuboid { rotation: Matrix3::identity(), half: Vector3::from(BOX_EDGES.map(|x| 0.5 * x)) };
     solid.draw(&canvas, &view, Some(Pen::new(Ink::Faint, 1.1).dashed()), Pen::new(Ink::Text, 1.4));
     let mut said = Vec::new();
-    for (axis, letter, nudge) in [
-        (Axis::Largest, "y", (12.0, 6.0)),
-        (Axis::Middle, "x", (-10.0, 8.0)),
-        (Axis::Smallest, "z", (16.0, 12.0)),
-    ] {
+    for (axis, letter) in [(Axis::Largest, "y"), (Axis::Middle, "x"), (Axis::Smallest, "z")] {
         let (along, moment, pen) =
             (principal.axis(axis), principal.moment(axis), Pen::new(ink_of(axis), 2.8));
         let half = along.dot(&solid.half);
@@ -30,8 +26,11 @@ pub(super) fn draw() -> Drawing {
         canvas.arrow_along(&ring(&view, &principal, axis, half + 0.7 * REACH), Pen::new(ink_of(axis), 2.0));
         let tip = view.at(&(along * (half + REACH)));
         let text = Label::new(format!("$I_{{{letter}{letter}}}$ = {moment:.3} kg m²")).ink(ink_of(axis));
-        canvas
-            .label((tip.0 + nudge.0, tip.1 + nudge.1), &if axis == Axis::Middle { text.end() } else { text });
+        match axis {
+            Axis::Smallest => canvas.label((tip.0 + 16.0, tip.1 + 12.0), &text),
+            Axis::Middle => canvas.label((6.0, tip.1 + 36.0), &text),
+            Axis::Largest => canvas.label((494.0, tip.1 + 32.0), &text.end()),
+        }
         said.push(format!("{moment:.3} kg m² about {letter}"));
     }
     // Each edge's length beside one edge along it.

@@ -10,12 +10,12 @@ const STEP: f64 = 0.01;
 
 pub(super) fn draw() -> Drawing {
     let body = motion::spun(document_box()?, Vector3::new(1.0, 1.0, 1.0))?;
-    let canvas = Canvas::new(470);
-    let plot = Plot::new(&canvas, 74.0, 56.0, 655.0, 396.0, Scale::linear(0.0..END), Scale::linear(0.5..1.3));
+    let canvas = Canvas::sized(500, 430);
+    let plot = Plot::new(&canvas, 66.0, 56.0, 484.0, 356.0, Scale::linear(0.0..END), Scale::linear(0.5..1.3));
     plot.x_axis((0..=4).map(|s| (10.0 * f64::from(s), (10 * s).to_string())), "time $t$ (s)");
     plot.y_axis(
         [60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %"))),
-        "kinetic energy, in parts of what it was",
+        "kinetic energy, relative to the start",
     );
     let energies = |engine| -> Result<Vec<(f64, f64)>, tumbling::Error> {
         let run = motion::timed(engine, &body, STEP, (END / STEP).round() as usize)?;
@@ -36,11 +36,10 @@ pub(super) fn draw() -> Drawing {
     };
     mark(most, -12.0, format!("invents {:.0} %", 100.0 * (most.1 - 1.0)));
     mark(least, 24.0, format!("loses {:.0} %", 100.0 * (1.0 - least.1)));
-    let at = plot.at(0.8, 1.18);
+    let at = plot.at(0.6, 1.225);
     canvas.label(at, &Label::new("frozen tensor (dashed)").ink(Ink::Wrong));
     let at = plot.at(20.2, 1.0);
-    canvas.label((at.0, at.1 - 34.0), &Label::new("tensor turned").middle());
-    canvas.label((at.0, at.1 - 12.0), &Label::new("at each step").middle());
+    canvas.label((at.0, at.1 - 12.0), &Label::new("tensor turned").middle());
     Ok(Picture {
         canvas,
         description: format!(

@@ -14,9 +14,9 @@ const STEP: f64 = 0.001;
 pub(super) fn draw() -> Drawing {
     // x is the box's middle axis.
     let body = motion::spun(document_box()?, Vector3::new(SPIN, PUSH, PUSH))?;
-    let canvas = Canvas::new(480);
+    let canvas = Canvas::sized(500, 450);
     let plot =
-        Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..END), Scale::linear(-12.0..14.0));
+        Plot::new(&canvas, 50.0, 56.0, 484.0, 376.0, Scale::linear(0.0..END), Scale::linear(-12.0..14.0));
     plot.x_axis((0..=6).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
     let ticks = [-10, -5, 0, 5, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−")));
     plot.y_axis(ticks, "spin about the middle axis, $ω_2$ (rad/s)");

@@ -1,7 +1,7 @@
 //! Errors of the exact motion over all bodies, against a table of more digits than an `f64` has.
 
 use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
+use crate::draw::{Canvas, Fill, Label, Pen};
 use crate::ink::Ink;
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -67,16 +67,6 @@ fn length(v: &[f64]) -> f64 {
     if scale == 0.0 { 0.0 } else { scale * v.iter().map(|x| (x / scale).powi(2)).sum::<f64>().sqrt() }
 }
 
-/// One body spun one way: where it stands on the map, and the worst error of spin and attitude, in units.
-struct Seen {
-    spun: String,
-    cell: [u32; 3],
-    place: (f64, f64),
-    units: [f64; 2],
-    /// A hair inside the triangle's edge, not at the middle of its cell.
-    on_edge: bool,
-}
-
 fn texts(value: &Value) -> Option<Vec<&str>> {
     value.as_array()?.iter().map(Value::as_str).collect()
 }
@@ -91,7 +81,8 @@ fn off(ours: &[f64], table: &[&str]) -> Option<f64> {
     Some(length(&differences?))
 }
 
-fn case(case: &Value) -> Option<Seen> {
+/// The worst error of spin and of attitude of one body spun one way, in units.
+fn case(case: &Value) -> Option<[f64; 2]> {
     let vector = |field: &str| numbers(&case[field]).map(Vector3::from_vec);
     let moments = vector("inertia")?;
     let motion = FreeMotion::new(moments.try_into().ok()?, &vector("w0")?).ok()?;
@@ -108,138 +99,62 @@ fn case(case: &Value) -> Option<Seen> {
             units[i] = units[i].max(error / (condition * ROUNDING));
         }
     }
-    let cell: Vec<u32> =
-        case["cell"].as_array()?.iter().filter_map(|x| x.as_u64()?.try_into().ok()).collect();
-    let (x, y) = (moments.x / moments.z, moments.y / moments.z);
-    // From the edges of flat plates, of rods and of wheels; a body in the middle of a cell is 1/60 or more
-    // off.
-    let on_edge = (x + y - 1.0).min(1.0 - y).min(y - x) < 0.01;
-    let spun = case["spin"].as_str()?.to_owned();
-    Some(Seen { spun, cell: cell.try_into().ok()?, place: (x, y), units, on_edge })
+    Some(units)
 }
 
 /// As many units as no error may have.
 const LIMIT: f64 = 8.0;
 
-/// Up to how many units each shade goes, and the shades.
-const STEPS: [(f64, &str, f64); 5] =
-    [(0.25, "¼", 0.08), (0.5, "½", 0.24), (1.0, "1", 0.45), (2.0, "2", 0.72), (LIMIT, "8", 1.0)];
-
-fn shade(units: f64) -> f64 {
-    STEPS.iter().find(|step| units <= step.0).map_or(1.0, |step| step.2)
-}
-
-/// The ways of spinning, as the table and the figure name them.
-const WAYS: [(&str, &str); 3] =
-    [("generic", "any spin"), ("flip", "near the middle axis"), ("near-separatrix", "near the separatrix")];
+/// Where each bar ends, in units, and how that is written.
+const BARS: [(f64, &str); 5] = [(0.25, "¼"), (0.5, "½"), (1.0, "1"), (2.0, "2"), (LIMIT, "8")];
 
 pub(super) fn draw() -> Drawing {
     let file: Value = serde_json::from_str(TABLE)?;
-    let side = u32::try_from(file["side"].as_u64().ok_or("a table without a side")?)?;
-    let mut seen = Vec::new();
+    let mut units = Vec::new();
     for entry in file["cases"].as_array().ok_or("a table without cases")? {
-        let one = case(entry).ok_or_else(|| format!("case {} cannot be read", entry["inertia"]))?;
-        if let Some(bad) = one.units.iter().find(|&&units| units.is_nan() || units > LIMIT) {
-            return Err(format!("{} {:?} has an error of {bad:.1} units", one.spun, one.cell).into());
+        let both = case(entry).ok_or_else(|| format!("case {} cannot be read", entry["inertia"]))?;
+        if let Some(bad) = both.iter().find(|&&units| units.is_nan() || units > LIMIT) {
+            return Err(format!("{} has an error of {bad:.1} units", entry["inertia"]).into());
         }
-        seen.push(one);
+        units.extend(both);
     }
-    let canvas = Canvas::new(568);
-    for (row, (ink, title)) in
-        [(Ink::Omega, "the spin’s error"), (Ink::Text, "the attitude’s error")].into_iter().enumerate()
-    {
-        for (column, (spun, words)) in WAYS.into_iter().enumerate() {
-            let (left, top) = (16.0 + 222.0 * column as f64, 104.0 + 242.0 * row as f64);
-            let here: Vec<&Seen> = seen.iter().filter(|one| one.spun == spun).collect();
-            panel(&canvas, (left, top), side, &here, ink, &|one| one.units[row]);
-            let name = |x: f64, y: f64, words: &str| ((left + x, top + y), Label::new(words).size(15.5));
-            let (at, label) = name(102.0, -38.0, words);
-            canvas.label(at, &label.middle());
-            let (at, label) = name(-6.0, -13.0, "needle");
-            canvas.label(at, &label);
-            let (at, label) = name(203.0, -13.0, "ball");
-            canvas.label(at, &label.end());
-            let (at, label) = name(118.0, 155.0, "disk");
-            canvas.label(at, &label);
-        }
-        canvas.label((10.0, 38.0 + 242.0 * row as f64), &Label::new(title).ink(ink).bold());
-    }
-    key(&canvas);
-    let small = |row: usize| {
-        let count = seen.iter().filter(|one| one.units[row] <= 1.0).count();
-        if 2 * count > seen.len() { Ok("most") } else { Err("most errors are beyond one unit") }
+    let share = |from: f64, to: f64| {
+        let inside = units.iter().filter(|&&x| x <= to && (x > from || from == 0.0)).count();
+        100.0 * inside as f64 / units.len() as f64
     };
+    let canvas = Canvas::sized(500, 370);
+    let foot = 290.0;
+    let mut from = 0.0;
+    let mut said = Vec::new();
+    for (i, (to, words)) in BARS.into_iter().enumerate() {
+        let (left, right) = (24.0 + 90.0 * i as f64, 114.0 + 90.0 * i as f64);
+        let per_cent = share(from, to);
+        let top = foot - 3.1 * per_cent;
+        canvas.tiles(&[[left + 6.0, top, right - 6.0, foot]], Fill::new(Ink::Text).opacity(0.7), None);
+        canvas.label(
+            (0.5 * (left + right), top - 9.0),
+            &Label::new(format!("{per_cent:.0} %")).bold().middle(),
+        );
+        canvas.label((right, foot + 24.0), &Label::new(words).middle());
+        said.push(format!("{per_cent:.0} % up to {words}"));
+        from = to;
+    }
+    canvas.label((24.0, foot + 24.0), &Label::new("0").middle());
+    canvas.line((24.0, foot), (474.0, foot), Pen::new(Ink::Text, 1.2));
+    canvas.line((294.0, 96.0), (294.0, foot), Pen::new(Ink::Text, 1.6).dashed());
+    canvas.label((304.0, 112.0), &Label::new("what the rounding"));
+    canvas.label((304.0, 134.0), &Label::new("of one input does"));
+    canvas.label((249.0, foot + 54.0), &Label::new("error, in units of that").middle());
+    canvas.label((24.0, 28.0), &Label::new("how many of the answers").bold());
     Ok(Picture {
         canvas,
         description: format!(
-            "Six triangles of all rigid bodies, with the needle, the ball and the disk in their corners: {} bodies, of which {} are a \
-             hair from an edge or a corner, drawn as discs there. Above the error of the spin, below that of the attitude; each for any \
-             spin, one near the middle axis and one near the separatrix; the worse of two instants within thirty periods. The stronger \
-             the colour, the larger, in units of what the rounding of one input may do by itself. Of the spin, {} errors are within one unit, of the \
-             attitude, {} too; none is beyond {LIMIT:.0}, at no edge and in no corner. Near the separatrix, where the motion magnifies rounding \
-             most, hardly any is beyond a quarter.",
-            seen.len() / WAYS.len(),
-            seen.iter().filter(|one| one.on_edge).count() / WAYS.len(),
-            small(0)?,
-            small(1)?,
+            "A bar for each size of the error of the exact motion, over {} bodies and ways of spinning, for spin and attitude, in \
+             units of what the rounding of one input does by itself: {}; none is beyond {LIMIT:.0}.",
+            units.len() / 2,
+            said.join(", ")
         ),
     })
-}
-
-/// The triangle of all bodies: needle upper left, ball upper right, disk below.
-fn panel(canvas: &Canvas, (left, top): P, side: u32, seen: &[&Seen], ink: Ink, shown: &dyn Fn(&Seen) -> f64) {
-    let plot = Plot::new(
-        canvas,
-        left,
-        top,
-        left + 204.0,
-        top + 150.0,
-        Scale::linear(0.0..1.0),
-        Scale::linear(0.5..1.0),
-    );
-    let corner = |shares: [u32; 3]| {
-        let [needle, disk, ball] = shares.map(|share| f64::from(share) / f64::from(side));
-        plot.at(0.5 * disk + ball, needle + 0.5 * disk + ball)
-    };
-    let corners = |one: &Seen| {
-        let [a, b, down] = one.cell;
-        let c = side - a - b;
-        let corners = if down == 0 {
-            [[a + 1, b, c - 1], [a, b + 1, c - 1], [a, b, c]]
-        } else {
-            [[a + 1, b + 1, c - 2], [a + 1, b, c - 1], [a, b + 1, c - 1]]
-        };
-        corners.map(corner)
-    };
-    let of_shade = |opacity: f64, on_edge: bool| {
-        seen.iter().filter(move |one| one.on_edge == on_edge && shade(shown(one)) == opacity)
-    };
-    for (_, _, opacity) in STEPS {
-        canvas.triangles(of_shade(opacity, false).map(|one| corners(one)), Fill::new(ink).opacity(opacity));
-    }
-    let outline = [[side, 0, 0], [0, side, 0], [0, 0, side]].map(corner);
-    canvas.path(&[outline[0], outline[1], outline[2], outline[0]], Pen::new(Ink::Text, 1.0));
-    // A disc is a rim, the paper on it, the shade on that.
-    let centre = |one: &&Seen| plot.at(one.place.0, one.place.1);
-    let on_edge = || seen.iter().filter(|one| one.on_edge);
-    canvas.specks(on_edge().map(centre), Pen::new(Ink::Text, 11.0));
-    canvas.specks(on_edge().map(centre), Pen::new(Ink::Paper, 9.0));
-    for (_, _, opacity) in STEPS {
-        canvas.specks(of_shade(opacity, true).map(centre), Pen::new(ink, 9.0).opacity(opacity));
-    }
-}
-
-/// What the shades mean.
-fn key(canvas: &Canvas) {
-    let (left, top) = (126.0, 532.0);
-    canvas.label((left - 12.0, top + 15.0), &Label::new("units, up to").size(15.5).end());
-    for (i, (_, words, opacity)) in STEPS.into_iter().enumerate() {
-        let x = left + 62.0 * i as f64;
-        let corners = [(x, top), (x + 26.0, top), (x + 26.0, top + 20.0), (x, top + 20.0)];
-        canvas.area(&corners, Fill::new(Ink::Text).opacity(opacity), Some(Pen::new(Ink::Text, 1.0)));
-        canvas.label((x + 32.0, top + 15.0), &Label::new(words).size(15.5));
-    }
-    canvas.label((left + 340.0, top + 15.0), &Label::new("1 unit = $κ$·$2^{−53}$").size(15.5));
 }
 
 #[cfg(test)]

@@ -13,11 +13,11 @@ pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
     let m = inertia.principal().moments();
     let rate = motion::growth(&m, SPIN)?;
-    let canvas = Canvas::new(480);
-    let plot = Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::log(1e-12..1.0), Scale::linear(0.0..14.0));
+    let canvas = Canvas::sized(500, 450);
+    let plot = Plot::new(&canvas, 50.0, 56.0, 484.0, 376.0, Scale::log(1e-12..1.0), Scale::linear(0.0..14.0));
     plot.x_axis(
         (-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
-        "push: spin about the largest axis, in parts of the main spin",
+        "push, as a fraction of the spin",
     );
     plot.y_axis((0..=7).map(|n| (2.0 * f64::from(n), (2 * n).to_string())), "time between two flips (s)");
     let time = |push: f64| -> Result<f64, Box<dyn std::error::Error>> {
@@ -48,7 +48,7 @@ pub(super) fn draw() -> Drawing {
     let (near, far) = ((1e-5, time(1e-5)?), (1e-6, time(1e-6)?));
     let stair = [plot.at(near.0, near.1), plot.at(far.0, near.1), plot.at(far.0, far.1)];
     canvas.path(&stair, Pen::new(Ink::Text, 1.2).dashed());
-    canvas.label((stair[1].0 - 6.0, stair[1].1 + 24.0), &Label::new("a push ten times smaller:").end());
+    canvas.label((stair[1].0 - 6.0, stair[1].1 + 24.0), &Label::new("ten times smaller:").end());
     canvas.label(
         (stair[1].0 - 6.0, stair[1].1 + 46.0),
         &Label::new(format!("{decade:.2} s longer")).end().bold(),

@@ -55,11 +55,11 @@ pub(super) fn draw() -> Drawing {
         Curve { name: "box, x to y", inertia: NamedBody::TheBox.properties()?.inertia(), plane: in_plane },
         Curve::across("ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
     ];
-    let canvas = Canvas::new(480);
+    let canvas = Canvas::sized(500, 440);
     let plot =
-        Plot::new(&canvas, 62.0, 56.0, 655.0, 406.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
+        Plot::new(&canvas, 50.0, 56.0, 484.0, 366.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
     let ticks = || (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
-    plot.x_axis(ticks(), "spin direction, from the lighter axis (0°) to the heavier (90°)");
+    plot.x_axis(ticks(), "spin, from the lighter axis (0°) to the heavier (90°)");
     plot.y_axis(ticks(), "gap between $!ω$ and $!L$");
     let mut said = Vec::new();
     for curve in &curves {
@@ -81,6 +81,9 @@ pub(super) fn draw() -> Drawing {
             // Under the peak, where there is room between the curves.
             canvas.label((p.0 + 6.0, p.1 + 25.0), &Label::new(curve.name).middle());
             canvas.label((p.0 + 6.0, p.1 + 47.0), &Label::new(format!("{gap:.1}°")).middle());
+        } else if gap > 80.0 {
+            // Off the grid's line above it.
+            canvas.label((p.0 + 26.0, p.1 + 10.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
         } else {
             canvas.label((p.0 + 6.0, p.1 - 12.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
         }

@@ -6,28 +6,33 @@ use crate::ink::Ink;
 use tumbling::body::named;
 use tumbling::{Axis, Error, Inertia};
 
-mod atlas;
 mod box_arrows;
 mod box_moments;
+mod coin;
 mod cover;
 mod engines_energy;
 mod engines_fate;
 mod engines_paths;
 mod exact_errors;
-mod flip_strip;
 mod flip_time;
 mod flip_time_deep;
+mod four_steps;
 mod gap_curve;
+mod hammer;
+mod jacobi;
 mod judged;
 mod moments_gallery;
 mod moments_map;
 mod polhode;
 mod polhodes;
-mod regimes;
 mod rod_two_ways;
 mod scale;
 mod scene_costs;
+mod seen_from_body;
 mod three_spins;
+mod three_tosses;
+mod torque;
+mod turning_place;
 mod turning_tensor;
 mod two_arrows;
 mod wobble_growth;
@@ -42,7 +47,7 @@ pub(crate) struct Picture {
 type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 36] = [
+pub(crate) static ALL: [Figure; 38] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -50,16 +55,28 @@ pub(crate) static ALL: [Figure; 36] = [
         draw: cover::draw,
     },
     Figure {
-        name: "flip-strip",
-        shows: "A thrown book flips: nine instants, as you see it and without the tumbling",
+        name: "three-tosses",
+        shows: "Three tosses of one book, drawn after each turn",
         chapter: "toss-a-book",
-        draw: flip_strip::draw,
+        draw: three_tosses::draw,
     },
     Figure {
         name: "rod-two-ways",
         shows: "One rod, two moments: about its length and end over end",
         chapter: "matrix-mass",
         draw: rod_two_ways::draw,
+    },
+    Figure {
+        name: "turning-place",
+        shows: "A point of a turning body, and its velocity",
+        chapter: "matrix-mass",
+        draw: turning_place::draw,
+    },
+    Figure {
+        name: "hammer",
+        shows: "A hammer made of two solids, and its principal axes",
+        chapter: "principal-axes",
+        draw: hammer::draw,
     },
     Figure {
         name: "moments-gallery",
@@ -104,6 +121,18 @@ pub(crate) static ALL: [Figure; 36] = [
         draw: turning_tensor::draw,
     },
     Figure {
+        name: "torque",
+        shows: "A torque about one axis turns a box at rest about another",
+        chapter: "eulers-equations",
+        draw: torque::draw,
+    },
+    Figure {
+        name: "seen-from-body",
+        shows: "An arrow fixed in the room, seen from a turning body",
+        chapter: "eulers-equations",
+        draw: seen_from_body::draw,
+    },
+    Figure {
         name: "three-spins",
         shows: "The same small push about each of the three axes: two wobble, one flips",
         chapter: "eulers-equations",
@@ -146,10 +175,16 @@ pub(crate) static ALL: [Figure; 36] = [
         draw: moments_map::draw_growth,
     },
     Figure {
-        name: "regimes",
-        shows: "Every free motion of the box is a level line, and one of them takes forever",
+        name: "coin",
+        shows: "A thrown plate: its axis and its spin circle its momentum",
+        chapter: "coin",
+        draw: coin::draw,
+    },
+    Figure {
+        name: "jacobi",
+        shows: "The components of the spin are Jacobi's three functions",
         chapter: "exact-motion",
-        draw: regimes::draw,
+        draw: jacobi::draw,
     },
     Figure {
         name: "flip-time-deep",
@@ -159,9 +194,15 @@ pub(crate) static ALL: [Figure; 36] = [
     },
     Figure {
         name: "exact-errors",
-        shows: "Errors of the exact motion over all bodies, beside what the motion makes of rounded inputs",
+        shows: "Errors of the exact motion over all bodies, relative to what a rounded input does",
         chapter: "exact-motion",
         draw: exact_errors::draw,
+    },
+    Figure {
+        name: "four-steps",
+        shows: "What four methods make of the energy of a tumbling box",
+        chapter: "stepping-through-time",
+        draw: four_steps::draw,
     },
     Figure {
         name: "work-box",
@@ -172,37 +213,37 @@ pub(crate) static ALL: [Figure; 36] = [
     Figure {
         name: "work-attitude",
         shows: "Error of the attitude against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_attitude,
     },
     Figure {
         name: "work-phase",
         shows: "Error of the flips' phase against run time, for the free bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_phase,
     },
     Figure {
         name: "work-energy",
         shows: "Error of the energy against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_energy,
     },
     Figure {
         name: "work-momentum",
         shows: "Error of the momentum's length against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_momentum,
     },
     Figure {
         name: "work-direction",
         shows: "Error of the momentum's direction against run time, for seven bodies",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_direction,
     },
     Figure {
         name: "drift",
         shows: "Error of the energy through a million turns",
-        chapter: "error-against-run-time",
+        chapter: "records",
         draw: work::draw_drift,
     },
     Figure {
@@ -214,7 +255,7 @@ pub(crate) static ALL: [Figure; 36] = [
     Figure {
         name: "scale",
         shows: "Answers a second for a hundred to ten million bodies",
-        chapter: "only-what-you-need",
+        chapter: "records",
         draw: scale::draw,
     },
     Figure {
@@ -222,30 +263,6 @@ pub(crate) static ALL: [Figure; 36] = [
         shows: "What the rules of physics engines make of a stable spin",
         chapter: "where-things-break",
         draw: engines_fate::draw,
-    },
-    Figure {
-        name: "atlas-steps",
-        shows: "What becomes of each method as the turn in a step grows",
-        chapter: "where-things-break",
-        draw: atlas::steps,
-    },
-    Figure {
-        name: "atlas-pushes",
-        shows: "Which methods count three flips after a push, down to the smallest",
-        chapter: "where-things-break",
-        draw: atlas::pushes,
-    },
-    Figure {
-        name: "atlas-stiff",
-        shows: "What becomes of each method on needles and under strong damping",
-        chapter: "where-things-break",
-        draw: atlas::stiff,
-    },
-    Figure {
-        name: "atlas-named",
-        shows: "What becomes of each method on odd bodies, and on scales far from one",
-        chapter: "where-things-break",
-        draw: atlas::named,
     },
     Figure {
         name: "judged-grades",
@@ -256,10 +273,13 @@ pub(crate) static ALL: [Figure; 36] = [
     Figure {
         name: "judged-energy",
         shows: "Energy of free bodies in recorded engines, beside the exact motion",
-        chapter: "test-your-engine",
+        chapter: "records",
         draw: judged::energies,
     },
 ];
+
+/// The width of a sheet whose letters are 11 px high or more on a phone, in points.
+const NARROW: u32 = 500;
 
 /// Edges of the document's box, m.
 const BOX_EDGES: [f64; 3] = named::THE_BOX.sizes;
@@ -290,6 +310,16 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
         0 => "1".into(),
         1 => "10".into(),
         n => format!("$10^{{{}}}$", n.to_string().replace('-', "−")),
+    }
+}
+
+/// The same in letters that are as large as the others.
+fn raised(exponent: i32) -> String {
+    let digits = exponent.unsigned_abs().to_string();
+    let high = digits.chars().filter_map(|c| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c.to_digit(10)? as usize));
+    match exponent {
+        0 | 1 => power_of_ten(exponent),
+        n => format!("10{}{}", if n < 0 { "⁻" } else { "" }, high.collect::<String>()),
     }
 }
 

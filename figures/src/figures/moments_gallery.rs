@@ -93,49 +93,40 @@ fn placed(name: &str) -> Option<(f64, [f64; 3])> {
     })
 }
 
-fn bars(canvas: &Canvas, left: f64, top: f64, principal: &PrincipalAxes) {
-    let most = principal.moment(Axis::Largest);
-    for (i, axis) in [Axis::Smallest, Axis::Middle, Axis::Largest].into_iter().enumerate() {
-        let y = top + 25.0 * i as f64;
-        let moment = principal.moment(axis);
-        let length = 88.0 * moment / most;
-        let corners = [(left, y), (left + length, y), (left + length, y + 14.0), (left, y + 14.0)];
-        canvas.area(&corners, Fill::new(ink_of(axis)), None);
-        canvas.label(
-            (left - 7.0, y + 13.0),
-            &Label::new(format!("$I_{}$", i + 1)).size(15.5).ink(ink_of(axis)).end(),
-        );
-        canvas.label((left + length + 6.0, y + 12.5), &Label::new(plain(moment)).size(14.5));
+/// A unit in which all of a body's moments are short numbers, and how many of it are a kg m².
+fn unit(largest: f64) -> (&'static str, f64) {
+    match largest {
+        x if x >= 0.1 => ("kg m²", 1.0),
+        x if x >= 1e-4 => ("kg cm²", 1e4),
+        _ => ("g cm²", 1e7),
     }
 }
 
-/// Three figures, and a power of ten where the number would be long.
-fn plain(moment: f64) -> String {
-    if moment > 0.1 {
-        return format!("{moment:.3}");
+fn bars(canvas: &Canvas, left: f64, top: f64, principal: &PrincipalAxes) {
+    let most = principal.moment(Axis::Largest);
+    let (_, per) = unit(most);
+    for (i, axis) in Axis::ALL.into_iter().enumerate() {
+        let y = top + 25.0 * i as f64;
+        let moment = principal.moment(axis);
+        let length = 200.0 * moment / most;
+        canvas.tiles(&[[left, y, left + length, y + 14.0]], Fill::new(ink_of(axis)), None);
+        let name = Label::new(format!("$I_{}$", i + 1)).ink(ink_of(axis));
+        canvas.label((left - 7.0, y + 13.0), &name.end());
+        canvas.label((left + length + 6.0, y + 13.0), &Label::new(three_digits(moment * per)));
     }
-    let thirds = (moment.log10() / 3.0).floor() as i32;
-    let mantissa = moment / 1000_f64.powi(thirds);
-    format!(
-        "{mantissa:.*}·{}",
-        if mantissa < 10.0 {
-            2
-        } else if mantissa < 100.0 {
-            1
-        } else {
-            0
-        },
-        super::power_of_ten(3 * thirds)
-    )
+}
+
+/// Three figures.
+fn three_digits(x: f64) -> String {
+    let whole = x.log10().floor().max(0.0) as usize;
+    format!("{x:.*}", if x < 1.0 { 3 } else { 2_usize.saturating_sub(whole) })
 }
 
 pub(super) fn draw() -> Drawing {
-    let canvas = Canvas::new(610);
+    let canvas = Canvas::sized(500, 922);
     let mut said = Vec::new();
-    canvas.label((20.0, 26.0), &Label::new("principal moments (kg m²), each body to its own scale"));
     for (i, body) in NamedBody::ALL.into_iter().enumerate() {
-        let (x, y) = (20.0 + 335.0 * (i % 2) as f64, 50.0 + 140.0 * (i / 2) as f64);
-        said.push(one(&canvas, (x, y), body)?);
+        said.push(one(&canvas, (14.0, 14.0 + 114.0 * i as f64), body)?);
     }
     Ok(Picture {
         canvas,
@@ -150,7 +141,7 @@ pub(super) fn draw() -> Drawing {
 fn one(canvas: &Canvas, corner: P, body: NamedBody) -> Result<String, Box<dyn std::error::Error>> {
     let properties = body.properties()?;
     let principal = properties.inertia().principal();
-    let centre = (corner.0 + 52.0, corner.1 + 62.0);
+    let centre = (corner.0 + 62.0, corner.1 + 54.0);
     let view = |scale| View::new(centre, scale, -58.0, 20.0);
     let (mut parts, full_name) = (Vec::new(), body.to_string());
     body.each_part(&mut |part| parts.push(part));
@@ -158,8 +149,9 @@ fn one(canvas: &Canvas, corner: P, body: NamedBody) -> Result<String, Box<dyn st
     let (scale, middle) = placed(&full_name).unwrap_or((96.0 / longest, [0.0; 3]));
     Cell { canvas, view: view(scale).moved_back(&middle.into()) }.body(parts);
     let name = full_name.trim_start_matches("the ");
-    canvas.label((corner.0 + 128.0, corner.1 + 22.0), &Label::new(name));
-    bars(canvas, corner.0 + 128.0, corner.1 + 34.0, &principal);
+    let (unit, _) = unit(principal.moment(Axis::Largest));
+    canvas.label((corner.0 + 140.0, corner.1 + 20.0), &Label::new(format!("{name} ({unit})")));
+    bars(canvas, corner.0 + 168.0, corner.1 + 30.0, &principal);
     let [a, b, c] = [Axis::Smallest, Axis::Middle, Axis::Largest].map(|axis| principal.moment(axis));
     Ok(format!("{name}: {a:.3e}, {b:.3e}, {c:.3e}"))
 }

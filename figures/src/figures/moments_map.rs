@@ -1,4 +1,4 @@
-//! Every body's place among all bodies: its two smaller moments in parts of its largest.
+//! Every body's place among all bodies: its two smaller moments relative to its largest.
 
 use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
@@ -8,13 +8,13 @@ use tumbling::dynamics::stability::rate_squared;
 
 /// The triangle of possible bodies, with its corners and edges named.
 fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
-    let plot = Plot::new(canvas, 76.0, 84.0, 616.0, 454.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
+    let plot = Plot::new(canvas, 52.0, 92.0, 432.0, 412.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
     let tenths = |range: std::ops::RangeInclusive<i32>| {
         range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))))
     };
-    plot.x_axis(tenths(0..=10).step_by(2), "smallest moment in parts of the largest, $I_1/I_3$");
+    plot.x_axis(tenths(0..=10).step_by(2), "smallest moment over the largest, $I_1/I_3$");
     plot.y_axis(tenths(5..=10), "");
-    canvas.label((20.0, 32.0), &Label::new("middle moment in parts of the largest, $I_2/I_3$"));
+    canvas.label((14.0, 30.0), &Label::new("middle moment over the largest, $I_2/I_3$"));
     let corners = [(0.0, 1.0), (0.5, 0.5), (1.0, 1.0)].map(|(x, y)| plot.at(x, y));
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 2.2)));
     Ok(plot)
@@ -29,7 +29,7 @@ fn edges(canvas: &Canvas, plot: &Plot) {
             canvas.label((p.0, p.1 + down), &if end { label.end() } else { label });
         }
     };
-    outside(0.30, 0.57, ["flat: plates", "$I_1 + I_2 = I_3$"], true);
+    outside(0.335, 0.57, ["flat: plates", "$I_1 + I_2 = I_3$"], true);
     outside(0.68, 0.57, ["round: wheels, coins", "$I_1 = I_2$"], false);
     let corner = plot.at(0.5, 0.5);
     canvas.label((corner.0 + 22.0, corner.1 - 8.0), &Label::new("disk").size(15.5));
@@ -62,7 +62,7 @@ fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::erro
             *NAMES.iter().find(|name| name.0 == full_name).ok_or("a body without a place for its name")?;
         let p = plot.at(x, y);
         canvas.disc(p, 4.5, Fill::new(Ink::Text), None);
-        let name = full_name.trim_start_matches("the ");
+        let name = full_name.trim_start_matches("the ").trim_start_matches("tennis ");
         let label = Label::new(name).size(16.0);
         // Names to the right of their points stand on the triangle, the others beside it.
         canvas.label((p.0 + dx, p.1 + dy), &if end { label.end() } else { label.halo(Ink::Surface) });
@@ -72,15 +72,15 @@ fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::erro
 }
 
 pub(super) fn draw() -> Drawing {
-    let canvas = Canvas::new(518);
+    let canvas = Canvas::sized(500, 476);
     let plot = map(&canvas)?;
     edges(&canvas, &plot);
     let said = points(&canvas, &plot)?;
     Ok(Picture {
         canvas,
         description: format!(
-            "Every rigid body is a point in a triangle: across, its smallest moment in parts of the largest; up, its middle moment \
-             in parts of the largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). No body \
+            "Every rigid body is a point in a triangle: across, its smallest moment over the largest; up, its middle moment \
+             over the largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). No body \
              lies left of the edge I1 + I2 = I3, where flat plates are. The book's bodies: {}.",
             said.join(", ")
         ),
@@ -89,7 +89,7 @@ pub(super) fn draw() -> Drawing {
 
 /// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
 pub(super) fn draw_growth() -> Drawing {
-    let canvas = Canvas::new(518);
+    let canvas = Canvas::sized(500, 476);
     let plot = map(&canvas)?;
     let rate = |x: f64, y: f64| rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt();
     let mut levels = Vec::new();
@@ -117,7 +117,7 @@ pub(super) fn draw_growth() -> Drawing {
     }
     edges(&canvas, &plot);
     points(&canvas, &plot)?;
-    let words = plot.at(0.80, 0.78);
+    let words = plot.at(0.76, 0.72);
     for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a wobble’s growth"), (42.0, "per radian of spin")]
     {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
@@ -130,8 +130,8 @@ pub(super) fn draw_growth() -> Drawing {
     Ok(Picture {
         canvas,
         description: format!(
-            "The triangle of all rigid bodies with lines of equal growth rate of a wobble about the middle axis, in parts of the spin: \
-             {}. It is nothing along the two edges of round bodies and largest towards the needle along the edge of flat \
+            "The triangle of all rigid bodies with lines of equal growth rate of a wobble about the middle axis, relative to the spin: \
+             {}. It is zero along the two edges of round bodies and largest towards the needle along the edge of flat \
              plates. The book's bodies: {}.",
             levels.join(", "),
             said.join(", ")

@@ -9,8 +9,8 @@ const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
 pub(super) fn draw() -> Drawing {
     let ellipsoid = Ellipsoid::new(MOMENTS)?;
-    let canvas = Canvas::new(490);
-    let view = View::new((330.0, 250.0), 266.0, 58.0, 27.0);
+    let canvas = Canvas::sized(500, 470);
+    let view = View::new((236.0, 240.0), 218.0, 58.0, 27.0);
     paths(&canvas, &ellipsoid, &view, &[0.22, 0.44, 0.66, 0.86])?;
     let [min, mid, max] = [Axis::Smallest, Axis::Middle, Axis::Largest].map(|axis| {
         let mut end = Vector3::zeros();
@@ -27,11 +27,11 @@ pub(super) fn draw() -> Drawing {
     };
     name((max.0 + 16.0, max.1 + 8.0), Axis::Largest, "largest", "stable: loops");
     name((14.0, min.1 + 84.0), Axis::Smallest, "smallest", "stable: loops");
-    name((mid.0 + 12.0, mid.1 + 26.0), Axis::Middle, "middle", "unstable: a crossing");
+    name((330.0, mid.1 + 28.0), Axis::Middle, "middle", "unstable: a crossing");
     // The separatrix is named where it comes from behind the left edge.
     let ellipses = [ellipsoid.separatrix(1.0), ellipsoid.separatrix(-1.0)].concat();
     let left = ellipses.iter().map(|p| view.at(p)).min_by(|p, q| p.0.total_cmp(&q.0)).unwrap_or_default();
-    canvas.label((left.0 - 8.0, left.1 - 20.0), &Label::new("separatrix").ink(Ink::Separatrix).end());
+    canvas.label((4.0, left.1 - 22.0), &Label::new("separatrix").ink(Ink::Separatrix));
     let [a, b, c] = [0, 1, 2].map(|i| ellipsoid.reach[i]);
     Ok(Picture {
         canvas,

@@ -8,11 +8,11 @@ use tumbling_measure::scale::{self, best, ratio};
 /// Each curve: build, crowd, lanes, threads, how it looks and what it is called.
 const CURVES: [(&str, &str, u32, u32, Ink, bool, &str); 6] = [
     ("native", "spin", 4, 1, Ink::Omega, false, "spin alone, four lanes"),
-    ("native", "spin and attitude", 4, 2, Ink::Momentum, false, "with attitude, four lanes, two threads"),
+    ("native", "spin and attitude", 4, 2, Ink::Text, false, "with attitude, four lanes, two threads"),
     ("native", "spin and attitude", 4, 1, Ink::Text, false, "with attitude, four lanes"),
     ("default", "spin and attitude", 4, 1, Ink::Text, true, "the same, built for any machine"),
     ("native", "spin and attitude", 1, 1, Ink::Faint, false, "with attitude, one by one"),
-    ("native", "Rapier", 1, 1, Ink::Wrong, false, "steps of Rapier"),
+    ("native", "Rapier", 1, 1, Ink::Faint, true, "steps of Rapier"),
 ];
 
 pub(super) fn draw() -> Drawing {

@@ -1,43 +1,42 @@
 //! What a state costs by the outputs requested, from the committed record.
 
-use super::{Drawing, Picture, power_of_ten};
+use super::{Drawing, NARROW, Picture, raised};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use tumbling_measure::saving;
 use tumbling_measure::savings::{GENERAL, STATE, value};
 
-/// What a row of the record is called here, and its colour.
-const ROWS: [(&str, &str, Ink); 11] = [
-    ("energy and flips alone", "its energy", Ink::Faint),
-    ("ball; spin alone", "a ball: spin", Ink::Omega),
-    ("principal spin; spin alone", "about a principal axis: spin", Ink::Omega),
-    ("two equal moments; spin alone", "two equal moments: spin", Ink::Omega),
-    ("three moments; spin alone", "three moments: spin", Ink::Omega),
-    ("ball", "a ball: attitude", Ink::Text),
-    ("principal spin", "about a principal axis: attitude", Ink::Text),
-    ("two equal moments", "two equal moments: attitude", Ink::Text),
-    (GENERAL, "three moments: attitude", Ink::Text),
-    ("three moments and a weight; to 1e-2", "with a weight, to two digits", Ink::Momentum),
-    ("three moments and a weight; to 1e-8", "with a weight, to eight digits", Ink::Momentum),
+/// What a row of the record is called here, and whether the attitude is asked for too.
+const ROWS: [(&str, &str, bool); 8] = [
+    ("ball; spin alone", "a ball", false),
+    ("two equal moments; spin alone", "a coin", false),
+    ("three moments; spin alone", "the box", false),
+    ("ball", "a ball", true),
+    ("two equal moments", "a coin", true),
+    (GENERAL, "the box", true),
+    ("three moments and a weight; to 1e-2", "pulled, to two digits", true),
+    ("three moments and a weight; to 1e-8", "pulled, to eight digits", true),
 ];
 
 pub(super) fn draw() -> Drawing {
     let rows = saving::recorded()?.rows;
-    let canvas = Canvas::new(480);
-    let (top, apart) = (22.0, 34.0);
+    let canvas = Canvas::sized(NARROW, 420);
+    let (top, apart) = (20.0, 38.0);
     let bottom = top + apart * ROWS.len() as f64;
-    let plot = Plot::new(&canvas, 262.0, top, 646.0, bottom, Scale::log(10.0..1e5), Scale::linear(0.0..1.0));
-    plot.x_axis((1..=5).map(|n| (10_f64.powi(n), power_of_ten(n))), "processor instructions for a state");
+    let plot = Plot::new(&canvas, 206.0, top, 484.0, bottom, Scale::log(50.0..5e4), Scale::linear(0.0..1.0));
+    plot.x_axis((2..=4).map(|n| (10_f64.powi(n), raised(n))), "processor instructions for a state");
     let mut told = Vec::new();
-    for (k, (row, words, ink)) in ROWS.into_iter().enumerate() {
+    for (k, (row, words, attitude)) in ROWS.into_iter().enumerate() {
         let count = value(&rows, "executed", row, STATE).ok_or_else(|| format!("no count of {row}"))?;
         let y = top + apart * (k as f64 + 0.5);
-        let (from, to) = (plot.at(10.0, 0.5).0, plot.at(count, 0.5).0);
-        canvas.line((from, y), (to, y), Pen::new(ink, 1.4).dotted());
-        canvas.disc((to, y), 6.0, Fill::new(ink), None);
-        canvas.label((250.0, y + 5.5), &Label::new(words).size(15.5).end());
-        canvas.label((to + 12.0, y + 5.5), &Label::new(grouped(count)).size(15.5).halo(Ink::Paper));
-        told.push(format!("{words}: {}", grouped(count)));
+        let (from, to) = (plot.at(50.0, 0.5).0, plot.at(count, 0.5).0);
+        let fill = if attitude { Ink::Paper } else { Ink::Text };
+        canvas.line((from, y), (to, y), Pen::new(Ink::Faint, 1.4).dotted());
+        canvas.disc((to, y), 6.5, Fill::new(fill), Some(Pen::new(Ink::Text, 2.2)));
+        canvas.label((198.0, y + 5.5), &Label::new(words).end());
+        canvas.label((to + 13.0, y + 5.5), &Label::new(grouped(count)).halo(Ink::Paper));
+        let asked = if attitude { "spin and attitude" } else { "spin" };
+        told.push(format!("{words}, {asked}: {}", grouped(count)));
     }
     Ok(Picture {
         canvas,

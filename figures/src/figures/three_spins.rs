@@ -13,7 +13,7 @@ const STEP: f64 = 0.002;
 
 pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
-    let canvas = Canvas::new(618);
+    let canvas = Canvas::sized(500, 626);
     let pens = [
         Pen::new(ink_of(Axis::Smallest), 2.2).dash_dotted(),
         Pen::new(ink_of(Axis::Middle), 2.8),
@@ -32,8 +32,8 @@ pub(super) fn draw() -> Drawing {
             plot.curve(run.iter().map(|(t, body)| (*t, body.omega_body()[i])), pens[i])?;
         }
         let moment = inertia.principal().moment(axis);
-        let title = format!("about the axis with the {name} moment, $I_{}$ = {moment:.3} kg m²", k + 1);
-        canvas.label((62.0, top - 12.0), &Label::new(title).ink(pens[k].ink()));
+        let title = format!("about the {name} axis, $I_{}$ = {moment:.3} kg m²", k + 1);
+        canvas.label((14.0, top - 12.0), &Label::new(title).ink(pens[k].ink()));
         let beside = |i: usize, y: f64, nudge: f64| {
             let p = plot.at(END, y);
             let name = Label::new(format!("$ω_{}$", i + 1)).ink(pens[i].ink());
@@ -60,7 +60,7 @@ pub(super) fn draw() -> Drawing {
             }
         }
     }
-    canvas.label((20.0, 22.0), &Label::new("spin in body axes, $ω$ (rad/s)"));
+    canvas.label((14.0, 22.0), &Label::new("spin in body axes, $ω$ (rad/s)"));
     Ok(Picture {
         canvas,
         description: format!(
@@ -74,7 +74,7 @@ pub(super) fn draw() -> Drawing {
 /// Axes for one spin; the last one's carry the times.
 fn axes(canvas: &Canvas, top: f64, last: bool) -> Plot {
     let (times, spins) = (Scale::linear(0.0..END), Scale::linear(-11.5..11.5));
-    let plot = Plot::new(canvas, 62.0, top, 600.0, top + 130.0, times, spins);
+    let plot = Plot::new(canvas, 44.0, top, 418.0, top + 130.0, times, spins);
     let number = |s: i32| if last { s.to_string() } else { String::new() };
     plot.x_axis((0..=5).map(|s| (f64::from(s), number(s))), if last { "time $t$ (s)" } else { "" });
     plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "");

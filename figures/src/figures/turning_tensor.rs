@@ -12,17 +12,14 @@ fn world(inertia: &Inertia, degrees: f64) -> Result<Matrix3<f64>, Error> {
 
 pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
-    let canvas = Canvas::new(570);
+    let canvas = Canvas::sized(500, 530);
     let plot =
-        Plot::new(&canvas, 76.0, 196.0, 562.0, 496.0, Scale::linear(0.0..180.0), Scale::linear(-0.32..1.2));
-    plot.x_axis(
-        (0..=4).map(|i| (f64::from(45 * i), format!("{}°", 45 * i))),
-        "angle by which the box has turned about $z$",
-    );
+        Plot::new(&canvas, 52.0, 176.0, 440.0, 456.0, Scale::linear(0.0..180.0), Scale::linear(-0.32..1.2));
+    plot.x_axis((0..=4).map(|i| (f64::from(45 * i), format!("{}°", 45 * i))), "turn of the box about $z$");
     plot.y_axis([0.0, 0.5, 1.0].map(|y| (y, format!("{y:.1}"))), "");
-    canvas.label((20.0, 176.0), &Label::new("entries of the world’s tensor $R I R^T$ (kg m²)"));
+    canvas.label((14.0, 150.0), &Label::new("entries of the world’s tensor $R I R^T$ (kg m²)"));
     for i in 0..=4 {
-        picture(&canvas, (plot.at(45.0 * f64::from(i), 0.0).0, 78.0), 45.0 * f64::from(i));
+        picture(&canvas, (plot.at(45.0 * f64::from(i), 0.0).0, 64.0), 45.0 * f64::from(i));
     }
     let ink = |width: f64| Pen::new(Ink::Text, width);
     let entries = [
@@ -38,9 +35,7 @@ pub(super) fn draw() -> Drawing {
         let (_, last) = points[180];
         let end = plot.at(180.0, last);
         plot.curve(points, pen)?;
-        // A sine of half a turn comes back only to rounding.
-        let value = if last.abs() < 1e-12 { 0.0 } else { last };
-        let text = format!("$I_{{{name}}}$ = {value:.3}");
+        let text = format!("$I_{{{name}}}$");
         canvas.label((end.0 + 10.0, end.1 + 5.0), &Label::new(text).ink(pen.ink()));
     }
     let at_45 = world(&inertia, 45.0)?;
@@ -74,12 +69,12 @@ pub(super) fn draw() -> Drawing {
 fn picture(canvas: &Canvas, centre: P, degrees: f64) {
     let (s, c) = degrees.to_radians().sin_cos();
     let turned = |x: f64, y: f64| (centre.0 + x * c - y * s, centre.1 - (x * s + y * c));
-    let (a, b) = (BOX_EDGES[0] * 23.0, BOX_EDGES[1] * 23.0);
+    let (a, b) = (BOX_EDGES[0] * 17.0, BOX_EDGES[1] * 17.0);
     let corners = [turned(-a, -b), turned(a, -b), turned(a, b), turned(-a, b)];
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.3)));
     for (axis, tip, word, name) in [
-        (Axis::Middle, turned(a + 16.0, 0.0), turned(a - 12.0, -13.0), "$x$"),
-        (Axis::Largest, turned(0.0, b + 18.0), turned(14.0, b - 10.0), "$y$"),
+        (Axis::Middle, turned(a + 12.0, 0.0), turned(a - 9.0, -9.0), "$x$"),
+        (Axis::Largest, turned(0.0, b + 15.0), turned(11.0, b - 4.0), "$y$"),
     ] {
         canvas.arrow(centre, tip, Pen::new(ink_of(axis), 2.0));
         canvas.label((word.0, word.1 + 5.0), &Label::new(name).ink(ink_of(axis)).middle().size(15.5));

@@ -46,7 +46,7 @@ pub(super) fn draw() -> Drawing {
     let plate = ThinPlate::new(WIDE, HIGH)?.with_mass(1.0)?.inertia();
     let [light, heavy] = [Vector3::x(), Vector3::y()].map(|axis| plate.about_axis(&axis));
     let (light, heavy) = (light?, heavy?);
-    let canvas = Canvas::new(530);
+    let canvas = Canvas::sized(500, 500);
     let shown = arrows(&plate, SHOWN)?;
     let gap = format!("{:.1}°", shown.gap.to_degrees());
     large(&canvas, light, heavy, &shown, &gap);
@@ -67,20 +67,20 @@ pub(super) fn draw() -> Drawing {
 
 /// The plate with one spin and its momentum.
 fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
-    let centre = (262.0, 228.0);
-    plate_at(canvas, centre, 160.0);
+    let centre = (166.0, 214.0);
+    plate_at(canvas, centre, 122.0);
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
-    canvas.line((centre.0 - 215.0, centre.1), (centre.0 + 225.0, centre.1), axis);
-    canvas.line((centre.0, centre.1 + 110.0), (centre.0, centre.1 - 206.0), axis);
-    canvas.label((centre.0 + 235.0, centre.1 - 4.0), &Label::new("the lighter axis"));
-    canvas.label((centre.0 + 235.0, centre.1 + 18.0), &Label::new(format!("$I_1$ = {light:.3} kg m²")));
+    canvas.line((centre.0 - 156.0, centre.1), (centre.0 + 180.0, centre.1), axis);
+    canvas.line((centre.0, centre.1 + 96.0), (centre.0, centre.1 - 196.0), axis);
+    canvas.label((centre.0 + 186.0, centre.1 - 4.0), &Label::new("the lighter axis"));
+    canvas.label((centre.0 + 186.0, centre.1 + 18.0), &Label::new(format!("$I_1$ = {light:.3} kg m²")));
     canvas.label((centre.0 - 14.0, centre.1 - 188.0), &Label::new("the heavier axis").end());
     canvas.label((centre.0 - 14.0, centre.1 - 166.0), &Label::new(format!("$I_2$ = {heavy:.3} kg m²")).end());
 
-    let w_tip = polar(centre, 225.0, shown.omega);
-    let l_tip = polar(centre, 345.0 * shown.relative, shown.momentum);
+    let w_tip = polar(centre, 190.0, shown.omega);
+    let l_tip = polar(centre, 300.0 * shown.relative, shown.momentum);
     let arc = Pen::new(Ink::Text, 1.2);
-    canvas.arc(centre, 112.0, shown.omega, shown.momentum, arc);
+    canvas.arc(centre, 100.0, shown.omega, shown.momentum, arc);
     canvas.arc(centre, 62.0, 0.0, shown.omega, arc);
     canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
     canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
@@ -88,7 +88,7 @@ fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
     let w_text = Label::new("spin $!ω$").ink(Ink::Omega);
     canvas.label((w_tip.0 + 8.0, w_tip.1 + 2.0), &w_text);
     canvas.label((l_tip.0 + 12.0, l_tip.1 + 8.0), &Label::new("momentum $!L$ = $I!ω$").ink(Ink::Momentum));
-    let by_the_arc = polar(centre, 146.0, 0.5 * (shown.omega + shown.momentum));
+    let by_the_arc = polar(centre, 132.0, 0.5 * (shown.omega + shown.momentum));
     canvas.label((by_the_arc.0, by_the_arc.1 + 6.0), &Label::new(gap).bold().middle());
     let half = polar(centre, 70.0, 0.5 * shown.omega);
     canvas.label((half.0, half.1 + 6.0), &Label::new(format!("{SHOWN:.0}°")).size(15.5));
@@ -98,29 +98,26 @@ fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
 fn small(canvas: &Canvas, plate: &Inertia) -> Result<Vec<String>, tumbling::Error> {
     let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
     let mut gaps = Vec::new();
-    canvas.label(
-        (20.0, 378.0),
-        &Label::new("The spin turned from one axis to the other, and below it the gap:"),
-    );
+    canvas.label((14.0, 350.0), &Label::new("the spin turned from one axis to the other, and the gap:"));
     for (i, &degrees) in directions.iter().enumerate() {
-        let centre = (50.0 + 93.0 * i as f64, 452.0);
-        plate_at(canvas, centre, 28.0);
+        let centre = (38.0 + 70.0 * i as f64, 422.0);
+        plate_at(canvas, centre, 22.0);
         let a = arrows(plate, degrees)?;
-        let dot_at = polar(centre, 54.0, a.omega);
+        let dot_at = polar(centre, 42.0, a.omega);
         // Where they coincide both must be seen: the momentum wider and below.
         canvas.arrow(
             centre,
-            polar(centre, 54.0 * a.relative.max(0.35), a.momentum),
+            polar(centre, 42.0 * a.relative.max(0.35), a.momentum),
             Pen::new(Ink::Momentum, 3.6),
         );
         canvas.arrow(centre, dot_at, Pen::new(Ink::Omega, 1.6));
         canvas.disc(centre, 2.4, Fill::new(Ink::Text), None);
         canvas.label(
-            (centre.0, centre.1 + 42.0),
+            (centre.0, centre.1 + 40.0),
             &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle(),
         );
         let gap = format!("{:.1}°", a.gap.to_degrees());
-        canvas.label((centre.0, centre.1 + 66.0), &Label::new(gap.clone()).middle().bold());
+        canvas.label((centre.0, centre.1 + 64.0), &Label::new(gap.clone()).middle().bold());
         gaps.push(format!("{gap} at {degrees:.0}°"));
     }
     Ok(gaps)

@@ -12,8 +12,8 @@ pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
     let m = inertia.principal().moments();
     let rate = motion::growth(&m, SPIN)?;
-    let canvas = Canvas::new(480);
-    let plot = Plot::new(&canvas, 72.0, 56.0, 655.0, 410.0, Scale::linear(0.0..7.0), Scale::log(1e-7..30.0));
+    let canvas = Canvas::sized(500, 450);
+    let plot = Plot::new(&canvas, 66.0, 56.0, 484.0, 376.0, Scale::linear(0.0..7.0), Scale::log(1e-7..30.0));
     plot.x_axis((0..=7).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
     plot.y_axis(
         (-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
@@ -46,12 +46,15 @@ pub(super) fn draw() -> Drawing {
             canvas.label((tail.0 - 4.0, tail.1 + 22.0), &Label::new(format!("a push of {power} rad")).end());
         }
         let top = plot.at(0.5 * whole, 4.5);
-        canvas.label(top, &Label::new(format!("{:.2} s", 0.5 * whole)).middle());
+        canvas.label(top, &Label::new(format!("{:.1} s", 0.5 * whole)).middle());
         said.push(format!("After a push of {push:.0e} rad it flips after {:.2} s", 0.5 * whole));
     }
-    canvas.label(plot.at(0.08, 4.5), &Label::new("flips at"));
-    canvas.label(plot.at(3.9, 0.3), &Label::new("wide: the theory,"));
-    canvas.label(plot.at(3.9, 0.065), &Label::new(format!("growth as $e^{{λt}}$, $λ$ = {rate:.2} /s")));
+    canvas.label(plot.at(0.05, 4.5), &Label::new("flip:"));
+    let words = ["wide: the theory,".into(), "growth as $e^{λt}$,".into(), format!("$λ$ = {rate:.2} /s")];
+    for (down, line) in [0.0, 24.0, 48.0].into_iter().zip(words) {
+        let at = plot.at(4.35, 1.6);
+        canvas.label((at.0, at.1 + down), &Label::new(line));
+    }
     Ok(Picture {
         canvas,
         description: format!(

@@ -1,12 +1,13 @@
 //! Bodies of one kind of motion, in blocks as wide as there are lanes.
 
+use super::Answer;
 use crate::exact::kernel::Kernel;
 use crate::exact::mount::{Mount, in_body, in_world};
 use crate::exact::{FreeMotion, Instant};
-use crate::number::{Gather, Lane};
+use crate::number::{Gather, Lane, splat};
 use alloc::vec::Vec;
 use core::mem::size_of;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion};
 
 /// In the lanes that are only copies.
 const NOBODY: usize = usize::MAX;
@@ -123,47 +124,30 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         n.checked_sub(self.spins.len() - parts.len()).and_then(|n| parts.get(n))
     }
 
-    pub(super) fn spins(
+    pub(super) fn each<W: Answer>(
         &self,
         times: &[f64],
-        first: &impl Fn(usize) -> Vector3<f64>,
-        put: &mut impl FnMut(usize, usize, Vector3<f64>),
+        first: &impl Fn(usize) -> W,
+        put: &mut impl FnMut(usize, usize, W),
     ) {
         let blocks = self.bodies.chunks_exact(T::WIDTH.max(1));
         for (n, ((bodies, &clock), spin)) in blocks.zip(&self.clocks).zip(&self.spins).enumerate() {
-            let frame = self.of_last(n, &self.frames);
-            for (k, &t) in times.iter().enumerate() {
-                let time = clock * t;
-                let omega = in_body(frame, spin.omega(&spin.phase(time)));
-                each_lane(bodies, time, |lane, body, starts| {
-                    put(k, body, if starts { first(body) } else { omega.map(|x| x.lane(lane)) });
-                });
-            }
-        }
-    }
-
-    pub(super) fn instants(
-        &self,
-        times: &[f64],
-        first: &impl Fn(usize) -> Instant,
-        put: &mut impl FnMut(usize, usize, Instant),
-    ) {
-        let blocks = self.bodies.chunks_exact(T::WIDTH.max(1));
-        let parts = blocks.zip(&self.clocks).zip(&self.spins).zip(&self.attitudes);
-        for (n, (((bodies, &clock), spin), attitude)) in parts.enumerate() {
+            let attitude = if W::ATTITUDE { self.attitudes.get(n) } else { None };
             let (world, frame) = (self.of_last(n, &self.worlds), self.of_last(n, &self.frames));
             for (k, &t) in times.iter().enumerate() {
                 let time = clock * t;
                 let phase = spin.phase(time);
                 let omega = in_body(frame, spin.omega(&phase));
-                let mut turn = spin.turn(attitude, &phase, time);
-                if let Some(world) = world {
-                    turn = in_world(world, frame, turn);
-                }
+                let turn = attitude.map(|attitude| {
+                    let turn = spin.turn(attitude, &phase, time);
+                    world.map_or(turn, |world| in_world(world, frame, turn))
+                });
                 each_lane(bodies, time, |lane, body, starts| {
-                    let here = || Instant {
-                        omega: omega.map(|x| x.lane(lane)),
-                        attitude: UnitQuaternion::new_unchecked(turn.coords.map(|x| x.lane(lane)).into()),
+                    let here = || {
+                        let turn = turn
+                            .map_or(Quaternion::identity(), |turn| turn.coords.map(|x| x.lane(lane)).into());
+                        let omega = omega.map(|x| x.lane(lane));
+                        W::of(Instant { omega, attitude: UnitQuaternion::new_unchecked(turn) })
                     };
                     put(k, body, if starts { first(body) } else { here() });
                 });
@@ -176,7 +160,7 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
 /// all, where the start itself is the answer.
 #[inline(always)]
 fn each_lane<T: Lane>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usize, bool)) {
-    let any_starts = T::any(time.abs().lt(T::splat(f64::from_bits(1))));
+    let any_starts = T::any(time.abs().lt(splat::<T>(f64::from_bits(1))));
     for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
         put(lane, body, any_starts && time.lane(lane) == 0.0);
     }

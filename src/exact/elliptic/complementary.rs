@@ -1,7 +1,7 @@
 //! Jacobi's functions near and on the separatrix: theta sums in hyperbolic functions, after Jacobi's
 //! imaginary transformation.
 
-use crate::number::{Gather, Lane, gather_fields, lane_power_of_two};
+use crate::number::{Gather, Lane, gather_fields, lane_power_of_two, splat};
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the square root of `E`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,8 +22,9 @@ impl<T: Lane> Decay<T> {
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         // Beyond 700 the exponential is negligible relative to any f64; the rest can be large there and has
         // no effect.
-        let within = main.lt(T::splat(700.0));
-        let (main, rest) = (T::select(within, main, T::splat(700.0)), T::select(within, rest, T::splat(0.0)));
+        let within = main.lt(splat::<T>(700.0));
+        let (main, rest) =
+            (T::select(within, main, splat::<T>(700.0)), T::select(within, rest, splat::<T>(0.0)));
         let (power, change) = exp_parts(-main, -rest);
         let root = power + power * change;
         // exp(-x) - 1, exact in its small digits where the power of two is 1.
@@ -118,10 +119,10 @@ impl<T: Lane> ComplementarySeries<T> {
         let [sine, cosine, alternating, plain] = self.sums(x);
         let [s, c, d] = [0, 1, 2].map(|n| T::select(far, self.far[n], self.near[n]));
         let (rise, fall) =
-            (T::select(far, x.root, T::splat(1.0)), T::select(far, T::splat(0.5), x.root * 2.0));
+            (T::select(far, x.root, splat::<T>(1.0)), T::select(far, splat::<T>(0.5), x.root * 2.0));
         let (first, second) = (T::select(far, alternating, sine), T::select(far, sine, alternating));
         let (third, under) = (T::select(far, cosine, plain), T::select(far, plain * x.root, cosine));
-        let over = T::splat(1.0) / under;
+        let over = splat::<T>(1.0) / under;
         let fall = fall * over;
         [s * first * (rise * over), c * second * fall, d * third * fall]
     }

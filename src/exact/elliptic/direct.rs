@@ -1,7 +1,7 @@
 //! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
 
 use crate::number::functions::powi;
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 
 /// The sums for a nome of at most 0.09: four terms each reach rounding. Written as polynomials in
 /// `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
@@ -47,7 +47,7 @@ impl<T: Lane> DirectSeries<T> {
     pub(crate) fn values(&self, sin: T, cos: T) -> [T; 3] {
         let [third, fourth, second, first] = self.thetas((cos - sin) * (cos + sin));
         let [s, c, d] = self.factors;
-        let over = T::splat(1.0) / fourth;
+        let over = splat::<T>(1.0) / fourth;
         [s * (sin * first) * over, c * (cos * second) * over, d * third * over]
     }
 }

@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle given in turns: no division by the circle's constant to lose digits in.
 
-use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
+use crate::number::{Lane, splat};
 use core::f64::consts::TAU;
 
 /// Sine and cosine of `turns` whole turns.
@@ -17,12 +17,12 @@ pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below
     // zero.
     let size = quarters.abs();
-    let odd = (size - 1.0).abs().lt(T::splat(0.5));
+    let odd = (size - 1.0).abs().lt(splat::<T>(0.5));
     let (s, c) = (T::select(odd, cos, sin), T::select(odd, sin, cos));
-    let opposite = T::splat(1.5).lt(size);
-    let sin_sign = T::select(quarters.lt(T::splat(-0.5)), T::splat(-1.0), T::splat(1.0));
-    let cos_sign = T::select(T::splat(0.5).lt(quarters), T::splat(-1.0), T::splat(1.0));
-    let half = T::splat(-1.0);
+    let opposite = splat::<T>(1.5).lt(size);
+    let sin_sign = T::select(quarters.lt(splat::<T>(-0.5)), splat::<T>(-1.0), splat::<T>(1.0));
+    let cos_sign = T::select(splat::<T>(0.5).lt(quarters), splat::<T>(-1.0), splat::<T>(1.0));
+    let half = splat::<T>(-1.0);
     (T::select(opposite, half, sin_sign) * s, T::select(opposite, half, cos_sign) * c)
 }
 

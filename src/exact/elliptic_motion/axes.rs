@@ -1,7 +1,7 @@
 //! Which principal axis is which, that differs from body to body.
 
 use crate::exact::kernel::{FirstAxis, unit};
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 use nalgebra::{Quaternion, Vector3};
 
 /// The places of the circled axis, the middle one and the one across.
@@ -27,7 +27,7 @@ impl<T: Lane> Axes<T> {
     #[inline(always)]
     pub(super) fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> Vector3<T> {
         let (across, middle) = (amplitudes[0] * cn, amplitudes[1] * sn);
-        let cyclic = T::splat(0.0).lt(self.sense);
+        let cyclic = splat::<T>(0.0).lt(self.sense);
         let (next, last) = (T::select(cyclic, across, middle), T::select(cyclic, middle, across));
         self.circled.arranged([amplitudes[2] * dn, next, last]).into()
     }

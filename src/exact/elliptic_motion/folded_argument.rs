@@ -7,7 +7,7 @@
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
 use crate::number::double_double::DoubleDouble;
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,9 +72,9 @@ impl<T: Lane> Fold<T> {
         let side = u.hi().sign();
         let from_flip = u.signed(side);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
-        let from_saddle = self.quarter.plus(from_flip.signed(T::splat(-1.0)));
+        let from_saddle = self.quarter.plus(from_flip.signed(splat::<T>(-1.0)));
         let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
-        let zero = T::splat(0.0);
+        let zero = splat::<T>(0.0);
         let odd = zero.lt((halves - (halves * 0.5).round_ties_even() * 2.0).abs());
         // Rounding may leave it a hair beyond the saddle.
         let main = distance.hi();

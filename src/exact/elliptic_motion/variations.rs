@@ -141,7 +141,7 @@ impl EllipticMotion {
     /// moments, with the integrals of the squares of the spin less those at the start. Not for the
     /// neighbourhood of whole half periods: there it cancels.
     ///
-    /// Refuses the end of the separatrix, where `f64` does not tell it from rest.
+    /// Refuses the end of the separatrix, where it is at rest in `f64`.
     pub(crate) fn derivatives(
         &self,
         moments: &[f64; 3],

@@ -61,7 +61,7 @@ fn times(x: Complex, y: Complex) -> Complex {
     [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
 }
 
-/// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `wobble` turns
+/// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `nutation` turns
 /// per unit of time. The two across are one complex number `W = W_0 exp(i r t)`, and so are their changes
 /// `exp(i r t) z`, where `z' = i s W_0 c + exp(-i r t) f` with the change `c` of the spin along the axis and
 /// the forcing `f`, both trigonometric.
@@ -69,15 +69,15 @@ pub(super) fn top(
     moments: &[f64; 3],
     axis: usize,
     omega: &[f64; 3],
-    wobble: DoubleDouble,
+    nutation: DoubleDouble,
     time: f64,
 ) -> SpinDerivatives {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     let (w, along, equal) = ([omega[a], omega[b]], omega[axis], moments[a]);
     let (s, by_moments) = (factors(moments)[b], Forcing::new(moments).by_moments);
-    let (sin, cos) = sin_cos_of_turns(wobble * time);
+    let (sin, cos) = sin_cos_of_turns(nutation * time);
     let turned = [cos, sin];
-    let rate = TAU * wobble.hi();
+    let rate = TAU * nutation.hi();
     // The integrals of exp(i r t) and exp(2 i r t), and the integrals of these.
     let [first, first_sum] = integrals(rate, turned, time);
     let [second, second_sum] = integrals(2.0 * rate, times(turned, turned), time);

@@ -51,7 +51,7 @@ impl FreeMotion {
             Law::AtRest => return None,
             // Any will do.
             Law::Steady(_) => 1.0 / speed,
-            Law::Symmetric(top) => 1.0 / top.wobble_turns().abs(),
+            Law::Symmetric(top) => 1.0 / top.nutation_turns().abs(),
             Law::Elliptic(motion) => 2.0 * motion.half_period()?,
         };
         let period = period.copysign(time);

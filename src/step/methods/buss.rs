@@ -3,18 +3,9 @@
 
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{attitude, dynamics::euler};
 use nalgebra::Vector3;
-
-pub(crate) const INFO: MethodInfo = MethodInfo {
-    name: "Buss's augmented",
-    order: 2,
-    implicit: false,
-    conserved: Conserved { momentum: true, direction: true, unit: true, ..Conserved::NONE },
-    source: "Bus00",
-};
 
 /// With a torque, between two half kicks of it.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {

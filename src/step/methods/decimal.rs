@@ -16,8 +16,8 @@ impl Decimal {
         let base = T::integer(1_000_000_000);
         // From the last group on, so that the small ones are not lost one by one.
         let behind =
-            self.groups.iter().rev().fold(T::zero(), |sum, &group| (sum + T::whole(group)) / base.clone());
-        let size = T::whole(self.whole) + behind;
+            self.groups.iter().rev().fold(T::zero(), |sum, &group| (sum + T::integer(group)) / base.clone());
+        let size = T::integer(self.whole) + behind;
         if self.negative { -size } else { size }
     }
 }

@@ -2,17 +2,8 @@
 
 use crate::body::{Rate, State};
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
-
-pub(crate) const INFO: MethodInfo = MethodInfo {
-    name: "Dormand-Prince 5",
-    order: 5,
-    implicit: false,
-    conserved: Conserved::NONE,
-    source: "DP80",
-};
 
 /// An integer over another.
 type Ratio = (i32, u32);
@@ -32,7 +23,7 @@ const ERROR: [Ratio; 7] =
     [(71, 57_600), (0, 1), (-71, 16_695), (71, 1920), (-17_253, 339_200), (22, 525), (-1, 40)];
 
 fn number<T: Analytic>((n, d): Ratio) -> T {
-    let size = T::whole(n.unsigned_abs()) / T::whole(d);
+    let size = T::integer(n.unsigned_abs()) / T::integer(d);
     if n < 0 { -size } else { size }
 }
 

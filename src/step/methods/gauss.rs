@@ -5,28 +5,9 @@ use super::decimal::{ROOT_OF_3, ROOT_OF_15};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use crate::{attitude, dynamics::euler};
 use nalgebra::{Quaternion, Vector3};
-
-pub(crate) const MIDPOINT: MethodInfo = MethodInfo {
-    name: "implicit midpoint",
-    order: 2,
-    implicit: true,
-    conserved: Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true },
-    source: "HLW06",
-};
-
-/// All that is square in attitude and momentum is kept; the momentum in the world is a product of three.
-const SQUARES: Conserved =
-    Conserved { energy: true, momentum: true, direction: false, unit: true, reversible: true };
-
-pub(crate) const GAUSS_4: MethodInfo =
-    MethodInfo { name: "Gauss 4", order: 4, implicit: true, conserved: SQUARES, source: "But64" };
-
-pub(crate) const GAUSS_6: MethodInfo =
-    MethodInfo { name: "Gauss 6", order: 6, implicit: true, conserved: SQUARES, source: "But64" };
 
 /// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
 const ROUNDS: usize = 200;

@@ -4,17 +4,8 @@
 use crate::attitude;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
-
-pub(crate) const INFO: MethodInfo = MethodInfo {
-    name: "Munthe-Kaas 4",
-    order: 4,
-    implicit: false,
-    conserved: Conserved { momentum: true, direction: true, unit: true, ..Conserved::NONE },
-    source: "MK98",
-};
 
 /// Seen from the body's axes at the start: the turn since then, and the momentum.
 struct Part<T: nalgebra::Scalar> {

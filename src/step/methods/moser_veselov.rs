@@ -23,26 +23,10 @@ use crate::body::State;
 use crate::error::{Error, Refusal};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Ring};
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
-
-const ALL: Conserved =
-    Conserved { energy: true, momentum: true, direction: true, unit: true, reversible: true };
-
-pub(crate) const ORDER_2: MethodInfo =
-    MethodInfo { name: "Moser-Veselov", order: 2, implicit: true, conserved: ALL, source: "MV91" };
-
-const fn preprocessed(name: &'static str, order: u32) -> MethodInfo {
-    MethodInfo { name, order, implicit: true, conserved: ALL, source: "HV06" }
-}
-
-pub(crate) const ORDER_4: MethodInfo = preprocessed("Moser-Veselov 4", 4);
-pub(crate) const ORDER_6: MethodInfo = preprocessed("Moser-Veselov 6", 6);
-pub(crate) const ORDER_8: MethodInfo = preprocessed("Moser-Veselov 8", 8);
-pub(crate) const ORDER_10: MethodInfo = preprocessed("Moser-Veselov 10", 10);
 
 /// With a torque, between two half kicks of it: then of order 2, whatever the order without.
 pub(crate) fn step<T: Analytic>(
@@ -51,13 +35,19 @@ pub(crate) fn step<T: Analytic>(
     h: &T,
     order: u32,
 ) -> Result<State<T>, Error> {
-    if system.is_free() {
-        return Prepared::new(system.inverse(), &start.momentum, h, order)?.step(start);
-    }
-    let half = h.clone() / T::integer(2);
-    let start = system.kick(start, half.clone());
-    let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(&start)?;
-    Ok(system.adjoint_kick(&end, half))
+    let kicked;
+    let (start, second) = if system.is_free() {
+        (start, None)
+    } else {
+        let half = h.clone() / T::integer(2);
+        kicked = system.kick(start, half.clone());
+        (&kicked, Some(half))
+    };
+    let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(start)?;
+    Ok(match second {
+        Some(half) => system.adjoint_kick(&end, half),
+        None => end,
+    })
 }
 
 /// The longest turn of a step, rad: there `|c| = 1`.
@@ -171,8 +161,8 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         let grown = T::one() + c.dot(&c);
         let miss = &kc + c.cross(&kc) - m.map(|x| x * grown.clone());
         // Columns of the derivative: K_j e_j + (K_j c - K c) x e_j - 2 c_j m.
-        let beside = |i: usize, j: usize| k[i].clone() - k[j].clone();
-        let (xy, yz, zx) = (beside(0, 1), beside(1, 2), beside(2, 0));
+        let difference = |i: usize, j: usize| k[i].clone() - k[j].clone();
+        let (xy, yz, zx) = (difference(0, 1), difference(1, 2), difference(2, 0));
         let p = |x: &T, y: &T| x.clone() * y.clone();
         let column = |j: usize, first: Vector3<T>| first - twice.map(|x| x * c[j].clone());
         let x = column(0, Vector3::new(k.x.clone(), -p(&zx, &c.z), -p(&xy, &c.y)));

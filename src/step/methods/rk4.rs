@@ -2,16 +2,7 @@
 
 use crate::body::{Rate, State};
 use crate::number::{Analytic, Field};
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
-
-pub(crate) const INFO: MethodInfo = MethodInfo {
-    name: "Runge-Kutta 4",
-    order: 4,
-    implicit: false,
-    conserved: Conserved::NONE,
-    source: "Kut01",
-};
 
 /// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors
 /// fall as `h^4`.

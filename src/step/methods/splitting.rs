@@ -5,20 +5,8 @@
 use super::decimal::Decimal;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Quaternion;
-
-const KEEPS: Conserved =
-    Conserved { momentum: true, direction: true, unit: true, reversible: true, ..Conserved::NONE };
-
-const fn info(name: &'static str, order: u32, source: &'static str) -> MethodInfo {
-    MethodInfo { name, order, implicit: false, conserved: KEEPS, source }
-}
-
-pub(crate) const ORDER_2: MethodInfo = info("three rotations", 2, "McL93");
-pub(crate) const ORDER_4: MethodInfo = info("three rotations, 7 in 1", 4, "our own weights");
-pub(crate) const ORDER_6: MethodInfo = info("three rotations, 9 in 1", 6, "KL97");
 
 /// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition
 /// of a symmetric method of order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are
@@ -48,7 +36,7 @@ pub(crate) fn order_2<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 
 pub(crate) fn order_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let [a, b, c, d] = SEVEN.map(|(n, below)| {
-        let size = T::whole(n.unsigned_abs()) / T::whole(below);
+        let size = T::integer(n.unsigned_abs()) / T::integer(below);
         if n < 0 { -size } else { size }
     });
     composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d, c, b, a])

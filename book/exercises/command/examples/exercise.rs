@@ -21,14 +21,14 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
     let all = exercises::all()?;
     if names.is_empty() || names.iter().any(|name| name.starts_with('-')) {
         return Err("usage: cargo exercise NAME, such as `cargo exercise two_arrows_1`\n\
-             `cargo run --release -- exercises` lists them all and says which are done."
+             `cargo run -- exercises` lists them all and says which are done."
             .into());
     }
     for name in names {
         if all.iter().all(|exercise| exercise.name != *name) {
             let near = nearest(name, &all).map_or(String::new(), |near| format!(" Did you mean `{near}`?"));
             return Err(format!(
-                "There is no exercise `{name}`.{near} `cargo run --release -- exercises` lists them all."
+                "There is no exercise `{name}`.{near} `cargo run -- exercises` lists them all."
             ));
         }
     }
@@ -57,7 +57,7 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
         Ok(()) => {
             let _ = writeln!(
                 io::stdout(),
-                "Solved: {}. `cargo run --release -- exercises next` names the next.",
+                "Solved: {}. `cargo run -- exercises next` names the next.",
                 names.join(", ")
             );
             Ok(ExitCode::SUCCESS)

@@ -29,7 +29,7 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
         Ok(verdict) => {
             let mut json = verdict.json();
             json["words"] = verdict.to_string().into();
-            let untold = verdict.record.untold.iter().map(|law| law.words());
+            let untold = verdict.record.missing.iter().map(|law| law.words());
             json["untold"] = untold.collect::<Vec<_>>().into();
             for (reset, told) in
                 verdict.resets.iter().zip(json["resets"].as_array_mut().into_iter().flatten())
@@ -37,7 +37,7 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
                 told["words"] = reset.words().into();
             }
             if let Some(diagnosis) = &verdict.diagnosis {
-                json["diagnosis"]["words"] = diagnosis.sure.words().into();
+                json["diagnosis"]["words"] = diagnosis.confidence.words().into();
             }
             for (law, told) in verdict.laws.iter().zip(json["laws"].as_array_mut().into_iter().flatten()) {
                 told["words"] = law.name.words().into();

@@ -19,7 +19,7 @@ use tumbling::{Axis, Error, ErrorKind};
 pub static WHY: Line = Line::new();
 
 /// The motion last prepared, which later questions are about, and the axis that it was spun about.
-static MOTION: Mutex<Option<(FreeMotion, usize)>> = Mutex::new(None);
+static MOTION: Mutex<Option<(FreeMotion, usize, Vector3<f64>)>> = Mutex::new(None);
 
 /// How many of the next flips are given.
 const NEXT: usize = 3;
@@ -106,7 +106,7 @@ fn spun(about: f64) -> (usize, usize) {
     }
 }
 
-fn motion() -> Result<(FreeMotion, usize), Why> {
+fn motion() -> Result<(FreeMotion, usize, Vector3<f64>), Why> {
     MOTION.lock().unwrap_or_else(PoisonError::into_inner).ok_or(Why(["a motion", " must be prepared first"]))
 }
 
@@ -131,7 +131,7 @@ fn prepared([which, spin, push, about, a, b, c, x, y, z]: [f64; 10]) -> Result<[
     let (omega, along) = start([spin, push, about], Vector3::new(x, y, z));
     let motion = FreeMotion::new(moments.try_into()?, &omega)?;
     let beat = if along == 0 { time_between_flips(moments.try_into()?, &omega)? } else { None };
-    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some((motion, along));
+    *MOTION.lock().unwrap_or_else(PoisonError::into_inner) = Some((motion, along, moments));
 
     let around = match motion.regime() {
         Regime::Elliptic { about: Axis::Smallest, .. } => 2.0,
@@ -167,9 +167,9 @@ fn prepared([which, spin, push, about, a, b, c, x, y, z]: [f64; 10]) -> Result<[
 }
 
 fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
-    let (motion, along) = motion()?;
+    let (motion, along, _) = motion()?;
     let now = motion.at(t)?;
-    let world = now.omega_world();
+    let world = now.attitude * now.omega;
     // A push along the middle axis never carries a spin about another from its side: what changes sign is its
     // wobble.
     let flips = along == 0;
@@ -186,7 +186,7 @@ fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
 }
 
 fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
-    let (motion, along) = motion()?;
+    let (motion, along, _) = motion()?;
     let mut place = 1;
     if along == 0 {
         for flip in motion.flips(from, to)?.take(MOST_FLIPS) {
@@ -208,7 +208,7 @@ fn stretch([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
 /// an elliptic cone about the axis that is circled.
 fn polhode([around, depth, points]: [f64; 3], row: &Numbers) -> usize {
     let of_box = || body(0.0, [0.0; 3]).map_or([f64::NAN; 3], |(moments, _)| moments.into());
-    let moments: [f64; 3] = motion().map_or_else(|_| of_box(), |(motion, _)| motion.moments().into());
+    let moments: [f64; 3] = motion().map_or_else(|_| of_box(), |(.., moments)| moments.into());
     let axes = match around as u32 {
         0 => [0, 1, 2],
         1 => [1, 2, 0],

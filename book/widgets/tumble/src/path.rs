@@ -13,7 +13,7 @@ const MOST: f64 = 600.0;
 /// A stretch of time, `from`, `to`, and how many samples: at each the spin along the body's axes, and that in
 /// the world, rad/s.
 pub(crate) fn path([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize, Why> {
-    let (motion, _) = motion()?;
+    let (motion, ..) = motion()?;
     let samples = samples.clamp(2.0, MOST);
     let mut place = 0;
     for i in 0..samples as u32 {
@@ -29,8 +29,8 @@ pub(crate) fn path([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize
 /// The instant `t`: the tensor in the world, kg m², xx, yy, zz, xy, xz, yz; the rate of the spin along the
 /// body's axes, rad/s²; and the share of each axis in the energy.
 pub(crate) fn turned(t: f64, row: &Numbers) -> Result<usize, Why> {
-    let (motion, _) = motion()?;
-    let (now, moments) = (motion.at(t)?, motion.moments().vector());
+    let (motion, _, moments) = motion()?;
+    let now = motion.at(t)?;
     let world = inertia::turned(&rotation_matrix(&now.attitude), &Matrix3::from_diagonal(&moments));
     let rate = euler::angular_acceleration(&moments, &now.omega, &Vector3::zeros());
     let energy = observe::energy(&now.omega, &moments.component_mul(&now.omega));

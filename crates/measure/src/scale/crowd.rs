@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
-use tumbling::exact::{Batch, Spins};
+use tumbling::exact::Batch;
 use tumbling_scenes::batch::{self, Block};
 use tumbling_scenes::ensemble::{Chunk, Ensemble, FourLanes, INSTANTS, Solver};
 use tumbling_scenes::{InitialState, Outputs, Scene, Times};
@@ -155,7 +155,7 @@ pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
             threads: 1,
             instants: INSTANTS,
             most: MOST,
-            prepare: Box::new(move |n| ready::<Spins<FourLanes>>(n, INSTANTS, one)),
+            prepare: Box::new(move |n| ready::<Batch<FourLanes, Vector3<f64>>>(n, INSTANTS, one)),
         },
         Crowd {
             name: "spin",
@@ -163,7 +163,7 @@ pub fn ours<'a>(one: &'a Run<'a>, two: Option<&'a Run<'a>>) -> Vec<Crowd<'a>> {
             threads: 1,
             instants: INSTANTS,
             most: MOST / 10,
-            prepare: Box::new(move |n| ready::<Spins<f64>>(n, INSTANTS, one)),
+            prepare: Box::new(move |n| ready::<Batch<f64, Vector3<f64>>>(n, INSTANTS, one)),
         },
         Crowd {
             name: "spin and attitude once",

@@ -1,12 +1,12 @@
 //! What the names mean where the book speaks of a body's mass: the same in every equation of a kind.
 
 use crate::number::Fraction;
-use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
+use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
 use crate::tex::{Node, Scope, Statement, Value};
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::coupling;
 use tumbling::inertia::{omega_world, point_mass};
-use tumbling::solid::{Cuboid, Shape};
+use tumbling::solid::{Cuboid, MassMoments, Shape, combined};
 
 /// The names of a vector's components: `name_x`, `name_y`, `name_z`.
 fn with_components(scope: Scope, stem: &str, v: &Vector) -> Scope {
@@ -132,15 +132,40 @@ pub(super) fn axis(k: usize) -> Scope {
     scope.with("I_k", moments[k].clone()).with(r"\boldsymbol{\omega}", omega)
 }
 
-/// The momentum of a moving piece.
+/// A moving piece: its momentum by the library's tensor.
 pub(super) fn moving_piece() -> Scope {
     let (m, r, omega) = (Fraction::variable("m"), vector("r"), vector("omega"));
-    let it = point_mass(&m, &r) * &omega;
-    Scope::default()
+    let momentum = point_mass(&m, &r) * &omega;
+    let scope = with_components(Scope::default(), "L", &momentum);
+    let scope =
+        ["x", "y", "z"].into_iter().zip(&r).fold(scope, |scope, (name, x)| scope.with(name, x.clone()));
+    with_components(scope, r"\omega", &omega)
         .with("m", m)
+        .with("r", Value::Root(r.dot(&r)))
         .with(r"\mathbf{r}", r)
         .with(r"\boldsymbol{\omega}", omega)
-        .with(Scope::IT, it)
+        .with(r"\mathbf{L}_{\text{piece}}", momentum)
+}
+
+/// A body of two parts, each any body with its centre anywhere.
+pub(super) fn two_parts() -> Scope {
+    let part = |n: usize| MassMoments {
+        mass: Fraction::variable(&format!("m{n}")),
+        centre: vector(["r", "s"][n]),
+        inertia: symmetric(["J", "K"][n]),
+    };
+    let parts = [part(0), part(1)];
+    let whole = combined(&parts, &Vector::zeros());
+    let scope = with_entries(Scope::default(), "I", &whole.inertia);
+    parts.into_iter().fold(scope, |scope, part| {
+        let offset = part.centre - &whole.centre;
+        scope.with_piece([
+            ("m", part.mass),
+            ("x", offset.x.clone()),
+            ("y", offset.y.clone()),
+            (r"I_{\text{own}}", part.inertia[(2, 2)].clone()),
+        ])
+    })
 }
 
 /// Twice the energy of any body.

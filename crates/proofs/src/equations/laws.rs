@@ -5,6 +5,8 @@ use super::motion::{
     self, attitude, energy, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings,
     world_inverse, world_tensor,
 };
+use super::steps::{self, explicit, turn};
+use super::tops;
 use crate::tex::{Scope, Statement, parse};
 
 /// An equation, and what its names stand for.
@@ -116,10 +118,40 @@ macro_rules! laws {
 }
 
 laws! {
-    RATE_OF_A_TURNING_PLACE = bare(r"\boldsymbol{\omega}\times\mathbf{r}", &[motion::carried_round], "the rate of a turning place, by attitude::rate", );
-    MOMENTUM_OF_A_PIECE = bare(r"\mathbf{r}\times m(\boldsymbol{\omega}\times\mathbf{r})", &[bodies::moving_piece], "inertia::point_mass times the spin", );
+    VELOCITY = law(r"\mathbf{v}", &[motion::carried_round], "the rate of a turning place, by attitude::rate", );
+    MOMENTUM_OF_A_PIECE = law(r"\mathbf{L}_{\text{piece}}", &[bodies::moving_piece], "inertia::point_mass times the spin", );
+    FIRST_OF_A_PIECE = law("L_x", &[bodies::moving_piece], "the first row of inertia::point_mass times the spin", );
     PRODUCT_WITHOUT_MINUS = bare(r"\sum mxy", &[bodies::product_without_minus], "the product in inertia::point_mass of any points, without the minus", );
-    RATE_SEEN_FROM_THE_BODY = bare(r"-\boldsymbol{\omega}\times\mathbf{v}", &[motion::seen_from_the_body], "the rate by euler::momentum_rate of an arrow that nothing turns in the room", );
+    RATE_SEEN_FROM_THE_BODY = law(r"\dot{\mathbf{v}}", &[motion::seen_from_the_body], "the rate by euler::momentum_rate of an arrow that nothing turns in the room", );
+    FROM_REST = law(r"\dot{\boldsymbol{\omega}}", &[motion::at_rest], "euler::tensor_times_acceleration without spin");
+    LINEARISED_A = law(r"\dot{\omega}_a", &[motion::linearised], "euler::angular_acceleration across a spin");
+    LINEARISED_B = law(r"\dot{\omega}_b", &[motion::linearised], "euler::angular_acceleration across a spin");
+    LINEARISED_TWICE = law(r"\ddot{\omega}_a", &[motion::linearised], "the second rate by euler::angular_acceleration, and stability::rate_squared");
+    ENERGY_ELLIPSOID = law("2E", &[motion::conserved], "observe::energy, twice");
+    MOMENTUM_ELLIPSOID = law("L^2", &[motion::conserved], "the square of the momentum");
+    SUM_ABOUT_1 = law("I_1", &[body], "the diagonal of inertia::point_mass, of any points");
+    SUM_ABOUT_2 = law("I_2", &[body], "the diagonal of inertia::point_mass, of any points");
+    SUM_ABOUT_3 = law("I_3", &[body], "the diagonal of inertia::point_mass, of any points");
+    THIRD_INEQUALITY = law("I_1+I_2-I_3", &[body], "the diagonal of inertia::point_mass, of any points");
+    PARALLEL_AXES = law("I_{zz}", &[bodies::two_parts], "solid::combined of any two parts");
+    COIN_1 = law(r"\dot{\omega}_1", &[tops::coin], "euler::angular_acceleration with two equal moments");
+    COIN_2 = law(r"\dot{\omega}_2", &[tops::coin], "euler::angular_acceleration with two equal moments");
+    COIN_RATE = law(r"\Omega", &[tops::coin], "the rate by euler::angular_acceleration");
+    COIN_COSINE = law(r"\omega_1", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
+    COIN_SINE = law(r"\omega_2", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
+    COIN_SPIN = law(r"\boldsymbol{\omega}", &[tops::coin], "the spin, with the rate by euler::angular_acceleration");
+    COIN_AXIS = law(r"\dot{\mathbf{e}}", &[tops::coin], "the rate of the axis");
+    JACOBI_SN = law(r"\operatorname{sn}'", &[tops::jacobi], "the rates with which the closed form satisfies euler::angular_acceleration");
+    JACOBI_CN = law(r"\operatorname{cn}'", &[tops::jacobi], "the same");
+    JACOBI_DN = law(r"\operatorname{dn}'", &[tops::jacobi], "the same");
+    JACOBI_1 = law(r"\omega_1", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
+    JACOBI_2 = law(r"\omega_2", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
+    JACOBI_3 = law(r"\omega_3", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
+    JACOBI_RATE = law("p^2", &[tops::jacobi_motion], "the rate of that motion, with observe::energy");
+    JACOBI_PARAMETER = law("m", &[tops::jacobi_motion], "the parameter of that motion, with observe::energy");
+    JACOBI_A1 = law("a_1^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    JACOBI_A2 = law("a_2^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    JACOBI_A3 = law("a_3^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
     SLOPES = bare("b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's");
     TWICE_THE_ENERGY = bare(r"\mathbf{L}\cdot\boldsymbol{\omega}", &[bodies::twice_the_energy], "twice the sum of m v²/2 of any points", );
     GYROSCOPIC_TORQUE = bare(r"(I\boldsymbol{\omega})\times\boldsymbol{\omega}", &[motion::gyroscopic], "euler::tensor_times_acceleration without torque", );
@@ -154,6 +186,17 @@ laws! {
     SWING = Law { attained: &[equal_moments], ..law(r"\lambda^2", swings::BOTH, "stability::rate_squared, about the largest and the smallest", ) };
     FROZEN_TENSOR = law(r"I_{\text{body}}\dot{\boldsymbol{\omega}}", &[frozen], "Engine::Frozen's rate, wrong as it is", );
     MOMENTUM_FOR_SPIN = law(r"\boldsymbol{\omega}", &[momentum_for_spin], "Engine::MomentumForSpin's omega_world, wrong as it is", );
+    EXPLICIT_STEP = law(r"\mathbf{L}'", explicit::CASES, "euler::momentum_rate held for the step, and the steps of Method::ExplicitEuler and SemiImplicitEuler", );
+    EXPLICIT_GAIN = law(r"\mathbf{L}'\cdot\mathbf{L}'", explicit::CASES, "the squared length after that step", );
+    TURN_J = law("L'_j", turn::ALL, "the momentum in the axes of a body turned by attitude::rotation_matrix, next axis");
+    TURN_K = law("L'_k", turn::ALL, "the same, the axis after that");
+    TURN_ANGLE = bare("hL_i/I_i", &[steps::angle], "the step times the spin by inertia::omega_world");
+    MEAN_MOMENTUM = law(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
+    MIDPOINT_STEP = law(r"\mathbf{L}'", &[steps::midpoint], "euler::momentum_rate at the mean, held for the step");
+    MIDPOINT_WORK = law("E'-E", &[steps::midpoint], "the change of observe::energy in that step, for a torque that is constant in it", );
+    DISCRETE_START = law(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}", &[steps::discrete], "the equation of Moser and Veselov's step");
+    DISCRETE_END = law(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}'", &[steps::discrete], "the same momentum after the turn, by attitude::rotation_matrix", );
+    NEWTON_MATRIX = law(r"A\boldsymbol{\delta}", &[steps::newton], "the tensor less the step times the derivative of euler::coupling by the spin", );
     PRODUCT_OF_INERTIA = law(r"I_{xy}", &[body], "the product in inertia::point_mass, of any points");
     ATTITUDE_RATE = law(r"\dot{q}", &[attitude], "attitude::rate");
     ROTATED = law(r"\mathbf{v}_{\text{world}}", &[attitude], "q v q* by attitude::product, with attitude::rotation_matrix", );

@@ -270,7 +270,7 @@ pub(super) fn carried_round() -> Scope {
     Scope::default()
         .with(r"\mathbf{r}", r)
         .with(r"\boldsymbol{\omega}", omega)
-        .with(Scope::IT, velocity.map(|x| unit.reduce_fraction(&x)))
+        .with(r"\mathbf{v}", velocity.map(|x| unit.reduce_fraction(&x)))
         .under(unit)
 }
 
@@ -319,5 +319,50 @@ pub(super) fn seen_from_the_body() -> Scope {
     let (inverse, arrow) = (crate::symbols::symmetric("J"), vector("L"));
     let rate = tumbling::dynamics::euler::momentum_rate(&inverse, &arrow, &Vector::zeros());
     let omega = inverse * &arrow;
-    Scope::default().with(r"\mathbf{v}", arrow).with(r"\boldsymbol{\omega}", omega).with(Scope::IT, rate)
+    Scope::default()
+        .with(r"\mathbf{v}", arrow)
+        .with(r"\dot{\mathbf{v}}", rate)
+        .with(r"\boldsymbol{\omega}", omega)
+}
+
+/// A body at rest under a torque, in any axes.
+pub(super) fn at_rest() -> Scope {
+    let (tensor, torque) = (symmetric("I"), vector("tau"));
+    let rate = tensor_times_acceleration(&tensor, &Vector::zeros(), &torque);
+    let (adjugate, determinant) = adjugate(&tensor);
+    Scope::default()
+        .with("I", tensor)
+        .with(r"\boldsymbol{\tau}", torque)
+        .with(r"\dot{\boldsymbol{\omega}}", (adjugate * rate).map(|x| x / &determinant))
+}
+
+/// Two small components near a spin that stays, and the second rate of the first.
+pub(super) fn linearised() -> Scope {
+    let [spin, about, first, second] = variables(["omega", "I", "I_a", "I_b"]);
+    let small = variables(["omega_a", "omega_b"]);
+    let moments = Vector::new(about.clone(), first.clone(), second.clone());
+    let omega = Vector::new(spin.clone(), small[0].clone(), small[1].clone());
+    let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
+    // To first order the large component does not change.
+    let time = Derivation::new([("omega_a", rate.y.clone()), ("omega_b", rate.z.clone())]);
+    let again = time.of(&rate.y);
+    let [a, b] = small;
+    wobble()
+        .with(r"\omega_a", a)
+        .with(r"\omega_b", b)
+        .with(r"\dot{\omega}_a", rate.y.clone())
+        .with(r"\dot{\omega}_b", rate.z.clone())
+        .with(r"\ddot{\omega}_a", again)
+}
+
+/// What is kept, by the components of the spin along principal axes.
+pub(super) fn conserved() -> Scope {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let momentum = diagonal(&moments) * &omega;
+    let energy = tumbling::dynamics::observe::energy(&omega, &momentum);
+    let scope = Scope::default().with("E", energy).with("L", Value::Root(momentum.dot(&momentum)));
+    (0..3).fold(scope, |scope, i| {
+        let n = i + 1;
+        scope.with(&format!("I_{n}"), moments[i].clone()).with(&format!(r"\omega_{n}"), omega[i].clone())
+    })
 }

@@ -127,8 +127,38 @@ enum Side {
     Largest,
 }
 
-/// Symbols: `Q` is free and says how fast; `k` is the modulus, `k² = m`.
+/// A motion off the separatrix, in Jacobi's functions.
+pub(crate) struct EllipticMotion {
+    /// What ties the symbols.
+    pub(crate) relations: Relations,
+    /// In order of size.
+    pub(crate) moments: Vector,
+    /// The factor of each function.
+    pub(crate) amplitudes: Vector,
+    /// The rate of their argument.
+    pub(crate) rate: Fraction,
+    /// The spin.
+    pub(crate) omega: Vector,
+}
+
+/// The one that circles the axis of the largest moment, if the library's Euler's equations hold along it.
+///
+/// # Errors
+/// What is left over.
+pub(crate) fn about_the_largest_axis() -> Result<EllipticMotion, Residue> {
+    elliptic(angular_acceleration, Side::Largest, 1)?;
+    elliptic_motion(Side::Largest, 1)
+}
+
 fn elliptic(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, side: Side, factor: i64) -> Outcome {
+    let motion = elliptic_motion(side, factor)?;
+    let time = Derivation::elliptic(&motion.rate);
+    let expected = law(&motion.moments, &motion.omega, &Vector::zeros());
+    same_vectors_under(&motion.relations, "w'", &motion.omega.map(|x| time.of(&x)), &expected)
+}
+
+/// Symbols: `Q` is free and says how fast; `k` is the modulus, `k² = m`.
+fn elliptic_motion(side: Side, factor: i64) -> Result<EllipticMotion, Residue> {
     let [x1, x2, x3, p, q, r, k, big, sn, cn, dn] =
         variables(["x1", "x2", "x3", "p", "q", "r", "k", "Q", "sn", "cn", "dn"]);
     let [sn2, m] = ["sn", "m"].map(Polynomial::variable);
@@ -143,17 +173,12 @@ fn elliptic(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, side: Side, facto
     let small = &k * &big * near / far;
     let rate = near * &big / (&x1 * &x2 * &x3) * Fraction::from(factor);
     let (end, circled) = if side == Side::Largest { (&x1, &x3) } else { (&x3, &x1) };
-    let across = &small / (end * &r) * cn;
-    let along = &big / (circled * &r) * dn;
-    let middle = &small / (&x2 * near) * sn;
-    let omega = if side == Side::Largest {
-        Vector::new(across, middle, along)
-    } else {
-        Vector::new(along, middle, across)
-    };
-    let time = Derivation::elliptic(&rate);
-    let expected = law(&moments(), &omega, &Vector::zeros());
-    same_vectors_under(&relations, "w'", &omega.map(|x| time.of(&x)), &expected)
+    let (across, along) = ((&small / (end * &r), cn), (&big / (circled * &r), dn));
+    let middle = (&small / (&x2 * near), sn);
+    let parts = if side == Side::Largest { [across, middle, along] } else { [along, middle, across] };
+    let amplitudes = Vector::from(parts.each_ref().map(|(amplitude, _)| amplitude.clone()));
+    let omega = Vector::from(parts.map(|(amplitude, function)| amplitude * function));
+    Ok(EllipticMotion { relations, moments: moments(), amplitudes, rate, omega })
 }
 
 fn sides(sign: i64) -> Outcome {

@@ -3,11 +3,11 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::fmt::Debug;
 use tumbling::Error;
-use tumbling::exact::{Batch, FreeMotion, Instant, Spins};
+use tumbling::exact::{Batch, FreeMotion, Instant};
 use tumbling::number::Lane;
 
-/// Motions prepared to be answered side by side: their [`Spins`], or a [`Batch`] of spins with attitudes, in
-/// the lanes of a number type.
+/// Motions prepared to be answered side by side: a [`Batch`] of spins alone or with attitudes, in the lanes
+/// of a number type.
 pub trait Solver: Debug + Clone + Send + Sync {
     /// The answer for one body at one instant.
     type Answer: Debug + Copy + PartialEq + Send + Sync;
@@ -51,7 +51,7 @@ impl<T: Lane + Send + Sync> Solver for Batch<T> {
     }
 }
 
-impl<T: Lane + Send + Sync> Solver for Spins<T> {
+impl<T: Lane + Send + Sync> Solver for Batch<T, Vector3<f64>> {
     type Answer = Vector3<f64>;
     const REFUSED: Vector3<f64> = NAN;
 

@@ -1,4 +1,4 @@
-//! Runs the kit's stories in Rapier: `cargo run --release -- STEP [STORY...]`, all stories if none is named.
+//! Runs the kit's stories in Rapier: `cargo run -- STEP [STORY...]`, all stories if none is named.
 //!
 //! Writes STORY.csv into the folder `records` beside this package, for `judge`.
 
@@ -38,7 +38,7 @@ fn run(story: &Value, h: f64) -> Result<Vec<[f64; 8]>, Box<dyn Error>> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let (step, wanted) = args.split_first().ok_or("tell the step, as in 1/60")?;
+    let (step, wanted) = args.split_first().ok_or("name the step, as in 1/60")?;
     let h = match step.split_once('/') {
         Some((over, under)) => over.parse::<f64>()? / under.parse::<f64>()?,
         None => step.parse()?,

@@ -3,37 +3,8 @@
 use super::turn::{turned, turned_straight};
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
-
-const UNIT: Conserved = Conserved { unit: true, ..Conserved::NONE };
-
-pub(crate) const CONSTANT_SPIN: MethodInfo = MethodInfo {
-    name: "no gyroscopic term",
-    order: 0,
-    implicit: false,
-    conserved: Conserved { energy: true, momentum: true, direction: false, unit: true, reversible: true },
-    source: "a rule of physics engines",
-};
-
-pub(crate) const SEMI_IMPLICIT: MethodInfo = MethodInfo {
-    name: "explicit gyroscopic step",
-    order: 1,
-    implicit: false,
-    conserved: UNIT,
-    source: "a rule of physics engines",
-};
-
-pub(crate) const RESCALED: MethodInfo = MethodInfo {
-    name: "explicit, rescaled",
-    order: 1,
-    implicit: false,
-    conserved: Conserved { momentum: true, ..UNIT },
-    source: "a rule of physics engines",
-};
-
-pub(crate) const RESCALED_STRAIGHT: MethodInfo = MethodInfo { name: "rescaled, turned straight", ..RESCALED };
 
 /// The momentum after the torques alone, at their value at the start.
 fn pushed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {

@@ -3,25 +3,8 @@
 use super::turn::turned;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
-
-pub(crate) const ONE_NEWTON: MethodInfo = MethodInfo {
-    name: "one Newton step",
-    order: 1,
-    implicit: true,
-    conserved: Conserved { unit: true, ..Conserved::NONE },
-    source: "Cat15",
-};
-
-pub(crate) const LINEARISED: MethodInfo = MethodInfo {
-    name: "linearised implicit",
-    order: 1,
-    implicit: true,
-    conserved: Conserved { unit: true, ..Conserved::NONE },
-    source: "a rule of physics engines",
-};
 
 /// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative
 /// of `w x I w` and `C` the drag along each axis.

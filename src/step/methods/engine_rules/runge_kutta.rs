@@ -5,25 +5,8 @@ use super::turn::turned;
 use crate::attitude;
 use crate::body::State;
 use crate::number::Analytic;
-use crate::step::info::{Conserved, MethodInfo};
 use crate::step::system::System;
 use nalgebra::Vector3;
-
-pub(crate) const MEAN_SPIN: MethodInfo = MethodInfo {
-    name: "Runge-Kutta 4, mean spin",
-    order: 2,
-    implicit: false,
-    conserved: Conserved { unit: true, ..Conserved::NONE },
-    source: "a rule of physics engines",
-};
-
-pub(crate) const CORRECTED: MethodInfo = MethodInfo {
-    name: "Runge-Kutta 4, turned",
-    order: 4,
-    implicit: false,
-    conserved: Conserved { unit: true, ..Conserved::NONE },
-    source: "MK98",
-};
 
 pub(crate) fn mean_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     stepped(system, start, h, |_, omega| omega.clone())
@@ -49,7 +32,7 @@ fn stepped<T: Analytic>(
             Some((turn, push)) => (scaled(turn, time), &start.momentum + scaled(push, time)),
         };
         let omega = system.omega(&momentum);
-        // A free body's momentum does not ask for the attitude.
+        // A free body's momentum does not depend on the attitude.
         let attitude = if system.is_free() {
             start.attitude.clone()
         } else {

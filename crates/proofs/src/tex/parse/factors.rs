@@ -89,6 +89,7 @@ impl Parser<'_> {
                 Ok(Node::Total(Box::new(self.deeper(Self::term)?)))
             }
             (Kind::Command, text) if FUNCTIONS.contains(&text) => self.function(),
+            (Kind::Command, r"\operatorname") => self.operator(),
             (Kind::Letter | Kind::Text | Kind::Command, _) => {
                 let name = self.name()?;
                 self.site(SiteKind::Name, token.at);

@@ -4,7 +4,7 @@ use super::{Parser, Site, SiteKind, TexError};
 use crate::tex::token::Kind;
 use crate::tex::tree::Node;
 
-const GREEK: [&str; 23] = [
+const GREEK: [&str; 24] = [
     r"\alpha",
     r"\beta",
     r"\gamma",
@@ -28,6 +28,7 @@ const GREEK: [&str; 23] = [
     r"\chi",
     r"\psi",
     r"\omega",
+    r"\Omega",
 ];
 
 /// What is set over or around a name.
@@ -46,6 +47,28 @@ impl Parser<'_> {
         }
         self.site(SiteKind::Name, start);
         Ok(Node::Name(format!("{function}({argument})")))
+    }
+
+    /// A function by its name in upright letters, with primes, of a name or by itself.
+    pub(super) fn operator(&mut self) -> Result<Node, TexError> {
+        let start = self.at();
+        self.next += 1;
+        self.need("{", "the letters of a function")?;
+        let from = self.next;
+        while self.peek().is_some_and(|token| token.kind == Kind::Letter) {
+            self.next += 1;
+        }
+        let mut function = format!(r"\operatorname{{{}}}", self.written(from));
+        self.need("}", "the letters of a function")?;
+        while self.take("'") {
+            function += "'";
+        }
+        if self.take("(") {
+            function = format!("{function}({})", self.name()?);
+            self.need(")", "a closing bracket: only functions of a name are read")?;
+        }
+        self.site(SiteKind::Name, start);
+        Ok(Node::Name(function))
     }
 
     /// A name with dress, index and primes, written in one way.

@@ -66,18 +66,22 @@ impl Subject {
                 let world = attitude::rotation_matrix(&start) * momentum;
                 Ok((q, self.system.omega(&attitude::rotation_matrix(&q).tr_mul(&world))))
             }
-            Base::Straight(spin) => {
-                let rate = match spin {
-                    Spin::Kept => Vector3::zeros(),
-                    Spin::Explicit => {
-                        euler::angular_acceleration(&self.moments, &from.omega, &Vector3::zeros())
-                    }
-                };
-                let after = from.omega + rate * h;
-                let q = straight(&start, &after, h);
-                Ok((q / q.norm(), after))
-            }
+            Base::Straight(spin, parts) => Ok(self.straight(spin, parts.max(1), from, h)),
         }
+    }
+
+    /// The spin stepped so in this number of parts, and the attitude straight by each new one.
+    fn straight(&self, spin: Spin, parts: u32, from: &Row, h: f64) -> End {
+        let h = h / f64::from(parts);
+        (0..parts).fold((from.start(), from.omega), |(q, omega), _| {
+            let rate = match spin {
+                Spin::Kept => Vector3::zeros(),
+                Spin::Explicit => euler::angular_acceleration(&self.moments, &omega, &Vector3::zeros()),
+            };
+            let after = omega + rate * h;
+            let q = straight(&q, &after, h);
+            (q / q.norm(), after)
+        })
     }
 
     /// The step with the tensor frozen as it stands at the identity.

@@ -1,0 +1,212 @@
+//! The kit's stories as values: starts of a free body, what becomes of each exactly, and how far off an engine
+//! may be.
+
+use crate::error::Error;
+use crate::law::LawName;
+use crate::memory::{Precision, Row, judge_in_memory};
+use crate::verdict::{Options, Verdict};
+use nalgebra::Vector3;
+use serde_json::Value;
+use tumbling::PrincipalMoments;
+use tumbling::exact::FreeMotion;
+
+/// Times before an answer at which the growth of a rounding is taken.
+const NODES: u32 = 64;
+
+/// A start of a free body, and what becomes of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Story {
+    /// Its name, such as `box-5`.
+    pub name: String,
+    /// What it tests.
+    pub tests: String,
+    /// Principal moments about the body's axes, kg m².
+    pub moments: [f64; 3],
+    /// The spin at the start, in body axes, rad/s.
+    pub spin: [f64; 3],
+    /// The attitude at the start: a quaternion w, x, y, z, body to world.
+    pub attitude: [f64; 4],
+    /// How long it goes on, s.
+    pub duration: f64,
+    /// The largest spin that is ever reached, rounded up to two digits, rad/s.
+    pub fastest: f64,
+    /// The times at which the spin along the middle moment's axis changes its sign, s; `None` where two
+    /// moments are equal.
+    pub flips: Option<Vec<f64>>,
+    /// What the body does at some times.
+    pub answers: Vec<Answer>,
+}
+
+/// The exact motion at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Answer {
+    /// The time, s.
+    pub time: f64,
+    /// The spin in body axes, rad/s.
+    pub spin: [f64; 3],
+    /// The attitude: a quaternion w, x, y, z, body to world.
+    pub attitude: [f64; 4],
+    /// By how much a relative change of the inputs by one part changes the spin, relative to its length, and
+    /// the attitude, rad.
+    pub sensitivity: [f64; 2],
+}
+
+impl Story {
+    /// All of them, in the order of the file.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        let file: Value = serde_json::from_str(include_str!("../kit/stories.json")).unwrap_or_default();
+        file["stories"].as_array().into_iter().flatten().filter_map(Self::of).collect()
+    }
+
+    /// The one of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().into_iter().find(|story| story.name == name)
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        let answers = value["answers"].as_array()?.iter();
+        let flips = value["flips"].as_array();
+        Some(Self {
+            name: value["name"].as_str()?.into(),
+            tests: value["tests"].as_str()?.into(),
+            moments: numbers(&value["moments"])?,
+            spin: numbers(&value["spin"])?,
+            attitude: numbers(&value["attitude"])?,
+            duration: value["duration"].as_f64()?,
+            fastest: value["fastest"].as_f64()?,
+            flips: flips.map(|times| times.iter().filter_map(Value::as_f64).collect()),
+            answers: answers.map(answer).collect::<Option<Vec<_>>>()?,
+        })
+    }
+
+    /// How far off the spin may be at an answer, relative to its length, and the attitude, rad, for an engine
+    /// that counts in numbers of precision `T` and takes steps of `h` seconds; `None` where that is so much that
+    /// the answer says nothing.
+    ///
+    /// It is the sum of what the exact motion makes of three errors: of the rounding of the inputs; of the
+    /// pace of a rule of second order, which is off by (w h)²/12 with the largest spin w; and of a rounding of
+    /// spin and attitude in each step, with the worst signs, by the largest growth of an error of the spin from
+    /// then on.
+    #[must_use]
+    pub fn within<T: Precision>(&self, answer: &Answer, h: f64) -> [Option<f64>; 2] {
+        let rounded = self.rounded(answer, h).map(|sum| T::ROUNDING * sum);
+        let pace = answer.sensitivity.map(|size| size * (self.pace(h) + T::ROUNDING));
+        [0, 1].map(|i| Some(pace[i] + rounded[i]).filter(|off| *off < 1.0))
+    }
+
+    /// What a rounding in each step before an answer makes of spin and attitude there, by one part.
+    fn rounded(&self, answer: &Answer, h: f64) -> [f64; 2] {
+        let grown = || {
+            let moments = PrincipalMoments::try_from(Vector3::from(self.moments)).ok()?;
+            let start = FreeMotion::new(moments, &self.spin.into()).ok()?;
+            let mut sums = [0.0; 2];
+            for node in 0..NODES {
+                let passed = answer.time * (f64::from(node) + 0.5) / f64::from(NODES);
+                let from = start.omega(passed).ok()?;
+                let motion = FreeMotion::new(moments, &from).ok()?;
+                let by_start = motion.state_transition(answer.time - passed).ok()?;
+                let speed = from.norm();
+                let end = Vector3::from(answer.spin).norm();
+                sums[0] += by_start.fixed_view::<3, 3>(3, 3).norm() * speed / end;
+                sums[1] += by_start.fixed_view::<3, 3>(0, 3).norm() * speed + 2.0;
+            }
+            Some(sums.map(|sum| sum * answer.time / h / f64::from(NODES)))
+        };
+        grown().unwrap_or([f64::INFINITY; 2])
+    }
+
+    /// The rows that an engine makes of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z; body
+    /// to world) and a spin (body axes, rad/s) one step further.
+    pub fn rows<T: Precision>(
+        &self,
+        h: f64,
+        mut step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
+    ) -> impl Iterator<Item = Row<T>> {
+        let steps = (self.duration / h).round();
+        let mut now = (self.attitude.map(T::of), self.spin.map(T::of));
+        let mut count = 0.0;
+        std::iter::from_fn(move || {
+            if count > steps {
+                return None;
+            }
+            let row = Row { time: count * h, attitude: Some(now.0), spin: now.1 };
+            now = if count < steps { step(now.0, now.1) } else { now };
+            count += 1.0;
+            Some(row)
+        })
+    }
+
+    /// The verdict on an engine's run of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
+    /// body to world) and a spin (body axes, rad/s) one step further.
+    ///
+    /// # Errors
+    /// Those of [`judge_in_memory`]: a step that gives no number, above all.
+    pub fn run<T: Precision>(
+        &self,
+        h: f64,
+        step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
+    ) -> Result<Verdict, Error> {
+        judge_in_memory(self.moments, self.rows(h, step), &self.options(h))
+    }
+
+    /// What the judge allows of a run of it in steps of `h` seconds: as always, and for the turn against the
+    /// spin what the best rules of second order make of so long a step, (w h)²/12 with the largest spin w.
+    #[must_use]
+    pub fn options(&self, h: f64) -> Options {
+        let options = Options::default();
+        let pace = self.pace(h).max(options.threshold);
+        options.with(LawName::Consistency, pace)
+    }
+
+    /// The share by which a rule of second order gets the pace of a turn wrong.
+    fn pace(&self, h: f64) -> f64 {
+        (self.fastest * h).powi(2) / 12.0
+    }
+}
+
+fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let all: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
+    all?.try_into().ok()
+}
+
+fn answer(value: &Value) -> Option<Answer> {
+    // Of what a rounding of the inputs in double precision makes; where that is all, nothing is said.
+    let within = value["within"]["f64"].as_array()?;
+    let sensitivity = [0, 1].map(|i| within.get(i).and_then(Value::as_f64).unwrap_or(f64::INFINITY));
+    Some(Answer {
+        time: value["t"].as_f64()?,
+        spin: numbers(&value["spin"])?,
+        attitude: numbers(&value["attitude"])?,
+        sensitivity: sensitivity.map(|off| off / <f64 as Precision>::ROUNDING),
+    })
+}
+
+/// Fails the test where a verdict is not that the record passes, and prints it.
+///
+/// ```
+/// use tumbling_judge::{Story, assert_passes};
+/// # fn my_engine(q: [f32; 4], w: [f32; 3], moments: [f64; 3], h: f64) -> ([f32; 4], [f32; 3]) {
+/// #     use tumbling::{PrincipalMoments, step::{Method, State, System}};
+/// #     let [a, b, c] = moments;
+/// #     let system = System::free(PrincipalMoments::new(a, b, c).unwrap()).unwrap();
+/// #     let q = nalgebra::Quaternion::new(q[0], q[1], q[2], q[3]).cast::<f64>();
+/// #     let start = State { attitude: q, momentum: system.momentum(&nalgebra::Vector3::from(w).cast()) };
+/// #     let end = Method::RotationSplitting2.step(&system, &start, h).unwrap();
+/// #     let q = end.attitude.cast::<f32>();
+/// #     ([q.w, q.i, q.j, q.k], system.omega(&end.momentum).cast::<f32>().into())
+/// # }
+/// let story = Story::named("box-5").unwrap();
+/// let h = 1.0 / 60.0;
+/// assert_passes!(story.run(h, |q, w| my_engine(q, w, story.moments, h)));
+/// ```
+#[macro_export]
+macro_rules! assert_passes {
+    ($verdict:expr) => {
+        match $verdict {
+            Ok(verdict) => assert!(verdict.outcome == $crate::Outcome::Passed, "\n{verdict}"),
+            Err(why) => panic!("{why}"),
+        }
+    };
+}

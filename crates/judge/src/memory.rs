@@ -1,0 +1,161 @@
+//! Records in memory: rows from an iterator, without text.
+
+use crate::columns::Kind;
+use crate::error::Error;
+use crate::judge::{About, Source, judge_rows};
+use crate::rows::{Printed, Raw};
+use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
+use crate::verdict::{Options, Verdict};
+use nalgebra::{Quaternion, Vector3};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A number that an engine counts in: `f64` or `f32`.
+pub trait Precision: sealed::Sealed + Copy {
+    /// Half the distance from 1 to the next number: the rounding of one operation.
+    const ROUNDING: f64;
+
+    /// The nearest number of this precision.
+    #[must_use]
+    fn of(x: f64) -> Self;
+
+    /// The same number.
+    #[must_use]
+    fn get(self) -> f64;
+}
+
+impl Precision for f64 {
+    const ROUNDING: f64 = Self::EPSILON / 2.0;
+
+    fn of(x: f64) -> Self {
+        x
+    }
+
+    fn get(self) -> f64 {
+        self
+    }
+}
+
+impl Precision for f32 {
+    const ROUNDING: f64 = Self::EPSILON as f64 / 2.0;
+
+    fn of(x: f64) -> Self {
+        x as Self
+    }
+
+    fn get(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+/// A body at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row<T> {
+    /// The time, s.
+    pub time: f64,
+    /// The attitude as a quaternion w, x, y, z, body to world; `None` where the engine gives none.
+    pub attitude: Option<[T; 4]>,
+    /// The spin in body axes, rad/s.
+    pub spin: [T; 3],
+}
+
+/// Judges rows in memory, of a body with these principal moments (kg m², about its axes x, y and z).
+///
+/// [`Options::inertia`] takes precedence over the moments. In what the verdict says, a line is a row, counted
+/// from 1.
+///
+/// ```
+/// use tumbling_judge::{Options, Outcome, Row, judge_in_memory};
+/// // A body without a gyroscopic term, in single precision.
+/// let rows = (0..100).map(|i| Row { time: 0.1 * f64::from(i), attitude: None, spin: [0.1_f32, 2.0, 0.1] });
+/// let verdict = judge_in_memory([1.0, 2.0, 3.0], rows, &Options::default())?;
+/// assert_eq!(verdict.outcome, Outcome::Failed);
+/// assert_eq!(verdict.diagnosis.unwrap().best.rule.name(), "no gyroscopic term");
+/// # Ok::<(), tumbling_judge::Error>(())
+/// ```
+///
+/// # Errors
+/// Moments that no body has, fewer than two rows, a time that does not increase, a number that is not finite
+/// in one of the first two rows, attitudes in some rows alone.
+pub fn judge_in_memory<T: Precision>(
+    moments: [f64; 3],
+    rows: impl IntoIterator<Item = Row<T>>,
+    options: &Options,
+) -> Result<Verdict, Error> {
+    let mut rows = rows.into_iter().peekable();
+    let first = rows.peek().ok_or(Error::NoRows)?;
+    let about = About {
+        kind: Kind::SpinBody,
+        second: None,
+        step: None,
+        torque: None,
+        moments: options.inertia.unwrap_or_else(|| moments.into()),
+        notes: Vec::new(),
+    };
+    let attitudes = first.attitude.is_some();
+    judge_rows(
+        &mut Memory { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None },
+        about,
+        options,
+    )
+}
+
+/// Rows of an iterator.
+struct Memory<I> {
+    rows: I,
+    attitudes: bool,
+    count: usize,
+    last: f64,
+    ended: Option<Error>,
+}
+
+impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
+    fn next(&mut self) -> Result<Option<Raw>, Error> {
+        if self.ended.is_some() {
+            return Ok(None);
+        }
+        let Some(row) = self.rows.next() else { return Ok(None) };
+        self.count += 1;
+        let wrong = |problem: String| Error::Row { row: self.count, problem };
+        let spin = Vector3::from(row.spin.map(T::get));
+        let attitude = row.attitude.map(|q| {
+            let [w, x, y, z] = q.map(T::get);
+            Quaternion::new(w, x, y, z)
+        });
+        if attitude.is_some() != self.attitudes {
+            return Err(wrong("some rows have an attitude, and others have none".into()));
+        }
+        let numbers = || spin.iter().chain(attitude.iter().flat_map(|q| q.coords.iter())).copied();
+        if let Some(bad) = numbers().chain([row.time]).find(|x| !x.is_finite()) {
+            let ended = wrong(format!("a value is {bad}: from here on there is no motion"));
+            if (self.count as u64) <= ROWS_BEFORE_THE_END {
+                return Err(ended);
+            }
+            self.ended = Some(ended);
+            return Ok(None);
+        }
+        if row.time <= self.last {
+            return Err(wrong(format!("time does not increase: {} s after {} s", row.time, self.last)));
+        }
+        self.last = row.time;
+        Ok(Some(Raw {
+            line: self.count,
+            t: row.time,
+            attitude,
+            vector: spin,
+            second: Vector3::zeros(),
+            printed: Printed::default(),
+            digits: MOST_DIGITS,
+            single: numbers().all(|x| f64::from(x as f32) == x),
+            place: f64::INFINITY,
+        }))
+    }
+
+    fn ended(&mut self) -> Option<Error> {
+        self.ended.take()
+    }
+}

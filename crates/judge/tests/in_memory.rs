@@ -1,0 +1,125 @@
+//! Engines judged in memory: rows from an iterator, in single and in double precision, by the kit's stories.
+
+mod common;
+
+use common::{MOMENTS, csv, exact, judged};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::PrincipalMoments;
+use tumbling::step::{Method, State, System};
+use tumbling_judge::{
+    Confidence, Error, Options, Outcome, Precision, Row, Story, Verdict, assert_passes, judge_in_memory,
+};
+
+/// A library's method as an engine of some precision would have it, its state rounded after each step.
+fn engine<T: Precision>(
+    method: Method,
+    story: &Story,
+    h: f64,
+) -> impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]) {
+    let system = System::free(PrincipalMoments::try_from(Vector3::from(story.moments)).unwrap()).unwrap();
+    move |q, w| {
+        let [w0, x, y, z] = q.map(T::get);
+        let spin = Vector3::from(w.map(T::get));
+        let start = State { attitude: Quaternion::new(w0, x, y, z), momentum: system.momentum(&spin) };
+        let end = method.step(&system, &start, h).unwrap();
+        let (q, spin) = (end.attitude, system.omega(&end.momentum));
+        ([q.w, q.i, q.j, q.k].map(T::of), [spin.x, spin.y, spin.z].map(T::of))
+    }
+}
+
+#[test]
+fn a_record_in_memory_is_judged_as_the_same_in_text() {
+    for spin in [[1.0, 2.0, 1.5], [0.1, 3.0, 0.2]] {
+        let rows = exact(spin.into(), 0.01, 1000);
+        let in_text = judged(&csv(&rows));
+        let rows = rows.iter().map(|(t, q, w)| Row {
+            time: *t,
+            attitude: Some([q.w, q.i, q.j, q.k]),
+            spin: (*w).into(),
+        });
+        let verdict = judge_in_memory(MOMENTS.into(), rows, &Options::default()).unwrap();
+        assert_eq!(verdict.laws, in_text.laws);
+        assert_eq!(verdict.diagnosis.unwrap().best, in_text.diagnosis.unwrap().best);
+    }
+}
+
+#[test]
+fn a_sound_engine_passes_every_story_in_both_precisions() {
+    fn run<T: Precision>(story: &Story, method: Method, h: f64) {
+        let verdict = story.run::<T>(h, engine(method, story, h)).unwrap();
+        let name = &story.name;
+        // The spin of a sphere is constant, and there may be nothing to judge.
+        let fits = verdict.outcome == Outcome::Passed
+            || name == "sphere-5" && verdict.outcome == Outcome::NothingToJudge;
+        assert!(fits, "{name} {method:?} {}\n{verdict}", T::ROUNDING);
+    }
+    for story in Story::all() {
+        run::<f64>(&story, Method::ImplicitMidpoint, 1.0 / 60.0);
+        run::<f32>(&story, Method::RotationSplitting2, 1.0 / 60.0);
+    }
+    // Close to the separatrix a rounding of single precision is much.
+    for push in ["push-1e-1", "push-1e-2", "push-1e-3"] {
+        let story = Story::named(push).unwrap();
+        for method in [Method::ImplicitMidpoint, Method::RotationSplitting4] {
+            for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
+                run::<f32>(&story, method, h);
+            }
+        }
+    }
+    assert_eq!(Story::all().len(), 22);
+    let story = Story::named("box-5").unwrap();
+    assert_passes!(story.run::<f32>(1.0 / 240.0, engine(Method::RotationSplitting2, &story, 1.0 / 240.0)));
+}
+
+#[test]
+fn the_implicit_midpoint_in_single_precision_does_what_the_kit_allows() {
+    let (mut held, mut least) = (0, f64::INFINITY);
+    for story in Story::all() {
+        let h = 1.0 / 60.0;
+        let mut rows = story.rows::<f32>(h, engine(Method::ImplicitMidpoint, &story, h)).enumerate();
+        for answer in &story.answers {
+            let count = (answer.time / h).round() as usize;
+            let (_, row) = rows.find(|(i, _)| *i == count).unwrap();
+            let (spin, right) = (Vector3::from(row.spin).cast::<f64>(), Vector3::from(answer.spin));
+            let off = (spin - right).norm() / right.norm();
+            let Some(allowed) = story.within::<f32>(answer, h)[0] else { continue };
+            assert!(off <= allowed, "{} at {}: {off:e}, allowed {allowed:e}", story.name, answer.time);
+            held += 1;
+            least = least.min(allowed / off);
+        }
+    }
+    // No more is allowed than is needed, to a factor.
+    assert!(least < 30.0, "{least}");
+    assert!(held > 90, "{held}");
+}
+
+#[test]
+fn an_engine_that_is_wrong_fails_and_its_rule_is_named_from_memory() {
+    let story = Story::named("box-5").unwrap();
+    let h = 1.0 / 60.0;
+    let of = |verdict: Verdict| (verdict.outcome, verdict.diagnosis.unwrap());
+    let (outcome, diagnosis) = of(story.run::<f32>(h, engine(Method::SemiImplicitEuler, &story, h)).unwrap());
+    assert_eq!((outcome, diagnosis.confidence), (Outcome::Failed, Confidence::ToRounding), "{diagnosis}");
+    assert_eq!(diagnosis.best.rule.method(), Some((Method::SemiImplicitEuler, 1)));
+    assert!(diagnosis.single);
+    let message = std::panic::catch_unwind(|| {
+        let story = Story::named("box-5").unwrap();
+        assert_passes!(story.run::<f64>(1.0 / 60.0, |q, w| (q, w)));
+    });
+    let message = *message.unwrap_err().downcast::<String>().unwrap();
+    assert!(message.contains("FAILED: ") && message.contains("Diagnosis: "), "{message}");
+}
+
+#[test]
+fn what_is_no_record_is_refused_with_its_row() {
+    let row = |time: f64, x: f64| Row { time, attitude: None, spin: [x, 2.0, 3.0] };
+    let judged =
+        |rows: &[Row<f64>]| judge_in_memory([1.0, 2.0, 2.5], rows.iter().copied(), &Options::default());
+    assert!(matches!(judged(&[]), Err(Error::NoRows)));
+    assert!(matches!(judged(&[row(0.0, 1.0)]), Err(Error::OneRow)));
+    let error = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.1, 1.0)]).unwrap_err().to_string();
+    assert_eq!(error, "row 3: time does not increase: 0.1 s after 0.1 s");
+    let ended = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.2, f64::NAN), row(0.3, 1.0)]).unwrap();
+    assert_eq!((ended.outcome, ended.record.rows), (Outcome::Failed, 2));
+    assert!(ended.to_string().contains("row 3: a value is NaN"), "{ended}");
+}

@@ -1,0 +1,285 @@
+//! Verdicts that were wrong of records that engines make: rows written at the display's rate, single
+//! precision, needles, starts on an axis.
+
+mod common;
+
+use common::{MOMENTS, Row, csv, exact, stepped, stepped_by};
+use nalgebra::{Quaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::attitude::product;
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, State, System};
+use tumbling_judge::{Confidence, LawName, Note, Options, Outcome, PHYSICS_ENGINES, Verdict, judge};
+
+const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
+
+fn judged(text: &str) -> Verdict {
+    judge(text.as_bytes(), &Options::default()).unwrap()
+}
+
+/// Every `n`th row, below a header of one's own.
+fn every(n: usize, header: &str, rows: &[Row]) -> String {
+    let rows: Vec<Row> = rows.iter().step_by(n).copied().collect();
+    format!("{header}{}", csv(&rows))
+}
+
+/// A record of these moments, each number as its shortest decimal; in single precision or not.
+fn printed(moments: [f64; 3], rows: &[Row], single: bool) -> String {
+    let [a, b, c] = moments;
+    let mut text = format!("# inertia: {a:e} {b:e} {c:e}\nt,qw,qx,qy,qz,wx,wy,wz\n");
+    for (t, q, w) in rows {
+        write!(text, "{t:?}").unwrap();
+        for x in [q.w, q.i, q.j, q.k, w.x, w.y, w.z] {
+            if single { write!(text, ",{:?}", x as f32) } else { write!(text, ",{x:?}") }.unwrap();
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The exact motion of any moments.
+fn exact_of(moments: [f64; 3], omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
+    let motion = FreeMotion::new(Vector3::from(moments).try_into().unwrap(), &omega).unwrap();
+    let row = |i| {
+        let t = h * f64::from(i);
+        let now = motion.at(t).unwrap();
+        (t, now.attitude.into_inner(), now.omega)
+    };
+    (0..=count).map(row).collect()
+}
+
+#[test]
+fn a_spin_that_starts_without_a_middle_component_is_not_held_to_a_flip_at_the_start() {
+    let mut seed = 7_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from((seed >> 33) as u32) / f64::from(1_u32 << 31)
+    };
+    for _ in 0..60 {
+        let (a, b) = (1.0 + random(), 2.5 + random());
+        let moments = [a, b, b + 0.9 * a * random()];
+        let sign = |x: f64| if x < 0.5 { -1.0 } else { 1.0 };
+        let omega = Vector3::new(sign(random()) * (1.0 + 3.0 * random()), 0.0, sign(random()) * 0.3);
+        // Too short for a flip, and not too short to judge.
+        let verdict = judged(&printed(moments, &exact_of(moments, omega, 0.02, 100), false));
+        assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
+        let flips = verdict.flips.unwrap();
+        assert_eq!(flips.found, flips.exact, "{moments:?} {omega}");
+    }
+}
+
+#[test]
+fn rows_at_the_display_s_rate_are_tried_by_rules_of_shorter_steps() {
+    for method in [Method::Buss, Method::ImplicitOneNewton, Method::Rescaled, Method::RungeKutta4] {
+        for (rate, n) in [(240.0, 4), (1000.0, 20), (180.0, 3)] {
+            let rows = stepped(method, SPIN * 4.0, 1.0 / rate, 6000);
+            for header in [String::new(), format!("# dt: 1/{rate}\n")] {
+                let verdict = judged(&every(n, &header, &rows));
+                let diagnosis = verdict.diagnosis.as_ref().unwrap();
+                assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{method:?} {n}\n{verdict}");
+                let expected = Some((method, u32::try_from(n).unwrap()));
+                // The implicit step of two engines is one for a free body.
+                let mut named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);
+                assert!(named.any(|rule| rule.method() == expected), "{header}{verdict}");
+                assert!(diagnosis.alike.len() < 2, "{header}{verdict}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_step_of_the_header_that_is_a_part_of_the_row_s_is_named_so_and_another_is_not_dropped_silently() {
+    let rows = stepped(Method::SemiImplicitEuler, SPIN, 1.0 / 240.0, 1200);
+    let short = |header: &str| {
+        let text = every(4, header, &rows);
+        let lines = text.lines().map(|line| match line.split_once(',') {
+            Some((t, rest)) if t.parse::<f64>().is_ok() => {
+                format!("{:.4},{rest}\n", t.parse::<f64>().unwrap())
+            }
+            _ => format!("{line}\n"),
+        });
+        judged(&lines.collect::<String>())
+    };
+    let verdict = short("# dt: 1/240\n");
+    assert!(
+        verdict.record.notes.iter().any(|note| matches!(note, Note::StepsPerRow { steps: 4, .. })),
+        "{verdict}"
+    );
+    assert!(!verdict.to_string().contains("are steps of the length"), "{verdict}");
+    assert_eq!(verdict.record.step.map(|step| (step * 60.0 * 1e9).round()), Some(1e9));
+    let verdict = judged(&every(4, "# dt: 0.007\n", &rows));
+    assert!(verdict.record.notes.iter().any(|note| matches!(note, Note::OtherStep { .. })), "{verdict}");
+}
+
+#[test]
+fn no_rule_is_named_from_a_few_of_the_rows() {
+    // A spacing of a step and a half throughout, but for one of half a step.
+    let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
+    let mut t = 0.0;
+    let mut rows = Vec::new();
+    for i in 0..405 {
+        let now = motion.at(t).unwrap();
+        // Off by far more than rounding, but for the two rows that are half a step apart.
+        let off = if (200..=201).contains(&i) { 1.0 } else { 1.0 + 1e-5 * f64::from(i % 7 - 3) };
+        rows.push((t, now.attitude.into_inner(), now.omega * off));
+        t += if i == 200 { 0.005 } else { 0.015 };
+    }
+    let verdict = judged(&csv(&rows));
+    let diagnosis = verdict.diagnosis.as_ref().unwrap();
+    assert!(diagnosis.steps > 300, "{verdict}");
+    assert!(!verdict.to_string().contains("Every step"), "{verdict}");
+}
+
+/// A rule whose state is rounded to single precision after every step.
+fn single(method: Method, moments: [f64; 3], omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
+    let system = System::free(Vector3::from(moments).try_into().unwrap()).unwrap();
+    let round = |x: f64| f64::from(x as f32);
+    let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let row = |i| {
+        let spin = system.omega(&state.momentum).map(round);
+        let row = (f64::from(h as f32) * f64::from(i), state.attitude, spin);
+        let from = State { attitude: state.attitude, momentum: system.momentum(&spin) };
+        let next = method.step(&system, &from, f64::from(h as f32)).unwrap();
+        state = State { attitude: Quaternion::from_vector(next.attitude.coords.map(round)), ..next };
+        row
+    };
+    (0..=count).map(row).collect()
+}
+
+#[test]
+fn advice_never_says_that_there_is_nothing_to_do_where_a_law_is_broken() {
+    // Steps of single precision so short that each is exact to its rounding, and a limit that they break.
+    let rows = single(Method::Gauss4, [1.0, 2.0, 2.5], SPIN, 1e-3, 20_000);
+    let text = printed([1.0, 2.0, 2.5], &rows, true);
+    let strict = Options { threshold: 1e-6, ..Options::default() };
+    let verdict = judge(text.as_bytes(), &strict).unwrap();
+    assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+    let words = verdict.to_string();
+    assert!(!words.contains("Nothing to do"), "{words}");
+    assert!(words.contains("single precision"), "{words}");
+    let loose = judged(&text);
+    assert_eq!(loose.outcome, Outcome::Passed, "{loose}");
+    assert!(loose.to_string().contains("single precision"), "{loose}");
+}
+
+#[test]
+fn a_rule_is_not_said_to_keep_a_length_that_grows() {
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
+    let mut kick = 0.0;
+    let mut rows = Vec::new();
+    let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&(SPIN * 4.0)) };
+    for i in 0..=1200 {
+        rows.push((f64::from(i) / 60.0, state.attitude, system.omega(&state.momentum)));
+        state = Method::Rescaled.step(&system, &state, 1.0 / 60.0).unwrap();
+        kick += 1.0;
+        state.momentum *= if kick % 40.0 == 0.0 { 1.01 } else { 1.0 };
+    }
+    let verdict = judged(&csv(&rows));
+    let grows = verdict.laws.iter().any(|law| law.name == LawName::Momentum && law.growth.rank() > 2);
+    assert!(grows, "{verdict}");
+    assert!(!verdict.to_string().contains("length is put right"), "{verdict}");
+}
+
+#[test]
+fn an_explicit_step_turned_straight_is_no_more_wrong_than_the_same_turned_exactly() {
+    let straight = |h: f64, count| {
+        let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
+        stepped_by(SPIN, h, count, |motion| {
+            let old = system.omega(&motion.momentum);
+            let new = old + angular_acceleration(&MOMENTS, &old, &Vector3::zeros()) * h;
+            let q = motion.attitude + product(&motion.attitude, &Quaternion::from_imag(new * (h / 2.0)));
+            State { attitude: q / q.norm(), momentum: system.momentum(&new) }
+        })
+    };
+    // Errors fall with the step.
+    let off = |h, count| {
+        let verdict = judged(&csv(&straight(h, count)));
+        verdict.laws.iter().map(|law| law.most).fold(0.0, f64::max)
+    };
+    assert!(off(1e-3, 3000) < 0.15 * off(1e-2, 300));
+    for rows in [straight(1e-3, 3000), stepped(Method::SemiImplicitEuler, SPIN, 1e-3, 3000)] {
+        let verdict = judged(&csv(&rows));
+        assert_eq!((verdict.outcome, &verdict.complaints[..]), (Outcome::Passed, &[][..]), "{verdict}");
+    }
+}
+
+#[test]
+fn the_separatrix_is_held_relative_to_its_first_value() {
+    let moments = [0.03, 1.0, 1.01];
+    let spin = Vector3::new(30.0, 0.3, 0.2);
+    let rows: Vec<Row> = exact_of(moments, spin, 1.0 / 60.0, 600)
+        .into_iter()
+        .enumerate()
+        // A thousandth of L^2, and so of a number that reaches 33.
+        .map(|(i, (t, q, w))| {
+            (t, q, w.component_mul(&Vector3::new(1.0, 1.0 + 8e-3 * (i as f64 / 600.0), 1.0)))
+        })
+        .collect();
+    let verdict = judged(&printed(moments, &rows, false));
+    assert!(verdict.separatrix.unwrap()[0] > 25.0);
+    assert_eq!(verdict.broken().count(), 0, "{verdict}");
+}
+
+#[test]
+fn no_number_is_printed_with_more_digits_than_a_reader_takes() {
+    let mut text = String::from("# inertia: 1 1 1.5\nt,qw,qx,qy,qz,wx,wy,wz\n");
+    for i in 0..20 {
+        writeln!(text, "{},1,0,0,0,1e150,2e150,3e150", 0.01 * f64::from(i)).unwrap();
+    }
+    for text in [text.clone(), text.replace("1 1 1.5", "1e90 1e90 1.5e90")] {
+        let words =
+            judge(text.as_bytes(), &Options::default()).map_or_else(|e| e.to_string(), |v| v.to_string());
+        let longest = words.split(|c: char| !c.is_ascii_digit()).map(str::len).max().unwrap();
+        assert!(longest < 20, "{words}");
+    }
+}
+
+#[test]
+fn a_threshold_that_is_no_number_above_zero_is_refused() {
+    let text = csv(&exact(SPIN, 0.01, 100));
+    for wrong in [f64::NAN, -1.0, 0.0] {
+        for options in [
+            Options { threshold: wrong, ..Options::default() },
+            Options::default().with(LawName::Phase, wrong),
+        ] {
+            let error = judge(text.as_bytes(), &options).unwrap_err().to_string();
+            assert!(error.contains("above zero"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn moments_of_any_size_are_judged_alike() {
+    let rows = exact_of([1.0, 2.0, 2.5], SPIN, 0.01, 600);
+    let wrong = stepped(Method::SemiImplicitEuler, SPIN, 0.01, 600);
+    for rows in [rows, wrong] {
+        let usual = judged(&printed([1.0, 2.0, 2.5], &rows, false));
+        for size in [1e90, 1e-90, 1e150, 1e-150] {
+            let verdict = judged(&printed([size, 2.0 * size, 2.5 * size], &rows, false));
+            assert_eq!(verdict.outcome, usual.outcome, "{size:e}\n{verdict}");
+            assert_eq!(
+                verdict.diagnosis.unwrap().best.rule.method(),
+                usual.diagnosis.as_ref().unwrap().best.rule.method()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_engine_of_the_header_is_named_where_its_rule_is_among_those_that_fit() {
+    let rows = stepped(Method::ImplicitOneNewton, SPIN * 4.0, 1.0 / 240.0, 4000);
+    let named = |engine: &str| {
+        let text = every(4, &format!("# engine: {engine}\n"), &rows);
+        let words = judged(&text).to_string();
+        let line = words.lines().find(|line| line.trim_start().starts_with("as in ")).unwrap_or_default();
+        line.trim().to_string()
+    };
+    // A rule that two engines go by: one in four parts a row, the other in four steps.
+    for name in ["Bullet", "Box3D"] {
+        assert!(PHYSICS_ENGINES.iter().any(|engine| engine.name == name));
+        let line = named(&format!("{name}, some build"));
+        assert!(line.starts_with(&format!("as in {name}")), "{line}");
+    }
+    assert!(!named("Drake").contains("Drake"));
+}

@@ -1,0 +1,85 @@
+//! What the names mean where the book gives a motion in closed form.
+
+use crate::number::{Derivation, Fraction, Relations};
+use crate::proofs::closed_forms::about_the_largest_axis;
+use crate::symbols::{Vector, diagonal, variables};
+use crate::tex::{Scope, Value};
+use num_traits::{One, Zero};
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::dynamics::observe::energy;
+
+/// A body with two equal moments, its axis of symmetry the third; the rate by the library's equations.
+pub(super) fn coin() -> Scope {
+    let [i1, i3, w1, w2, w3] = variables(["I1", "I3", "omega1", "omega2", "omega3"]);
+    let moments = Vector::new(i1.clone(), i1.clone(), i3.clone());
+    let omega = Vector::new(w1.clone(), w2.clone(), w3.clone());
+    let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
+    let axis = Vector::new(Fraction::zero(), Fraction::zero(), Fraction::one());
+    Scope::default()
+        .with("I_1", i1)
+        .with("I_3", i3)
+        .with(r"\Omega", &rate.y / &w1)
+        .with(r"\omega_1", w1)
+        .with(r"\omega_2", w2)
+        .with(r"\omega_3", w3)
+        .with(r"\dot{\omega}_1", rate.x.clone())
+        .with(r"\dot{\omega}_2", rate.y.clone())
+        .with(r"\mathbf{L}", diagonal(&moments) * &omega)
+        .with(r"\dot{\mathbf{e}}", omega.cross(&axis))
+        .with(r"\boldsymbol{\omega}", omega)
+        .with(r"\mathbf{e}", axis)
+}
+
+/// Its spin in time, if the library's equations hold along it; nothing has a meaning if not.
+pub(super) fn coin_in_time() -> Scope {
+    let [i1, i3, amplitude, w3, cos, sin] = variables(["I1", "I3", "a", "omega3", "cos", "sin"]);
+    let rate = (&i3 - &i1) * &w3 / &i1;
+    let time = Derivation::new([("cos", -(&rate * &sin)), ("sin", rate * &cos)]);
+    let omega = Vector::new(&amplitude * &cos, &amplitude * &sin, w3);
+    let expected = angular_acceleration(&Vector::new(i1.clone(), i1, i3), &omega, &Vector::zeros());
+    if omega.map(|x| time.of(&x)) != expected {
+        return Scope::default();
+    }
+    Scope::default()
+        .with("a", amplitude)
+        .with(r"\cos(\phi)", cos)
+        .with(r"\sin(\phi)", sin)
+        .with(r"\omega_1", omega.x.clone())
+        .with(r"\omega_2", omega.y.clone())
+        .under(Relations::circle("cos", "sin"))
+}
+
+/// Jacobi's functions and their rates.
+pub(super) fn jacobi() -> Scope {
+    let time = Derivation::elliptic(&Fraction::one());
+    let scope = Scope::default().with("m", Fraction::variable("m")).under(Relations::elliptic());
+    ["sn", "cn", "dn"].into_iter().fold(scope, |scope, name| {
+        let function = Fraction::variable(name);
+        let rate = time.of(&function);
+        let tex = format!(r"\operatorname{{{name}}}");
+        scope.with(&format!("{tex}'"), rate).with(&tex, function)
+    })
+}
+
+/// The motion that circles the axis of the largest moment, if the library's equations hold along it; nothing
+/// has a meaning if not.
+pub(super) fn jacobi_motion() -> Scope {
+    let Ok(motion) = about_the_largest_axis() else { return Scope::default() };
+    let reduced = |x: &Fraction| motion.relations.reduce_fraction(x);
+    let momentum = diagonal(&motion.moments) * &motion.omega;
+    let square = reduced(&momentum.dot(&momentum));
+    let scope = (0..3).zip(["cn", "sn", "dn"]).fold(Scope::default(), |scope, (i, name)| {
+        let n = i + 1;
+        scope
+            .with(&format!("I_{n}"), motion.moments[i].clone())
+            .with(&format!("a_{n}"), motion.amplitudes[i].clone())
+            .with(&format!(r"\omega_{n}"), motion.omega[i].clone())
+            .with(&format!(r"\operatorname{{{name}}}(u)"), Fraction::variable(name))
+    });
+    scope
+        .with("m", Fraction::variable("m"))
+        .with("p", motion.rate.clone())
+        .with("E", reduced(&energy(&motion.omega, &momentum)))
+        .with("L", Value::Root(square))
+        .under(motion.relations)
+}

@@ -1,0 +1,228 @@
+//! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting.
+
+mod coefficients;
+mod turn;
+
+use crate::attitude::product;
+use crate::error::Error;
+use crate::number::Field;
+use coefficients::Coefficients;
+use nalgebra::{Quaternion, Scalar, Vector3};
+use num_traits::Float;
+use turn::three;
+pub use turn::{Turn, conserving_turn};
+
+/// The longest turn of one part of a step, radians.
+const LONGEST: f32 = 0.5;
+
+/// The most parts of one step.
+const MOST_PARTS: f32 = 4096.0;
+
+/// The position stage of a physics engine for one body: it takes the attitude and the spin that the velocity
+/// stage left (after forces, damping, contacts and joints) to those at the end of the step.
+///
+/// It replaces both the update of the attitude and the gyroscopic term. For `f32` and `f64`; it allocates
+/// nothing, never panics, and uses no function but `+ - * /` and the square root, so that it has the same
+/// bits on every machine, and in C (`crates/c/tumbling.h`).
+///
+/// - The step changes neither energy nor momentum, but for rounding, whatever the body, the spin and `h`. So
+///   the energy that a body gains is the work that the engine's velocity stages do, and nothing else.
+/// - A step by `-h` leads back.
+/// - The pace is right to the sixth power of the turn in a step, that of the flips to the eighth. A turn of
+///   more than half a radian is taken in parts.
+///
+/// The step of the spin is the addition theorem of the elliptic functions that solve Euler's equations
+/// ([DLMF](crate::references), section 22.8), with the time replaced by the first terms of its series; a
+/// wrong time on the right curve changes no conserved quantity.
+///
+/// ```
+/// use nalgebra::{Quaternion, Vector3};
+/// use tumbling::step::PositionStage;
+/// let body = PositionStage::new(&Vector3::new(1.0_f32, 2.0, 3.0))?;
+/// let (mut attitude, mut omega) = (Quaternion::identity(), Vector3::new(0.05, 10.0, 0.0));
+/// for _ in 0..600 {
+///     // Here the engine applies forces, contacts and damping to `omega`; then:
+///     let end = body.step(&attitude, &omega, 1.0 / 60.0);
+///     (attitude, omega) = (end.attitude, end.omega);
+/// }
+/// assert!((attitude.norm() - 1.0).abs() < 1e-6);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PositionStage<T: Scalar> {
+    coefficients: Coefficients<T>,
+    /// Takes coordinates along the principal axes to coordinates in the body frame.
+    frame: Option<Quaternion<T>>,
+}
+
+/// Where a step of the [`PositionStage`] ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stepped<T: Scalar> {
+    /// Takes body coordinates to world; of length 1 to rounding.
+    pub attitude: Quaternion<T>,
+    /// The spin in world axes, rad/s.
+    pub omega: Vector3<T>,
+    /// The number of equal parts in which the step was taken. Zero if it was not taken, and attitude and spin
+    /// are as they were: for numbers that are not finite, an attitude of no length, a turn of more than about
+    /// 2000 rad.
+    pub parts: u32,
+}
+
+impl<T: Field + Float + From<f32>> PositionStage<T> {
+    /// For a body with these moments along the axes of its frame, in any order, kg m².
+    ///
+    /// Zero about one axis is a thin rod, whose spin about its length weighs nothing. Moments that no solid
+    /// has (the largest above the sum of the others) are taken as they are.
+    ///
+    /// # Errors
+    /// A moment that is negative or not finite; a zero moment with the other two different.
+    pub fn new(moments: &Vector3<T>) -> Result<Self, Error> {
+        Ok(Self { coefficients: Coefficients::of_moments([moments.x, moments.y, moments.z])?, frame: None })
+    }
+
+    /// For a body with these inverse moments along the axes of its frame, 1/(kg m²), as engines store them.
+    /// Zero about an axis means that nothing turns the body about it, or about no axis if all are zero.
+    ///
+    /// With one or more locked axes the spin stays constant over the step and the attitude turns about it:
+    /// that is the exact motion of a body whose locked axes are fixed in it and have no spin about them, and
+    /// of a body moved by a script.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::step::PositionStage;
+    /// let wheel = PositionStage::of_inverse(&Vector3::new(0.0, 0.0, 2.0))?;
+    /// let omega = Vector3::new(0.0, 0.0, 9.0);
+    /// assert_eq!(wheel.step(&Quaternion::identity(), &omega, 0.01).omega, omega);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An inverse moment that is negative or not finite, or whose inverse is not.
+    pub fn of_inverse(inverse: &Vector3<T>) -> Result<Self, Error> {
+        let inverse = [inverse.x, inverse.y, inverse.z];
+        Ok(Self { coefficients: Coefficients::of_inverse_moments(inverse)?, frame: None })
+    }
+
+    /// The same body with its principal axes turned in the body frame: `frame` takes coordinates along the
+    /// principal axes to coordinates in the body frame, and has length 1.
+    #[must_use]
+    pub fn in_frame(self, frame: Quaternion<T>) -> Self {
+        let norm = frame.coords.dot(&frame.coords).sqrt();
+        Self { frame: Some(Quaternion::from_vector(frame.coords / norm)), ..self }
+    }
+
+    /// The step of `h` seconds from an attitude (body to world, length 1) and a spin in world axes, rad/s.
+    #[must_use]
+    #[inline]
+    pub fn step(&self, attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> Stepped<T> {
+        let start = Stepped { attitude: *attitude, omega: *omega, parts: 1 };
+        let end = self.part(&start, h);
+        if end.parts == 1 { end } else { self.in_parts(&start, h) }
+    }
+
+    /// A step too long for one part.
+    #[cold]
+    #[inline(never)]
+    fn in_parts(&self, start: &Stepped<T>, h: T) -> Stepped<T> {
+        let left = Stepped { parts: 0, ..*start };
+        let q = &start.attitude.coords;
+        let length = q.dot(q).sqrt();
+        let unit = Stepped { attitude: Quaternion::from_vector(q / length), parts: 0, ..*start };
+        let (_, omega) = self.spin(&unit);
+        let turn = self.coefficients.fastest(&omega, h).sqrt();
+        let parts = (turn / number(LONGEST)).ceil().max(T::one());
+        if !(turn.is_finite() && parts <= number(MOST_PARTS)) {
+            return left;
+        }
+        let mut end = unit;
+        let mut done = T::zero();
+        while done < parts {
+            let next = self.part(&end, h / parts);
+            if next.parts == 0 {
+                return left;
+            }
+            end = Stepped { parts: end.parts + 1, ..next };
+            done += T::one();
+        }
+        end
+    }
+
+    /// The rotation matrix from the principal axes to the world, by rows, and the spin along these axes.
+    #[inline(always)]
+    fn spin(&self, start: &Stepped<T>) -> ([[T; 3]; 3], [T; 3]) {
+        let q = match &self.frame {
+            None => start.attitude,
+            Some(frame) => product(&start.attitude, frame),
+        };
+        let [w, x, y, z] = [q.coords.w, q.coords.x, q.coords.y, q.coords.z];
+        let one = T::one();
+        let (x2, y2, z2) = (x + x, y + y, z + z);
+        let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+        let (xx, xy, xz) = (x * x2, x * y2, x * z2);
+        let (yy, yz, zz) = (y * y2, y * z2, z * z2);
+        let r = [
+            [one - (yy + zz), xy - wz, xz + wy],
+            [xy + wz, one - (xx + zz), yz - wx],
+            [xz - wy, yz + wx, one - (xx + yy)],
+        ];
+        let v = &start.omega;
+        let along = |i: usize| r[0][i] * v.x + r[1][i] * v.y + r[2][i] * v.z;
+        (r, three(along))
+    }
+
+    /// One part; of zero parts if it is too long for one, or not finite.
+    #[inline(always)]
+    fn part(&self, start: &Stepped<T>, h: T) -> Stepped<T> {
+        let (rotation, omega) = self.spin(start);
+        let q = &start.attitude.coords;
+        let (w, x, y, z) = (q.w, q.x, q.y, q.z);
+        let length = (w * w + x * x) + (y * y + z * z);
+        let longest = number::<T>(LONGEST);
+        // A hair more, for what the parts of a longer step are rounded by.
+        let short = self.coefficients.fastest(&omega, h) <= longest * longest * number(1.0001);
+        if !(short && (length - T::one()).abs() <= T::epsilon() * number(32.0)) {
+            return Stepped { parts: 0, ..*start };
+        }
+        let (pace, weights) = self.coefficients.pace(&omega, h);
+        let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &pace, |x| x.sqrt());
+        let [a, b, c] = turn.tangents;
+        let square = T::one() + (a * a + (b * b + c * c));
+        // What rounding left of the attitude's length is divided out.
+        let over = T::one() / (square * length).sqrt();
+        let scale = over * over;
+        // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
+        // digits, which turning the spin to the body and back would not.
+        let change = turn.change();
+        let [u, v, t] = three(|i| change[i] * scale);
+        let back = |i: usize| (rotation[i][0] * u + rotation[i][1] * v) + rotation[i][2] * t;
+        let omega = Vector3::new(start.omega.x + back(0), start.omega.y + back(1), start.omega.z + back(2));
+        let [a, b, c] = self.in_body(turn.tangents);
+        let attitude = Quaternion::new(
+            (w - (x * a + y * b + z * c)) * over,
+            (x + (w * a + (y * c - z * b))) * over,
+            (y + (w * b + (z * a - x * c))) * over,
+            (z + (w * c + (x * b - y * a))) * over,
+        );
+        let finite = (omega.x + omega.y + omega.z + over).is_finite();
+        Stepped { attitude, omega, parts: u32::from(finite) }
+    }
+
+    /// A vector along the principal axes, in the body frame.
+    #[inline(always)]
+    fn in_body(&self, v: [T; 3]) -> [T; 3] {
+        let Some(frame) = &self.frame else { return v };
+        let [w, x, y, z] = [frame.coords.w, frame.coords.x, frame.coords.y, frame.coords.z];
+        // v + 2 w (u x v) + 2 u x (u x v), with u the vector part.
+        let cross = |[a, b, c]: [T; 3]| [y * c - z * b, z * a - x * c, x * b - y * a];
+        let across = cross(v);
+        let across = three(|i| across[i] + across[i]);
+        let twice = cross(across);
+        three(|i| v[i] + (w * across[i] + twice[i]))
+    }
+}
+
+/// A small number, exact in either type.
+#[inline(always)]
+fn number<T: From<f32>>(x: f32) -> T {
+    <T as From<f32>>::from(x)
+}

@@ -1,0 +1,178 @@
+//! What the position stage needs of a body, prepared once.
+
+use super::{number, turn::three};
+use crate::error::{Error, Refusal};
+use crate::number::Field;
+use num_traits::Float;
+
+/// Pure numbers: the unit of mass is gone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Coefficients<T> {
+    /// `(I_j - I_k) / I_i`.
+    pub(super) coupling: [T; 3],
+    /// `coupling_j coupling_k`.
+    modulus: [T; 3],
+    /// The moments in units of the middle one.
+    relative: [T; 3],
+    /// The first term of the series for the turn about the momentum, by squares of the spin.
+    twist: [T; 3],
+    /// The second, by products of two of them: 11, 12, 13, 22, 23, 33.
+    twist_2: [T; 6],
+    /// A bound for the square of the fastest spin of the motion, by squares of the spin.
+    bound: [T; 3],
+}
+
+impl<T: Field + Float + From<f32>> Coefficients<T> {
+    pub(super) fn of_moments(moments: [T; 3]) -> Result<Self, Error> {
+        for moment in moments {
+            valid("a moment", moment)?;
+        }
+        if moments.contains(&T::zero()) {
+            return Self::of_rod(moments);
+        }
+        let [a, b, c] = moments;
+        Ok(Self::new(moments, [(b - c) / a, (c - a) / b, (a - b) / c]))
+    }
+
+    /// A zero moment: nothing resists a spin about that axis, and nothing drives it if the others are equal.
+    fn of_rod(moments: [T; 3]) -> Result<Self, Error> {
+        let [i, j, k] = ascending(&moments);
+        if moments[j] != moments[k] {
+            let value = moments[i].to_f64().unwrap_or(f64::NAN);
+            return Err(
+                Refusal::NotPositive { what: "a moment, the other two being different", value }.into()
+            );
+        }
+        if moments[k] == T::zero() {
+            return Ok(Self::constant_spin());
+        }
+        let mut coupling = [T::zero(); 3];
+        coupling[(i + 1) % 3] = T::one();
+        coupling[(i + 2) % 3] = -T::one();
+        Ok(Self::new(moments, coupling))
+    }
+
+    pub(super) fn of_inverse_moments(inverse: [T; 3]) -> Result<Self, Error> {
+        for x in inverse {
+            valid("an inverse moment", x)?;
+        }
+        if inverse.contains(&T::zero()) {
+            return Ok(Self::constant_spin());
+        }
+        Self::of_moments(inverse.map(|x| T::one() / x))
+    }
+
+    /// Nothing changes the spin: locked axes.
+    fn constant_spin() -> Self {
+        Self::new([T::one(); 3], [T::zero(); 3])
+    }
+
+    fn new(moments: [T; 3], coupling: [T; 3]) -> Self {
+        let n = number::<T>;
+        let middle = ascending(&moments)[1];
+        let (mut twist, mut twist_2) = ([T::zero(); 3], [T::zero(); 6]);
+        let axes = [middle, (middle + 1) % 3, (middle + 2) % 3];
+        let (y, z) = (coupling[axes[1]], coupling[axes[2]]);
+        let yz = y * z;
+        let one = T::one();
+        let below = n(12.0);
+        for (axis, x) in axes.into_iter().zip([one + yz, one + z, one - y]) {
+            twist[axis] = x / below;
+        }
+        // From the exact motion, as the powers of the preprocessed Moser-Veselov algorithm are.
+        let first = [
+            (n(6.0) - yz) * (one + yz),
+            n(2.0) * (n(6.0) + n(3.0) * (yz + z) + n(4.0) * (y - one) * z * z),
+            n(2.0) * (n(6.0) + n(3.0) * (yz - y) - n(4.0) * (z + one) * y * y),
+            (one + z) * (n(6.0) + n(7.0) * yz + z * z) / (one + yz),
+            n(2.0)
+                * (n(6.0) - yz * (n(2.0) + n(3.0) * (y - z)) - n(4.0) * (y * y + z * z) + n(3.0) * (z - y))
+                / (one + yz),
+            (one - y) * (n(6.0) + n(7.0) * yz + y * y) / (one + yz),
+        ];
+        let pairs = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+        for ((i, j), x) in pairs.into_iter().zip(first) {
+            let (i, j) = (axes[i].min(axes[j]), axes[i].max(axes[j]));
+            twist_2[pairs.iter().position(|&pair| pair == (i, j)).unwrap_or(0)] = x / n(720.0);
+        }
+        let [a, b, c] = coupling;
+        Self {
+            coupling,
+            modulus: [b * c, c * a, a * b],
+            relative: moments.map(|x| x / moments[middle]),
+            twist,
+            twist_2,
+            bound: bound(&moments, &coupling),
+        }
+    }
+
+    /// The square of a turn that no part of the motion passes in this time.
+    #[inline(always)]
+    pub(super) fn fastest(&self, omega: &[T; 3], h: T) -> T {
+        let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
+        self.bound[0] * x + self.bound[1] * y + self.bound[2] * z
+    }
+
+    /// What [`conserving_turn`](super::conserving_turn) takes as pace and weights.
+    #[inline(always)]
+    pub(super) fn pace(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
+        let one = T::one();
+        let over = |x: f32| one / number::<T>(x);
+        let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
+        // Of Weierstrass' function, h^2 P(h) = 1 + g2/20 + g3/28 + g2^2/1200 ..., in units of the time.
+        let m = &self.modulus;
+        let [a, b, c] = [m[0] * x, m[1] * y, m[2] * z];
+        let mean = (a + b + c) * over(3.0);
+        let [a, b, c] = [mean - a, mean - b, mean - c];
+        let squares = a * a + b * b + c * c;
+        let series = squares * (over(10.0) + squares * over(300.0)) + (a * b) * c * over(7.0);
+        let s = &self.twist_2;
+        let twist = self.twist[0] * x + self.twist[1] * y + self.twist[2] * z;
+        let more = x * (s[0] * x + s[1] * y + s[2] * z) + y * (s[3] * y + s[4] * z) + z * (s[5] * z);
+        let twist = twist + more * (one + twist * number(17.0 / 14.0));
+        ((one - mean) + series, three(|i| one + self.relative[i] * twist))
+    }
+}
+
+/// A linear form in the squares of the spin that no later spin's square is above.
+fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [T; 3] {
+    let one = T::one();
+    let order = ascending(moments);
+    let [a, b, c] = order.map(|i| moments[i]);
+    // What one component gives up, the other may take.
+    let share = |[weight, over]: [T; 2], [apart, beside]: [T; 2]| {
+        if apart == T::zero() { T::zero() } else { (weight / over) * (apart / beside) }
+    };
+    let mut bound = [one; 3];
+    if a > T::zero() {
+        bound[order[1]] = one + share([b, a], [c - b, c - a]) + share([b, c], [b - a, c - a]);
+    }
+    // The middle component takes from both others, but never more than what either allows.
+    let (end, extra) =
+        if c - b > b - a { (0, share([a, b], [c - a, c - b])) } else { (2, share([c, b], [c - a, b - a])) };
+    bound[order[end]] = one + extra;
+    // Moments that no solid has let the series converge for shorter times only.
+    let strongest = coupling.iter().fold(one, |most, x| most.max(x.abs()));
+    bound.map(|x| x * strongest * strongest)
+}
+
+fn ascending<T: Float>(x: &[T; 3]) -> [usize; 3] {
+    let mut order = [0, 1, 2];
+    for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+        if x[order[j]] < x[order[i]] {
+            order.swap(i, j);
+        }
+    }
+    order
+}
+
+fn valid<T: Float>(what: &'static str, x: T) -> Result<(), Error> {
+    let value = x.to_f64().unwrap_or(f64::NAN);
+    if !x.is_finite() {
+        return Err(Refusal::NotFinite { what, value }.into());
+    }
+    if x < T::zero() {
+        return Err(Refusal::Negative { what, value }.into());
+    }
+    Ok(())
+}

@@ -1,0 +1,80 @@
+//! The turn that keeps energy and momentum, whatever its pace.
+
+use crate::number::Field;
+
+/// What a part of a step does, along the principal axes before it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Turn<T> {
+    /// The axis of the turn times the tangent of half its angle.
+    pub tangents: [T; 3],
+    /// `(1 + c x) omega_after - (1 - c x) omega`, with `c` the tangents and `omega_after` the spin after the
+    /// turn along the axes after it.
+    pub slip: [T; 3],
+}
+
+impl<T: Field> Turn<T> {
+    /// The change of the spin, rad/s, along the axes before the turn, times `1 + |tangents|^2`.
+    #[must_use]
+    #[inline(always)]
+    pub fn change(&self) -> [T; 3] {
+        let [c, b] = [&self.tangents, &self.slip];
+        let p = |i: usize, j: usize| c[i].clone() * b[j].clone();
+        let along = (p(0, 0) + p(1, 1)) + p(2, 2);
+        three(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            b[i].clone() + ((p(j, k) - p(k, j)) + c[i].clone() * along.clone())
+        })
+    }
+}
+
+/// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
+/// `pace` and whatever one number in `weights` is: proven of this function for all of them
+/// (`crates/proofs/src/proofs/position_stage.rs`).
+///
+/// - `coupling`: `(I_j - I_k) / I_i` for the principal moments `I`, so that `omega_i' = coupling_i omega_j
+///   omega_k`.
+/// - `weights`: `1 + I_i b` for any `b`, which sets how fast the body turns about its momentum.
+/// - `omega`: the spin along the principal axes, rad/s; `h`: the time, s.
+/// - `pace`: sets how fast the spin moves along its curve in the body; 1 and terms of the order of the square
+///   of the turn.
+/// - `root`: the square root.
+///
+/// With `Q_i^2 = pace + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
+/// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / pace`.
+#[inline(always)]
+pub fn conserving_turn<T: Field>(
+    coupling: &[T; 3],
+    weights: &[T; 3],
+    omega: &[T; 3],
+    h: &T,
+    pace: &T,
+    mut root: impl FnMut(T) -> T,
+) -> Turn<T> {
+    let of = |x: &[T; 3], i: usize| x[i % 3].clone();
+    let theta = three(|i| of(omega, i) * h.clone());
+    let roots = three(|i| {
+        let square = of(&theta, i) * of(&theta, i);
+        root(pace.clone() + of(coupling, i + 1) * of(coupling, i + 2) * square)
+    });
+    let product = of(&roots, 1) * of(&roots, 2);
+    let bend = three(|i| of(coupling, i) * of(&theta, i + 1));
+    // The sum of the spins before and after, times the pace.
+    let sum = three(|i| {
+        let pair = if i == 0 { product.clone() } else { of(&roots, i + 1) * of(&roots, i + 2) };
+        of(omega, i) * (pace.clone() + pair) + of(&bend, i) * of(omega, i + 2) * of(&roots, i)
+    });
+    let total = (of(&roots, 0) + of(&roots, 1)) + of(&roots, 2);
+    let corner = of(&bend, 0) * of(&bend, 1) * of(&bend, 2);
+    let below = pace.clone() * total + (of(&roots, 0) * product + corner);
+    let over = h.clone() / (below * pace.clone());
+    let scaled = three(|i| of(&sum, i) * over.clone());
+    let tangents = three(|i| of(weights, i) * (of(&scaled, i) * pace.clone()));
+    let slip = three(|i| of(weights, i) * (of(coupling, i) * (of(&scaled, i + 1) * of(&sum, i + 2))));
+    Turn { tangents, slip }
+}
+
+/// Along each axis.
+#[inline(always)]
+pub(super) fn three<T>(mut of: impl FnMut(usize) -> T) -> [T; 3] {
+    [of(0), of(1), of(2)]
+}

@@ -1,0 +1,310 @@
+//! The position stage of an engine: nothing gained from nowhere, flips at their times, any body, any step.
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use num_traits::Float;
+use proptest::prelude::*;
+use tumbling::body::named::NamedBody;
+use tumbling::exact::FreeMotion;
+use tumbling::number::Field;
+use tumbling::step::{PositionStage, Stepped};
+
+trait Real: Field + Float + From<f32> + Into<f64> {}
+impl<T: Field + Float + From<f32> + Into<f64>> Real for T {}
+
+fn real<T: Real>(x: f64) -> T {
+    <T as num_traits::NumCast>::from(x).unwrap()
+}
+
+/// A motion in `f64`: the attitude with length 1, the spin and the momentum along the principal axes.
+struct Seen {
+    attitude: UnitQuaternion<f64>,
+    omega: Vector3<f64>,
+    momentum: Vector3<f64>,
+}
+
+fn seen<T: Real>(moments: &Vector3<f64>, motion: &Stepped<T>) -> Seen {
+    let [x, y, z, w] = [0, 1, 2, 3].map(|i| motion.attitude.coords[i].into());
+    let attitude = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
+    let omega = attitude.inverse() * Vector3::from_fn(|i, _| motion.omega[i].into());
+    Seen { attitude, omega, momentum: moments.component_mul(&omega) }
+}
+
+fn energy<T: Real>(moments: &Vector3<f64>, motion: &Stepped<T>) -> f64 {
+    let seen = seen(moments, motion);
+    seen.omega.dot(&seen.momentum) / 2.0
+}
+
+fn momentum_world<T: Real>(moments: &Vector3<f64>, motion: &Stepped<T>) -> Vector3<f64> {
+    let seen = seen(moments, motion);
+    seen.attitude * seen.momentum
+}
+
+fn start<T: Real>(omega: [f64; 3]) -> Stepped<T> {
+    let attitude = Quaternion::new(0.5, 0.5, -0.5, 0.5).coords.map(real::<T>);
+    let turned = UnitQuaternion::new_unchecked(Quaternion::new(0.5, 0.5, -0.5, 0.5)) * Vector3::from(omega);
+    Stepped { attitude: Quaternion::from_vector(attitude), omega: turned.map(real::<T>), parts: 1 }
+}
+
+fn body<T: Real>(moments: &Vector3<f64>) -> PositionStage<T> {
+    PositionStage::new(&moments.map(real::<T>)).unwrap()
+}
+
+fn stepped<T: Real>(body: &PositionStage<T>, from: &Stepped<T>, h: f64) -> Stepped<T> {
+    let end = body.step(&from.attitude, &from.omega, real(h));
+    assert!(end.parts > 0, "{from:?}");
+    end
+}
+
+/// Bodies of every kind: flat, long, round, nearly round, thin.
+const BODIES: [[f64; 3]; 8] = [
+    [10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0],
+    [2.0, 1.0, 3.0],
+    [1e-3, 1.0, 1.0005],
+    [1.0, 1.0, 1.0],
+    [2.0, 3.0, 2.0],
+    [1.0, 1.0 + 1e-6, 1.0 + 2e-6],
+    [0.002, 0.01, 0.0115],
+    [3.0, 1.0, 9.0],
+];
+
+#[test]
+fn the_motion_is_the_exact_one_at_sixty_hertz() {
+    for moments in &BODIES[..7] {
+        let moments = Vector3::from(*moments);
+        for omega in [[0.1, 10.0, 0.2], [3.0, -4.0, 6.0]] {
+            let body = body::<f64>(&moments);
+            let mut motion = start(omega);
+            let from = seen(&moments, &motion);
+            for _ in 0..600 {
+                motion = stepped(&body, &motion, 1.0 / 60.0);
+            }
+            let truth = FreeMotion::new(moments.try_into().unwrap(), &from.omega).unwrap().at(10.0).unwrap();
+            let end = seen(&moments, &motion);
+            let off = (end.omega - truth.omega).norm() / from.omega.norm();
+            assert!(off < 1e-9, "{moments}: spin off by {off:e}");
+            let off = end.attitude.angle_to(&(from.attitude * truth.attitude));
+            assert!(off < 3e-6, "{moments}: attitude off by {off:e}");
+        }
+    }
+}
+
+/// Flips of ten minutes at 60 Hz: how many more than there are, and by how much the latest is off.
+fn flips<T: Real>(moments: &Vector3<f64>, omega: [f64; 3]) -> (i64, f64) {
+    // Of the body as the type has it.
+    let moments = &moments.map(|x| real::<T>(x).into());
+    let truth = FreeMotion::new((*moments).try_into().unwrap(), &omega.into()).unwrap();
+    let flips: Vec<f64> = truth.flips(0.0, 600.0).unwrap().collect();
+    let body = body::<T>(moments);
+    let mut motion = start::<T>(omega);
+    // The step as the type has it.
+    let h: f64 = real::<T>(1.0 / 60.0).into();
+    let (mut late, mut counted) = (0.0_f64, 0_usize);
+    let mut before = omega[1];
+    for k in 0..36_000 {
+        motion = stepped(&body, &motion, h);
+        let after = seen(moments, &motion).omega.y;
+        if (before > 0.0) != (after > 0.0) {
+            let time = h * (f64::from(k) + before / (before - after));
+            late = late.max(flips.get(counted).map_or(0.0, |flip| (time - flip).abs()));
+            counted += 1;
+        }
+        before = after;
+    }
+    (counted as i64 - flips.len() as i64, late)
+}
+
+#[test]
+fn every_flip_of_ten_minutes_comes_at_its_time() {
+    for name in NamedBody::ALL {
+        let moments = name.properties().unwrap().inertia().principal().moments();
+        for push in [0.1, 1e-3] {
+            let (more, late) = flips::<f64>(&moments, [15.0 * push, 15.0, 15.0 * push]);
+            assert!(more == 0 && late < 0.1 / 60.0, "{name}, push {push}: {more} more, {late} s");
+        }
+        // What single precision rounds off the energy changes the time from flip to flip.
+        let (more, _) = flips::<f32>(&moments, [0.6, 6.0, 0.6]);
+        assert!(more.abs() <= 1, "{name}: {more} more");
+    }
+}
+
+fn hour<T: Real>(bound: f64) {
+    for moments in BODIES {
+        let moments = Vector3::from(moments);
+        let body = body::<T>(&moments);
+        let mut largest = [0.3; 3];
+        largest[moments.imax()] = 10.0;
+        let mut motion = start::<T>(largest);
+        let (energy_0, momentum_0) = (energy(&moments, &motion), momentum_world(&moments, &motion));
+        for _ in 0..216_000 {
+            motion = stepped(&body, &motion, 1.0 / 60.0);
+        }
+        let gained = energy(&moments, &motion) / energy_0 - 1.0;
+        let turned = (momentum_world(&moments, &motion) - momentum_0).norm() / momentum_0.norm();
+        assert!(gained.abs() < bound && turned < bound, "{moments}: {gained:e}, {turned:e}");
+    }
+}
+
+#[test]
+fn a_stable_spin_keeps_energy_and_momentum_for_an_hour() {
+    hour::<f64>(1e-12);
+    hour::<f32>(1e-3);
+}
+
+#[derive(Debug, Clone)]
+enum Event {
+    Kick([f64; 3]),
+    Impulse([f64; 3]),
+    Damping(f64),
+    Step(f64),
+}
+
+fn event() -> impl Strategy<Value = Event> {
+    let vector = || [-1.0..1.0, -1.0..1.0, -1.0..1.0_f64];
+    prop_oneof![
+        vector().prop_map(Event::Kick),
+        vector().prop_map(Event::Impulse),
+        (0.0..0.3).prop_map(Event::Damping),
+        // From a hundredth of a radian to a hundred.
+        (-2.0..2.0_f64).prop_map(|x| Event::Step(10_f64.powf(x))),
+    ]
+}
+
+/// The energy gained beyond the work done, in units of rounding and of the number of parts: what the stages
+/// of an engine do to the spin is work, all else comes from nowhere.
+fn from_nowhere<T: Real>(moments: [f64; 3], events: &[Event]) -> f64 {
+    let moments = Vector3::from(moments);
+    let body = body::<T>(&moments);
+    let mut motion = start::<T>([2.0, -7.0, 3.0]);
+    let (from, mut work, mut most, mut parts) = (energy(&moments, &motion), 0.0, 0.0_f64, 0);
+    for event in events {
+        let before = energy(&moments, &motion);
+        most = most.max(before);
+        let now = seen(&moments, &motion);
+        let kicked =
+            |momentum: Vector3<f64>| (now.attitude * momentum.component_div(&moments)).map(real::<T>);
+        let size = now.momentum.norm() / 4.0;
+        match event {
+            Event::Kick(impulse) => motion.omega += kicked(Vector3::from(*impulse) * size),
+            Event::Impulse(impulse) => {
+                motion.omega += kicked(now.attitude.inverse() * Vector3::from(*impulse) * size);
+            }
+            Event::Damping(share) => motion.omega *= real::<T>(1.0 - share),
+            Event::Step(turn) => {
+                // The fastest that this energy allows, so that the turn is at most as said.
+                let h = turn / now.omega.norm().max((2.0 * before / moments.min()).sqrt());
+                motion = stepped(&body, &motion, h);
+                parts += motion.parts;
+                continue;
+            }
+        }
+        work += energy(&moments, &motion) - before;
+    }
+    let rounding: f64 = T::epsilon().into();
+    (energy(&moments, &motion) - from - work) / (most * rounding * f64::from(parts.max(1)))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_energy_gained_is_the_work_done_whatever_acts_and_however_long_the_steps(
+        which in 0..8_usize, events in prop::collection::vec(event(), 1..60),
+    ) {
+        // A few roundings a part, of the attitude and of the spin.
+        let double = from_nowhere::<f64>(BODIES[which], &events);
+        prop_assert!(double.abs() < 4.0, "f64: {}", double);
+        let single = from_nowhere::<f32>(BODIES[which], &events);
+        prop_assert!(single.abs() < 4.0, "f32: {}", single);
+    }
+}
+
+#[test]
+fn a_step_back_undoes_a_step() {
+    for moments in BODIES {
+        let moments = Vector3::from(moments);
+        let body = body::<f64>(&moments);
+        let from = start::<f64>([2.0, -7.0, 3.0]);
+        for h in [1e-3, 0.03, 1.0] {
+            let there = stepped(&body, &from, h);
+            let back = stepped(&body, &there, -h);
+            let (spin, turn) = ((back.omega - from.omega).norm(), (back.attitude - from.attitude).norm());
+            assert!(spin < 1e-11 && turn < 1e-11, "{moments}, {h}: {spin:e}, {turn:e}");
+        }
+    }
+}
+
+#[test]
+fn a_tensor_in_any_frame_moves_as_in_its_own() {
+    let moments = Vector3::new(2.0, 1.0, 2.7);
+    let frame = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.7));
+    let own = body::<f64>(&moments);
+    let framed = own.in_frame(*frame.quaternion());
+    let mut a = start::<f64>([1.0, 5.0, -2.0]);
+    let mut b = Stepped { attitude: a.attitude * frame.inverse().quaternion(), ..a };
+    for _ in 0..100 {
+        a = stepped(&own, &a, 0.02);
+        b = stepped(&framed, &b, 0.02);
+    }
+    assert!((a.omega - b.omega).norm() < 1e-12);
+    assert!((a.attitude.coords - (b.attitude * frame.quaternion()).coords).norm() < 1e-12);
+}
+
+#[test]
+fn a_body_with_locked_axes_keeps_its_spin_and_turns_about_it() {
+    for inverse in [[0.0, 0.5, 2.0], [0.0, 0.0, 2.0], [0.0, 0.0, 0.0]] {
+        let body = PositionStage::of_inverse(&Vector3::from(inverse)).unwrap();
+        let mut omega = [3.0, 2.0, 1.0];
+        // No spin about a locked axis, but of a body that a script moves.
+        for i in 0..3 {
+            omega[i] = if inverse[i] == 0.0 && inverse != [0.0; 3] { 0.0 } else { omega[i] };
+        }
+        let from = start::<f64>(omega);
+        let end = stepped(&body, &from, 0.1);
+        assert_eq!(end.omega, from.omega);
+        let turn = UnitQuaternion::from_scaled_axis(from.omega * 0.1);
+        assert!(((turn.quaternion() * from.attitude).coords - end.attitude.coords).norm() < 1e-7);
+    }
+}
+
+#[test]
+fn a_rod_without_thickness_turns_over_and_its_own_spin_weighs_nothing() {
+    let rod = body::<f64>(&Vector3::new(0.0, 2.0, 2.0));
+    let thin = body::<f64>(&Vector3::new(1e-12, 2.0, 2.0));
+    let from = start::<f64>([1.5, 4.0, -3.0]);
+    let (a, b) = (stepped(&rod, &from, 0.1), stepped(&thin, &from, 0.1));
+    assert!((a.omega - b.omega).norm() < 1e-10 && (a.attitude - b.attitude).norm() < 1e-10);
+    assert!(PositionStage::new(&Vector3::new(0.0, 2.0, 2.1)).is_err());
+}
+
+#[test]
+fn what_cannot_be_stepped_stays_as_it_was_and_says_so() {
+    let body = body::<f32>(&Vector3::new(1.0, 2.0, 2.5));
+    let unit = Quaternion::new(1.0, 0.0, 0.0, 0.0);
+    let (slow, fast) = (Vector3::new(1.0_f32, 2.0, 3.0), Vector3::new(1e6_f32, 2.0, 3.0));
+    let none = Vector3::repeat(f32::NAN);
+    let endless = Vector3::repeat(f32::INFINITY);
+    let zero = Quaternion::new(0.0, 0.0, 0.0, 0.0);
+    for (attitude, omega, h) in [
+        (unit, fast, 1.0),
+        (unit, none, 0.01),
+        (unit, endless, 0.01),
+        (zero, slow, 0.01),
+        (unit, slow, f32::NAN),
+        (unit, slow, f32::INFINITY),
+        (Quaternion::new(f32::NAN, 0.0, 0.0, 0.0), slow, 0.01),
+    ] {
+        let end = body.step(&attitude, &omega, h);
+        assert_eq!(end.parts, 0);
+        let same = |a: &[f32], b: &[f32]| a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits());
+        assert!(same(end.omega.as_slice(), omega.as_slice()));
+        assert!(same(end.attitude.coords.as_slice(), attitude.coords.as_slice()));
+    }
+    assert_eq!(body.step(&unit, &slow, 0.0).omega, slow);
+    // An attitude that is not of length 1 stands for its direction.
+    let long = body.step(&Quaternion::new(3.0, 0.0, 0.0, 0.0), &slow, 0.01);
+    assert_eq!(long, body.step(&unit, &slow, 0.01));
+    for moments in [[-1.0, 1.0, 1.0], [1.0, f32::NAN, 1.0], [1.0, 1.0, f32::INFINITY]] {
+        assert!(PositionStage::new(&Vector3::from(moments)).is_err());
+    }
+    assert!(PositionStage::of_inverse(&Vector3::new(1.0, -1.0, 1.0)).is_err());
+}
