@@ -532,7 +532,7 @@ async function pitfalls(page, wants) {
   await page.setViewportSize(before);
 
   // The chapter's numbers, taken from its sentences.
-  const [, low, most] = text.match(/sinks to (\d+) % of its energy and rises to (\d+) %/);
+  const [, low, most] = text.match(/(?:sinks|falls) to (\d+) % of its energy and rises to (\d+) %/);
   await start(1);
   await end();
   wants(`with the frozen tensor the energy goes from ${low} to ${most}: ${await of(1, "energy")}`,
