@@ -192,7 +192,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite.
-    #[inline]
+    #[inline(always)]
     pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
@@ -215,7 +215,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// A time that is not finite.
-    #[inline]
+    #[inline(always)]
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
         let time = finite("the time", t)? * self.clock;
         if time == 0.0 {
@@ -224,10 +224,9 @@ impl FreeMotion {
         Ok(self.in_world(self.turned(time).into_inner()))
     }
 
-    /// The attitude of the principal axes, from where they are at the start.
+    /// The turn of the principal axes since the start, at a scaled time other than zero.
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
-            _ if time == 0.0 => Quaternion::identity(),
             Law::AtRest => Quaternion::identity(),
             Law::Steady(turn) => turn.at(time),
             Law::Symmetric(precession) => precession.attitude(time),

@@ -23,7 +23,7 @@ const MOST_PARTS: f32 = 4096.0;
 ///
 /// It replaces both the update of the attitude and the gyroscopic term. For `f32` and `f64`; it allocates
 /// nothing, never panics, and uses no function but `+ - * /` and the square root, so that it has the same
-/// bits on every machine, and in C (`crates/c/tumbling.h`).
+/// bits on every machine, and in C (`crates/c/position_stage.h`).
 ///
 /// - The step changes neither energy nor momentum, but for rounding, whatever the body, the spin and `h`. So
 ///   the energy that a body gains is the work that the engine's velocity stages do, and nothing else.
@@ -107,7 +107,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// principal axes to coordinates in the body frame, and has length 1.
     #[must_use]
     pub fn in_frame(self, frame: Quaternion<T>) -> Self {
-        let norm = frame.coords.dot(&frame.coords).sqrt();
+        let norm = square(&frame).sqrt();
         Self { frame: Some(Quaternion::from_vector(frame.coords / norm)), ..self }
     }
 
@@ -125,9 +125,9 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     #[inline(never)]
     fn in_parts(&self, start: &Stepped<T>, h: T) -> Stepped<T> {
         let left = Stepped { parts: 0, ..*start };
-        let q = &start.attitude.coords;
-        let length = q.dot(q).sqrt();
-        let unit = Stepped { attitude: Quaternion::from_vector(q / length), parts: 0, ..*start };
+        let length = square(&start.attitude).sqrt();
+        let attitude = Quaternion::from_vector(start.attitude.coords / length);
+        let unit = Stepped { attitude, parts: 0, ..*start };
         let (_, omega) = self.spin(&unit);
         let turn = self.coefficients.fastest(&omega, h).sqrt();
         let parts = (turn / number(LONGEST)).ceil().max(T::one());
@@ -176,7 +176,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let (rotation, omega) = self.spin(start);
         let q = &start.attitude.coords;
         let (w, x, y, z) = (q.w, q.x, q.y, q.z);
-        let length = (w * w + x * x) + (y * y + z * z);
+        let length = square(&start.attitude);
         let longest = number::<T>(LONGEST);
         // A hair more, for what the parts of a longer step are rounded by.
         let short = self.coefficients.fastest(&omega, h) <= longest * longest * number(1.0001);
@@ -186,9 +186,9 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let (pace, weights) = self.coefficients.pace(&omega, h);
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &pace, |x| x.sqrt());
         let [a, b, c] = turn.tangents;
-        let square = T::one() + (a * a + (b * b + c * c));
+        let stretched = T::one() + (a * a + (b * b + c * c));
         // What rounding left of the attitude's length is divided out.
-        let over = T::one() / (square * length).sqrt();
+        let over = T::one() / (stretched * length).sqrt();
         let scale = over * over;
         // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
         // digits, which turning the spin to the body and back would not.
@@ -221,7 +221,14 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     }
 }
 
-/// A small number, exact in either type.
+/// The square of the length.
+#[inline(always)]
+fn square<T: Field + Float>(q: &Quaternion<T>) -> T {
+    let [w, x, y, z] = [q.coords.w, q.coords.x, q.coords.y, q.coords.z];
+    (w * w + x * x) + (y * y + z * z)
+}
+
+/// A number of single precision.
 #[inline(always)]
 fn number<T: From<f32>>(x: f32) -> T {
     <T as From<f32>>::from(x)

@@ -111,6 +111,7 @@ impl<T: Field> Torque<T> {
 
     /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to
     /// world), with the momentum and spin in body axes.
+    #[inline]
     pub(crate) fn at(
         &self,
         time: &T,

@@ -119,9 +119,9 @@ fn a_top_that_swings_beyond_the_range_is_refused() {
     assert!(new(1.28e308).unwrap_err().to_string().contains("the greatest spin"));
 }
 
-/// A small libration about a spin near the end of the range: with moments (1, 1.9, 2) the push along the first
-/// axis comes along the second sqrt(1/0.19) = 2.3 times as great, which is still nothing relative to the
-/// spin.
+/// A small libration about a spin near the end of the range: with moments (1, 1.9, 2) the push along the
+/// first axis comes along the second sqrt(1/0.19) = 2.3 times as great, which is still nothing relative to
+/// the spin.
 #[test]
 fn a_small_libration_of_the_fastest_spin_is_within_the_range() {
     for push in [1e200, 1e-100, 5e-324] {

@@ -155,6 +155,13 @@ fn agree<const N: usize>(
     norm(&(left - right)) <= 32.0 * ROUNDING * condition * size
 }
 
+/// What [`FreeMotion::sensitivities`] states of the derivatives by the tensor relative to those by the spin:
+/// of a needle, with a moment below a thousandth of the largest, they are at times a small remainder of terms
+/// as large as the inverse of that moment.
+fn coarser(m: &Vector3<f64>) -> f64 {
+    if m.min() < 1e-3 * m.max() { 32.0 } else { 1.0 }
+}
+
 fn diagonal(v: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::from_diagonal(v)
 }
@@ -177,7 +184,7 @@ proptest! {
             + turned(&change.turn_by_moments());
         let size = norm(&(tensor * change.omega_by_moments())) + omega.norm()
             + momentum.norm() * norm(&change.turn_by_moments());
-        prop_assert!(agree(&by_moments, &diagonal(&omega), size, condition), "{by_moments}");
+        prop_assert!(agree(&by_moments, &diagonal(&omega), coarser(&m) * size, condition), "{by_moments}");
     }
 
     // Energy and the momentum's length are the start's, and so are their changes.
@@ -200,7 +207,7 @@ proptest! {
             prop_assert!((later - by_spin(&omega)).amax() <= bound(size), "{later} {}", by_spin(&omega));
             let later = change.omega_by_moments().tr_mul(&weights) + by_moment(&now);
             let size = change.omega_by_moments().abs().tr_mul(&heavy).amax() + by_moment(&now).amax();
-            prop_assert!((later - by_moment(&omega)).amax() <= bound(size), "{later} {}", by_moment(&omega));
+            prop_assert!((later - by_moment(&omega)).amax() <= coarser(&m) * bound(size), "{later} {}", by_moment(&omega));
         }
     }
 
@@ -213,7 +220,7 @@ proptest! {
         for block in [change.omega_by_moments(), change.turn_by_moments()] {
             // Each block is right relative to its own norm, whichever of its columns is the small one.
             let size = norm(&block) * m.norm() * condition(&omega, t);
-            prop_assert!((block * m).norm() <= 32.0 * ROUNDING * size, "{}", block * m);
+            prop_assert!((block * m).norm() <= coarser(&m) * 32.0 * ROUNDING * size, "{}", block * m);
         }
         let rate = euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
         let faster = change.omega_by_omega * omega;

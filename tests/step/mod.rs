@@ -9,6 +9,7 @@ mod moser_veselov;
 mod order;
 mod pitfalls;
 mod position_stage;
+mod position_stage_in_c;
 mod rk4;
 mod stepper;
 mod torque;

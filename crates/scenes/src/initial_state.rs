@@ -193,7 +193,7 @@ pub(crate) struct Rounded {
 }
 
 impl Principal {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn in_body(&self, vector: Vector3<f64>) -> Vector3<f64> {
         self.frame.map_or(vector, |frame| frame * vector)
     }

@@ -9,7 +9,7 @@ pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
     let principal = inertia.principal();
     let canvas = Canvas::sized(500, 500);
-    let view = View::new((232.0, 276.0), 88.0, 42.0, 24.0);
+    let view = View::new((250.0, 276.0), 88.0, 42.0, 24.0);
     let solid = Cuboid { rotation: Matrix3::identity(), half: Vector3::from(BOX_EDGES.map(|x| 0.5 * x)) };
     solid.draw(&canvas, &view, Some(Pen::new(Ink::Faint, 1.1).dashed()), Pen::new(Ink::Text, 1.4));
     let mut said = Vec::new();

@@ -145,7 +145,7 @@ pub(super) fn draw() -> Drawing {
     canvas.label((304.0, 112.0), &Label::new("what the rounding"));
     canvas.label((304.0, 134.0), &Label::new("of one input does"));
     canvas.label((249.0, foot + 54.0), &Label::new("error, in units of that").middle());
-    canvas.label((24.0, 28.0), &Label::new("how many of the answers").bold());
+    canvas.label((24.0, 28.0), &Label::new("share of the answers").bold());
     Ok(Picture {
         canvas,
         description: format!(

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use tumbling::Axis;
 use tumbling::solid::{Compound, Cuboid, Cylinder, Solid};
 
-/// The hammer of the chapter's code, m: an ash handle along z, a steel head across its end and off its middle.
+/// The hammer of the chapter's code, m: an ash handle along z, a steel head across its end, off its middle.
 const HANDLE: [f64; 2] = [0.0145, 0.29];
 const HEAD: [f64; 3] = [0.1, 0.032, 0.032];
 const OFF: f64 = 0.03;

@@ -129,7 +129,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         let s = &self.twist_2;
         let twist = self.twist[0] * x + self.twist[1] * y + self.twist[2] * z;
         let more = x * (s[0] * x + s[1] * y + s[2] * z) + y * (s[3] * y + s[4] * z) + z * (s[5] * z);
-        let twist = twist + more * (one + twist * number(17.0 / 14.0));
+        let twist = twist + more * (one + twist * (number::<T>(17.0) / number::<T>(14.0)));
         ((one - mean) + series, three(|i| one + self.relative[i] * twist))
     }
 }

@@ -5,6 +5,7 @@ use crate::proofs::closed_forms::about_the_largest_axis;
 use crate::symbols::{Vector, diagonal, variables};
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
+use std::sync::LazyLock;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::dynamics::observe::energy;
 
@@ -62,8 +63,13 @@ pub(super) fn jacobi() -> Scope {
 }
 
 /// The motion that circles the axis of the largest moment, if the library's equations hold along it; nothing
-/// has a meaning if not.
+/// has a meaning if not. Worked out once.
 pub(super) fn jacobi_motion() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(of_jacobi_motion);
+    ONCE.clone()
+}
+
+fn of_jacobi_motion() -> Scope {
     let Ok(motion) = about_the_largest_axis() else { return Scope::default() };
     let reduced = |x: &Fraction| motion.relations.reduce_fraction(x);
     let momentum = diagonal(&motion.moments) * &motion.omega;
