@@ -1,5 +1,6 @@
 //! The command `judge`: an engine's record in, a verdict out.
 
+use crate::chapters::chapter;
 use crate::complain;
 use clap::Args;
 use nalgebra::Vector3;
@@ -45,13 +46,13 @@ LAW is energy, momentum, direction, unit, separatrix, phase or consistency; the 
 given. Several are separated by commas: --threshold 0.001,energy=1e-6.
 
 Errors are relative to the first row: of energy and |L| a share, of a direction rad. The separatrix is 2 E I2 / L^2
-(I2 the middle moment): below 1 where the spin goes round the largest moment's axis, above 1 where round the
-smallest's. Phase is how far the spin is ahead of the exact one, in times round its closed curve.
+(I2 the middle moment), as its ratio to the first one: below 1 where the spin goes round the largest moment's axis,
+above 1 where round the smallest's. Phase is how far the spin is ahead of the exact one, in times round its closed curve.
 
 The JSON object has: outcome (passed, failed, nothing to judge, too short to judge), complaints,
 laws (law, grade, rate, most, last), flips, separatrix (first and last), misread, resets, gaps, untold,
-sign_changes, rounding, diagnosis (sure: to rounding, most steps, near, too few digits or none fits; best, alike,
-second, ratio, hints, advice), curve (the run in at most 256 points), and what was read.
+sign_changes, rounding, diagnosis (sure: to rounding, most steps, near, too few digits, too few steps, accurate or
+none fits; best, alike, second, ratio, steps, share, accuracy, would_decide, hints, advice), curve (the run in at most 256 points), and what was read.
 
 Exit code: 0 if the record passes, 1 if it fails or there is nothing or too little to judge, 2 if it cannot be read.";
 
@@ -124,7 +125,7 @@ fn print(verdict: &Verdict, arguments: &Arguments) -> Result<(), String> {
     if let Some(out) = &arguments.svg {
         draw(verdict, out).map_err(|wrong| format!("{}: {wrong}", out.display()))?;
     }
-    let text = if arguments.json { format!("{:#}\n", verdict.json()) } else { format!("{verdict}\n") };
+    let text = if arguments.json { format!("{:#}\n", verdict.json()) } else { words(verdict) };
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(wrong) if wrong.kind() != ErrorKind::BrokenPipe => {
@@ -132,6 +133,13 @@ fn print(verdict: &Verdict, arguments: &Arguments) -> Result<(), String> {
         }
         _ => Ok(()),
     }
+}
+
+/// The verdict, and where the book says more of what it advises.
+fn words(verdict: &Verdict) -> String {
+    let advice = verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.advice);
+    let more = advice.and_then(chapter).map(|place| format!("More about it: chapter {place}.\n"));
+    format!("{verdict}\n{}", more.unwrap_or_default())
 }
 
 fn draw(verdict: &Verdict, out: &Path) -> Result<(), Box<dyn std::error::Error>> {

@@ -52,7 +52,7 @@ pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> 
 /// What made the record, in a line.
 fn diagnosis(verdict: &Verdict) -> String {
     let Some(diagnosis) = &verdict.diagnosis else { return "no rule is told".into() };
-    format!("{}: {}", diagnosis.confidence.words(), diagnosis.best.rule.name())
+    format!("{}: {}", diagnosis.words(), diagnosis.best.rule.name())
 }
 
 fn grade(verdict: &Verdict) -> String {

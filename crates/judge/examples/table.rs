@@ -1,6 +1,6 @@
 //! How often the judge names the rule of a record: every rule of the library, in 1 to 16 steps from row to
-//! row, with spins of 0.1 to 30 rad/s, rows at 30 to 240 Hz, 5 to 17 digits, in single and in double precision,
-//! with and without attitudes.
+//! row, with spins of 0.1 to 30 rad/s, rows at 30 to 240 Hz, 5 to 17 digits, in single and in double
+//! precision, with and without attitudes.
 //!
 //! ```sh
 //! cargo run --release -p tumbling-judge --example table -- 20000

@@ -14,9 +14,10 @@ use crate::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain}
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
 use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, CLEAR, FITS_EXACT, NEAR, NEAR_RATIO, TRIED_IN_PARTS, TRIED_SHARE,
-    TRIED_TURNS,
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, FITS_EXACT, NEAR, NEAR_RATIO, TRIED_IN_PARTS,
+    TRIED_SHARE, TRIED_TURNS,
 };
+use tumbling::step::Method;
 
 /// A rule, and how far its steps are from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,8 +115,8 @@ pub struct Diagnosis {
     /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
     /// drift as the whole record does.
     pub drifts: Option<usize>,
-    /// Engines known to go by the best rule; where the record names one of them that goes by a rule that fits,
-    /// this one.
+    /// Engines known to go by the best rule; where the record names one of them that goes by a rule that
+    /// fits, this one.
     pub engines: Vec<String>,
     /// How the errors of the steps go, where no rule is named.
     pub accuracy: Option<Accuracy>,
@@ -243,14 +244,19 @@ pub(crate) fn diagnose(subject: &Subject, sample: &Sample, about: Circumstances)
         return None;
     }
     let alike_of = alike_to_best(&found, floor);
-    let best = *found.iter().find(|x| alike_of(x))?;
+    let mut best = *found.iter().find(|x| alike_of(x))?;
     // The same rule with limits that the record does not reach says nothing new.
     let same =
         |rule: &Rule| *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method();
-    let alike = found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
+    let mut alike: Vec<Rule> =
+        found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
     let others = found.iter().filter(|x| !alike_of(x)).copied();
     let second = others.min_by(|a, b| best.relative_to(a).total_cmp(&best.relative_to(b)));
     let mut confidence = confidence_in(&best, second.as_ref(), about);
+    let exact = found.iter().find(|x| x.rule == Rule::EXACT && x.median < NEAR);
+    if let (Confidence::NoneFits, Some(exact)) = (confidence, exact) {
+        (best, alike, confidence) = (*exact, Vec::new(), Confidence::Accurate);
+    }
     let mut hints = hints(subject, pairs, floor.size);
     let none = matches!(confidence, Confidence::NoneFits | Confidence::Accurate);
     let mut errors = None;
@@ -342,8 +348,24 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
         pairs.iter().step_by(pairs.len().div_ceil(count).max(1)).copied().collect()
     });
     let [half, nearly_all] = floor.limits();
-    let possible = |rule: &Rule| {
+    // The first of them, and the same with the exact motion's end.
+    let measure = first.first().and_then(|pair| {
+        let to = subject.next(&Rule::EXACT, &pair.from, pair.h)?;
+        Some((subject.residual(&Rule::EXACT, pair), Pair { to, ..*pair }))
+    });
+    let mut as_exact: Vec<(Method, u32)> = Vec::new();
+    let mut possible = |rule: &Rule| {
         let (mut far, mut off) = (0, 0);
+        if let (Some((method, parts)), Some((error, exact))) = (rule.method(), &measure) {
+            if as_exact.iter().any(|(other, least)| *other == method && parts > *least) {
+                return false;
+            }
+            // Its own error is far below the record's: in more parts it comes no nearer.
+            if *error > nearly_all && subject.residual(rule, exact) < AS_EXACT * error {
+                as_exact.push((method, parts));
+                return false;
+            }
+        }
         first.iter().all(|pair| {
             let residual = subject.residual(rule, pair);
             far += u32::from(residual > nearly_all);
@@ -351,7 +373,11 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
             far < 2 && 2 * off <= first.len() + 1
         })
     };
-    rules.into_iter().filter(possible).filter_map(|rule| explained(subject, &more, rule)).collect()
+    rules
+        .into_iter()
+        .filter(|rule| possible(rule))
+        .filter_map(|rule| explained(subject, &more, rule))
+        .collect()
 }
 
 fn confidence_in(best: &Explanation, second: Option<&Explanation>, about: Circumstances) -> Confidence {
@@ -363,9 +389,9 @@ fn confidence_in(best: &Explanation, second: Option<&Explanation>, about: Circum
         Confidence::ToRounding
     } else if best.median <= floor.limits()[0] {
         Confidence::MostSteps
-    } else if best.median < NEAR && best.rule.base == Base::Exact && best.rule.alteration.is_none() {
+    } else if best.median < NEAR && best.rule == Rule::EXACT {
         Confidence::Accurate
-    } else if best.median < NEAR && ratio >= NEAR_RATIO {
+    } else if best.median < NEAR && ratio >= NEAR_RATIO[usize::from(best.rule.alteration.is_some())] {
         Confidence::Near
     } else {
         Confidence::NoneFits

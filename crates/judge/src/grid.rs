@@ -21,8 +21,8 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Where the printed digits make the steps uneven, and a step, the named one or the mean, explains all of the
-    /// times.
+    /// Where the printed digits make the steps uneven, and a step, the named one or the mean, explains all of
+    /// the times.
     pub(crate) fn of(probe: &[Raw], named: Option<f64>) -> Option<Self> {
         let (first, last) = (probe.first()?, probe.last()?);
         // Of those printed without the zeros at their ends some have all the digits there are.

@@ -47,10 +47,7 @@ use tumbling::exact::FreeMotion;
 pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> {
     let mut rows = Rows::open(source)?;
     let mut notes = std::mem::take(&mut rows.header.notes);
-    let moments = match options.inertia {
-        Some(moments) => moments,
-        None => rows.header.moments(&mut notes).ok_or(Error::NoMoments)?,
-    };
+    let moments = options.inertia.or_else(|| rows.header.moments(&mut notes));
     let second = rows.columns.second.map(|(kind, places)| (kind, rows.columns.names[places[0]].clone()));
     let torque = rows.header.torque.filter(|torque| *torque != Vector3::zeros());
     let about = About { kind: rows.columns.kind, second, step: rows.header.step, torque, moments, notes };
@@ -82,7 +79,7 @@ pub(crate) struct About {
     /// Constant in the world, N m.
     pub torque: Option<Vector3<f64>>,
     /// Principal moments, kg m².
-    pub moments: Vector3<f64>,
+    pub moments: Option<Vector3<f64>>,
     pub notes: Vec<Note>,
 }
 
@@ -94,11 +91,11 @@ pub(crate) fn judge_rows(
 ) -> Result<Verdict, Error> {
     options.checked()?;
     let mut probe = probed(rows)?;
-    let (moments, torque) = (about.moments, about.torque);
+    let (moments, torque) = (about.moments.ok_or(Error::NoMoments)?, about.torque);
     PrincipalMoments::try_from(moments)?;
     let unit = unit_of(&moments);
     let subject = Subject::new(moments / unit, torque.map(|torque| torque / unit))?;
-    let meaning = Meaning::of(&mut probe, &mut about);
+    let meaning = Meaning::of(&mut probe, &mut about, &moments);
     let has_spin = about.kind != Kind::Attitude;
     let mut feed = Feed { has_spin, moments, clock: meaning.clock, deriver: Deriver::default() };
     let (states, stopped) = understood(&probe, &meaning.reading, &mut feed)?;
@@ -119,7 +116,7 @@ pub(crate) fn judge_rows(
     }
     trial.stopped = stopped;
     follow(rows, &mut trial, &meaning, &mut feed)?;
-    trial.second = disagreement(&about, &probe, &meaning.reading, floor);
+    trial.second = disagreement(&about, &probe, &meaning.reading, &moments, floor);
     trial.ended = rows.ended().map(|error| error.to_string());
     let mut verdict = trial.end(&subject, &meaning.reading, options);
     verdict.fit = start.fit;
@@ -182,8 +179,8 @@ struct Meaning {
 
 impl Meaning {
     /// From the first rows, whose times are put to the grid that they are rounded from.
-    fn of(probe: &mut [Raw], about: &mut About) -> Self {
-        let (notes, moments) = (&mut about.notes, &about.moments);
+    fn of(probe: &mut [Raw], about: &mut About, moments: &Vector3<f64>) -> Self {
+        let notes = &mut about.notes;
         let grid = Grid::of(probe, about.step);
         if let Some(grid) = &grid {
             notes.push(grid.note());
@@ -296,9 +293,14 @@ fn momentum_of(
 
 /// Where a second vector of the record, as a spin, is not what the first one says: the first such row looked
 /// at.
-fn disagreement(about: &About, probe: &[Raw], reading: &Reading, floor: f64) -> Option<Complaint> {
+fn disagreement(
+    about: &About,
+    probe: &[Raw],
+    reading: &Reading,
+    moments: &Vector3<f64>,
+    floor: f64,
+) -> Option<Complaint> {
     let (kind, column) = about.second.as_ref().filter(|_| reading.mistakes().is_empty())?;
-    let moments = &about.moments;
     let [roundings, share] = VECTORS_APART;
     probe.iter().find_map(|raw| {
         let first = reading.state(raw, moments).omega;

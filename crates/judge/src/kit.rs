@@ -1,5 +1,5 @@
-//! The kit's stories as values: starts of a free body, what becomes of each exactly, and how far off an engine
-//! may be.
+//! The kit's stories as values: starts of a free body, what becomes of each exactly, and how far off an
+//! engine may be.
 
 use crate::error::Error;
 use crate::law::LawName;
@@ -82,13 +82,13 @@ impl Story {
     }
 
     /// How far off the spin may be at an answer, relative to its length, and the attitude, rad, for an engine
-    /// that counts in numbers of precision `T` and takes steps of `h` seconds; `None` where that is so much that
-    /// the answer says nothing.
+    /// that counts in numbers of precision `T` and takes steps of `h` seconds; `None` where that is so much
+    /// that the answer says nothing.
     ///
     /// It is the sum of what the exact motion makes of three errors: of the rounding of the inputs; of the
-    /// pace of a rule of second order, which is off by (w h)²/12 with the largest spin w; and of a rounding of
-    /// spin and attitude in each step, with the worst signs, by the largest growth of an error of the spin from
-    /// then on.
+    /// pace of a rule of second order, which is off by (w h)²/12 with the largest spin w; and of a rounding
+    /// of spin and attitude in each step, with the worst signs, by the largest growth of an error of the spin
+    /// from then on.
     #[must_use]
     pub fn within<T: Precision>(&self, answer: &Answer, h: f64) -> [Option<f64>; 2] {
         let rounded = self.rounded(answer, h).map(|sum| T::ROUNDING * sum);
@@ -117,8 +117,8 @@ impl Story {
         grown().unwrap_or([f64::INFINITY; 2])
     }
 
-    /// The rows that an engine makes of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z; body
-    /// to world) and a spin (body axes, rad/s) one step further.
+    /// The rows that an engine makes of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
+    /// body to world) and a spin (body axes, rad/s) one step further.
     pub fn rows<T: Precision>(
         &self,
         h: f64,

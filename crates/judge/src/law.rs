@@ -14,7 +14,8 @@ pub enum LawName {
     Direction,
     /// The length of the attitude quaternion, from 1.
     Unit,
-    /// `2 E I2 / L²`, as its ratio to the first one; at 1 is the separatrix, beyond which a stable spin flips.
+    /// `2 E I2 / L²`, as its ratio to the first one; at 1 is the separatrix, beyond which a stable spin
+    /// flips.
     Separatrix,
     /// How far the spin is ahead of the exact one on its closed curve in body axes, in times round it.
     Phase,

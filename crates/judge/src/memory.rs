@@ -93,7 +93,7 @@ pub fn judge_in_memory<T: Precision>(
         second: None,
         step: None,
         torque: None,
-        moments: options.inertia.unwrap_or_else(|| moments.into()),
+        moments: options.inertia.or_else(|| Some(moments.into())),
         notes: Vec::new(),
     };
     let attitudes = first.attitude.is_some();

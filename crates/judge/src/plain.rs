@@ -7,7 +7,7 @@ use crate::thresholds::{GENTLE, STEEP};
 impl Law {
     /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.
     ///
-    /// Energy and `|L|` are told as what happens to themselves, the other laws as what happens to the error.
+    /// Energy and `|L|` are given as what happens to themselves, the other laws as what happens to the error.
     /// Meant for pages and pictures, where powers of ten may be raised; the command line prints [`Growth`] as
     /// it is.
     #[must_use]

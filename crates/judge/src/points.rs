@@ -14,7 +14,8 @@ pub struct Point {
     pub energy: f64,
     /// The same of the momentum's length.
     pub momentum: f64,
-    /// The greatest angle between the momentum and the first one in the world, rad, where attitudes are told.
+    /// The greatest angle between the momentum and the first one in the world, rad, where there are
+    /// attitudes.
     pub direction: Option<f64>,
     /// The error of phase, in periods, that is largest in size, where there is a period.
     pub phase: Option<f64>,

@@ -19,7 +19,7 @@ use tumbling::dynamics::euler;
 pub enum FileMistake {
     /// What is named in body axes is in the world's, or the other way round.
     Frame,
-    /// The attitude is x, y, z, w; of attitudes alone this is not to be told from
+    /// The attitude is x, y, z, w; of attitudes alone this cannot be distinguished from
     /// [`ScalarFirst`](Self::ScalarFirst).
     Order,
     /// The attitude is w, x, y, z under the names x, y, z, w.

@@ -60,8 +60,8 @@ impl Floor {
     }
 
     /// Whether every step is a rule's, except for rounding and what a step that multiplies it makes of it:
-    /// half of them are within `median`, 95 in 100 within `percentile_95`. A few decimal digits are off by half a one
-    /// of the last place and not more, and of what they leave open a wrong rule may be all.
+    /// half of them are within `median`, 95 in 100 within `percentile_95`. A few decimal digits are off by
+    /// half a one of the last place and not more, and of what they leave open a wrong rule may be all.
     pub(crate) fn fits(self, median: f64, percentile_95: f64) -> bool {
         let [half, nearly_all] = self.limits();
         median <= half && percentile_95 <= nearly_all

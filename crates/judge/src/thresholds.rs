@@ -43,7 +43,10 @@ pub(crate) const TRIED_IN_PARTS: [usize; 2] = [12, 128];
 pub(crate) const PARTS: [u32; 15] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16];
 /// More of them for rules of order four or less, whose errors show in these too.
 pub(crate) const MORE_PARTS: [u32; 10] = [17, 20, 24, 25, 32, 33, 40, 48, 50, 64];
-/// Errors of the exact motion, in those of the best rule, beyond which no rule in parts comes near to that one.
+/// Error of a rule in a step, in that of the record, below which it is as good as exact.
+pub(crate) const AS_EXACT: f64 = 0.01;
+/// Errors of the exact motion, in those of the best rule, beyond which no rule in parts comes near to that
+/// one.
 pub(crate) const CLEAR: f64 = 1e3;
 /// Steps to which a rule's numbers are fitted.
 pub(crate) const FITTED_STEPS: usize = 96;
@@ -64,8 +67,8 @@ pub(crate) const FIELD_SHOWN: usize = 40;
 /// Rows before a value that is not finite, from which on the rest is judged up to there.
 pub(crate) const ROWS_BEFORE_THE_END: u64 = 2;
 
-/// Powers of two of the largest moment from which on momenta are counted in that unit: their squares are to be
-/// numbers.
+/// Powers of two of the largest moment from which on momenta are counted in that unit: their squares are to
+/// be numbers.
 pub(crate) const FAR_FROM_ONE: f64 = 128.0;
 
 // The rounding of a record's numbers.
@@ -229,21 +232,20 @@ pub(crate) const ALIKE_ROUNDINGS: [f64; 2] = [8.0, 64.0];
 pub(crate) const ALIKE_FEW: [f64; 2] = [2.0, 16.0];
 /// Error of half of the steps, relative to the spin, below which a rule may be named though it does not fit.
 pub(crate) const NEAR: f64 = 0.01;
-/// How many times as far the next rule must be then.
-pub(crate) const NEAR_RATIO: f64 = 10.0;
+/// How many times as far the next rule must be then; and where numbers of the rule are fitted to the record.
+pub(crate) const NEAR_RATIO: [f64; 2] = [10.0, 1e3];
 /// Roundings that a step's error must have for it to say anything.
 pub(crate) const ABOVE_ROUNDING: f64 = 16.0;
 /// Steps with such an error that show an order.
 pub(crate) const ORDER_STEPS: usize = 24;
-/// Orders looked for, up to this one.
-pub(crate) const ORDERS: u32 = 8;
-/// Spread of the errors, in powers of e, that the terms of an order may leave; and in the spread of the
-/// errors themselves.
-pub(crate) const ORDER_SPREAD: f64 = 0.6;
-/// The same in the spread of the errors themselves.
-pub(crate) const ORDER_PLAINER: f64 = 0.5;
-/// Spread of the errors, in that of the terms of the highest order, below which they are controlled.
-pub(crate) const EVEN_ERRORS: f64 = 0.2;
+/// Terms of the errors' polynomials: orders up to eight.
+pub(crate) const ORDER_TERMS: usize = 5;
+/// Share of the errors that the terms of an order may leave, as a root of the mean square.
+pub(crate) const ORDER_LEFT: f64 = 0.1;
+/// The same in what one term less leaves, and in what another order leaves.
+pub(crate) const ORDER_GAIN: f64 = 0.25;
+/// Spread of the errors, in powers of e and in that of the spin's rate, below which they are controlled.
+pub(crate) const EVEN_ERRORS: f64 = 0.9;
 /// Steps of a whole run taken once more for each rule: longer runs are compared by a part.
 pub(crate) const RUN_STEPS: f64 = 20_000.0;
 /// Share of a drift that a rule's own drift may miss.

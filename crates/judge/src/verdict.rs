@@ -70,7 +70,7 @@ pub enum Outcome {
     Passed,
     /// The file is not sound, or a law is broken.
     Failed,
-    /// The record has nothing that could be told right or wrong.
+    /// The record has nothing that is right or wrong.
     NothingToJudge,
     /// No law is broken, and too little is seen for that to say anything.
     TooShort,

@@ -1,5 +1,8 @@
 //! The judge of engines on a page: a record comes in by pieces, a verdict goes out as text.
 
+#[path = "../../../src/chapters.rs"]
+mod chapters;
+
 use exchange::{Numbers, Text};
 use nalgebra::Vector3;
 use std::io::BufRead;
@@ -37,7 +40,11 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
                 told["words"] = reset.words().into();
             }
             if let Some(diagnosis) = &verdict.diagnosis {
-                json["diagnosis"]["words"] = diagnosis.confidence.words().into();
+                json["diagnosis"]["words"] = diagnosis.words().into();
+                if let Some(place) = chapters::chapter(diagnosis.advice) {
+                    let advice = diagnosis.advice.words();
+                    json["diagnosis"]["advice"] = format!("{advice} More about it: chapter {place}.").into();
+                }
             }
             for (law, told) in verdict.laws.iter().zip(json["laws"].as_array_mut().into_iter().flatten()) {
                 told["words"] = law.name.words().into();
