@@ -59,7 +59,7 @@ fn broken(method: Method, system: &System<f64>, start: &State<f64>) -> [f64; 5] 
         let next = method.step(system, &motion, h).unwrap();
         let back = method.step(system, &next, -h).unwrap();
         let found = [
-            energy(&system, &next) / energy(&system, start) - 1.0,
+            energy(system, &next) / energy(system, start) - 1.0,
             next.momentum.norm() / start.momentum.norm() - 1.0,
             (world(&next) - world(start)).norm() / start.momentum.norm(),
             next.attitude.norm() - 1.0,

@@ -49,7 +49,10 @@ impl Options {
     pub(crate) fn checked(&self) -> Result<(), Error> {
         let own =
             LawName::ALL.iter().zip(self.thresholds).filter_map(|(law, most)| Some((Some(*law), most?)));
-        match std::iter::once((None, self.threshold)).chain(own).find(|(_, most)| !(*most > 0.0)) {
+        match std::iter::once((None, self.threshold))
+            .chain(own)
+            .find(|(_, most)| most.is_nan() || *most <= 0.0)
+        {
             Some((law, value)) => Err(Error::Threshold { law, value }),
             None => Ok(()),
         }

@@ -16,7 +16,9 @@ const END: u32 = 60;
 const LOST: f64 = 80.0;
 
 /// An engine by name and setting, its own steps a second, what it is called, and where its name stands.
-const ENGINES: [(&str, &str, u32, &str, (f64, f64)); 3] = [
+type Engine = (&'static str, &'static str, u32, &'static str, (f64, f64));
+
+const ENGINES: [Engine; 3] = [
     ("Bullet", "multibody", 240, "pybullet, 240/s", (0.8, 86.0)),
     ("Rapier", "", 60, "Rapier, 60/s", (25.5, 86.0)),
     ("MuJoCo", "Euler", 500, "MuJoCo, 500/s", (38.0, 70.0)),
