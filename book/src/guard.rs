@@ -28,21 +28,21 @@
 
 mod chapter;
 mod code;
+mod digits;
 mod equations;
 mod exercises;
 mod facts;
+mod holding;
 mod hollow;
 mod laws;
 mod mutants;
-mod numbers;
-mod numerals;
 mod offence;
-mod words;
+mod spelled;
 
 use crate::{paths, preprocess};
 use chapter::{Chapter, Reader};
+use holding::{Beside, Counts};
 pub(crate) use mutants::Tally;
-use numbers::{Beside, Counts};
 use offence::Offence;
 use std::collections::HashMap;
 use std::path::Path;
@@ -109,7 +109,7 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         held: Vec::new(),
     };
     for chapter in &book.chapters {
-        let found = numbers::findings(chapter, &book.beside);
+        let found = holding::findings(chapter, &book.beside);
         report.offences.extend(found.offences);
         report.held.extend(found.held);
         report.offences.extend(equations::offences(chapter, &mut report.equations, &mut report.held));
@@ -126,7 +126,7 @@ pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
     let mut book = Book::read(folder)?;
     let mut tallies = Vec::new();
     for chapter in &book.chapters {
-        if let Some(offence) = numbers::findings(chapter, &book.beside).offences.first() {
+        if let Some(offence) = holding::findings(chapter, &book.beside).offences.first() {
             return Err(format!(
                 "{offence}
 Alterations can be judged once the chapters hold."

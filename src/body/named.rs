@@ -15,14 +15,14 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
-mod even;
+mod boxes_and_balls;
 mod part;
 mod racket;
 mod steel;
 
 use alloc::vec::Vec;
-use even::REMOTE_CONTROL;
-pub use even::{BALL, BOOK, Even, PENCIL, PHONE, PLATE, THE_BOX};
+use boxes_and_balls::REMOTE_CONTROL;
+pub use boxes_and_balls::{BALL, BOOK, Even, PENCIL, PHONE, PLATE, THE_BOX};
 use part::Fill;
 pub use part::{Part, Section};
 

@@ -1,8 +1,8 @@
 //! Reads the Rust of a block: which phrases it holds, and which literals its assertions stand on.
 
+use super::digits;
 use super::hollow::{is_literal, prints_own_digits, wraps};
-use super::numerals;
-use super::words;
+use super::spelled;
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
@@ -200,8 +200,8 @@ impl<'a> Reader<'a> {
             let own: Vec<f64> =
                 literals.iter().filter(|l| l.line == at.line).flat_map(|l| self.values(l)).collect();
             for phrase in self.written(at).split(';').map(str::trim) {
-                let numbers = numerals::plain(phrase);
-                let (words, _) = words::spelled(phrase);
+                let numbers = digits::plain(phrase);
+                let (words, _) = spelled::spelled(phrase);
                 let stand = |run: &[f64]| run.iter().zip(&numbers).all(|(own, said)| *own == said.value);
                 let held = numbers.is_empty() || own.windows(numbers.len()).any(stand);
                 let wrong = Some(phrase).filter(|_| !held);
@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
         let written = self.written(at);
         if written.starts_with('"') {
             let pattern = written.contains('{');
-            return numerals::plain(written).iter().filter(|_| !pattern).map(|n| n.value).collect();
+            return digits::plain(written).iter().filter(|_| !pattern).map(|n| n.value).collect();
         }
         let digits = written.replace('_', "");
         let digits = digits.trim_end_matches("f64").trim_end_matches(|c: char| c.is_ascii_alphabetic());
@@ -239,7 +239,7 @@ impl<'a> Reader<'a> {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
                 let phrase = Phrase::new(&text.value(), true, at.line);
-                self.code.phrases.extend(Some(phrase).filter(|p| !numerals::plain(&p.text).is_empty()));
+                self.code.phrases.extend(Some(phrase).filter(|p| !digits::plain(&p.text).is_empty()));
             }
             Expr::Array(array) => array.elems.iter().for_each(|e| self.expected(e)),
             Expr::Reference(inner) => self.expected(&inner.expr),

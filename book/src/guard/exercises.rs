@@ -46,7 +46,7 @@ fn blank(line: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Beside, numbers};
+    use super::super::{Beside, holding};
     use super::*;
 
     const WHOLE: &str = "# T\n\nA mass of 2 kg falls for 3 s.\n\n```rust\n// -- your turn --\n\
@@ -56,7 +56,7 @@ mod tests {
 
     fn offences(text: &str) -> Vec<String> {
         let chapter = Reader::default().chapter("t_1", "whole/t_1.md", &as_chapter(text)).unwrap();
-        numbers::findings(&chapter, &Beside::default()).offences.iter().map(ToString::to_string).collect()
+        holding::findings(&chapter, &Beside::default()).offences.iter().map(ToString::to_string).collect()
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Which expressions bring nothing computed into an assertion.
 
-use super::numerals;
+use super::digits;
 use proc_macro2::TokenTree;
 use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
@@ -49,5 +49,5 @@ pub(super) fn prints_own_digits(expr: &Expr) -> bool {
     let Some(TokenTree::Literal(pattern)) = inner.mac.tokens.clone().into_iter().next() else { return false };
     let pattern = pattern.to_string().replace("{{", "").replace("}}", "");
     let outside = pattern.split('}').map(|piece| piece.split('{').next().unwrap_or_default());
-    outside.map(numerals::plain).any(|found| !found.is_empty())
+    outside.map(digits::plain).any(|found| !found.is_empty())
 }

@@ -12,8 +12,8 @@
 
 use super::chapter::{Chapter, Reader};
 use super::code::Role;
-use super::numbers::{self, Beside, Findings, WORDS};
-use super::words;
+use super::holding::{self, Beside, Findings, WORDS};
+use super::spelled;
 use std::fmt;
 use std::ops::Range;
 use tumbling_proofs::equations::Alterations;
@@ -95,10 +95,10 @@ impl fmt::Display for Score {
 
 /// Alters this chapter in every way, one at a time.
 pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> Tally {
-    let Findings { places, claims, .. } = numbers::findings(chapter, beside);
+    let Findings { places, claims, .. } = holding::findings(chapter, beside);
     let mut tally = Tally { name: chapter.name.clone(), ..Tally::default() };
     let mut noticed = |text: &str| match reader.chapter(&chapter.name, &chapter.path, text) {
-        Ok(altered) => !numbers::findings(&altered, beside).offences.is_empty(),
+        Ok(altered) => !holding::findings(&altered, beside).offences.is_empty(),
         Err(_) => true,
     };
     for place in &places {
@@ -106,7 +106,7 @@ pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> 
         let (before, after) = (&chapter.text[..place.at.start], &chapter.text[place.at.end..]);
         let mut altered: Vec<String> = Vec::new();
         let score = if place.kind == WORDS {
-            altered.extend(words::altered(own).iter().map(|other| format!("{before}{other}{after}")));
+            altered.extend(spelled::altered(own).iter().map(|other| format!("{before}{other}{after}")));
             &mut tally.words
         } else {
             altered.extend(digits(&chapter.text, &place.at).flat_map(|at| other_digits(&chapter.text, at)));

@@ -7,7 +7,7 @@ use super::*;
 fn offences_beside(text: &str, code: &str, beside: &Beside) -> Vec<String> {
     let text = if code.is_empty() { text.to_owned() } else { format!("{text}\n\n```rust\n{code}\n```\n") };
     let chapter = Reader::default().chapter("x", "x.md", &text).unwrap();
-    numbers::findings(&chapter, beside).offences.iter().map(ToString::to_string).collect()
+    holding::findings(&chapter, beside).offences.iter().map(ToString::to_string).collect()
 }
 
 fn offences(text: &str, code: &str) -> Vec<String> {
@@ -337,5 +337,5 @@ fn a_chapter_with_laws_that_the_summary_drops_is_an_offence() {
     let offences = check(folder.path()).unwrap().offences;
     assert!(offences[0].to_string().contains("no `two-arrows`"), "{offences:?}");
     let named = Reader::default().chapter("references", "references.md", "Of 5 m.").unwrap();
-    assert_eq!(numbers::findings(&named, &Beside::default()).offences.len(), 1);
+    assert_eq!(holding::findings(&named, &Beside::default()).offences.len(), 1);
 }

@@ -1,6 +1,6 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
-use crate::engines::{Limits, parted};
+use crate::engine_step::{Limits, parted};
 use crate::rules::{Alteration, Base, Rule, Spin, Steps, When};
 use crate::state::{Pair, Row, angle_between, unit};
 use crate::thresholds::RULE_ROUNDS;

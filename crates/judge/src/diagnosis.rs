@@ -4,8 +4,8 @@
 use crate::accuracy::{Accuracy, accuracy};
 use crate::advice::Advice;
 use crate::candidates::Subject;
-use crate::catalogue::PHYSICS_ENGINES;
 use crate::drift::Run;
+use crate::engines::PHYSICS_ENGINES;
 use crate::findings::Hint;
 use crate::fitted::{compound, momentum_for_spin};
 use crate::hints::{apart, hints};

@@ -12,7 +12,6 @@
 mod accuracy;
 mod advice;
 mod candidates;
-mod catalogue;
 mod clock;
 mod columns;
 mod comment;
@@ -21,6 +20,7 @@ mod derived;
 mod diagnosis;
 mod digits;
 mod drift;
+mod engine_step;
 mod engines;
 mod error;
 mod faults;
@@ -56,10 +56,10 @@ mod words;
 
 pub use accuracy::Accuracy;
 pub use advice::Advice;
-pub use catalogue::PHYSICS_ENGINES;
 pub use curve::Growth;
 pub use diagnosis::{Confidence, Diagnosis, Explanation};
-pub use engines::{Limits, PhysicsEngine};
+pub use engine_step::{Limits, PhysicsEngine};
+pub use engines::PHYSICS_ENGINES;
 pub use error::Error;
 pub use findings::{Complaint, Hint, Note};
 pub use fit::Fit;

@@ -1,7 +1,7 @@
 //! What a rule is called, and who goes by it.
 
-use crate::catalogue::PHYSICS_ENGINES;
-use crate::engines::{Limits, PhysicsEngine};
+use crate::engine_step::{Limits, PhysicsEngine};
+use crate::engines::PHYSICS_ENGINES;
 use crate::rules::{Alteration, Base, Rule, Spin, When};
 use tumbling::step::Method;
 

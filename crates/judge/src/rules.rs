@@ -1,7 +1,7 @@
 //! Rules that may have made a record: a base, and what is altered of it.
 
-use crate::catalogue::PHYSICS_ENGINES;
-use crate::engines::{Limits, PhysicsEngine};
+use crate::engine_step::{Limits, PhysicsEngine};
+use crate::engines::PHYSICS_ENGINES;
 use crate::state::Pair;
 use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, Vector3};

@@ -8,7 +8,7 @@ all three axes (it checks the third), and solves for the coefficients of a and b
 
     h^2,  C = y.y,  T = y.y/I (twice the energy),  and the elementary symmetric functions e1, e2, e3 of the 1/I_j,
 
-checking them on bodies beyond those that settle them. It prints the sums that src/step/moser_veselov.rs holds.
+checking them on bodies beyond those that settle them. It prints the sums that src/step/methods/moser_veselov.rs holds.
 Found first by McLachlan and Zanna (2005) and Hairer and Vilmart (2006); derived here afresh.
 
     python3 crates/proofs/programs/moser_veselov.py

@@ -2,10 +2,10 @@
 
 use super::chapter::{Chapter, Kind, Passage, Section};
 use super::code::Role;
+use super::digits::{self, Numeral};
 use super::facts::Fact;
-use super::numerals::{self, Numeral};
 use super::offence::Offence;
-use super::words;
+use super::spelled;
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -112,7 +112,7 @@ impl Phrase<'_> {
         let phrase = (!self.is_row()).then_some(self.text);
         let first = phrase.and(Some(self.first).filter(|first| *first != self.text));
         let words = phrase.into_iter().chain(first);
-        row.into_iter().chain(words.flat_map(|words| numerals::quotations(text, words)))
+        row.into_iter().chain(words.flat_map(|words| digits::quotations(text, words)))
     }
 }
 
@@ -206,7 +206,7 @@ impl Checker<'_> {
     fn passage(&mut self, passage: &Passage, phrases: &[Phrase<'_>]) {
         let text = &passage.text;
         let tex: Vec<_> = passage.tex.iter().map(|t| t.at.clone()).collect();
-        let (mut numbers, structural) = numerals::numerals(text, &tex);
+        let (mut numbers, structural) = digits::numerals(text, &tex);
         self.found.counts.structural += structural;
         if let Kind::Heading(level) = passage.kind {
             self.ordinal(passage, level, &mut numbers);
@@ -219,7 +219,7 @@ impl Checker<'_> {
             };
             self.place(kind, passage, &number.at);
         }
-        let (words, counting) = words::spelled(text);
+        let (words, counting) = spelled::spelled(text);
         self.found.counts.counting += counting;
         for word in &words {
             self.place(WORDS, passage, &word.at);
@@ -233,10 +233,10 @@ impl Checker<'_> {
         }
         let quoted = self.quoted(passage, phrases);
         let drawing = passage.figure.as_ref().and_then(|name| self.beside.drawings.get(name));
-        let mut drawn = drawing
-            .map(|words| numerals::plain(words).into_iter().map(move |n| numerals::with_unit(words, &n)));
+        let mut drawn =
+            drawing.map(|words| digits::plain(words).into_iter().map(move |n| digits::with_unit(words, &n)));
         for number in &numbers {
-            let own = numerals::with_unit(text, number);
+            let own = digits::with_unit(text, number);
             let holder = match &mut drawn {
                 // The words for a figure say what the drawing says of itself, in the same order.
                 Some(rest) if passage.kind == Kind::Alt => {
