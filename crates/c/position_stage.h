@@ -10,6 +10,9 @@
 #ifndef TUMBLING_POSITION_STAGE_H
 #define TUMBLING_POSITION_STAGE_H
 #include <math.h>
+#ifdef __FAST_MATH__
+#error "-ffast-math takes away what tells a number from none: compile this without it"
+#endif
 
 #ifndef TUMBLING_REAL
 #define TUMBLING_REAL double
@@ -27,20 +30,20 @@ typedef struct {
     tumbling_real attitude[4], omega[3];
 } tumbling_state;
 
-static tumbling_real tumbling_sqrt(tumbling_real x) {
+static inline tumbling_real tumbling_sqrt(tumbling_real x) {
     return sizeof x == sizeof(float) ? (tumbling_real)sqrtf((float)x) : (tumbling_real)sqrt((double)x);
 }
-static tumbling_real tumbling_share(tumbling_real weight, tumbling_real over, tumbling_real apart, tumbling_real beside) {
+static inline tumbling_real tumbling_share(tumbling_real weight, tumbling_real over, tumbling_real apart, tumbling_real beside) {
     return apart == 0 ? 0 : (weight / over) * (apart / beside);
 }
-static tumbling_real tumbling_square(const tumbling_real q[4]) {
+static inline tumbling_real tumbling_square(const tumbling_real q[4]) {
     return (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
 }
 
 /* Moments (any unit) along the principal axes, and the turn from these to the body axes or NULL. A moment of infinity,
    or three of zero, mean locked axes: the spin then stays constant. One zero moment is a thin rod. Returns 0, and a body
    of constant spin, for moments that are negative or NaN, or one zero beside two different ones. */
-static int tumbling_prepare(tumbling_body *body, const tumbling_real moments[3], const tumbling_real frame[4]) {
+static inline int tumbling_prepare(tumbling_body *body, const tumbling_real moments[3], const tumbling_real frame[4]) {
     static const int pair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     tumbling_real m[3], a[3], first[6], y, z, yz, lo, mid, hi, most = 1;
     int i, j, valid = 1, zeros = 0, locked = 0, order[3] = {0, 1, 2}, axes[3];
@@ -103,7 +106,7 @@ static int tumbling_prepare(tumbling_body *body, const tumbling_real moments[3],
 }
 
 /* The spin along the principal axes; the rotation matrix from these to the world; the bound of the turn's square. */
-static tumbling_real tumbling_spin(const tumbling_body *body, const tumbling_state *from, tumbling_real h,
+static inline tumbling_real tumbling_spin(const tumbling_body *body, const tumbling_state *from, tumbling_real h,
                                    tumbling_real r[3][3], tumbling_real omega[3], tumbling_real squares[3]) {
     const tumbling_real *p = from->attitude, *f = body->frame, *v = from->omega;
     tumbling_real w = p[0], x = p[1], y = p[2], z = p[3], x2, y2, z2;
@@ -126,7 +129,7 @@ static tumbling_real tumbling_spin(const tumbling_body *body, const tumbling_sta
 }
 
 /* One part of a step, of half a radian at most. Returns 0, and leaves `to`, if it is longer or not finite. */
-static int tumbling_part(const tumbling_body *body, const tumbling_state *from, tumbling_real h, tumbling_state *to) {
+static inline int tumbling_part(const tumbling_body *body, const tumbling_state *from, tumbling_real h, tumbling_state *to) {
     const tumbling_real *a = body->coupling, *t = body->twist, *u = body->twist_2, *q = from->attitude;
     tumbling_real r[3][3], omega[3], s[3], e[3], k[3], root[3], bend[3], sum[3], scaled[3], c[3], b[3], change[3], n[3];
     tumbling_real mean, square, series, twist, more, pace, product, below, over, along, length, scale, check;
@@ -196,8 +199,9 @@ static int tumbling_part(const tumbling_body *body, const tumbling_state *from, 
 }
 
 /* The step of `h` seconds. Returns the number of parts in which it was taken; 0 if it was not, and `state` is as it was:
-   numbers that are not finite, an attitude of no length, a turn of more than about 2000 rad. */
-static int tumbling_step(const tumbling_body *body, tumbling_state *state, tumbling_real h) {
+   numbers that are not finite, an attitude of no length, a turn of more than about 2000 rad (times the
+   largest |I_j - I_k| / I_i where that is above 1: moments that no solid has). */
+static inline int tumbling_step(const tumbling_body *body, tumbling_state *state, tumbling_real h) {
     tumbling_state at = *state;
     tumbling_real r[3][3], omega[3], squares[3], length, turn;
     int i, parts;

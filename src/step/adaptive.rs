@@ -142,7 +142,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         let (step, end_time) = (Self::number(h), Self::number(self.time + h));
         let stages = Stages::new(self.system, &self.state, self.slope, &Self::number(self.time), &step);
         let end_slope = self.system.rate_after(&stages.end, &end_time);
-        let error = self.error(&stages.error(&end_slope, &step), h) / self.tolerance;
+        let error = self.error(&stages.error(&end_slope, &step), &stages.end, h) / self.tolerance;
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() { f64::INFINITY } else { error };
         // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
@@ -160,13 +160,20 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     }
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
-    fn error(&self, off: &State<T>, h: f64) -> f64 {
+    fn error(&self, off: &State<T>, end: &State<T>, h: f64) -> f64 {
         // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will
         // do.
         let gained = largest(self.slope.momentum.as_slice()) * h.abs();
         // Nor does one that drag brought to rest: below this its momentum has no digits to the tolerance.
         let least = f64::MIN_POSITIVE / self.tolerance;
-        let whole = (largest(self.state.momentum.as_slice()) + gained).max(least);
+        let held = largest(self.state.momentum.as_slice()) + gained;
+        let mut whole = held.max(least);
+        if held == 0.0 {
+            // At rest, and the torque is still to come: what it has given by the end, and no less than a turn
+            // of a radian in the whole time asks for.
+            let slow = over(1.0, largest(self.system.inverse().as_slice()) * self.duration.abs());
+            whole = whole.max(largest(end.momentum.as_slice())).max(slow);
+        }
         let attitude =
             over(largest(off.attitude.coords.as_slice()), largest(self.state.attitude.coords.as_slice()));
         let momentum = over(largest(off.momentum.as_slice()), whole);

@@ -64,7 +64,7 @@ pub struct Stepped<T: Scalar> {
     pub omega: Vector3<T>,
     /// The number of equal parts in which the step was taken. Zero if it was not taken, and attitude and spin
     /// are as they were: for numbers that are not finite, an attitude of no length, a turn of more than about
-    /// 2000 rad.
+    /// 2000 rad (times the largest `|I_j - I_k| / I_i` where that is above 1: moments that no solid has).
     pub parts: u32,
 }
 

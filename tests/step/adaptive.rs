@@ -103,3 +103,24 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
     let end = tumbling::step::adaptive(&pushed, &rest, 2.0, 1e-10, &mut 1_000_000).unwrap();
     assert!((end.momentum - Vector3::z() * 2.0).norm() < 1e-9);
 }
+
+#[test]
+fn a_body_at_rest_is_set_turning_by_a_torque_that_comes_later() {
+    // About a principal axis the spin is the torque's integral over the moment.
+    let moments = Vector3::new(1.0, 2.0, 2.5);
+    let laws: [(fn(f64) -> f64, f64); 3] = [
+        (|t| 1.0 - t.cos(), 3.0 - 3.0_f64.sin()),
+        (|t| (t - 1.0).max(0.0), 2.0),
+        (|t| if t < 1.0 { 0.0 } else { 1.0 }, 2.0),
+    ];
+    for (law, expected) in laws {
+        let torque = Torque::function(move |t: f64, _, _| Vector3::y() * law(t));
+        let system = System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
+        let rest = start(&system, &Vector3::zeros());
+        for tolerance in [1e-4, 1e-6, 1e-10] {
+            let end = adaptive(&system, &rest, 3.0, tolerance, &mut 1_000_000).unwrap();
+            assert!((end.momentum.y - expected).abs() < 100.0 * tolerance, "{tolerance:e}: {}", end.momentum);
+            assert_eq!((end.momentum.x, end.momentum.z), (0.0, 0.0));
+        }
+    }
+}

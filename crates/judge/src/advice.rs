@@ -1,6 +1,7 @@
 //! What to do about a finding, as a value and in words.
 
-use crate::diagnosis::{Confidence, Diagnosis};
+use crate::confidence::Confidence;
+use crate::diagnosis::Diagnosis;
 use crate::rules::{Alteration, Base, Rule, Spin};
 use tumbling::step::Method;
 

@@ -4,6 +4,7 @@
 use crate::accuracy::{Accuracy, accuracy};
 use crate::advice::Advice;
 use crate::candidates::Subject;
+use crate::confidence::Confidence;
 use crate::drift::Run;
 use crate::engines::PHYSICS_ENGINES;
 use crate::findings::Hint;
@@ -14,8 +15,8 @@ use crate::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain}
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
 use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, FITS_EXACT, NEAR, NEAR_RATIO, TRIED_IN_PARTS,
-    TRIED_SHARE, TRIED_TURNS,
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, CLOSELY, FITS_EXACT, HIGH_ORDER, NEAR, NEAR_RATIO,
+    TRIED_IN_PARTS, TRIED_SHARE, TRIED_TURNS,
 };
 use tumbling::step::Method;
 
@@ -42,56 +43,6 @@ impl Explanation {
     fn relative_to(&self, other: &Self) -> f64 {
         let ratio = |a: f64, b: f64| a.max(f64::EPSILON) / b.max(f64::EPSILON);
         ratio(other.median, self.median).max(ratio(other.percentile_95, self.percentile_95))
-    }
-}
-
-/// How sure a diagnosis is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Confidence {
-    /// Every step is the rule's to rounding.
-    ToRounding,
-    /// More than half of the steps are the rule's to rounding; one in twenty or more is not, or the record
-    /// breaks a law that the rule keeps.
-    MostSteps,
-    /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
-    Near,
-    /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
-    /// drift as the record does, or it is one of several that do.
-    FewDigits,
-    /// Too few of the rows follow one another by one step.
-    FewSteps,
-    /// None of the rules known here, and nearer to the exact motion than to any of them:
-    /// [`accuracy`](Diagnosis::accuracy) says how near.
-    Accurate,
-    /// None of the rules known here.
-    NoneFits,
-}
-
-impl Confidence {
-    /// All of them.
-    pub const ALL: [Self; 7] = [
-        Self::ToRounding,
-        Self::MostSteps,
-        Self::Near,
-        Self::FewDigits,
-        Self::FewSteps,
-        Self::Accurate,
-        Self::NoneFits,
-    ];
-
-    /// What a program calls it.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::ToRounding => "to rounding",
-            Self::MostSteps => "most steps",
-            Self::Near => "near",
-            Self::FewDigits => "too few digits",
-            Self::FewSteps => "too few steps",
-            Self::Accurate => "accurate",
-            Self::NoneFits => "none fits",
-        }
     }
 }
 
@@ -248,6 +199,9 @@ pub(crate) fn diagnose(subject: &Subject, sample: &Sample, about: Circumstances)
     // The same rule with limits that the record does not reach says nothing new.
     let same =
         |rule: &Rule| *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method();
+    // Where even the best is farther off than its own rounding would put it, whatever fits may be the rule.
+    let [rounding, _] = floor.either(CLOSELY, ALIKE_FEW).map(|units| units * floor.size);
+    let alike_of = |x: &Explanation| alike_of(x) || least > rounding && x.fits(floor);
     let mut alike: Vec<Rule> =
         found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
     let others = found.iter().filter(|x| !alike_of(x)).copied();
@@ -386,7 +340,10 @@ fn confidence_in(best: &Explanation, second: Option<&Explanation>, about: Circum
     if about.share < TRIED_SHARE {
         Confidence::FewSteps
     } else if best.fits(floor) {
-        Confidence::ToRounding
+        // Methods of high order differ by little: one that is not known here may come as near as this.
+        let [rounding, _] = floor.either(CLOSELY, ALIKE_FEW).map(|units| units * floor.size);
+        let high = best.rule.method().is_some_and(|(method, _)| method.info().order >= HIGH_ORDER);
+        if high && best.median > rounding { Confidence::Near } else { Confidence::ToRounding }
     } else if best.median <= floor.limits()[0] {
         Confidence::MostSteps
     } else if best.median < NEAR && best.rule == Rule::EXACT {

@@ -1,7 +1,8 @@
 //! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for
 //! certain, and a way round at another pace.
 
-use crate::diagnosis::{Confidence, Diagnosis};
+use crate::confidence::Confidence;
+use crate::diagnosis::Diagnosis;
 use crate::findings::Complaint;
 use crate::law::{FlipCount, Law, LawName};
 use crate::rules::{Base, Rule, Spin};

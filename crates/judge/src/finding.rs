@@ -1,7 +1,8 @@
 //! A diagnosis in words.
 
 use crate::accuracy::Accuracy;
-use crate::diagnosis::{Confidence, Diagnosis};
+use crate::confidence::Confidence;
+use crate::diagnosis::Diagnosis;
 use crate::rules::Rule;
 use crate::thresholds::RULES_NAMED;
 use std::fmt;

@@ -124,7 +124,8 @@ impl Story {
         h: f64,
         mut step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
     ) -> impl Iterator<Item = Row<T>> {
-        let steps = (self.duration / h).round();
+        // A step that is not a number, or zero, has no rows.
+        let steps = Some((self.duration / h).round()).filter(|steps| steps.is_finite()).unwrap_or(-1.0);
         let mut now = (self.attitude.map(T::of), self.spin.map(T::of));
         let mut count = 0.0;
         std::iter::from_fn(move || {

@@ -15,6 +15,7 @@ mod candidates;
 mod clock;
 mod columns;
 mod comment;
+mod confidence;
 mod curve;
 mod derived;
 mod diagnosis;
@@ -56,8 +57,9 @@ mod words;
 
 pub use accuracy::Accuracy;
 pub use advice::Advice;
+pub use confidence::Confidence;
 pub use curve::Growth;
-pub use diagnosis::{Confidence, Diagnosis, Explanation};
+pub use diagnosis::{Diagnosis, Explanation};
 pub use engine_step::{Limits, PhysicsEngine};
 pub use engines::PHYSICS_ENGINES;
 pub use error::Error;

@@ -224,6 +224,10 @@ pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];
 pub(crate) const FITS_EXACT: [f64; 2] = [8.0, 256.0];
 /// Rounding from which on it is that of decimal digits, not of an engine's double precision.
 pub(crate) const FITS_FEW_FROM: f64 = 5e-15;
+/// Roundings within which the steps of a method are its own, and not those of one that is close to it.
+pub(crate) const CLOSELY: [f64; 2] = [4.0, 64.0];
+/// From this order on, a method that is not known may come within [`FITS`] of one that is.
+pub(crate) const HIGH_ORDER: u32 = 6;
 /// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
 pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];
 /// The same in roundings.
