@@ -88,7 +88,7 @@ impl From<Error> for Why {
             ErrorKind::OutOfBounds => match error.subject() {
                 subject if subject.starts_with("the edge") => ": it must be above zero",
                 subject if subject.starts_with("a principal") => ": it must be above zero",
-                _ => ": it must be at most the greatest for which f64 tells one flip's time from the next",
+                _ => ": it must be at most the greatest for which the times of two flips differ in f64",
             },
             ErrorKind::Impossible => ": no body has them: two of them must add up to at least the third",
             _ => ": there is no answer to this",
