@@ -108,7 +108,8 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
 fn a_body_at_rest_is_set_turning_by_a_torque_that_comes_later() {
     // About a principal axis the spin is the torque's integral over the moment.
     let moments = Vector3::new(1.0, 2.0, 2.5);
-    let laws: [(fn(f64) -> f64, f64); 3] = [
+    type Law = fn(f64) -> f64;
+    let laws: [(Law, f64); 3] = [
         (|t| 1.0 - t.cos(), 3.0 - 3.0_f64.sin()),
         (|t| (t - 1.0).max(0.0), 2.0),
         (|t| if t < 1.0 { 0.0 } else { 1.0 }, 2.0),
