@@ -88,8 +88,8 @@ impl Grid {
     }
 }
 
-/// Half a unit of the last digit that a time can have, s: where all have so many decimals, or so many
-/// significant digits.
+/// Half a unit of the last digit that a time can have, s: for times that all have the same number of
+/// decimals, or of significant digits.
 fn half_of(raw: &Raw, half: f64, digits: i32) -> f64 {
     half.max(0.5 * raw.printed.above * 10.0_f64.powi(-digits))
 }

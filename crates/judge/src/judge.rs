@@ -24,8 +24,8 @@ use tumbling::exact::FreeMotion;
 ///
 /// The first line that is neither empty nor a comment (`#`) names the columns: `t` (s) or `step`,
 /// `qw,qx,qy,qz` (body to world), `wx,wy,wz` (spin in body axes, rad/s) or `wxw,wyw,wzw` (in world axes), or
-/// momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), in or attitudes alone, from whose turns the spin is told
-/// then; in any order, between commas, semicolons, tabs or blanks. Comments before it may tell
+/// momentum (`lx,ly,lz`, `lxw,lyw,lzw`, kg m²/s), or attitudes alone, from which the spin is then
+/// computed; in any order, between commas, semicolons, tabs or blanks. Comments before it may give
 /// `inertia: A B C`, `dt: 1/60` and `torque: X Y Z`.
 ///
 /// ```

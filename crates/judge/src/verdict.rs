@@ -17,9 +17,9 @@ pub struct Options {
     pub inertia: Option<Vector3<f64>>,
     /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
     pub threshold: f64,
-    /// Other limits for some laws, the last of a law's own taken; one of phase (ways round) or of consistency
-    /// is held too then. Without one a phase fails that is off by more than a quarter of a way round and a
-    /// quarter of the ways that the exact motion makes.
+    /// Limits for single laws, in place of `threshold`. A limit for phase (in periods) or for consistency
+    /// makes that law count. Without one, a phase fails that is off by more than a quarter of a period and a
+    /// quarter of the periods of the exact motion.
     pub thresholds: [Option<f64>; 7],
     /// To start from the exact motion that comes nearest to this number of rows, not from the first
     /// alone.

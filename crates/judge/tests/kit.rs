@@ -1,5 +1,5 @@
 //! The kit's stories: the library's exact motion gives every answer, the file agrees with itself, and a
-//! method of second order stays within what is asked of a step.
+//! method of second order stays within the tolerance of a step.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;

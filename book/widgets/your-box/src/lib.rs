@@ -12,7 +12,7 @@ pub static WHY: Line = Line::new();
 /// Of the row it takes: the edges along x, y and z, m; the mass, kg; and the spin along them, rad/s.
 ///
 /// It answers with the moments about x, y and z, kg m²; the momentum along them, kg m²/s; and the gap,
-/// degrees. What becomes of the spin, left alone, is asked of the tumble's module.
+/// degrees. The tumble's module answers how the spin goes on when nothing acts.
 pub fn answer(_what: u32, row: &Numbers) -> usize {
     let omega = Vector3::from(row.take(4));
     let momentum_and_gap =
