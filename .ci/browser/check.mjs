@@ -19,6 +19,8 @@ import { serve } from "./serve.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 const WIDTHS = [320, 800, 1400];
+// Of all rules, those whose answer a narrower window can change.
+const OF_WIDTH = ["scrollable-region-focusable", "target-size", "aria-hidden-focus", "link-name", "button-name", "label", "bypass"];
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
 const { values, positionals: words } = parseArgs({
@@ -149,19 +151,19 @@ function drawingColours() {
   return found;
 }
 
-/** Loads a page from disk and from the server, to its rest. */
+/** Loads a page from the server, to its rest, and then without scripts; from disk it is loaded below. */
 async function loads(name) {
-  for (const base of Object.values(bases)) {
-    const page = await open(base);
-    await page.goto(base + name);
-    await page.waitForLoadState("networkidle");
-    await page.context().close();
-  }
+  const page = await open(bases.http);
+  await page.goto(bases.http + name);
+  if (name !== "print.html") await comesToRest(page, "no-preference", fault);
+  await page.waitForLoadState("networkidle");
+  await withoutScripts(open, bases.http, page, fault);
+  await page.context().close();
 }
 
 /**
- * A page at every width in the light theme, by all rules; then in the other themes for what only they can show: colours. A theme moves nothing,
- * so a width is looked at once.
+ * A page at every width in the light theme, by all rules at the widest and at the others by those that a width can change; then in the other themes for
+ * what only they can show: colours. A theme moves nothing, so a width is looked at once.
  */
 async function looks(name) {
   const page = await open(bases.file, { theme: "light", reducedMotion: "reduce" });
@@ -174,10 +176,11 @@ async function looks(name) {
   for (const width of WIDTHS) {
     await page.setViewportSize({ width, height: 900 });
     await page.goto(bases.file + name); // anew: mdBook opens the contents by the width it starts with
+    if (own && width === WIDTHS[0]) await comesToRest(page, "reduce", fault);
     await page.evaluate(() => document.fonts.ready);
     await page.evaluate(unfold);
     for (const what of await page.evaluate(tooWide)) fault(`${name}, ${width} px`, what);
-    if (own) await rules(page, `${name}, light, ${width} px`);
+    if (own) await rules(page, `${name}, light, ${width} px`, width === WIDTHS.at(-1) ? undefined : OF_WIDTH);
     await shoot("light", width);
   }
   for (const theme of own ? THEMES : []) {
@@ -196,7 +199,6 @@ const jobs = [
   ...await liveJobs(tools),
   { name: "figures", run: () => figures({ open, base: bases.file, pages, fault }) },
   { name: "questions", run: () => questions(open, bases.file, pages, fault) },
-  { name: "pages without scripts", run: () => withoutScripts(open, bases.file, pages, fault) },
   ...Object.entries(bases).flatMap(([kind, base]) => [
     { name: `keyboard, ${kind}`, run: async () => keyboard(await open(base), base, fault) },
     { name: `atlas, ${kind}`, run: async () => atlas(await open(base), base, fault) },
@@ -205,7 +207,6 @@ const jobs = [
   ]),
   ...pages.map((name) => ({ name: `page ${name}`, run: async () => {
     await loads(name);
-    if (name !== "print.html") await comesToRest(tools, name);
     await looks(name);
   } })),
 ].filter(({ name }) => words.length === 0 || words.some((word) => name.includes(word)));

@@ -1092,16 +1092,12 @@ async function damaged(page, address, widget, wants) {
 }
 
 /** What moves by itself on a page is at rest before five seconds are over (WCAG 2.2.2), and does not move where less motion is preferred. */
-export async function comesToRest({ open, bases, fault }, name) {
-  for (const reducedMotion of ["no-preference", "reduce"]) {
-    const page = await open(bases.file, { reducedMotion });
-    await page.goto(bases.file + name);
-    const ends = await page.evaluate(() => document.getAnimations().map((glide) => glide.effect.getComputedTiming().endTime));
-    const most = reducedMotion === "reduce" ? 50 : 4500;
-    if (ends.some((end) => !(end <= most))) fault(`${name}, ${reducedMotion}`, `it moves by itself for ${Math.max(...ends)} ms`);
-    if (reducedMotion !== "reduce" && name === "about.html" && ends.length === 0) fault(name, "its cover does not draw itself, as the text says");
-    await page.context().close();
-  }
+export async function comesToRest(page, reducedMotion, fault) {
+  const name = page.url().split("/").at(-1);
+  const ends = await page.evaluate(() => document.getAnimations().map((glide) => glide.effect.getComputedTiming().endTime));
+  const most = reducedMotion === "reduce" ? 50 : 4500;
+  if (ends.some((end) => !(end <= most))) fault(`${name}, ${reducedMotion}`, `it moves by itself for ${Math.max(...ends)} ms`);
+  if (reducedMotion !== "reduce" && name === "about.html" && ends.length === 0) fault(name, "its cover does not draw itself, as the text says");
 }
 
 /** Without scripts the stills stand in for the widgets. */
