@@ -1,15 +1,15 @@
 //! The hashes of very many answers of the library and of scenes, as a program and as a WebAssembly module.
 
 #[path = "../../../tests/common/same_bits.rs"]
-mod same_bits;
-#[path = "../../../crates/scenes/tests/common/same_bits.rs"]
+mod library;
+#[path = "../../../crates/scenes/tests/scenes/common/same_bits.rs"]
 mod scenes;
 
-pub use same_bits::Hash;
+pub use library::Hash;
 
 /// The hash of this many rounds of answers, of the library or of scenes.
 pub fn hash(rounds: u32, of_scenes: bool) -> Hash {
-    if of_scenes { scenes::hash(rounds) } else { same_bits::hash(rounds) }
+    if of_scenes { scenes::hash(rounds) } else { library::hash(rounds) }
 }
 
 /// The hash, for WebAssembly, which has no program to print it.

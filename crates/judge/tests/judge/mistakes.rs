@@ -1,8 +1,6 @@
 //! Mistakes of an engine, each made on purpose in a good rule, and named.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, exact, judged, stepped_by};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped_by};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::turn;
 use tumbling::step::{Method, State, System};

@@ -1,8 +1,6 @@
 //! Scenes of bodies under torques: the method follows from the torque and the accuracy, and it is right.
 
-mod common;
-
-use common::{ALL, BOTH, SPIN, apart, one, states};
+use crate::common::{ALL, BOTH, SPIN, apart, one, states};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::step::{Method, Torque};

@@ -1,8 +1,6 @@
 //! Engines judged in memory: rows from an iterator, in single and in double precision, by the kit's stories.
 
-mod common;
-
-use common::{MOMENTS, csv, exact, judged};
+use crate::common::{MOMENTS, csv, exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::PrincipalMoments;
 use tumbling::step::{Method, PositionStage, State, System};

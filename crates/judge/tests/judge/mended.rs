@@ -1,9 +1,7 @@
 //! Verdicts that were wrong of records that engines make: rows written at the display's rate, single
 //! precision, needles, starts on an axis.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, exact, stepped, stepped_by};
+use crate::common::{MOMENTS, Row, csv, exact, stepped, stepped_by};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::attitude::product;

@@ -1,8 +1,6 @@
 //! What became of the recorded bodies, and what becomes of them by the engines' rules.
 
-mod common;
-
-use common::record::{H, Record};
+use crate::common::record::{H, Record};
 use nalgebra::Vector3;
 use tumbling::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;

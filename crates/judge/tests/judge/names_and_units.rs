@@ -1,8 +1,6 @@
 //! What column names, units and comments tell, and what is told of those that are not read.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, exact, judged};
+use crate::common::{MOMENTS, Row, csv, exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::rotation_matrix;
 use tumbling_judge::{FileMistake, Options, Outcome, Verdict, judge};

@@ -1,8 +1,6 @@
 //! What a scene refuses, counts and explains.
 
-mod common;
-
-use common::{ALL, BOTH, SPIN, one, states};
+use crate::common::{ALL, BOTH, SPIN, one, states};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::Torque;
 use tumbling_scenes::{Error, Field, InitialState, Outputs, Scene, Times};

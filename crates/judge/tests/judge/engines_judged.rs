@@ -221,7 +221,7 @@ fn table() -> String {
 /// Regression test: the committed table is what the judge still says of every record.
 #[test]
 fn the_verdicts_that_the_figures_read_are_those_of_the_judge() {
-    let (committed, now) = (include_str!("../data/judged.tsv"), table());
+    let (committed, now) = (include_str!("../../data/judged.tsv"), table());
     // Errors of a rounding or so are a machine's own.
     let of = |text: &str| -> Vec<String> {
         let lines = text.lines().map(|line| {

@@ -1,8 +1,6 @@
 //! What the caller may ask for: a fitted start, limits for each law; and the points that the run is drawn by.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
 use tumbling::step::Method;

@@ -1,8 +1,6 @@
 //! Rules that are none of those known, and steps whose lengths are chosen by their errors.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, judged};
+use crate::common::{MOMENTS, Row, csv, judged};
 use nalgebra::{Quaternion, SVector, Vector3};
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;

@@ -36,7 +36,7 @@ fn quaternion(value: &Value) -> UnitQuaternion<f64> {
 }
 
 fn kit() -> (Vec<String>, Vec<Story>) {
-    let kit: Value = serde_json::from_str(include_str!("../kit/stories.json")).unwrap();
+    let kit: Value = serde_json::from_str(include_str!("../../kit/stories.json")).unwrap();
     let steps = kit["steps"].as_array().unwrap().iter().map(|x| x.as_str().unwrap().to_owned()).collect();
     let story = |json: &Value| Story {
         name: json["name"].as_str().unwrap().to_owned(),

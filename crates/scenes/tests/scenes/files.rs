@@ -1,5 +1,4 @@
 //! Scenes in files: what is written reads back, and what is wrong is named by line and field.
-#![cfg(feature = "file")]
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -79,7 +78,7 @@ proptest! {
     #[test]
     fn no_text_breaks_the_reader(text in "\\PC*", at in 0..200_usize, with in "[\\[\\]=\"0-9a-z\n.#e-]{0,4}") {
         let _ = read(&text);
-        let good = include_str!("../files/heavy-top.toml");
+        let good = include_str!("../../files/heavy-top.toml");
         let at = (0..=at.min(good.len())).rev().find(|&at| good.is_char_boundary(at)).unwrap();
         let _ = read(&[&good[..at], &with, &good[at..]].concat());
     }

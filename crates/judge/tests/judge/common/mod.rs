@@ -1,7 +1,5 @@
 //! Records made for the judge.
 
-#![allow(dead_code, reason = "each test file uses its own part")]
-
 pub mod record;
 
 use nalgebra::{Quaternion, Vector3};

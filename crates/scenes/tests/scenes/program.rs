@@ -1,5 +1,4 @@
 //! The program that answers scenes: what it prints, what it refuses, how it ends.
-#![cfg(feature = "file")]
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::path::{Path, PathBuf};

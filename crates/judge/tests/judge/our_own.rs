@@ -1,8 +1,6 @@
 //! The exact motion and the library's own methods, judged.
 
-mod common;
-
-use common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
+use crate::common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
 use nalgebra::Vector3;
 use tumbling::step::{Engine, Method, State, System};
 use tumbling::{Body, Inertia};

@@ -1,8 +1,6 @@
 //! What a file may have wrong: mistakes of meaning, each made on purpose in a good record, and bad input.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::Method;
 use tumbling_judge::{FileMistake, Options, Outcome, judge};
@@ -333,7 +331,7 @@ fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
     // The rule of Bullet's multibody, every number rounded to single precision after each step.
     let single = |x: f64| f64::from(x as f32);
     let system = tumbling::step::System::free(MOMENTS.try_into().unwrap()).unwrap();
-    let rows = common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
+    let rows = crate::common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
         let end = Method::SemiImplicitEuler.step(&system, motion, 1.0 / 64.0).unwrap();
         let omega = system.omega(&end.momentum).map(single);
         let attitude = Quaternion::from_vector(end.attitude.coords.map(single));

@@ -1,8 +1,6 @@
 //! Records of attitudes alone.
 
-mod common;
-
-use common::{Row, exact, judged, stepped};
+use crate::common::{Row, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::Method;
 use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};

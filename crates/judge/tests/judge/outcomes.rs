@@ -1,8 +1,6 @@
 //! What a record passes and fails by, beside the laws that the exact motion keeps.
 
-mod common;
-
-use common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;

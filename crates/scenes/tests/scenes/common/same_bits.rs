@@ -1,7 +1,7 @@
 //! One hash of the answers of many scenes, which must be the same on every machine: what the tests compute,
 //! and `.ci/same-bits` elsewhere.
 
-use crate::same_bits::{Hash, Random};
+use super::library::{Hash, Random};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::ops::ControlFlow;
 use tumbling::step::Torque;

@@ -1,8 +1,6 @@
 //! Each engine's rule against what the engine itself did, step by step.
 
-mod common;
-
-use common::record::{H, Record};
+use crate::common::record::{H, Record};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::{Method, State, System};
 use tumbling_judge::{Limits, PHYSICS_ENGINES, PhysicsEngine};

@@ -1,5 +1,4 @@
 //! What the tests of scenes share.
-#![allow(dead_code, reason = "each test file uses its own part")]
 
 use tumbling::step::Torque;
 use tumbling_scenes::{Answer, InitialState, Outputs, Plan, Scene, Times};

@@ -1,8 +1,6 @@
 //! What a hobby engine does, its records with few digits or many, and records that say too little.
 
-mod common;
-
-use common::{Row, stepped_by};
+use crate::common::{Row, stepped_by};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::attitude::product;
@@ -11,7 +9,7 @@ use tumbling::step::{Method, State, System};
 use tumbling_judge::{Base, Confidence, LawName, Options, Outcome, Rule, Spin, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
-const BODY: Vector3<f64> = common::MOMENTS;
+const BODY: Vector3<f64> = crate::common::MOMENTS;
 const H: f64 = 1.0 / 60.0;
 
 /// The commonest rule of all: the spin straight by the gyroscopic term, then the attitude straight by the
@@ -124,20 +122,20 @@ fn an_error_beyond_the_limit_is_never_kept_to_rounding_and_a_great_one_never_bou
 
 #[test]
 fn a_record_that_says_too_little_is_not_passed() {
-    let exact = common::exact(SPIN, 0.01, 400);
+    let exact = crate::common::exact(SPIN, 0.01, 400);
     for rows in [2, 3, 5] {
-        let verdict = judged(&common::csv(&exact[..rows]));
+        let verdict = judged(&crate::common::csv(&exact[..rows]));
         assert_eq!(verdict.outcome, Outcome::TooShort, "{rows}: {verdict}");
         assert!(verdict.to_string().contains("TOO SHORT TO JUDGE"));
     }
-    assert_eq!(judged(&common::csv(&exact)).outcome, Outcome::Passed);
+    assert_eq!(judged(&crate::common::csv(&exact)).outcome, Outcome::Passed);
     let three = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,0.5,6,0.5\n0.01,0.5,6,0.5\n0.02,0.5,6,0.5\n";
     assert_eq!(judged(three).outcome, Outcome::TooShort);
 }
 
 #[test]
 fn a_record_whose_numbers_end_is_judged_up_to_there_and_fails() {
-    let good = common::csv(&common::exact(SPIN, 0.01, 400));
+    let good = crate::common::csv(&crate::common::exact(SPIN, 0.01, 400));
     for end in ["NaN", "inf", "1e999"] {
         let verdict = judged(&format!("{good}4.01,1,0,0,0,1,{end},0\n4.02,NaN,NaN,NaN,NaN,NaN,NaN,NaN\n"));
         assert_eq!(verdict.outcome, Outcome::Failed);

@@ -1,9 +1,7 @@
 //! Input that is not what it should be, and records of real-looking engines: every body, spin, step, rounding
 //! and naming.
 
-mod common;
-
-use common::{exact, judged};
+use crate::common::{exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::attitude::rotation_matrix;
@@ -78,7 +76,7 @@ fn two_rows_are_judged_and_one_or_none_are_an_error() {
     assert!(error("# inertia: 1 2 2.5\nt,wx,wy,wz\n").contains("no rows"));
     assert!(error(HEAD).contains("one row"));
     let rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 1);
-    assert_eq!(judged(&common::csv(&rows)).outcome, Outcome::TooShort);
+    assert_eq!(judged(&crate::common::csv(&rows)).outcome, Outcome::TooShort);
     let attitudes = "# inertia: 1 2 2.5\nt,qw,qx,qy,qz\n0,1,0,0,0\n";
     assert!(error(attitudes).contains("one row"));
     // Attitudes alone need a third row for anything to be held against.

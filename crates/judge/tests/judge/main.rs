@@ -1,0 +1,21 @@
+//! Tests of the judge by theme, as one program, since each one more is linked on its own:
+//! `cargo test -p tumbling-judge --test judge kit` runs a part.
+
+mod adaptive;
+mod attitudes;
+mod common;
+mod engines_fate;
+mod engines_judged;
+mod engines_recorded;
+mod files;
+mod hard;
+mod in_memory;
+mod kit;
+mod mended;
+mod mistakes;
+mod names_and_units;
+mod options;
+mod our_own;
+mod outcomes;
+mod plain;
+mod plain_rules;
