@@ -28,6 +28,7 @@
 
 mod chapter;
 mod code;
+mod counts;
 mod digits;
 mod equations;
 mod exercises;
@@ -37,11 +38,13 @@ mod hollow;
 mod laws;
 mod mutants;
 mod offence;
+mod passage;
 mod spelled;
 
 use crate::{paths, preprocess};
 use chapter::{Chapter, Reader};
-use holding::{Beside, Counts};
+use counts::Counts;
+use holding::Beside;
 pub(crate) use mutants::Tally;
 use offence::Offence;
 use std::collections::HashMap;
@@ -118,11 +121,19 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     Ok(report)
 }
 
-/// Alters the chapters in this folder one digit at a time, and returns what became of it.
+/// Alters the chapters in this folder one digit at a time, and their equations, and returns what came of it.
 ///
 /// # Errors
 /// What could not be read, or what the guard objects to already.
 pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
+    let (mut tallies, chapters) = alterations_of_numbers(folder)?;
+    for (tally, chapter) in tallies.iter_mut().zip(&chapters) {
+        tally.take_equations(chapter, equations::altered(chapter));
+    }
+    Ok(tallies)
+}
+
+fn alterations_of_numbers(folder: &Path) -> Result<(Vec<Tally>, Vec<Chapter>), String> {
     let mut book = Book::read(folder)?;
     let mut tallies = Vec::new();
     for chapter in &book.chapters {
@@ -132,11 +143,9 @@ pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
 Alterations can be judged once the chapters hold."
             ));
         }
-        let mut tally = mutants::tally(chapter, &book.beside, &mut book.reader);
-        tally.take_equations(chapter, equations::altered(chapter));
-        tallies.push(tally);
+        tallies.push(mutants::tally(chapter, &book.beside, &mut book.reader));
     }
-    Ok(tallies)
+    Ok((tallies, book.chapters))
 }
 
 /// The chapters and what stands beside them.

@@ -1,6 +1,7 @@
 //! Reads a chapter: its sections, and in each the passages a reader reads and the Rust that is run.
 
 use super::code::{self, Code};
+use super::passage::{Kind, Passage, Tex};
 use crate::preprocess::pieces;
 use pulldown_cmark::{CodeBlockKind, Event, Tag, TagEnd};
 use std::collections::HashMap;
@@ -35,109 +36,18 @@ pub(crate) struct Section {
     pub(crate) blocks: Vec<Block>,
 }
 
-/// Where a passage stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Kind {
-    /// Its level, from one.
-    Heading(u8),
-    Prose,
-    /// A paragraph in italics after a figure.
-    Caption,
-    /// A row of a table, as `| a | b |`.
-    Row,
-    /// The words for those who do not see the figure.
-    Alt,
-    /// A comment in Rust.
-    Comment,
-    /// A comment behind code, on its line.
-    Note,
-}
-
-/// Running text as phrases quote it: a minus is `-`, code a single `\u{fffc}`, and TeX stands without its
-/// dollars and its thin spaces, a power of ten as `3e-13`.
-#[derive(Debug)]
-pub(crate) struct Passage {
-    pub(crate) kind: Kind,
-    pub(crate) text: String,
-    pub(crate) tex: Vec<Tex>,
-    /// The name of the drawing that it belongs to.
-    pub(crate) figure: Option<String>,
-    /// Where each stretch of the text begins, here and in the chapter.
-    places: Vec<(usize, usize)>,
-}
-
-/// A formula in a passage.
-#[derive(Debug, Clone)]
-pub(crate) struct Tex {
-    /// Its bytes in the passage's text.
-    pub(crate) at: Range<usize>,
-    pub(crate) written: String,
-    /// Whether it stands by itself, between double dollars.
-    pub(crate) display: bool,
-}
-
-impl Passage {
-    fn new(kind: Kind) -> Self {
-        Self { kind, text: String::new(), tex: Vec::new(), figure: None, places: Vec::new() }
+impl Section {
+    /// Whether it has the words and the code of the other, wherever in a file they stand.
+    pub(crate) fn says_the_same(&self, other: &Self) -> bool {
+        self.blocks.len() == other.blocks.len()
+            && self.passages.len() == other.passages.len()
+            && self.blocks.iter().zip(&other.blocks).all(|(a, b)| Rc::ptr_eq(&a.code, &b.code))
+            && self
+                .passages
+                .iter()
+                .zip(&other.passages)
+                .all(|(a, b)| a.kind == b.kind && a.text == b.text && a.figure == b.figure && a.tex == b.tex)
     }
-
-    fn push(&mut self, text: &str, source: usize) {
-        for (at, piece) in text.split_inclusive('\u{2212}').scan(0, |end, piece| {
-            *end += piece.len();
-            Some((*end - piece.len(), piece))
-        }) {
-            self.places.push((self.text.len(), source + at));
-            match piece.strip_suffix('\u{2212}') {
-                Some(before) => {
-                    self.text.push_str(before);
-                    self.places.push((self.text.len(), source + at + before.len()));
-                    self.text.push('-');
-                }
-                None => self.text.push_str(piece),
-            }
-        }
-    }
-
-    fn push_tex(&mut self, tex: &str, source: usize) {
-        let mut at = 0;
-        while let Some(next) = tex[at..].find(['\\', '1']).map(|n| at + n) {
-            let (head, rest) = (&tex[at..next], &tex[next..]);
-            let times = rest.starts_with('\\');
-            let number = head.trim_end().ends_with(|c: char| c.is_ascii_digit());
-            let power = power_of_ten(rest).filter(|_| times == number);
-            let (before, taken) = match (power, rest.get(..2)) {
-                (Some((power, length)), _) => {
-                    self.push(if times { head.trim_end() } else { head }, source + at);
-                    self.push(if times { "e" } else { "1e" }, source + next);
-                    self.push(power, source + next + rest[..length].rfind(power).unwrap_or(0));
-                    ("", length)
-                }
-                (None, Some("\\," | "\\;")) => (head, 2),
-                _ => {
-                    self.push(&tex[at..=next], source + at);
-                    at = next + 1;
-                    continue;
-                }
-            };
-            self.push(before, source + at);
-            at = next + taken;
-        }
-        self.push(&tex[at..], source + at);
-    }
-
-    /// The byte of the chapter that this byte of the text came from.
-    pub(crate) fn source(&self, at: usize) -> usize {
-        let after = self.places.partition_point(|(here, _)| *here <= at);
-        let place = self.places[..after].last();
-        place.map_or(0, |(here, source)| source + (at - here))
-    }
-}
-
-/// The power in `10^{-12}` or `\times 10^{-13}`, where the text begins with that, and its length.
-fn power_of_ten(text: &str) -> Option<(&str, usize)> {
-    let ten = text.strip_prefix("\\times").unwrap_or(text).trim_start();
-    let (power, rest) = ten.strip_prefix("10^{")?.split_once('}')?;
-    power.parse::<i32>().ok().map(|_| (power, text.len() - rest.len()))
 }
 
 /// A Rust block.

@@ -98,7 +98,7 @@ pub(crate) fn tally(chapter: &Chapter, beside: &Beside, reader: &mut Reader) -> 
     let Findings { places, claims, .. } = holding::findings(chapter, beside);
     let mut tally = Tally { name: chapter.name.clone(), ..Tally::default() };
     let mut noticed = |text: &str| match reader.chapter(&chapter.name, &chapter.path, text) {
-        Ok(altered) => !holding::findings(&altered, beside).offences.is_empty(),
+        Ok(altered) => holding::objects(&altered, chapter, beside),
         Err(_) => true,
     };
     for place in &places {
