@@ -449,7 +449,12 @@ async function engines(page, wants, name) {
     wants(`${says}: its energy goes from ${row.low} to ${row.high}, shown as ${energy}`,
       told.length === met.length && told.every((part, k) => near(part, met[k], Math.max(0.51, 0.006 * Math.abs(met[k])))));
     const kept = row.angle * Math.PI / 180 < 1e-3 && Math.abs(row.length - 1) < 1e-3;
-    wants(`${says}: its momentum is ${row.angle}° off, shown as ${angle}`, kept ? angle === "kept" : near(read(angle), row.angle, 0.51));
+    const longer = 100 * (row.length - 1);
+    const words = kept ? ["kept", 0, 0]
+      : row.angle >= 0.5 || Math.abs(longer) < 0.1 ? ["° off", row.angle, row.angle < 0.5 ? 0.051 : 0.51]
+      : [` % too ${longer > 0 ? "long" : "short"}`, Math.abs(longer), Math.max(Math.abs(longer) < 0.5 ? 0.051 : 0.51, 0.006 * Math.abs(longer))];
+    wants(`${says}: its momentum is ${row.angle}° off and ${longer} % longer, shown as ${angle}`,
+      angle.endsWith(words[0]) && (kept || near(read(angle), words[1], words[2])));
     const passed = row.right.filter((t) => t <= time).length;
     wants(`${says}: ${row.flips} flips, right ${passed}, shown as ${flips}`, flips === `${row.flips} of ${passed}`);
 

@@ -182,7 +182,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     /** A share as a change, in per cent: with a sign, and as short as it can be. */
     const change = (ratio) => {
         const percent = 100 * (ratio - 1);
-        return `${percent < 0 ? "−" : "+"}${Math.abs(percent) < 1e4 ? fixed(Math.abs(percent), 0) : `10${raised(Math.floor(Math.log10(Math.abs(percent))))}`}`;
+        return `${percent < 0 ? "−" : "+"}${Math.abs(percent) < 1e4 ? fixed(Math.abs(percent), Math.abs(percent) < 0.5 ? 1 : 0) : `10${raised(Math.floor(Math.log10(Math.abs(percent))))}`}`;
     };
     /** How far the energy went, from the least to the greatest that was met. */
     function range(low, high) {
@@ -190,6 +190,13 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         if (!fell && !rose) return "kept";
         if (fell && rose) return `${change(low)}/${change(high)} %`;
         return `${change(fell ? low : high)} %`;
+    }
+
+    /** What is wrong with the momentum, in a few words: its direction, or where that is right, its length. */
+    function momentum({ angle, size }) {
+        if (angle >= 0.5) return `${fixed(angle, 0)}° off`;
+        if (Math.abs(size - 1) < BROKEN) return `${fixed(angle, 1)}° off`;
+        return `${change(size).slice(1)} % too ${size > 1 ? "long" : "short"}`;
     }
 
     function show() {
@@ -205,7 +212,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             const kept = row.angle * Math.PI / 180 < BROKEN && Math.abs(row.size - 1) < BROKEN;
             const energy = range(row.low, row.high);
             put("energy", energy, energy === "kept");
-            put("angle", kept ? "kept" : `${fixed(row.angle, 0)}° off`, kept);
+            put("angle", kept ? "kept" : momentum(row), kept);
             put("flips", `${row.flips} of ${flipped.length}`, row.flips === flipped.length);
             row.place.querySelector(".live-title").textContent = NAMES[row.which] + (row.refused ? ": too large for an f64" : "");
             const turned = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
