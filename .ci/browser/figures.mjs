@@ -1,4 +1,5 @@
-// Figures on a phone and opened large: all of a drawing can be brought into view.
+// Figures and formulas on a phone, and figures opened large: all of a drawing can be brought into view, its letters can be
+// read, and it has the colours of its page.
 
 /** Whose letters no scrolling brings into view. Bounds come from every box around that cuts off what sticks out of it. */
 function outOfReach() {
@@ -40,15 +41,57 @@ function outOfReach() {
   return found;
 }
 
+/** Drawings with letters below 11 px, and formulas that scroll and do not say so. */
+function unread() {
+  const found = [];
+  for (const svg of document.querySelectorAll("main .fig-frame > svg")) {
+    const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+    const least = Math.min(...[...svg.querySelectorAll("text")].map((text) => scale * parseFloat(getComputedStyle(text).fontSize)));
+    if (scale > 0 && least < 10.995) found.push(`${svg.closest(".fig").id} has letters of ${least.toFixed(1)} px`);
+  }
+  for (const formula of document.querySelectorAll("main .math-display")) {
+    const says = getComputedStyle(formula, "::before").content;
+    if (formula.scrollWidth > formula.clientWidth + 1 && !says.includes("Scroll")) found.push(`scrolls without a cue: ${formula.textContent}`);
+  }
+  return found;
+}
+
+/** From each theme, a drawing opened over its page and by its address. */
+async function themed({ open, base, fault }) {
+  const colours = (element) => [getComputedStyle(element).color, getComputedStyle(document.documentElement).backgroundColor].join(" on ");
+  for (const theme of ["light", "rust", "coal", "navy", "ayu"]) {
+    const page = await open(base, { theme, colorScheme: ["light", "rust"].includes(theme) ? "dark" : "light" });
+    const wants = (what, holds) => holds || fault(`figure opened large, ${theme}`, what);
+    await page.goto(`${base}two-arrows.html`);
+    const expected = await page.locator("body").evaluate(colours);
+    const link = page.locator("a.fig-large").first();
+    const address = await link.evaluate((a) => a.href);
+    await link.click();
+    const drawing = page.locator("dialog svg");
+    wants("it opens over the page", await drawing.isVisible());
+    wants("in the page's colours", (await drawing.evaluate(colours)) === expected);
+    await page.keyboard.press("Escape");
+    await page.locator("dialog").waitFor({ state: "detached" });
+    wants("it is back in its place", (await page.locator("#fig-two-arrows .fig-frame > svg").count()) === 1);
+    await page.goto(address);
+    const got = await page.locator(":root").evaluate(colours);
+    wants(`by its address it is ${got}, the page ${expected}`, got === expected);
+    await page.context().close();
+  }
+}
+
 /** Every page's figures at the width of a phone; and each drawing opened by its link. */
 export async function figures({ open, base, pages, fault }) {
+  await themed({ open, base, fault });
   const page = await open(base, { viewport: { width: 390, height: 844 } });
   const large = new Set();
   for (const name of pages.filter((name) => name !== "print.html")) {
     await page.goto(base + name);
     await page.evaluate(() => document.fonts.ready);
     for (const what of await page.evaluate(outOfReach)) fault(`${name}, 390 px`, what);
-    for (const link of await page.locator("a.fig-large").evaluateAll((all) => all.map((a) => a.href))) large.add(link);
+    await page.evaluate(() => { for (const fold of document.querySelectorAll("main details")) fold.open = true; });
+    for (const what of await page.evaluate(unread)) fault(`${name}, 390 px`, what);
+    for (const link of await page.locator("a.fig-large").evaluateAll((all) => all.map((a) => a.href.split("#")[0]))) large.add(link);
   }
   await page.context().close();
   for (const [width, height] of [[1400, 900], [390, 844]]) {

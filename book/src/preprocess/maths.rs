@@ -20,14 +20,26 @@ impl Maths {
     /// # Errors
     /// What is wrong with the TeX.
     pub(super) fn shown(&self, tex: &str, display: MathDisplay) -> Result<String, String> {
-        let shown = self.0.convert_with_local_state(tex, display).map_err(|e| e.error_message())?;
-        let math = guarded(&shown.mathml);
-        Ok(match display {
-            MathDisplay::Inline => math,
-            // A span, for a `<div>` would end the paragraph it stands in. It scrolls when the window
-            // is narrower than the formula; the page itself never does.
-            MathDisplay::Block => format!("<span class=\"math-display\">{math}</span>"),
-        })
+        let shown = |tex: &str| -> Result<String, String> {
+            let shown = self.0.convert_with_local_state(tex, display).map_err(|e| e.error_message())?;
+            // Browsers give a bracket of its own size the room of a sign between two sides.
+            Ok(guarded(&shown.mathml.replace("<mo minsize=", "<mo lspace=\"0\" rspace=\"0\" minsize=")))
+        };
+        if display == MathDisplay::Inline {
+            return shown(tex);
+        }
+        // Spans, for a `<div>` would end the paragraph it stands in. Where the window is narrower than the
+        // formula, its parts come one below the other; what is still wider scrolls, the page itself never.
+        let mut html = String::new();
+        for part in parts(tex, r"\qquad") {
+            html.push_str("<span class=\"math-part\">");
+            for (at, line) in parts(part, r"\allowbreak").into_iter().enumerate() {
+                // A sign that begins a line stands between two sides all the same.
+                html.push_str(&shown(&if at == 0 { line.to_owned() } else { format!("{{}}{line}") })?);
+            }
+            html.push_str("</span>");
+        }
+        Ok(format!("<span class=\"math-display\">{html}</span>"))
     }
 
     /// Replaces all maths of a chapter; returns what was wrong.
@@ -75,6 +87,27 @@ impl Maths {
     }
 }
 
+/// The TeX between these commands, where they stand in no group and no environment.
+fn parts<'a>(tex: &'a str, command: &str) -> Vec<&'a str> {
+    let (mut found, mut start, mut depth) = (Vec::new(), 0, 0_usize);
+    for (at, c) in tex.char_indices() {
+        let rest = &tex[at..];
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ if rest.starts_with("\\begin") || rest.starts_with("\\left") => depth += 1,
+            _ if rest.starts_with("\\end") || rest.starts_with("\\right") => depth = depth.saturating_sub(1),
+            _ if depth == 0 && rest.starts_with(command) => {
+                found.push(&tex[start..at]);
+                start = at + command.len();
+            }
+            _ => {}
+        }
+    }
+    found.push(&tex[start..]);
+    found
+}
+
 /// The range of inline maths together with the marks that cling to it: an opening parenthesis before,
 /// a comma or a hyphen after. Browsers may break the line at either side of a formula, and would leave
 /// a comma to begin the next.
@@ -116,4 +149,21 @@ fn guarded(mathml: &str) -> String {
         rest = &rest[c.len_utf8()..];
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_display_is_cut_where_it_may_wrap_and_nowhere_within_a_group() {
+        assert_eq!(parts(r"a, \qquad b \qquad c", r"\qquad"), ["a, ", " b ", " c"]);
+        let whole =
+            [r"\begin{aligned} a \qquad b \end{aligned}", r"\text{a \qquad b}", r"\left( a \qquad b \right)"];
+        for tex in whole {
+            assert_eq!(parts(tex, r"\qquad"), [tex]);
+        }
+        let shown = Maths::new().shown(r"a \allowbreak = b, \qquad c", MathDisplay::Block).unwrap();
+        assert_eq!([shown.matches("math-part").count(), shown.matches("<math").count()], [2, 3], "{shown}");
+    }
 }

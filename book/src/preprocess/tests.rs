@@ -48,7 +48,10 @@ fn shown(text: &str) -> std::result::Result<String, String> {
 fn inline_and_display_maths_become_mathml() {
     let out = shown("Let $I$ be.\n\n$$\n\\mathbf{L} = I\\,\\boldsymbol{\\omega}\n$$\n").unwrap();
     assert!(out.starts_with("Let <math><mi>I</mi></math> be."), "{out}");
-    assert!(out.contains("<span class=\"math-display\"><math display=\"block\">"), "{out}");
+    assert!(
+        out.contains("<span class=\"math-display\"><span class=\"math-part\"><math display=\"block\">"),
+        "{out}"
+    );
     assert!(!out.contains('$'), "{out}");
 }
 
@@ -112,7 +115,8 @@ fn lines_are_counted_with_windows_line_ends_too() {
     let faults = shown("# A\r\n\r\ntext\r\n\r\n$$\r\n\\nosuch\r\n$$\r\n").unwrap_err();
     assert!(faults.starts_with("book/chapters/x.md:5: "), "{faults}");
     let out = shown("$$\r\nx\r\n$$\r\n").unwrap();
-    assert_eq!(out, "<span class=\"math-display\"><math display=\"block\"><mi>x</mi></math></span>\r\n");
+    let part = "<span class=\"math-part\"><math display=\"block\"><mi>x</mi></math></span>";
+    assert_eq!(out, format!("<span class=\"math-display\">{part}</span>\r\n"));
 }
 
 #[test]
@@ -332,7 +336,9 @@ fn drawings_that_are_shown_are_laid_beside_the_chapters_and_no_others() {
         "opened large it fills the window: {copy}"
     );
     let [rest, whole] = [&copy, ARROWS].map(|text| text.split_once('>').unwrap().1);
-    assert_eq!(rest, whole);
+    let (drawn, themes) = rest.split_once("<style>").unwrap();
+    assert_eq!(format!("{drawn}</svg>"), whole.trim_end());
+    assert!(themes.contains("#arrows-navy:target") && themes.trim_end().ends_with("</g></svg>"), "{themes}");
     assert!(!copies.join("old.svg").exists());
 }
 

@@ -33,8 +33,8 @@ impl Token<'_> {
     }
 }
 
-const SPACING: [&str; 10] =
-    [r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\left", r"\right", r"\bigl", r"\bigr"];
+const SPACING: [&str; 11] =
+    [r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\left", r"\right", r"\bigl", r"\bigr", r"\allowbreak"];
 
 const MARKS: &str = "+-=<>/()[]{},.;&_^'|";
 
