@@ -46,6 +46,45 @@
     }, true);
 })();
 
+// A drawing opens large over its page, in its colours; Escape, the button or a click beside it leads back. In a window of
+// its own it takes the page's theme along, at the end of its address.
+(function largeFigures() {
+    const links = document.querySelectorAll("a.fig-large");
+    if (links.length === 0) return;
+    const themes = ["light", "rust", "coal", "navy", "ayu"];
+    const aim = () => {
+        const theme = themes.find((name) => document.documentElement.classList.contains(name));
+        for (const link of links) link.hash = theme ? `${link.pathname.split("/").at(-1).replace(".svg", "")}-${theme}` : "";
+    };
+    aim();
+    new MutationObserver(aim).observe(document.documentElement, { attributeFilter: ["class"] });
+
+    for (const link of links) {
+        link.addEventListener("click", (event) => {
+            if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || !HTMLDialogElement.prototype.showModal) return;
+            event.preventDefault();
+            const frame = link.closest(".fig").querySelector(".fig-frame");
+            const drawing = frame.querySelector("svg");
+            const dialog = document.createElement("dialog");
+            dialog.className = "fig-dialog";
+            dialog.setAttribute("aria-label", "Figure, large");
+            const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Close" });
+            frame.style.minHeight = `${frame.offsetHeight}px`; // the page keeps its place
+            dialog.append(button, drawing);
+            document.body.append(dialog);
+            dialog.addEventListener("click", ({ target }) => (target === dialog || target === button) && dialog.close());
+            dialog.addEventListener("keydown", (event) => event.stopPropagation()); // mdBook turns pages by keys
+            dialog.addEventListener("close", () => {
+                frame.append(drawing);
+                frame.style.minHeight = "";
+                dialog.remove();
+                link.focus({ preventScroll: true });
+            });
+            dialog.showModal();
+        });
+    }
+})();
+
 // All programs of the text are folded; the button opens them all, here and on the pages to come.
 (function codeFolds() {
     const button = document.getElementById("code-toggle");

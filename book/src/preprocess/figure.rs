@@ -3,6 +3,7 @@
 //! Inline, a drawing takes the reader's theme; as an `<img>` it could not.
 
 use super::edits::Edits;
+use super::palette::Palette;
 use super::svg::{self, Drawing};
 use super::{Folders, Piece, Source};
 use crate::files::write_changed;
@@ -51,10 +52,10 @@ pub(super) fn replace(
 
 /// Lays the drawings beside the chapters, whence mdBook copies them to the pages: the links that open
 /// a drawing by itself lead there.
-pub(super) fn lay_out(shown: &Shown, folder: &Path) -> Result<(), String> {
+pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result<(), String> {
     let file_name = |name: &str| format!("{name}.svg");
     for (name, (drawing, _)) in shown {
-        write_changed(&folder.join(file_name(name)), drawing.alone().as_bytes())?;
+        write_changed(&folder.join(file_name(name)), drawing.alone(&palette.of(name)).as_bytes())?;
     }
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let known = |file: &str| shown.keys().any(|name| file_name(name) == file);

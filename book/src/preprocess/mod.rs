@@ -11,6 +11,7 @@ mod exercises;
 mod figure;
 pub(crate) mod held;
 mod maths;
+mod palette;
 mod programs;
 pub(crate) mod protocol;
 mod question;
@@ -102,9 +103,11 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
     });
     faults.extend(turning::add(&mut book, &context.root));
     if faults.is_empty() {
-        figure::lay_out(&seen.figures, &folders.chapters.join("figures")).map_err(Error::msg)?;
+        let theme = context.root.join("theme");
+        let palette = theme::palette(&theme).map_err(Error::msg)?;
+        figure::lay_out(&seen.figures, &palette, &folders.chapters.join("figures")).map_err(Error::msg)?;
         widget::lay_out(&seen.widgets, &folders).map_err(Error::msg)?;
-        theme::lay_out(&context.root.join("theme")).map_err(Error::msg)?;
+        theme::lay_out(&theme).map_err(Error::msg)?;
         Ok(book)
     } else {
         Err(Error::msg(faults.join("\n")))

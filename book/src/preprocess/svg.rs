@@ -42,8 +42,9 @@ impl Drawing {
         Ok(Self { text, title, description })
     }
 
-    /// The drawing as a document of its own: as large as the window it is opened in, in its middle.
-    pub(super) fn alone(&self) -> String {
+    /// The drawing as a document of its own, with this put at its end: as large as the window it is opened
+    /// in, in its middle.
+    pub(super) fn alone(&self, added: &str) -> String {
         let start = self.start_tag();
         let mut sized = start.to_owned();
         for side in [" width=\"", " height=\""] {
@@ -54,7 +55,9 @@ impl Drawing {
             }
         }
         let sized = sized.replacen("<svg", "<svg width=\"100%\" height=\"100%\"", 1);
-        self.text.replacen(start, &sized, 1)
+        let text = self.text.replacen(start, &sized, 1);
+        let end = text.rfind("</svg>").unwrap_or(text.len());
+        format!("{}{added}{}", &text[..end], &text[end..])
     }
 
     /// The drawing as a part of a page, known by its own title and description, or where it has none

@@ -4,6 +4,7 @@
 //! program too.
 
 use super::edits::Edits;
+use super::palette::Palette;
 use crate::files::write_changed;
 use mdbook_html::theme::Theme;
 use mdbook_preprocessor::config::HtmlConfig;
@@ -120,15 +121,34 @@ const LANGUAGES: [&str; 7] = ["bash", "ini", "json", "plaintext", "python", "rus
 /// # Errors
 /// A file that cannot be written, or an edit that does not fit the mdBook that is compiled in.
 pub(super) fn lay_out(theme: &Path) -> Result<(), String> {
+    let [page, script] = originals(["index.hbs", "highlight.js"])?;
+    write_changed(&theme.join("index.hbs"), template(&page)?.as_bytes())?;
+    write_changed(&theme.join("highlight.js"), highlighter(&script)?.as_bytes())?;
+    Ok(())
+}
+
+/// The colours of the pages' themes: mdBook's, and over them those of the folder of the theme, if it has any.
+///
+/// # Errors
+/// A file that cannot be read, or a theme without a colour.
+pub(super) fn palette(theme: &Path) -> Result<Palette, String> {
+    let [variables] = originals(["css/variables.css"])?;
+    let ours = fs::read_to_string(theme.join("palette.css")).unwrap_or_default();
+    Palette::new(&[&variables, &ours])
+}
+
+/// Files of mdBook's own theme.
+fn originals<const N: usize>(names: [&str; N]) -> Result<[String; N], String> {
     let cannot = |e: &dyn std::fmt::Display| format!("cannot take the theme from mdBook: {e}");
     let copy = tempfile::TempDir::new().map_err(|e| cannot(&e))?;
     let config = HtmlConfig::default();
     let folder = config.theme_dir(copy.path());
     Theme::copy_theme(&config, copy.path()).map_err(|e| cannot(&e))?;
-    let original = |name: &str| fs::read_to_string(folder.join(name)).map_err(|e| cannot(&e));
-    write_changed(&theme.join("index.hbs"), template(&original("index.hbs")?)?.as_bytes())?;
-    write_changed(&theme.join("highlight.js"), highlighter(&original("highlight.js")?)?.as_bytes())?;
-    Ok(())
+    let mut texts = names.map(str::to_owned);
+    for text in &mut texts {
+        *text = fs::read_to_string(folder.join(&*text)).map_err(|e| cannot(&e))?;
+    }
+    Ok(texts)
 }
 
 /// mdBook's template with our edits.
