@@ -80,7 +80,7 @@ export async function codeFolds(page, base, fault) {
 /** What a reader would type is found, leads to its page, and shows no words that the page does not. */
 export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
-  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/]]) {
+  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /highlight=separatrix/], ["coin", /coin/]]) {
     await page.goto(base + "index.html");
     await page.keyboard.press("/");
     await page.locator("#mdbook-searchbar").pressSequentially(typed); // it listens to keys
@@ -88,7 +88,7 @@ export async function search(page, base, fault) {
     try {
       await hits.first().waitFor({ timeout: 10000 });
       const words = await page.textContent("#mdbook-searchresults");
-      if (/With JavaScript|A table of squares|Small plots, one for each/.test(words)) fault(where, `for \`${typed}\` it shows what no page shows`);
+      if (/With JavaScript|A table of squares|Small plots, one for each|assert|use tumbling|Checked by/.test(words)) fault(where, `for \`${typed}\` it shows what no page shows`);
       await hits.first().click();
       await page.waitForURL(leads);
     } catch {

@@ -1,10 +1,11 @@
 //! Building the pages.
 
-use crate::preprocess::Holding;
 use crate::preprocess::held::Held;
+use crate::preprocess::{Bare, Holding};
 use crate::share::{self, Site};
 use crate::{docs, log, paths, say};
 use mdbook_driver::MDBook;
+use mdbook_preprocessor::Preprocessor;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -27,6 +28,38 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
 fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, String> {
     let held = Held::default();
+    let folder = rendered(destination, Holding(held.clone()))?;
+    // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
+    let _ = fs::remove_file(folder.join("lib.rs"));
+    held.put_back(&folder)?;
+    share::tell(paths::book(), &folder, site)?;
+    index_without_programs(&folder)?;
+    left_directives(&folder)
+}
+
+/// Gives the pages the index of a book without programs: mdBook's own has every word of them.
+fn index_without_programs(pages: &Path) -> Result<(), String> {
+    let bare = tempfile::TempDir::new().map_err(|e| format!("no folder for the index: {e}"))?;
+    let [from, to] = [&rendered(Some(bare.path()), Bare)?, pages].map(|folder| {
+        let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|file| file.path());
+        let named = |path: &PathBuf| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
+        files
+            .filter(|path| named(path).is_some_and(|name| name.starts_with("searchindex")))
+            .collect::<Vec<_>>()
+    });
+    match (from.as_slice(), to.as_slice()) {
+        ([from], [to]) => {
+            fs::copy(from, to).map(|_| ()).map_err(|e| format!("cannot write {}: {e}", to.display()))
+        }
+        _ => Err(format!("{} and {} indices of the search, not one and one", from.len(), to.len())),
+    }
+}
+
+/// What mdBook makes of the chapters by this preprocessor, and where.
+fn rendered(
+    destination: Option<&Path>,
+    preprocessor: impl Preprocessor + 'static,
+) -> Result<PathBuf, String> {
     let (built, complaints) = log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
         let mut book = MDBook::load(paths::book())?;
         if let Some(folder) = destination {
@@ -34,7 +67,7 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
         }
         // book.toml names our preprocessor as a command, for those who run mdBook itself. Here it
         // is at hand: ours of the same name takes the place of the command.
-        book.with_preprocessor(Holding(held.clone()));
+        book.with_preprocessor(preprocessor);
         book.build()?;
         Ok(book.build_dir_for("html"))
     });
@@ -42,11 +75,7 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
     if complaints > 0 {
         return Err(format!("mdBook complained {complaints} times, see above"));
     }
-    // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
-    let _ = fs::remove_file(folder.join("lib.rs"));
-    held.put_back(&folder)?;
-    share::tell(paths::book(), &folder, site)?;
-    left_directives(&folder)
+    Ok(folder)
 }
 
 /// Counts the pages; a page that still holds a directive is an error.
@@ -93,12 +122,19 @@ mod tests {
             let page = read(name);
             assert!(!page.contains("<!--held") && !page.contains("class=\"sought\""), "{name}");
         }
-        assert!(read("index.html").contains("og:image"));
+        for name in ["index.html", "404.html", "toc.html", "print.html", "proofs.html"] {
+            assert_eq!(read(name).matches("og:image").count(), 1, "{name}");
+        }
         let files = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path());
         let index =
             files.filter(|file| file.to_string_lossy().contains("searchindex")).map(fs::read_to_string);
         let index = index.map(Result::unwrap).collect::<String>();
-        assert!(index.contains("R I R^T") && !index.contains("With JavaScript"));
+        for words in ["R I R^T", "tennis racket", "separatrix", "gyroscopic", "coin"] {
+            assert!(index.contains(words), "{words}");
+        }
+        for words in ["With JavaScript", "assert_eq", "use nalgebra", "Checked by"] {
+            assert!(!index.contains(words), "{words}");
+        }
         assert!(
             !index.contains("Each grey curve is a method at ever finer steps. A bold"),
             "a drawing's description"

@@ -7,6 +7,13 @@ use std::path::Path;
 /// The picture shown where a page is shared, beside the pages.
 const PREVIEW: &str = "preview.png";
 
+/// The pages that are no chapters, and what they are.
+const OTHERS: [(&str, &str); 3] = [
+    ("404", "There is no such page in this book."),
+    ("print", "The whole book on one page, for printing."),
+    ("toc", "The chapters of this book."),
+];
+
 /// Where the pages will stand, with a `/` at its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Site(String);
@@ -48,7 +55,7 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
         let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
         let index = name == "introduction";
         let address = if index { String::new() } else { format!("{name}.html") };
-        let told = with_head(&html, sentence, &address, site)
+        let told = with_head(&html, sentence, Some(&address), site)
             .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
         let write =
             |file: &Path| fs::write(file, &told).map_err(|e| format!("cannot write {}: {e}", file.display()));
@@ -60,6 +67,13 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
             map.push_str(&format!("<url><loc>{root}{address}</loc></url>\n"));
         }
     }
+    for (name, sentence) in OTHERS {
+        let file = pages.join(format!("{name}.html"));
+        let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+        let told = with_head(&named(html), sentence, None, site)
+            .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
+        fs::write(&file, told).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+    }
     let file = pages.join("sitemap.xml");
     if site.is_some() {
         let text = format!(
@@ -70,8 +84,19 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
     Ok(())
 }
 
-/// The page with its own description; nothing if it has none to replace.
-fn with_head(html: &str, sentence: &str, address: &str, site: Option<&Site>) -> Option<String> {
+/// The page with a title and a place for a description: mdBook's table of contents has neither.
+fn named(html: String) -> String {
+    if html.contains("<title>") {
+        return html;
+    }
+    let head = "<meta charset=\"UTF-8\">\n        <title>Contents - Tumbling</title>\n        \
+                <meta name=\"description\" content=\"\">";
+    html.replacen("<meta charset=\"UTF-8\">", head, 1)
+}
+
+/// The page with its own description; nothing if it has none to replace. Without an address it is no page for
+/// others to find.
+fn with_head(html: &str, sentence: &str, address: Option<&str>, site: Option<&Site>) -> Option<String> {
     let written = between(html, "<title>", "</title>")?;
     // The first page has the book's own name.
     let title = match written.split_once(" - ") {
@@ -90,7 +115,7 @@ fn with_head(html: &str, sentence: &str, address: &str, site: Option<&Site>) -> 
         "\">\n        <meta property=\"og:image\" content=\"{root}{PREVIEW}\">\n        <meta name=\"twitter:card\" \
          content=\"summary_large_image"
     ));
-    if site.is_some() {
+    if let (Some(address), Some(_)) = (address, site) {
         head.push_str(&format!(
             "\">\n        <link rel=\"canonical\" href=\"{root}{address}\">\n        <meta property=\"og:url\" \
              content=\"{root}{address}"
@@ -114,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_page_tells_its_own_sentence() {
-        let told = with_head(PAGE, "Three \"quiet\" axes.", "axes.html", None).unwrap();
+        let told = with_head(PAGE, "Three \"quiet\" axes.", Some("axes.html"), None).unwrap();
         assert!(told.contains("name=\"description\" content=\"Three &quot;quiet&quot; axes.\">"), "{told}");
         assert!(
             told.contains("og:title\" content=\"Axes - Tumbling\">") && !told.contains("The book."),
@@ -124,21 +149,24 @@ mod tests {
             told.contains("og:image\" content=\"preview.png\">") && !told.contains("canonical"),
             "{told}"
         );
-        let first = with_head(&PAGE.replace("Axes", "Tumbling"), "A flip.", "", None).unwrap();
+        let first = with_head(&PAGE.replace("Axes", "Tumbling"), "A flip.", Some(""), None).unwrap();
         assert!(
             first.contains("<title>Tumbling</title>") && first.contains("og:title\" content=\"Tumbling\">"),
             "{first}"
         );
-        assert_eq!(with_head("<head></head>", "A.", "a.html", None), None);
+        assert_eq!(with_head("<head></head>", "A.", Some("a.html"), None), None);
     }
 
     #[test]
     fn a_page_of_a_site_knows_its_full_address() {
         let site = Site::parse("https://example.org/book").unwrap();
-        let told = with_head(PAGE, "Axes.", "axes.html", Some(&site)).unwrap();
+        let told = with_head(PAGE, "Axes.", Some("axes.html"), Some(&site)).unwrap();
         assert!(told.contains("rel=\"canonical\" href=\"https://example.org/book/axes.html\">"), "{told}");
         assert!(told.contains("og:image\" content=\"https://example.org/book/preview.png\">"), "{told}");
         assert!(told.contains("content=\"summary_large_image\">"), "{told}");
+        let contents = named("<head><meta charset=\"UTF-8\"></head>".to_owned());
+        let told = with_head(&contents, "The chapters.", None, Some(&site)).unwrap();
+        assert!(told.contains("book/preview.png\">") && !told.contains("canonical"), "{told}");
     }
 
     #[test]

@@ -38,6 +38,22 @@ fn summary(block: &str) -> String {
     format!("Checked by {shown} {} of Rust", if shown == 1 { "line" } else { "lines" })
 }
 
+/// A chapter as it is shown, without its programs and what opens them.
+pub(super) fn without(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut inside = false;
+    for line in text.lines() {
+        let fence = line.trim_start_matches(['>', ' ']);
+        let opens = !inside && fence.starts_with("```rust");
+        if !(inside || opens || line.starts_with("<summary>Checked by ")) {
+            out.push_str(line);
+            out.push('\n');
+        }
+        inside = opens || (inside && fence.trim_end() != "```");
+    }
+    out
+}
+
 /// A fold with blank lines around what is inside, so that Markdown reads it.
 pub(super) fn fold(class: &str, summary: &str, inside: &str) -> String {
     format!(
@@ -65,6 +81,16 @@ mod tests {
             "One.\n\n<details class=\"fold program\">\n<summary>Checked by 2 lines of Rust</summary>\n\n\
              ```rust\n# use std::f64;\nlet a = 1;\n\nassert_eq!(a, 1);\n```\n\n</details>\n\n\n\nTwo.\n"
         );
+    }
+
+    #[test]
+    fn a_chapter_can_be_had_without_its_programs() {
+        let text = folded(
+            "One.\n\n```rust\nlet a = 1;\n```\n\n```sh\ncargo test\n```\n\n- a\n\n  ```rust,x\n  b();\n  ```\n\nTwo.\n",
+        );
+        let bare = without(&text);
+        assert!(["One.", "cargo test", "- a", "Two."].iter().all(|words| bare.contains(words)), "{bare}");
+        assert!(["let a", "b()", "Checked", "rust"].iter().all(|words| !bare.contains(words)), "{bare}");
     }
 
     #[test]
