@@ -192,8 +192,6 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
             laws: &[laws::NEWTON_MATRIX],
             exemptions: &[],
             notation: &[
-                exempt(r"|\mathbf{L}|", "names the momentum's length"),
-                exempt(r"|\mathbf{L}|", "names the momentum's length"),
                 exempt(r"A\boldsymbol{\delta}", "the left side of the law that follows in the sentence"),
                 exempt(
                     r"h\,(I\boldsymbol{\omega})\times\boldsymbol{\omega}",
