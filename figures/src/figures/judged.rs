@@ -1,6 +1,6 @@
 //! What the judge finds in the recorded engines.
 
-use super::{Drawing, Picture};
+use super::{Drawing, NARROW, Picture};
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
 use crate::ink::Ink;
 use tumbling_judge::LawName;
@@ -148,22 +148,22 @@ const PANELS: [Panel; 4] = [
     Panel {
         story: "box-middle",
         title: "the box: flips",
-        at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
+        at: [("explicit", 2.0, 7.0), ("implicit", 1.0, 0.3), ("RK4, Rapier", 9.0, 1.18)],
     },
     Panel {
         story: "middle",
         title: "middle axis: flips",
-        at: [("explicit", 3.5, 7.0), ("implicit", 2.0, 0.4), ("RK4, Rapier", 11.8, 1.13)],
+        at: [("explicit", 2.0, 7.0), ("implicit", 1.0, 0.3), ("RK4, Rapier", 9.0, 1.18)],
     },
     Panel {
         story: "major",
         title: "largest axis: stable",
-        at: [("explicit", 5.5, 15.0), ("Rapier", 10.0, 1.6), ("RK4, implicit", 6.0, 0.68)],
+        at: [("explicit", 6.5, 15.0), ("Rapier", 9.5, 1.75), ("RK4, implicit", 6.0, 0.62)],
     },
     Panel {
         story: "minor",
         title: "smallest axis: stable",
-        at: [("explicit", 2.0, 10.0), ("Rapier", 11.0, 0.58), ("RK4, implicit", 10.4, 1.13)],
+        at: [("explicit", 1.5, 12.0), ("Rapier", 10.0, 0.52), ("RK4, implicit", 7.4, 1.18)],
     },
 ];
 
@@ -178,20 +178,20 @@ fn panel(
         canvas,
         left,
         top,
-        left + 272.0,
+        left + 176.0,
         top + 226.0,
         Scale::linear(0.0..20.0),
         Scale::log(0.2..30.0),
     );
-    let times = [0, 5, 10, 15, 20].map(|t| (f64::from(t), t.to_string()));
+    let times = [0, 10, 20].map(|t| (f64::from(t), t.to_string()));
     plot.x_axis(times, if last_row { "time $t$ (s)" } else { "" });
     let ticks = [(0.3, "0.3"), (1.0, "1"), (3.0, "3"), (10.0, "10"), (30.0, "30")];
     plot.y_axis(ticks.map(|(y, text)| (y, text.to_owned())), "");
-    canvas.label((left, top - 12.0), &Label::new(panel.title).size(19.0).bold());
+    canvas.label((left - 8.0, top - 12.0), &Label::new(panel.title).size(16.0).bold());
     let mut named = Vec::new();
     for (name, t, energy) in panel.at {
         let ink = if name.starts_with("RK4") { Ink::Text } else { Ink::Wrong };
-        let words = Label::new(name).size(19.0).ink(ink).halo(Ink::Paper);
+        let words = Label::new(name).size(15.5).ink(ink).halo(Ink::Paper);
         named.push((plot.at(t, energy), words));
     }
     let middle = if panel.story == "box-middle" { 0 } else { 1 };
@@ -216,13 +216,13 @@ fn panel(
 }
 
 pub(super) fn energies() -> Drawing {
-    let canvas = Canvas::new(660);
+    let canvas = Canvas::sized(NARROW, 660);
     let mut said = Vec::new();
     for (k, story) in PANELS.iter().enumerate() {
-        let corner = (if k % 2 == 0 { 70.0 } else { 394.0 }, if k < 2 { 86.0 } else { 372.0 });
+        let corner = (if k % 2 == 0 { 56.0 } else { 304.0 }, if k < 2 { 86.0 } else { 372.0 });
         said.push(panel(&canvas, story, corner, k >= 2)?);
     }
-    canvas.label((24.0, 26.0), &Label::new("kinetic energy, in parts of what it was").size(19.0));
+    canvas.label((24.0, 26.0), &Label::new("kinetic energy, relative to the start"));
     Ok(Picture {
         canvas,
         description: format!(

@@ -93,7 +93,7 @@ pub(super) fn draw_growth() -> Drawing {
     let plot = map(&canvas)?;
     let rate = |x: f64, y: f64| rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt();
     let mut levels = Vec::new();
-    for tenth in [2, 4, 6] {
+    for tenth in [2, 4, 6, 8, 9] {
         let level = 0.1 * f64::from(tenth);
         // On each height the rate falls from the left edge to the right one.
         let mut line = Vec::new();
@@ -109,10 +109,14 @@ pub(super) fn draw_growth() -> Drawing {
             }
             line.push((left, y));
         }
+        // Its number stands at the line, or where names of bodies leave no room, outside of the edge.
+        let outside = tenth == 9;
         let named = line.iter().copied().find(|p| p.1 >= 0.725).unwrap_or_default();
         plot.curve(line, Pen::new(Ink::AxisMid, 1.8).dashed())?;
         let p = plot.at(named.0, named.1);
-        canvas.label((p.0 + 6.0, p.1 + 5.0), &Label::new(format!("{level:.1}")).ink(Ink::AxisMid).size(15.5));
+        let label = Label::new(format!("{level:.1}")).ink(Ink::AxisMid).size(15.5);
+        let across = if outside { -8.0 } else { 6.0 };
+        canvas.label((p.0 + across, p.1 + 5.0), &if outside { label.end() } else { label });
         levels.push(format!("{level:.1}"));
     }
     edges(&canvas, &plot);

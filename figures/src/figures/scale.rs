@@ -1,26 +1,26 @@
 //! States a second against the number of bodies, from the committed record.
 
-use super::{Drawing, Picture, power_of_ten};
+use super::{Drawing, NARROW, Picture, power_of_ten};
 use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use tumbling_measure::scale::{self, best, ratio};
 
 /// Each curve: build, crowd, lanes, threads, how it looks and what it is called.
 const CURVES: [(&str, &str, u32, u32, Ink, bool, &str); 6] = [
-    ("native", "spin", 4, 1, Ink::Omega, false, "spin alone, four lanes"),
-    ("native", "spin and attitude", 4, 2, Ink::Text, false, "with attitude, four lanes, two threads"),
-    ("native", "spin and attitude", 4, 1, Ink::Text, false, "with attitude, four lanes"),
-    ("default", "spin and attitude", 4, 1, Ink::Text, true, "the same, built for any machine"),
-    ("native", "spin and attitude", 1, 1, Ink::Faint, false, "with attitude, one by one"),
+    ("native", "spin", 4, 1, Ink::Omega, false, "spin alone"),
+    ("native", "spin and attitude", 4, 2, Ink::Text, false, "attitude, two threads"),
+    ("native", "spin and attitude", 4, 1, Ink::Text, false, "spin and attitude"),
+    ("default", "spin and attitude", 4, 1, Ink::Text, true, "for any machine"),
+    ("native", "spin and attitude", 1, 1, Ink::Faint, false, "one by one"),
     ("native", "Rapier", 1, 1, Ink::Faint, true, "steps of Rapier"),
 ];
 
 pub(super) fn draw() -> Drawing {
     let record = scale::committed()?;
     let rows = &record.rows;
-    let canvas = Canvas::new(480);
+    let canvas = Canvas::sized(NARROW, 480);
     let (low, high) = (1e6, 3e8);
-    let plot = Plot::new(&canvas, 62.0, 50.0, 380.0, 410.0, Scale::log(70.0..1.5e7), Scale::log(low..high));
+    let plot = Plot::new(&canvas, 62.0, 50.0, 296.0, 410.0, Scale::log(70.0..1.5e7), Scale::log(low..high));
     plot.x_axis((2..=7).map(|n| (10_f64.powi(n), power_of_ten(n))), "bodies");
     plot.y_axis((6..=8).map(|n| (10_f64.powi(n), power_of_ten(n))), "");
     canvas.label((20.0, 28.0), &Label::new("answers a second").bold());
@@ -40,7 +40,7 @@ pub(super) fn draw() -> Drawing {
             ends.push((plot.at(x, y), name.to_owned(), pen));
         }
     }
-    super::work::column(&canvas, 396.0, 56.0, 410.0, ends);
+    super::work::column(&canvas, 318.0, 56.0, 410.0, ends);
     let both = ("spin and attitude", 4, 1);
     let mut told = Vec::new();
     if let Some(rate) = best(rows, "native", both.0, 4, 1) {

@@ -94,7 +94,7 @@ fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
         Scale::log(SHORTEST..LONGEST),
         Scale::log(FLOOR..CEILING),
     );
-    let times = [(1e-6, "1 µs"), (1e-4, "0.1 ms"), (1e-2, "10 ms"), (1.0, "1 s")];
+    let times = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
     plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), title);
     let powers = (-16..=0).filter(|n| n % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n)));
     plot.y_axis(powers, "");
@@ -125,7 +125,7 @@ fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::err
 pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
     ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1).then(a.0.0.total_cmp(&b.0.0)));
     let room = bottom - top;
-    let apart = (room / ends.len().max(1) as f64).min(17.0);
+    let apart = (room / ends.len().max(1) as f64).min(19.5);
     let mut places: Vec<f64> = Vec::new();
     for (end, ..) in &ends {
         let least = places.last().map_or(top, |y| y + apart);
@@ -139,7 +139,7 @@ pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: V
     }
     for ((end, text, pen), y) in ends.into_iter().zip(places) {
         canvas.line((end.0 + 3.0, end.1), (x - 4.0, y), Pen::new(pen.ink(), 0.8).opacity(0.55));
-        canvas.label((x, y + 4.5), &Label::new(text).size(12.5));
+        canvas.label((x, y + 4.5), &Label::new(text).size(15.5));
     }
 }
 
@@ -236,15 +236,15 @@ fn bodies(name: &str) -> Drawing {
         .iter()
         .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
         .collect();
-    // A row is for two, and the key takes a place.
-    let rows = u32::try_from(with.len() / 2)? + 1;
-    let canvas = Canvas::new(48 + 218 * rows);
+    // A row is for two, and the key stands below.
+    let rows = u32::try_from(with.len().div_ceil(2))?;
+    let canvas = Canvas::sized(NARROW, 48 + 218 * rows + 176);
     canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let place = |at: usize| {
         let (row, column) = (at / 2, at % 2);
-        (56.0 + 330.0 * column as f64, 68.0 + 218.0 * row as f64)
+        (56.0 + 244.0 * column as f64, 68.0 + 218.0 * row as f64)
     };
-    let size = (270.0, 150.0);
+    let size = (180.0, 150.0);
     let mut told = Vec::new();
     for (at, story) in with.iter().enumerate() {
         let corner = place(at);
@@ -264,7 +264,7 @@ fn bodies(name: &str) -> Drawing {
             told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
         }
     }
-    key(&canvas, place(with.len()));
+    key(&canvas, (16.0, 48.0 + 218.0 * f64::from(rows)));
     Ok(Picture {
         canvas,
         description: format!(
@@ -316,19 +316,19 @@ pub(super) fn draw_direction() -> Drawing {
 /// Energy after up to a million turns.
 pub(super) fn draw_drift() -> Drawing {
     let record = record::long()?;
-    let canvas = Canvas::new(560);
+    let canvas = Canvas::sized(NARROW, 560);
     let (from, to) = (1.0, 2e6);
     let (low, high) = (1e-18, 1.0);
-    let plot = Plot::new(&canvas, 62.0, 50.0, 370.0, 490.0, Scale::log(from..to), Scale::log(low..high));
+    let plot = Plot::new(&canvas, 62.0, 50.0, 288.0, 490.0, Scale::log(from..to), Scale::log(low..high));
     plot.x_axis((0..=3).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "turns");
     plot.y_axis((-9..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "");
-    canvas.label((20.0, 28.0), &Label::new("error of the energy, relative, 20 steps a turn").bold());
+    canvas.label((20.0, 28.0), &Label::new("error of the energy, relative, 20 steps a turn"));
     for (slope, start, text) in [(0.5, 3e-17, "slope ½"), (1.0, 3e-7, "slope 1")] {
         let end = 1e6;
         let top: f64 = start * 10_f64.powf(6.0 * slope);
         plot.curve([(1.0, start), (end, top.min(high))], Pen::new(Ink::Text, 5.0).opacity(0.15))?;
         let (x, y) = plot.at(30.0, start * 30_f64.powf(slope));
-        canvas.label((x, y - 12.0), &Label::new(text).size(14.5).halo(Ink::Paper));
+        canvas.label((x, y - 12.0), &Label::new(text).size(15.5).halo(Ink::Paper));
     }
     let mut names: Vec<(&str, Group)> = Vec::new();
     for row in &record.rows {
@@ -354,7 +354,7 @@ pub(super) fn draw_drift() -> Drawing {
             told.push(format!("{name} {slope:.2}"));
         }
     }
-    column(&canvas, 388.0, 50.0, 490.0, ends);
+    column(&canvas, 304.0, 50.0, 490.0, ends);
     Ok(Picture {
         canvas,
         description: format!(
