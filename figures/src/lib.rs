@@ -34,7 +34,7 @@ impl Figure {
     /// What the library or the drawing backend reported.
     pub fn draw(&self) -> Result<String, Box<dyn std::error::Error>> {
         let figures::Picture { canvas, description } = (self.draw)()?;
-        Ok(canvas.finish(self.name, self.shows, &description))
+        Ok(canvas.finish(self.name, self.shows, &figures::with_powers(&description)))
     }
 }
 

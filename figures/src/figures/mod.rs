@@ -323,7 +323,35 @@ fn raised(exponent: i32) -> String {
     }
 }
 
+/// The text with its numbers as readers write them: `3 × 10⁻⁴` for `3e-4`.
+pub(crate) fn with_powers(text: &str) -> String {
+    let word = |word: &str| -> Option<String> {
+        let (number, rest) = word.split_once('e')?;
+        let end = rest.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(rest.len());
+        let start = number.rfind(|c: char| !(c.is_ascii_digit() || c == '.')).map_or(0, |at| at + 1);
+        let (before, factor) = number.split_at(start);
+        let power = raised(rest[..end].parse().ok()?);
+        factor.parse::<f64>().ok()?;
+        let factor = if factor == "1" { String::new() } else { format!("{factor} × ") };
+        Some(format!("{before}{factor}{power}{}", &rest[end..]))
+    };
+    let words = text.split(' ').map(|one| word(one).unwrap_or_else(|| one.to_owned()));
+    words.collect::<Vec<_>>().join(" ")
+}
+
 /// The next power of ten above a small error: what may be said of it on every machine.
 fn bound(error: f64) -> f64 {
     10_f64.powf(error.log10().ceil())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_with_powers_and_words_stay() {
+        let said = "a push of 3e-4, the least (1e-16), 2.5e12; the end of 10 and Moser-Veselov 8e";
+        let written = "a push of 3 × 10⁻⁴, the least (10⁻¹⁶), 2.5 × 10¹²; the end of 10 and Moser-Veselov 8e";
+        assert_eq!(with_powers(said), written);
+    }
 }
