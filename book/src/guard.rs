@@ -10,7 +10,7 @@
 //!   table;
 //! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line,
 //!   one after the other, so that inputs too are said as they are;
-//! - **a fact** of `facts.toml`, which must be told. The versions in the README are facts of the manifests;
+//! - **a fact** of `facts.toml`, which the text must state. The versions in the README are facts of the manifests;
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
@@ -126,17 +126,21 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
 /// # Errors
 /// What could not be read, or what the guard objects to already.
 pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
-    let (mut tallies, chapters) = alterations_of_numbers(folder)?;
+    let (mut tallies, chapters) = alterations_of_numbers(folder, |_| true)?;
     for (tally, chapter) in tallies.iter_mut().zip(&chapters) {
         tally.take_equations(chapter, equations::altered(chapter));
     }
     Ok(tallies)
 }
 
-fn alterations_of_numbers(folder: &Path) -> Result<(Vec<Tally>, Vec<Chapter>), String> {
+/// Those of numbers alone, in the chapters that are taken, by their place in the book.
+fn alterations_of_numbers(
+    folder: &Path,
+    takes: impl Fn(usize) -> bool,
+) -> Result<(Vec<Tally>, Vec<Chapter>), String> {
     let mut book = Book::read(folder)?;
     let mut tallies = Vec::new();
-    for chapter in &book.chapters {
+    for (_, chapter) in book.chapters.iter().enumerate().filter(|(place, _)| takes(*place)) {
         if let Some(offence) = holding::findings(chapter, &book.beside).offences.first() {
             return Err(format!(
                 "{offence}
