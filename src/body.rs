@@ -117,8 +117,7 @@ impl Body {
     }
 
     /// The inverse of its tensor in the body frame, 1/(kg m²), computed when the body was made.
-    #[must_use]
-    pub fn inverse(&self) -> Matrix3<f64> {
+    pub(crate) fn inverse(&self) -> Matrix3<f64> {
         self.inverse
     }
 

@@ -16,7 +16,6 @@ use crate::number::functions::atan2;
 use alloc::boxed::Box;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
-pub use nearest::Adjusted;
 pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, Refusal, TensorRefusal, finite_vector, positive};

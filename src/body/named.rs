@@ -22,7 +22,7 @@ mod steel;
 
 use alloc::vec::Vec;
 use boxes_and_balls::REMOTE_CONTROL;
-pub use boxes_and_balls::{BALL, BOOK, Even, PENCIL, PHONE, PLATE, THE_BOX};
+pub use boxes_and_balls::{BALL, BOOK, Even, PHONE, THE_BOX};
 use part::Fill;
 pub use part::{Part, Section};
 
@@ -130,13 +130,13 @@ impl NamedBody {
     pub fn moments(self) -> MassMoments<f64> {
         let (mut mass, mut first) = (0.0, Vector3::zeros());
         self.each_part(&mut |part| {
-            mass += part.mass();
-            first += part.middle * part.mass();
+            mass += part.mass;
+            first += part.middle * part.mass;
         });
         let centre = first / mass;
         let mut inertia = Matrix3::zeros();
         self.each_part(&mut |part| {
-            inertia += part.inertia() + point_mass(&part.mass(), &(part.middle - centre));
+            inertia += part.inertia() + point_mass(&part.mass, &(part.middle - centre));
         });
         MassMoments { mass, centre, inertia }
     }

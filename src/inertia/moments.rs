@@ -1,7 +1,7 @@
 //! Three principal moments that belong to one body, checked once.
 
 use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
-use super::{Adjusted, Axis, Inertia};
+use super::{Axis, Inertia};
 use crate::error::{Error, positive};
 use crate::number::power_of_two::ulp;
 use core::fmt;
@@ -43,21 +43,21 @@ impl PrincipalMoments {
         Ok(moments)
     }
 
-    /// The nearest moments to those whose digits were rounded, as [`Inertia::within`] finds them for a
-    /// tensor.
+    /// The nearest moments to those whose digits were rounded, and how far they were moved, as
+    /// [`Inertia::within`] finds them for a tensor.
     ///
     /// ```
     /// use tumbling::PrincipalMoments;
-    /// let panel = PrincipalMoments::within([0.003333, 0.01333, 0.01667], 1e-3)?;
-    /// assert_eq!(format!("{:.6}", panel.value), "(0.003335, 0.013332, 0.016668) kg m²");
+    /// let (panel, moved) = PrincipalMoments::within([0.003333, 0.01333, 0.01667], 1e-3)?;
+    /// assert_eq!(format!("{panel:.6}, {moved:.1e}"), "(0.003335, 0.013332, 0.016668) kg m², 2.4e-4");
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
     /// As [`Inertia::within`]; also a nearest moment of zero, which has no inverse.
-    pub fn within(moments: [f64; 3], relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
-        let nearest = Inertia::within(&Matrix3::from_diagonal(&moments.into()), relative_tolerance)?;
-        Ok(Adjusted { value: nearest.value.matrix().diagonal().try_into()?, moved: nearest.moved })
+    pub fn within(moments: [f64; 3], relative_tolerance: f64) -> Result<(Self, f64), Error> {
+        let (nearest, moved) = Inertia::within(&Matrix3::from_diagonal(&moments.into()), relative_tolerance)?;
+        Ok((nearest.matrix().diagonal().try_into()?, moved))
     }
 
     /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.

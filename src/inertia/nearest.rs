@@ -4,17 +4,6 @@ use super::ascending;
 use crate::error::{Error, TensorRefusal};
 use nalgebra::Vector3;
 
-/// A value that was moved to where it is possible, and how far.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Adjusted<T> {
-    /// What was given if it is possible, else the nearest that is.
-    pub value: T,
-    /// How far it lies from what was given, relative to the largest principal moment given: the Frobenius
-    /// norm of the difference of the tensors, for principal moments the root of the sum of the squares of the
-    /// differences.
-    pub moved: f64,
-}
-
 /// The moments nearest to `moments`, in any order, that a body can have: none below zero, none above the sum
 /// of the other two.
 ///

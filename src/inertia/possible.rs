@@ -1,6 +1,6 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
-use super::{Adjusted, Inertia, PrincipalAxes, in_range, is_diagonal, nearest, symmetrized, turned};
+use super::{Inertia, PrincipalAxes, in_range, is_diagonal, nearest, symmetrized, turned};
 use crate::error::{Error, ErrorKind, Refusal, TensorRefusal, finite, not_negative, positive};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
@@ -81,8 +81,8 @@ impl Inertia {
     /// the principal moments go to the nearest that a body can have. A flat body or a rod comes out where the
     /// given one was impossible.
     ///
-    /// `relative_tolerance` is the greatest distance allowed, relative to the largest principal moment; four
-    /// digits want about 1e-3.
+    /// Returns the tensor and its distance from the given one, relative to the largest principal moment given
+    /// and at most `relative_tolerance`; four digits want about 1e-3.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
@@ -90,9 +90,9 @@ impl Inertia {
     /// // A flat panel with four digits: the largest moment exceeds the sum of the others by 7e-6.
     /// let printed = Matrix3::from_diagonal(&Vector3::new(0.003333, 0.01333, 0.01667));
     /// assert!(Inertia::try_from(printed).is_err());
-    /// let panel = Inertia::within(&printed, 1e-3)?;
-    /// assert_eq!(format!("{:.1e}", panel.moved), "2.4e-4");
-    /// assert_eq!(format!("{:.6}", panel.value.matrix().m33), "0.016668");
+    /// let (panel, moved) = Inertia::within(&printed, 1e-3)?;
+    /// assert_eq!(format!("{moved:.1e}"), "2.4e-4");
+    /// assert_eq!(format!("{:.6}", panel.matrix().m33), "0.016668");
     /// assert!(Inertia::within(&printed, 1e-4).is_err());
     /// # Ok::<(), tumbling::Error>(())
     /// ```
@@ -100,11 +100,11 @@ impl Inertia {
     /// # Errors
     /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is
     /// farther away than the tolerance or zero, or moments beyond `f64`.
-    pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<Adjusted<Self>, Error> {
+    pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<(Self, f64), Error> {
         not_negative("the relative tolerance", relative_tolerance)?;
         let strict = Self::rounded(tensor, 0.0);
         if strict.as_ref().is_err_and(|error| error.kind() == ErrorKind::NotFinite) || tensor.amax() == 0.0 {
-            return strict.map(|value| Adjusted { value, moved: 0.0 });
+            return strict.map(|value| (value, 0.0));
         }
         let scale = exponent(tensor.amax());
         let given = tensor.map(|x| times_power_of_two(x, -scale));
@@ -112,11 +112,11 @@ impl Inertia {
         let principal = PrincipalAxes::of(&symmetric);
         let moments = principal.moments();
         if moments[2] <= 0.0 {
-            return strict.map(|value| Adjusted { value, moved: 0.0 });
+            return strict.map(|value| (value, 0.0));
         }
         let far = |nearest: &Matrix3<f64>| (nearest - given).norm() / moments[2];
         if let Ok(value) = strict {
-            return Ok(Adjusted { value, moved: far(&symmetric) });
+            return Ok((value, far(&symmetric)));
         }
         let adjusted = if is_diagonal(&symmetric) {
             Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
@@ -126,7 +126,7 @@ impl Inertia {
         };
         let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
         let value = Self::try_from(adjusted.map(|x| times_power_of_two(x, scale)))?;
-        Ok(Adjusted { value, moved })
+        Ok((value, moved))
     }
 }
 

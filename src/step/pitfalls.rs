@@ -28,26 +28,6 @@ pub enum Engine {
     NoGyroscopicTerm,
 }
 
-/// What an [`Engine`] carries from step to step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Carried<T: nalgebra::Scalar> {
-    /// Body to world, of any length.
-    pub attitude: Quaternion<T>,
-    /// In world axes: angular momentum (kg m²/s) or spin (rad/s), as the engine has it.
-    pub vector: Vector3<T>,
-}
-
-impl<T: Field> Carried<T> {
-    /// Straight along the rates of attitude and vector for `h` seconds.
-    #[must_use]
-    pub fn plus(&self, (attitude, vector): &(Quaternion<T>, Vector3<T>), h: T) -> Self {
-        Self {
-            attitude: Quaternion::from_vector(along(&self.attitude.coords, &attitude.coords, &h)),
-            vector: along(&self.vector, vector, &h),
-        }
-    }
-}
-
 impl Engine {
     /// All four, the right one first.
     pub const ALL: [Self; 4] = [Self::Turned, Self::Frozen, Self::MomentumForSpin, Self::NoGyroscopicTerm];
@@ -102,19 +82,20 @@ impl Engine {
         }
     }
 
-    /// The rates of attitude and carried vector while no torque acts, for the body's tensor and its inverse:
-    /// the law that [`run`](Self::run) integrates.
+    /// The rates of the attitude (body to world, of any length) and of the world vector `carried`, momentum or
+    /// spin as the engine has it, while no torque acts, for the body's tensor and its inverse: the law that
+    /// [`run`](Self::run) integrates.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Quaternion, Vector3};
-    /// use tumbling::step::{Carried, Engine};
+    /// use tumbling::step::Engine;
     /// let tensor = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 4.0));
     /// let inverse = Matrix3::from_diagonal(&Vector3::new(1.0, 0.5, 0.25));
-    /// let start = Carried { attitude: Quaternion::identity(), vector: Vector3::new(1.0, 2.0, 0.0) };
-    /// let (attitude, vector) = Engine::Turned.rate(&tensor, &inverse, &start);
+    /// let (start, carried) = (Quaternion::identity(), Vector3::new(1.0, 2.0, 0.0));
+    /// let (attitude, vector) = Engine::Turned.rate(&tensor, &inverse, &start, &carried);
     /// assert_eq!(attitude, Quaternion::new(0.0, 0.5, 0.5, 0.0));
     /// assert_eq!(vector, Vector3::zeros());
-    /// let (_, vector) = Engine::Frozen.rate(&tensor, &inverse, &start);
+    /// let (_, vector) = Engine::Frozen.rate(&tensor, &inverse, &start, &carried);
     /// assert_eq!(vector, Vector3::new(0.0, 0.0, -0.5));
     /// ```
     #[must_use]
@@ -122,13 +103,14 @@ impl Engine {
         self,
         tensor: &Matrix3<T>,
         inverse: &Matrix3<T>,
-        carried: &Carried<T>,
+        attitude: &Quaternion<T>,
+        carried: &Vector3<T>,
     ) -> (Quaternion<T>, Vector3<T>) {
-        let rotation = attitude::rotation_matrix(&carried.attitude);
-        let omega = self.omega_world(&rotation, tensor, inverse, &carried.vector);
+        let rotation = attitude::rotation_matrix(attitude);
+        let omega = self.omega_world(&rotation, tensor, inverse, carried);
         (
-            attitude::rate(&carried.attitude, &(rotation.transpose() * omega)),
-            self.carried_rate(tensor, inverse, &carried.vector),
+            attitude::rate(attitude, &(rotation.transpose() * omega)),
+            self.carried_rate(tensor, inverse, carried),
         )
     }
 
@@ -166,28 +148,33 @@ impl Engine {
     /// is memory for.
     pub fn run(self, body: &Body, h: f64, count: usize) -> Result<Vec<Body>, Error> {
         finite("the step", h)?;
-        let carried = self.carried(body);
         let tensor = body.inertia().matrix();
         let inverse = body.inverse();
-        let law = |motion: &Carried<f64>| self.rate(&tensor, &inverse, motion);
-        let mut motion = Carried { attitude: body.attitude().into_inner(), vector: carried };
+        type Carried = (Quaternion<f64>, Vector3<f64>);
+        let law = |(attitude, carried): &Carried| self.rate(&tensor, &inverse, attitude, carried);
+        let plus = |(attitude, carried): &Carried, rate: &Carried, h| {
+            let attitude = Quaternion::from_vector(along(&attitude.coords, &rate.0.coords, &h));
+            (attitude, along(carried, &rate.1, &h))
+        };
+        let mut motion = (body.attitude().into_inner(), self.carried(body));
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();
         // Reserved at once, so that a run too long for the memory is refused before it begins.
         bodies.try_reserve_exact(length).map_err(|_| Refusal::TooMany { what: "steps", count })?;
         for step in 0..=count {
             if step > 0 {
-                motion = rk4(&motion, h, law, Carried::plus);
-                let norm = motion.attitude.norm();
+                motion = rk4(&motion, h, law, plus);
+                let norm = motion.0.norm();
                 if !(norm.is_finite() && norm > 0.0) {
                     return Err(Refusal::OutOfRange { what: "the attitude after a step", value: norm }.into());
                 }
-                motion.attitude /= norm;
+                motion.0 /= norm;
             }
-            let rotation = attitude::rotation_matrix(&motion.attitude);
-            let omega = self.omega_world(&rotation, &tensor, &inverse, &motion.vector);
+            let (attitude, carried) = &motion;
+            let rotation = attitude::rotation_matrix(attitude);
+            let omega = self.omega_world(&rotation, &tensor, &inverse, carried);
             let momentum = crate::inertia::turned(&rotation, &tensor) * omega;
-            bodies.push(body.with(UnitQuaternion::new_unchecked(motion.attitude), &momentum)?);
+            bodies.push(body.with(UnitQuaternion::new_unchecked(*attitude), &momentum)?);
         }
         Ok(bodies)
     }

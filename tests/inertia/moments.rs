@@ -40,10 +40,10 @@ proptest! {
             Err(error) => prop_assert_eq!(error.kind(), scaled.unwrap_err().kind()),
         }
         // The nearest possible ones: the same, and as far away.
-        if let Ok(near) = PrincipalMoments::within(given, 0.2) {
-            let far = PrincipalMoments::within(given.map(|x| x * unit), 0.2).unwrap();
-            prop_assert_eq!(far.value.vector(), near.value.vector() * unit);
-            prop_assert_eq!(far.moved, near.moved);
+        if let Ok((near, near_by)) = PrincipalMoments::within(given, 0.2) {
+            let (far, far_by) = PrincipalMoments::within(given.map(|x| x * unit), 0.2).unwrap();
+            prop_assert_eq!(far.vector(), near.vector() * unit);
+            prop_assert_eq!(far_by, near_by);
         }
     }
 
@@ -69,28 +69,28 @@ proptest! {
         let mut given = [first, second, (first + second) * (1.0 + excess)];
         given.rotate_left(turn);
         prop_assert!(PrincipalMoments::new(given[0], given[1], given[2]).is_err());
-        let nearest = PrincipalMoments::within(given, 2.0 * excess).unwrap();
-        let change = nearest.value.vector() - Vector3::from(given);
-        let largest = nearest.value.axis(Axis::Largest);
+        let (nearest, distance) = PrincipalMoments::within(given, 2.0 * excess).unwrap();
+        let change = nearest.vector() - Vector3::from(given);
+        let largest = nearest.axis(Axis::Largest);
         let (a, b) = ((largest + 1) % 3, (largest + 2) % 3);
         // A third of the excess to each of the smaller two, and off the largest: at right angles to the
         // plates' face of the cone.
         let third = (first + second) * excess / 3.0;
         let expected = Vector3::from_fn(|i, _| if i == largest { -third } else { third });
         prop_assert!((change - expected).amax() < 1e-15, "{change:?} {expected:?}");
-        let plate = nearest.value[largest] - (nearest.value[a] + nearest.value[b]);
+        let plate = nearest[largest] - (nearest[a] + nearest[b]);
         prop_assert!(plate.abs() < 1e-15, "{plate:e}");
         let moved = change.norm() / given.into_iter().fold(0.0, f64::max);
-        prop_assert!((nearest.moved - moved).abs() <= 1e-15, "{} {moved}", nearest.moved);
+        prop_assert!((distance - moved).abs() <= 1e-15, "{} {moved}", distance);
         // Nearer than that there is none.
         refused(PrincipalMoments::within(given, 0.999 * moved), ErrorKind::Impossible, "tolerance");
     }
 
     #[test]
     fn possible_moments_are_not_moved(given in moments(), tolerance in 0.0..1.0_f64) {
-        let nearest = PrincipalMoments::within(given.into(), tolerance).unwrap();
-        prop_assert_eq!(nearest.value.vector(), given);
-        prop_assert_eq!(nearest.moved, 0.0);
+        let (nearest, distance) = PrincipalMoments::within(given.into(), tolerance).unwrap();
+        prop_assert_eq!(nearest.vector(), given);
+        prop_assert_eq!(distance, 0.0);
     }
 
     #[test]
@@ -103,9 +103,9 @@ proptest! {
         if let Ok(moments) = PrincipalMoments::new(a, b, c) {
             prop_assert!(possible(&moments) && moments.vector() == Vector3::from(given));
         }
-        if let Ok(nearest) = PrincipalMoments::within(given, tolerance) {
-            prop_assert!(possible(&nearest.value) && nearest.moved.is_finite(), "{nearest:?}");
-            prop_assert!(tolerance >= 0.0 && nearest.moved <= tolerance);
+        if let Ok((nearest, distance)) = PrincipalMoments::within(given, tolerance) {
+            prop_assert!(possible(&nearest) && distance.is_finite(), "{nearest:?} {distance}");
+            prop_assert!(tolerance >= 0.0 && distance <= tolerance);
         }
     }
 }
@@ -143,9 +143,9 @@ fn moments_printed_with_few_digits_become_those_of_the_nearest_body() {
         [([0.003333, 0.01333, 0.01667], 7e-6), ([f64::from(0.1_f32 + 0.2_f32), 0.1, 0.2], 7e-9)]
     {
         refused(PrincipalMoments::try_from(given), ErrorKind::Impossible, "triangle inequality");
-        let nearest = PrincipalMoments::within(given, 1e-3).unwrap();
-        assert!(nearest.moved > 0.0 && nearest.moved < 1e-3, "{}", nearest.moved);
-        assert!((nearest.value.vector() - Vector3::from(given)).amax() <= moved, "{}", nearest.value);
+        let (nearest, distance) = PrincipalMoments::within(given, 1e-3).unwrap();
+        assert!(distance > 0.0 && distance < 1e-3, "{}", distance);
+        assert!((nearest.vector() - Vector3::from(given)).amax() <= moved, "{}", nearest);
     }
     // The nearest of these is a rod, about which a momentum along it leaves the spin open.
     refused(PrincipalMoments::within([-0.25, 1.0, 1.25], 0.5), ErrorKind::OutOfBounds, "a principal moment");

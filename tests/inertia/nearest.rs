@@ -21,19 +21,19 @@ fn digits_that_were_printed_are_refused_by_default_and_taken_within_a_stated_tol
         );
         assert!((number_after(&error, "fails by ") / excess - 1.0).abs() < 1e-6, "{error}");
         let given = Matrix3::from_diagonal(&m.into());
-        let nearest = Inertia::within(&given, 1e-3).unwrap();
-        assert!((nearest.moved / moved - 1.0).abs() < 1e-6, "{:e}, not {moved:e}", nearest.moved);
+        let (nearest, distance) = Inertia::within(&given, 1e-3).unwrap();
+        assert!((distance / moved - 1.0).abs() < 1e-6, "{:e}, not {moved:e}", distance);
         // A third of the excess on each moment: the foot of the perpendicular on the plane of the flat
         // bodies.
-        let change = (nearest.value.matrix() - given).diagonal();
+        let change = (nearest.matrix() - given).diagonal();
         assert!(change.iter().all(|x| (x.abs() / (excess / 3.0) - 1.0).abs() < 1e-6), "{change:e}");
         refused(
             Inertia::within(&given, 0.9 * moved),
             ErrorKind::Impossible,
             "of the largest moment away, more than the tolerance",
         );
-        let again = Inertia::within(&nearest.value.matrix(), 0.0).unwrap();
-        assert_eq!((again.value, again.moved), (nearest.value, 0.0));
+        let (again, again_by) = Inertia::within(&nearest.matrix(), 0.0).unwrap();
+        assert_eq!((again, again_by), (nearest, 0.0));
     }
     // By a large margin the digits are not to blame, and the message does not say so.
     let error = Inertia::from_moments(1.0, 2.0, 3.5).unwrap_err();
@@ -61,11 +61,11 @@ proptest! {
         let size = 10_f64.powi(scale);
         // Rows that differ from columns too: the antisymmetric part is across every body's tensor.
         let given = (Matrix3::from_row_slice(&six) + Matrix3::identity()) * size;
-        if let Ok(nearest) = Inertia::within(&given, 10.0) {
-            let (p, s) = (nearest.value.matrix() / size, given / size);
+        if let Ok((nearest, distance)) = Inertia::within(&given, 10.0) {
+            let (p, s) = (nearest.matrix() / size, given / size);
             let off = s - p;
             let largest = ((s + s.transpose()) * 0.5).symmetric_eigenvalues().max();
-            prop_assert!((nearest.moved - off.norm() / largest).abs() <= 1e-14 * (1.0 + nearest.moved));
+            prop_assert!((distance - off.norm() / largest).abs() <= 1e-14 * (1.0 + distance));
             prop_assert!(off.dot(&p).abs() <= 1e-13, "{:e}", off.dot(&p));
             for body in &bodies {
                 prop_assert!(off.dot(&body.matrix()) <= 1e-13, "{:e}", off.dot(&body.matrix()));
@@ -86,9 +86,9 @@ fn a_leaning_tensor_is_moved_along_its_own_principal_axes_and_no_farther_than_it
         let tensor = axes * Matrix3::from_diagonal(&moments) * axes.transpose();
         (tensor + tensor.transpose()) * 0.5
     };
-    let along = tumbling::PrincipalMoments::within(printed, 1e-3).unwrap();
-    let nearest = Inertia::within(&leaning(printed.into()), 1e-3).unwrap();
-    let off = (nearest.value.matrix() - leaning(along.value.vector())).amax();
+    let (along, along_by) = tumbling::PrincipalMoments::within(printed, 1e-3).unwrap();
+    let (nearest, distance) = Inertia::within(&leaning(printed.into()), 1e-3).unwrap();
+    let off = (nearest.matrix() - leaning(along.vector())).amax();
     assert!(off < 1e-15, "{off:e}");
-    assert!((nearest.moved - along.moved).abs() < 1e-13, "{} {}", nearest.moved, along.moved);
+    assert!((distance - along_by).abs() < 1e-13, "{} {}", distance, along_by);
 }

@@ -14,18 +14,23 @@ struct Cell<'a> {
     view: View,
 }
 
+/// The two ends of a part, m.
+fn ends(part: &Part) -> [Vector3<f64>; 2] {
+    [part.middle - 0.5 * part.along, part.middle + 0.5 * part.along]
+}
+
 impl Cell<'_> {
     /// What has sides, from far to near, over what is drawn as lines.
     fn body(&self, mut parts: Vec<Part>) {
         for name in ["main string", "cross string"] {
             // Every second one: all of them would be a grey patch.
             for string in parts.iter().filter(|part| part.name == name).step_by(2) {
-                self.line(string.ends(), 0.5);
+                self.line(ends(string), 0.5);
             }
         }
-        self.line(parts.iter().filter(|part| part.name == "hoop").flat_map(Part::ends), 3.0);
+        self.line(parts.iter().filter(|part| part.name == "hoop").flat_map(ends), 3.0);
         for bar in parts.iter().filter(|part| part.name == "throat bar") {
-            self.line(bar.ends(), 3.0);
+            self.line(ends(bar), 3.0);
         }
         parts.sort_by(|a, b| a.middle.z.total_cmp(&b.middle.z).then(b.middle.x.total_cmp(&a.middle.x)));
         for part in &parts {
@@ -48,7 +53,7 @@ impl Cell<'_> {
 
     /// A round bar, as thick as it is; its pen rounds the ends.
     fn round(&self, part: &Part, radius: f64) {
-        let [from, to] = part.ends();
+        let [from, to] = ends(part);
         let rounded = part.along * (radius / part.along.norm());
         let [a, b] = [from + rounded, to - rounded].map(|p| self.view.at(&p));
         let wide = 2.0 * radius * self.view.scale();
@@ -58,7 +63,7 @@ impl Cell<'_> {
 
     /// A tube along x, seen from its far end.
     fn tube(&self, part: &Part, inner: f64, outer: f64) {
-        let [from, to] = part.ends();
+        let [from, to] = ends(part);
         let ring = |radius: f64, x: f64| -> Vec<P> {
             (0..48)
                 .map(|i| {

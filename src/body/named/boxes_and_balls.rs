@@ -32,12 +32,6 @@ pub const PHONE: Even<3> = Even { sizes: [0.0716, 0.0078, 0.1476], mass: 0.171 }
 
 pub(super) const REMOTE_CONTROL: Even<3> = Even { sizes: [0.035, 0.00925, 0.136], mass: 0.063 };
 
-/// The edges along x and y of a thin plate, twice as wide as high.
-pub const PLATE: Even<2> = Even { sizes: [2.0, 1.0], mass: 1.0 };
-
-/// The radius and the length along z of a pencil.
-pub const PENCIL: Even<2> = Even { sizes: [0.0035, 0.18], mass: 0.005 };
-
 /// The radius of a ball of one metre and one kilogram.
 pub const BALL: Even<1> = Even { sizes: [0.5], mass: 1.0 };
 
@@ -45,13 +39,7 @@ impl Even<3> {
     /// It as the only part of a body, a box.
     pub(super) fn part(&self, name: &'static str, material: &'static str) -> Part {
         let [wide, thick, length] = self.sizes;
-        Part {
-            name,
-            material,
-            section: Section::Rectangle { wide, thick },
-            middle: Vector3::zeros(),
-            along: Vector3::new(0.0, 0.0, length),
-            fill: Fill::Mass(self.mass),
-        }
+        let (section, along) = (Section::Rectangle { wide, thick }, Vector3::new(0.0, 0.0, length));
+        Part::new([name, material], section, Vector3::zeros(), along, Fill::Mass(self.mass))
     }
 }

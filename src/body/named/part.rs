@@ -19,7 +19,9 @@ pub struct Part {
     pub middle: Vector3<f64>,
     /// From one end to the other, m; without a component along y.
     pub along: Vector3<f64>,
-    pub(super) fill: Fill,
+    /// Its mass to a few units in the last place, kg.
+    pub mass: f64,
+    fill: Fill,
 }
 
 /// The cross-section of a [`Part`], m.
@@ -58,45 +60,29 @@ pub(super) enum Fill {
 }
 
 impl Part {
-    /// Its length, m.
-    fn length(&self) -> f64 {
-        hypot(self.along.x, self.along.z)
-    }
-
-    /// Its two ends, m.
-    #[must_use]
-    pub fn ends(&self) -> [Vector3<f64>; 2] {
-        [self.middle - 0.5 * self.along, self.middle + 0.5 * self.along]
-    }
-
-    /// Its mass to a few units in the last place, kg.
-    #[must_use]
-    pub fn mass(&self) -> f64 {
-        let area = match self.section {
+    pub(super) fn new(
+        [name, material]: [&'static str; 2],
+        section: Section,
+        middle: Vector3<f64>,
+        along: Vector3<f64>,
+        fill: Fill,
+    ) -> Self {
+        let area = match section {
             Section::Line => 0.0,
             Section::Rectangle { wide, thick } => wide * thick,
             Section::Round { radius } => PI * radius * radius,
             Section::Ring { inner, outer } => PI * (outer - inner) * (outer + inner),
         };
-        match self.fill {
+        let mass = match fill {
             Fill::Mass(mass) => mass,
-            Fill::Density(density) => density * area * self.length(),
-        }
+            Fill::Density(density) => density * area * hypot(along.x, along.z),
+        };
+        Self { name, material, section, middle, along, mass, fill }
     }
 
-    /// How wide in the xz plane, and how thick along y, it is drawn, m. What is computed as a line is drawn
-    /// as thick as a racket's frame is, and a string as a line.
-    #[must_use]
-    pub fn drawn(&self) -> [f64; 2] {
-        match self.section {
-            Section::Rectangle { wide, thick } => [wide, thick],
-            Section::Round { radius } | Section::Ring { outer: radius, .. } => [2.0 * radius; 2],
-            Section::Line => match self.name {
-                "hoop" => [0.016; 2],
-                "throat bar" => [0.014; 2],
-                _ => [0.0; 2],
-            },
-        }
+    /// Its length, m.
+    fn length(&self) -> f64 {
+        hypot(self.along.x, self.along.z)
     }
 
     /// The turn, part to body, that lays its own z axis along it.
@@ -123,7 +109,7 @@ impl Part {
     /// Its inertia about its middle in the body's axes, by the laws alone: to a few units in the last place,
     /// and unchecked.
     pub(super) fn inertia(&self) -> Matrix3<f64> {
-        let (mass, length) = (self.mass(), self.length());
+        let (mass, length) = (self.mass, self.length());
         let [across, y, along] = match self.section {
             Section::Line => ThinRod::moments(&mass, [&length]),
             Section::Rectangle { wide, thick } => Cuboid::moments(&mass, [&wide, &thick, &length]),
@@ -168,11 +154,7 @@ mod tests {
                 let (z, y) = (part.attitude() * Vector3::z(), part.attitude() * Vector3::y());
                 assert!((z * part.along.norm() - part.along).amax() < 1e-15, "{body} {}", part.name);
                 assert!((y - Vector3::y()).amax() < 1e-15, "{body} {}", part.name);
-                assert!(
-                    (part.properties().unwrap().mass() / part.mass() - 1.0).abs() < 1e-14,
-                    "{}",
-                    part.name
-                );
+                assert!((part.properties().unwrap().mass() / part.mass - 1.0).abs() < 1e-14, "{}", part.name);
             });
         }
     }

@@ -9,14 +9,9 @@ use num_traits::Float as _;
 
 /// A thin bar from one `[x, z]` to another.
 fn bar(name: &'static str, material: &'static str, mass: f64, from: [f64; 2], to: [f64; 2]) -> Part {
-    Part {
-        name,
-        material,
-        section: Section::Line,
-        middle: Vector3::new(0.5 * (from[0] + to[0]), 0.0, 0.5 * (from[1] + to[1])),
-        along: Vector3::new(to[0] - from[0], 0.0, to[1] - from[1]),
-        fill: Fill::Mass(mass),
-    }
+    let middle = Vector3::new(0.5 * (from[0] + to[0]), 0.0, 0.5 * (from[1] + to[1]));
+    let along = Vector3::new(to[0] - from[0], 0.0, to[1] - from[1]);
+    Part::new([name, material], Section::Line, middle, along, Fill::Mass(mass))
 }
 
 pub(super) fn parts(put: &mut dyn FnMut(Part)) {
@@ -45,12 +40,7 @@ pub(super) fn parts(put: &mut dyn FnMut(Part)) {
     for side in [-1.0, 1.0] {
         put(bar("throat bar", "frame", 0.025, [side * 0.012, 0.190], [side * 0.080, 0.395]));
     }
-    put(Part {
-        name: "handle",
-        material: "grip",
-        section: Section::Rectangle { wide: 0.034, thick: 0.029 },
-        middle: Vector3::new(0.0, 0.0, 0.095),
-        along: Vector3::new(0.0, 0.0, 0.190),
-        fill: Fill::Mass(0.110),
-    });
+    let (middle, along) = (Vector3::new(0.0, 0.0, 0.095), Vector3::new(0.0, 0.0, 0.190));
+    let section = Section::Rectangle { wide: 0.034, thick: 0.029 };
+    put(Part::new(["handle", "grip"], section, middle, along, Fill::Mass(0.110)));
 }

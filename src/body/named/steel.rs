@@ -11,7 +11,7 @@ const STEEL: f64 = 7850.0;
 const ASH: f64 = 680.0;
 
 fn steel(name: &'static str, section: Section, middle: Vector3<f64>, along: Vector3<f64>) -> Part {
-    Part { name, material: "steel", section, middle, along, fill: Fill::Density(STEEL) }
+    Part::new([name, "steel"], section, middle, along, Fill::Density(STEEL))
 }
 
 fn along_x(x: f64) -> Vector3<f64> {
@@ -24,14 +24,8 @@ fn along_z(z: f64) -> Vector3<f64> {
 
 pub(super) fn hammer(put: &mut dyn FnMut(Part)) {
     let (handle, side) = (0.290, 0.032);
-    put(Part {
-        name: "handle",
-        material: "ash",
-        section: Section::Round { radius: 0.0145 },
-        middle: along_z(0.5 * handle),
-        along: along_z(handle),
-        fill: Fill::Density(ASH),
-    });
+    let (round, ash) = (Section::Round { radius: 0.0145 }, Fill::Density(ASH));
+    put(Part::new(["handle", "ash"], round, along_z(0.5 * handle), along_z(handle), ash));
     let head = Section::Rectangle { wide: 0.100, thick: side };
     put(steel("head", head, along_z(handle + 0.5 * side), along_z(side)));
 }

@@ -2,29 +2,16 @@
 
 use crate::number::Field;
 
-/// What a part of a step does, along the principal axes before it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Turn<T> {
-    /// The axis of the turn times the tangent of half its angle.
-    pub tangents: [T; 3],
-    /// `(1 + c x) omega_after - (1 - c x) omega`, with `c` the tangents and `omega_after` the spin after the
-    /// turn along the axes after it.
-    pub slip: [T; 3],
-}
-
-impl<T: Field> Turn<T> {
-    /// The change of the spin, rad/s, along the axes before the turn, times `1 + |tangents|^2`.
-    #[must_use]
-    #[inline(always)]
-    pub fn change(&self) -> [T; 3] {
-        let [c, b] = [&self.tangents, &self.slip];
-        let p = |i: usize, j: usize| c[i].clone() * b[j].clone();
-        let along = (p(0, 0) + p(1, 1)) + p(2, 2);
-        three(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            b[i].clone() + ((p(j, k) - p(k, j)) + c[i].clone() * along.clone())
-        })
-    }
+/// The change of the spin in a [`conserving_turn`], rad/s, along the axes before the turn, times `1 +
+/// |tangents|^2`, from the two vectors that the turn gives.
+#[inline(always)]
+pub fn change_of_spin<T: Field>([tangents, slip]: &[[T; 3]; 2]) -> [T; 3] {
+    let p = |i: usize, j: usize| tangents[i].clone() * slip[j].clone();
+    let along = (p(0, 0) + p(1, 1)) + p(2, 2);
+    three(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        slip[i].clone() + ((p(j, k) - p(k, j)) + tangents[i].clone() * along.clone())
+    })
 }
 
 /// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
@@ -39,6 +26,10 @@ impl<T: Field> Turn<T> {
 ///   of the turn.
 /// - `root`: the square root.
 ///
+/// Returns two vectors along the principal axes before the turn: its tangents `c`, its axis times the tangent
+/// of half its angle; and the slip `(1 + c x) omega_after - (1 - c x) omega`, with `omega_after` the spin
+/// after the turn along the axes after it.
+///
 /// With `Q_i^2 = pace + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
 /// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / pace`.
 #[inline(always)]
@@ -49,7 +40,7 @@ pub fn conserving_turn<T: Field>(
     h: &T,
     pace: &T,
     mut root: impl FnMut(T) -> T,
-) -> Turn<T> {
+) -> [[T; 3]; 2] {
     let of = |x: &[T; 3], i: usize| x[i % 3].clone();
     let theta = three(|i| of(omega, i) * h.clone());
     let roots = three(|i| {
@@ -70,7 +61,7 @@ pub fn conserving_turn<T: Field>(
     let scaled = three(|i| of(&sum, i) * over.clone());
     let tangents = three(|i| of(weights, i) * (of(&scaled, i) * pace.clone()));
     let slip = three(|i| of(weights, i) * (of(coupling, i) * (of(&scaled, i + 1) * of(&sum, i + 2))));
-    Turn { tangents, slip }
+    [tangents, slip]
 }
 
 /// Along each axis.

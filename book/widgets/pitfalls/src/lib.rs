@@ -4,10 +4,13 @@
 //! The page keeps each engine's state between two questions, and never looks into it.
 
 use exchange::Numbers;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe::{energy, sign_changes};
-use tumbling::step::{Carried, Engine, rk4};
+use tumbling::step::{Engine, rk4};
+
+/// The attitude, and the vector that the engine carries.
+type Motion = (Quaternion<f64>, Vector3<f64>);
 
 /// The most steps in one answer.
 const MOST: usize = 1000;
@@ -79,9 +82,9 @@ impl Run {
     }
 
     /// What the page brings back: the attitude, real part first, and the carried vector.
-    fn motion(&self, row: &Numbers) -> Carried<f64> {
+    fn motion(&self, row: &Numbers) -> Motion {
         let [w, i, j, k, x, y, z] = row.take(STATE);
-        Carried { attitude: nalgebra::Quaternion::new(w, i, j, k), vector: Vector3::new(x, y, z) }
+        (Quaternion::new(w, i, j, k), Vector3::new(x, y, z))
     }
 
     fn go_on(&self, row: &Numbers) -> usize {
@@ -92,10 +95,11 @@ impl Run {
         let mut found = self.measured(&motion);
         let [mut low, mut high] = [found.energy; 2];
         while taken < (count as usize).min(MOST) {
-            let mut next =
-                rk4(&motion, step, |m| self.engine.rate(&self.tensor, &self.inverse, m), Carried::plus);
-            let length = next.attitude.norm();
-            next.attitude /= length;
+            let law = |(q, v): &Motion| self.engine.rate(&self.tensor, &self.inverse, q, v);
+            let plus = |(q, v): &Motion, rate: &Motion, h: f64| (q + rate.0 * h, v + rate.1 * h);
+            let mut next = rk4(&motion, step, law, plus);
+            let length = next.0.norm();
+            next.0 /= length;
             let now = self.measured(&next);
             if !(length > 0.0 && now.held()) {
                 break;
@@ -143,9 +147,9 @@ impl Run {
     }
 
     /// What a measurement on the body would find, whatever the engine believes.
-    fn measured(&self, motion: &Carried<f64>) -> Measured {
-        let rotation = rotation_matrix(&motion.attitude);
-        let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, &motion.vector);
+    fn measured(&self, (attitude, carried): &Motion) -> Measured {
+        let rotation = rotation_matrix(attitude);
+        let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, carried);
         let momentum = tumbling::inertia::turned(&rotation, &self.tensor) * omega;
         Measured {
             spin: (rotation.transpose() * omega).x,

@@ -35,13 +35,20 @@ pub(crate) fn answer(which: f64, own: [f64; 3], row: &Numbers) -> usize {
 }
 
 fn numbers(part: &Part) -> [f64; SIZE] {
-    let ([from, to], mass) = (part.ends(), part.mass());
+    let (from, to) = (part.middle - 0.5 * part.along, part.middle + 0.5 * part.along);
+    let mass = part.mass;
     match part.section {
         Section::Ring { inner, outer } => [1.0, from.x, to.x, inner, outer, 0.0, 0.0, mass],
         Section::Round { radius } => [3.0, from.x, from.z, to.x, to.z, radius, 0.0, mass],
-        _ => {
-            let [wide, thick] = part.drawn();
-            [0.0, from.x, from.z, to.x, to.z, wide, thick, mass]
+        Section::Rectangle { wide, thick } => [0.0, from.x, from.z, to.x, to.z, wide, thick, mass],
+        Section::Line => {
+            // A racket's frame is drawn as thick as it is, a string as a line.
+            let thick = match part.name {
+                "hoop" => 0.016,
+                "throat bar" => 0.014,
+                _ => 0.0,
+            };
+            [0.0, from.x, from.z, to.x, to.z, thick, thick, mass]
         }
     }
 }

@@ -6,19 +6,25 @@ use nalgebra::Vector3;
 use tumbling::body::named::{self, Even};
 use tumbling::solid::{Ball, Cuboid, Cylinder, Shape, ThinPlate};
 
+/// The edges along x and y of a thin plate, twice as wide as high.
+const PLATE: Even<2> = Even { sizes: [2.0, 1.0], mass: 1.0 };
+
+/// The radius and the length along z of a pencil.
+const PENCIL: Even<2> = Even { sizes: [0.0035, 0.18], mass: 0.005 };
+
 /// The moments of a body, kg m², and its size along its axes, m. The bodies are those of the book.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
     let cuboid = |body: Even<3>| (Cuboid::moments(&body.mass, body.sizes.each_ref()), body.sizes);
     match which as u32 {
         0 => {
-            let Even { sizes, mass } = named::PLATE;
+            let Even { sizes, mass } = PLATE;
             (ThinPlate::moments(&mass, sizes.each_ref()), [sizes[0], sizes[1], 0.0])
         }
         1 => cuboid(named::THE_BOX),
         2 => cuboid(named::BOOK),
         3 => cuboid(named::PHONE),
         4 => {
-            let Even { sizes, mass } = named::PENCIL;
+            let Even { sizes, mass } = PENCIL;
             (Cylinder::moments(&mass, sizes.each_ref()), [2.0 * sizes[0], 2.0 * sizes[0], sizes[1]])
         }
         _ => {

@@ -9,7 +9,7 @@ use tumbling::attitude::{product, rate, rotation_matrix};
 use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
 use tumbling::dynamics::stability::rate_squared;
 use tumbling::inertia::{omega_world, point_mass, turned};
-use tumbling::step::{Carried, Engine};
+use tumbling::step::Engine;
 
 fn inverse_diagonal(moments: &Vector) -> Matrix {
     diagonal(&moments.map(|x| Fraction::one() / x))
@@ -183,8 +183,7 @@ pub(super) fn frozen() -> Scope {
     let inverse = adjugate.map(|x| x / &determinant);
     let [one, zero] = [Fraction::one(), Fraction::zero()];
     let attitude = Quaternion::new(one, zero.clone(), zero.clone(), zero);
-    let carried = Carried { attitude, vector: omega.clone() };
-    let (_, rate) = Engine::Frozen.rate(&tensor, &inverse, &carried);
+    let (_, rate) = Engine::Frozen.rate(&tensor, &inverse, &attitude, &omega);
     Scope::default()
         .with(r"I_{\text{body}}", tensor)
         .with(r"\boldsymbol{\omega}", omega)

@@ -8,7 +8,7 @@ use num_traits::{One, Zero};
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::euler::tensor_times_acceleration;
 use tumbling::inertia::turned;
-use tumbling::step::{Carried, Engine};
+use tumbling::step::Engine;
 
 /// A law that the motion of a free body obeys, and that an engine may break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,8 +116,7 @@ impl Run {
         let (tensor, inverse) = (diagonal(moments), diagonal(&moments.map(|x| Fraction::one() / x)));
         let carried = vector("v");
         let omega = reduced(engine.omega_world(&rotation, &tensor, &inverse, &carried));
-        let motion = Carried { attitude: q, vector: carried.clone() };
-        let (q_rate, v_rate) = engine.rate(&tensor, &inverse, &motion);
+        let (q_rate, v_rate) = engine.rate(&tensor, &inverse, &q, &carried);
         let q_rate = q_rate.coords.map(|x| unit.reduce_fraction(&x));
         let time = Derivation::new([
             ("w", q_rate.w.clone()),
