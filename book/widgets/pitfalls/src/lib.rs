@@ -115,7 +115,7 @@ impl Run {
         let earlier = [(step * (before - 1.0), row.get(STATE + 8)), (step * before, last)];
         let samples = (0..taken).map(|i| (step * (before + (i + 1) as f64), row.get(HEAD + i)));
         let flips = sign_changes(earlier.into_iter().chain(samples));
-        let (q, v) = (&motion.attitude, &motion.vector);
+        let (q, v) = &motion;
         let last = if taken == 0 { last } else { row.get(HEAD + taken - 1) };
         row.fill(&[
             taken as f64,
