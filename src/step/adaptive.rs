@@ -7,13 +7,16 @@ use crate::number::Analytic;
 use crate::number::functions::fifth_root;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
+///
+/// After each step the attitude is brought back to length 1, and the momentum of a free body to the length
+/// that it had at the start; what they were off by counts as an error of the step.
 ///
 /// The first step follows from how fast the body turns; each of the others from the error of the one before.
 /// The tolerance is of a step, not of the run: errors add up. A body of any tensor goes by
@@ -37,7 +40,7 @@ use num_traits::FromPrimitive;
 /// fails.
 ///
 /// # Errors
-/// A duration that is not finite, a tolerance below four roundings of `T`, a
+/// A duration that is not finite, an attitude of no length, a tolerance below four roundings of `T`, a
 /// motion that leaves what `T` holds, an error that stays too large however short the step; one of kind
 /// [`TooMany`](crate::ErrorKind::TooMany) after `budget` steps, or as soon as stiff losses would need more.
 pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
@@ -90,6 +93,8 @@ struct Run<'a, T: Analytic> {
     /// Seconds since the start.
     time: f64,
     state: State<T>,
+    /// The length of the momentum of a free body, which does not change; zero with torques.
+    momentum: T,
     /// The rates at `state`.
     slope: Rate<T>,
     /// The next step, s.
@@ -105,22 +110,37 @@ struct Run<'a, T: Analytic> {
 impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     fn new(system: &'a System<T>, start: &State<T>, duration: f64, tolerance: f64) -> Result<Self, Error> {
         check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
-        let slope = system.rate(start);
+        let mut state = *start;
+        positive("the length of the attitude quaternion", normalize(&mut state.attitude))?;
+        let slope = system.rate(&state);
         let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
         if !size.is_finite() {
             return Err(Refusal::OutOfRange { what: "the rate at the start", value: size }.into());
         }
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
         // error will say so.
-        let torque = largest(system.torque(start).as_slice());
+        let torque = largest(system.torque(&state).as_slice());
         let turning =
-            over(largest(slope.attitude.coords.as_slice()), largest(start.attitude.coords.as_slice()));
+            over(largest(slope.attitude.coords.as_slice()), largest(state.attitude.coords.as_slice()));
         let pace = (2.0 * turning).max((torque * largest(system.inverse().as_slice())).sqrt());
         let guess = fifth_root(tolerance) / pace;
         let h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
-        let (state, time) = (*start, 0.0);
-        let (steps, rejected, stiff, mild) = (0, 0, 0, 0);
-        Ok(Self { system, duration, tolerance, time, state, slope, h, steps, rejected, stiff, mild })
+        let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
+        let (time, steps, rejected, stiff, mild) = (0.0, 0, 0, 0, 0);
+        Ok(Self {
+            system,
+            duration,
+            tolerance,
+            time,
+            state,
+            momentum,
+            slope,
+            h,
+            steps,
+            rejected,
+            stiff,
+            mild,
+        })
     }
 
     fn number(x: f64) -> T {
@@ -140,9 +160,11 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
             .into());
         }
         let (step, end_time) = (Self::number(h), Self::number(self.time + h));
-        let stages = Stages::new(self.system, &self.state, self.slope, &Self::number(self.time), &step);
+        let mut stages = Stages::new(self.system, &self.state, self.slope, &Self::number(self.time), &step);
+        let stretched = self.project(&mut stages.end);
         let end_slope = self.system.rate_after(&stages.end, &end_time);
-        let error = self.error(&stages.error(&end_slope, &step), &stages.end, h) / self.tolerance;
+        let error = self.error(&stages.error(&end_slope, &step), &stages.end, h);
+        let error = largest(&[error, stretched]) / self.tolerance;
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() { f64::INFINITY } else { error };
         // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
@@ -157,6 +179,28 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         }
         self.h = h * factor;
         Ok(())
+    }
+
+    /// Brings attitude and momentum back to the lengths that do not change; returns how far off they were,
+    /// relative to these.
+    fn project(&self, end: &mut State<T>) -> f64 {
+        let attitude = normalize(&mut end.attitude) - 1.0;
+        if self.momentum.is_zero() {
+            return attitude.abs();
+        }
+        let scale = self.momentum / Self::length(&end.momentum);
+        end.momentum.apply(|x| *x *= scale);
+        largest(&[attitude, (scale - T::one()).size()])
+    }
+
+    /// The length of a momentum whose squares may leave the range of `T`.
+    fn length(momentum: &Vector3<T>) -> T {
+        let size = Self::number(largest(momentum.as_slice()));
+        if size.is_zero() {
+            return size;
+        }
+        let part = momentum.map(|x| x / size);
+        size * part.dot(&part).sqrt()
     }
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
@@ -213,6 +257,13 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     }
 }
 
+/// Brings the attitude to length 1; returns its length before.
+fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
+    let length = attitude.coords.dot(&attitude.coords).sqrt();
+    attitude.coords.apply(|x| *x /= length.clone());
+    length.size()
+}
+
 /// The size of the largest number, without a square, which would leave the range before the number does; NaN
 /// if one is.
 fn largest<T: Analytic>(parts: &[T]) -> f64 {
@@ -229,7 +280,6 @@ mod tests {
     use super::*;
     use crate::inertia::PrincipalMoments;
     use crate::step::torque::Torque;
-    use nalgebra::Quaternion;
 
     #[test]
     fn a_controlled_run_takes_back_steps_that_were_too_long() {
