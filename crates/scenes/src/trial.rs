@@ -92,8 +92,10 @@ impl Trial<'_> {
             control = finer;
         }
         match coarse {
-            _ if 2.0 * best < 1.0 => {
-                Err(Error::Unattainable { requested: self.accuracy, attainable: 2.0 * best })
+            // Agreement is half of the accuracy; as much again, since roundings differ with the steps that
+            // another accuracy leads to.
+            _ if 4.0 * best < 1.0 => {
+                Err(Error::Unattainable { requested: self.accuracy, attainable: 4.0 * best })
             }
             Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
             _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - *left }),
