@@ -16,6 +16,7 @@ use crate::number::functions::atan2;
 use alloc::boxed::Box;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
+pub(crate) use principal::moments_of;
 pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, Refusal, TensorRefusal, finite_vector, positive};

@@ -1,6 +1,6 @@
 //! The inverse tensor, which takes momentum to spin.
 
-use super::{Inertia, in_range, is_diagonal};
+use super::{Inertia, in_range, is_diagonal, moments_of};
 use crate::error::{Error, TensorRefusal};
 use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
@@ -22,7 +22,7 @@ impl Inertia {
     pub fn inverse(&self) -> Result<Matrix3<f64>, Error> {
         let m = &self.tensor;
         let diagonal = is_diagonal(m);
-        let moments = self.principal().moments();
+        let moments = moments_of(m);
         // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
         let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
         if moments[0] <= rounding {

@@ -1,6 +1,6 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
-use super::{Inertia, PrincipalAxes, in_range, is_diagonal, nearest, symmetrized, turned};
+use super::{Inertia, PrincipalAxes, in_range, is_diagonal, moments_of, nearest, symmetrized, turned};
 use crate::error::{Error, ErrorKind, Refusal, TensorRefusal, finite, not_negative, positive};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
@@ -34,7 +34,7 @@ impl Inertia {
     /// its sums have, so only its range is checked.
     pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
         in_range("a moment of inertia", &tensor)?;
-        moments_in_range(&PrincipalAxes::of(&tensor).moments())?;
+        moments_in_range(&moments_of(&tensor))?;
         Ok(Self { tensor: symmetrized(&tensor) })
     }
 
@@ -67,7 +67,7 @@ impl Inertia {
         }
         positive("the largest moment of inertia", tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
-        let moments = PrincipalAxes::of(&tensor).moments();
+        let moments = moments_of(&tensor);
         moments_in_range(&moments)?;
         physically_possible(&moments, (ulps * ulp(moments[2])).max(ROUNDING_ULPS * ulp(origin)))?;
         Ok(Self { tensor })
@@ -109,8 +109,7 @@ impl Inertia {
         let scale = exponent(tensor.amax());
         let given = tensor.map(|x| times_power_of_two(x, -scale));
         let symmetric = symmetrized(&given);
-        let principal = PrincipalAxes::of(&symmetric);
-        let moments = principal.moments();
+        let moments = moments_of(&symmetric);
         if moments[2] <= 0.0 {
             return strict.map(|value| (value, 0.0));
         }
@@ -122,7 +121,8 @@ impl Inertia {
             Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
         } else {
             let change = nearest::possible(&moments) - moments;
-            symmetrized(&(symmetric + turned(&principal.frame(), &Matrix3::from_diagonal(&change))))
+            let frame = PrincipalAxes::of(&symmetric).frame();
+            symmetrized(&(symmetric + turned(&frame, &Matrix3::from_diagonal(&change))))
         };
         let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
         let value = Self::try_from(adjusted.map(|x| times_power_of_two(x, scale)))?;

@@ -79,27 +79,17 @@ impl PrincipalAxes {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }
 
-    /// Of a symmetric, finite, nonzero matrix. Jacobi's method [Jac46](crate::references): each rotation
-    /// clears one product; it leaves a diagonal tensor untouched, and keeps the small moment of a needle to
-    /// the relative accuracy that the entries allow [DV92](crate::references), which the usual reduction does
-    /// not.
-    pub(crate) fn of(tensor: &Matrix3<f64>) -> Self {
-        let scale = exponent(tensor.amax());
-        let mut a = tensor.map(|x| times_power_of_two(x, -scale));
-        let mut v = Matrix3::identity();
-        // Convergence is quadratic: ten sweeps are several times what the worst matrix needs.
-        for _ in 0..10 {
-            let mut clean = true;
-            for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-                clean &= !rotate(&mut a, &mut v, p, q);
-            }
-            if clean {
-                break;
-            }
-        }
-        let order = ascending(&a.diagonal());
-        let moments = Vector3::from_fn(|i, _| a[(order[i], order[i])]);
-        let axes = order.map(|i| v.column(i).into_owned());
+    /// Of a symmetric, finite, nonzero matrix.
+    pub(super) fn of(tensor: &Matrix3<f64>) -> Self {
+        let (scale, (moments, axes)) = if is_diagonal(tensor) {
+            (0, (tensor.diagonal(), Matrix3::identity()))
+        } else {
+            let scale = exponent(tensor.amax());
+            (scale, diagonalized(tensor.map(|x| times_power_of_two(x, -scale))))
+        };
+        let order = ascending(&moments);
+        let moments = Vector3::from(order.map(|i| moments[i]));
+        let axes = order.map(|i| axes.column(i).into_owned());
         Self {
             frame: canonical_frame(&moments, &axes),
             moments: moments.map(|x| times_power_of_two(x, scale)),
@@ -134,6 +124,33 @@ impl TryFrom<PrincipalAxes> for PrincipalMoments {
     fn try_from(axes: PrincipalAxes) -> Result<Self, Error> {
         Self::of_tensor(axes.moments)
     }
+}
+
+/// The principal moments of a symmetric, finite, nonzero matrix, smallest first.
+pub(crate) fn moments_of(tensor: &Matrix3<f64>) -> Vector3<f64> {
+    if is_diagonal(tensor) {
+        let diagonal = tensor.diagonal();
+        return ascending(&diagonal).map(|i| diagonal[i]).into();
+    }
+    PrincipalAxes::of(tensor).moments
+}
+
+/// The principal moments and axes, by columns, in any order. Jacobi's method [Jac46](crate::references): each
+/// rotation clears one product; it keeps the small moment of a needle to the relative accuracy that the
+/// entries allow [DV92](crate::references), which the usual reduction does not.
+fn diagonalized(mut a: Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
+    let mut v = Matrix3::identity();
+    // Convergence is quadratic: ten sweeps are several times what the worst matrix needs.
+    for _ in 0..10 {
+        let mut clean = true;
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            clean &= !rotate(&mut a, &mut v, p, q);
+        }
+        if clean {
+            break;
+        }
+    }
+    (a.diagonal(), v)
 }
 
 /// One Jacobi rotation in the plane of axes `p` and `q`; false if their product was already zero to rounding

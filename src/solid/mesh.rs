@@ -7,7 +7,7 @@
 use super::tetrahedron::{determinant, triple};
 use super::{MassMoments, MassProperties, Solid, shells, topology};
 use crate::error::{Error, MeshRefusal, Refusal, TensorRefusal, finite_vector, positive};
-use crate::inertia::PrincipalAxes;
+use crate::inertia::moments_of;
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
 use crate::number::{Field, Ring};
@@ -203,7 +203,7 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
     let largest = tensor
         .diagonal()
         .fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
-    let moments = PrincipalAxes::of(&tensor.map(|x| (x / largest).nearest())).moments();
+    let moments = moments_of(&tensor.map(|x| (x / largest).nearest()));
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess <= tolerance {

@@ -43,6 +43,10 @@ fn an_ideal_rod_has_no_inverse_but_a_thin_one_has() {
     refused(askew.inverse(), ErrorKind::NotInvertible, "momentum does not determine spin");
     let thin = Inertia::from_moments(1.0, 1.0, 1e-30).unwrap();
     assert_eq!(thin.inverse().unwrap().m33, 1.0 / 1e-30);
+    // No scale is common to these: the smallest relative to the largest is below every f64.
+    let far = Inertia::from_moments(1e300, 1e300, 1e-300).unwrap();
+    assert_eq!(far.inverse().unwrap().diagonal(), nalgebra::Vector3::new(1e-300, 1e-300, 1.0 / 1e-300));
+    assert_eq!(far.principal().moments(), nalgebra::Vector3::from([1e-300, 1e300, 1e300]));
     let tiny = Inertia::from_moments(1e-310, 1e-310, 1e-310).unwrap();
     refused(tiny.inverse(), ErrorKind::Unrepresentable, "an inverse moment comes out as inf");
 }
