@@ -19,6 +19,7 @@ const UNIT_TOLERANCE: f64 = 1e-9;
 /// assert_eq!(product(&j, &i), Quaternion::new(0, 0, 0, -1));
 /// ```
 #[must_use]
+#[inline(always)]
 pub fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let [a, b, c, d] = [&p.coords.w, &p.coords.x, &p.coords.y, &p.coords.z];
     let [e, f, g, h] = [&q.coords.w, &q.coords.x, &q.coords.y, &q.coords.z];

@@ -111,7 +111,8 @@ impl<T: Field> Torque<T> {
 
     /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to
     /// world), with the momentum and spin in body axes.
-    #[inline]
+    // Always: into a kick, which looks at one kind of torque alone.
+    #[inline(always)]
     pub(crate) fn at(
         &self,
         time: &T,

@@ -35,7 +35,7 @@ impl Plan<'_> {
         match &self.strategy {
             Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 150.0 },
             Strategy::Nothing | Strategy::Constant { .. } => Cost { once: 1900.0, state: 120.0 },
-            Strategy::Rotation(_) => Cost { once: 2500.0, state: 490.0 },
+            Strategy::Rotation { .. } => Cost { once: 2500.0, state: 490.0 },
             Strategy::SymmetricTop(_) if outputs.attitude => Cost { once: 3100.0, state: 1000.0 },
             Strategy::SymmetricTop(_) => Cost { once: 3100.0, state: 430.0 },
             Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 720.0 },

@@ -59,7 +59,7 @@ impl Plan<'_> {
                 "the spin as it is at the start, for all time".into()
             }
             Strategy::Constant { .. } => "the body as it lies, for all time".into(),
-            Strategy::Rotation(_) => "one even turn about one axis: a sine and a cosine".into(),
+            Strategy::Rotation { .. } => "one even turn about one axis: a sine and a cosine".into(),
             Strategy::SymmetricTop(_) if outputs.attitude => {
                 "two even turns, one after the other: two sines and cosines".into()
             }
@@ -91,7 +91,7 @@ impl Plan<'_> {
         let mut out: Vec<&str> = Vec::new();
         match &self.strategy {
             Strategy::Nothing => out.push("all motion, since nothing that moves is requested"),
-            Strategy::Constant { .. } | Strategy::Rotation(_) => out.push(match self.equal() {
+            Strategy::Constant { .. } | Strategy::Rotation { .. } => out.push(match self.equal() {
                 3 => "the gyroscopic term, since all three moments are equal",
                 _ if self.body.omega == nalgebra::Vector3::zeros() => "all motion, since the body is at rest",
                 _ => "the gyroscopic term, since the spin is along a principal axis or within the plane of two equal moments",

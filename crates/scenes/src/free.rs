@@ -41,7 +41,10 @@ pub(crate) fn strategy(
         Regime::Steady { .. } if !outputs.attitude => {
             Ok(Strategy::Constant { spin: in_body(true), attitude: None })
         }
-        Regime::Steady { .. } => elementary().map(|()| Strategy::Rotation(Box::new(motion))),
+        Regime::Steady { .. } => {
+            let (motion, spin) = (Box::new(motion), in_body(outputs.spin));
+            elementary().map(|()| Strategy::Rotation { motion, spin })
+        }
         Regime::SymmetricTop { .. } => elementary().map(|()| Strategy::SymmetricTop(Box::new(motion))),
         _ => {
             attainable(&motion, regime, body, end, accuracy)?;

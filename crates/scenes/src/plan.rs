@@ -61,7 +61,10 @@ impl<'a> Plan<'a> {
         }
         let steady = matches!(
             strategy,
-            Strategy::Nothing | Strategy::Constant { .. } | Strategy::Rotation(_) | Strategy::SymmetricTop(_)
+            Strategy::Nothing
+                | Strategy::Constant { .. }
+                | Strategy::Rotation { .. }
+                | Strategy::SymmetricTop(_)
         );
         let gap = if outputs.gap && steady {
             Some(Inertia::from(body.moments).angle_to_momentum(&body.omega)?)
@@ -101,7 +104,7 @@ impl<'a> Plan<'a> {
 
     pub(crate) fn free_motion(&self) -> Option<&FreeMotion> {
         match &self.strategy {
-            Strategy::Rotation(motion)
+            Strategy::Rotation { motion, .. }
             | Strategy::SymmetricTop(motion)
             | Strategy::EllipticSpin(motion)
             | Strategy::Elliptic(motion) => Some(motion),

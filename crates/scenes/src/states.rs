@@ -5,8 +5,8 @@ use crate::plan::{Plan, energy};
 use crate::scene::Scene;
 use crate::strategy::{Driven, Strategy};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::Inertia;
 use tumbling::step::State;
+use tumbling::{Inertia, attitude};
 
 /// A body at one time: the outputs requested.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,12 +79,10 @@ impl<'a> States<'a> {
                 return Ok(Answer { time, spin: *spin, attitude: *attitude, energy, gap });
             }
             _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
-            Strategy::Rotation(motion) => {
+            Strategy::Rotation { motion, spin } => {
                 let attitude = Some(plan.turned(motion.attitude(time)?.into_inner()));
-                let spin =
-                    if plan.scene.outputs().spin { Some(plan.body.in_body(plan.body.omega)) } else { None };
                 let (energy, gap) = (plan.energy, plan.gap);
-                return Ok(Answer { time, spin, attitude, energy, gap });
+                return Ok(Answer { time, spin: *spin, attitude, energy, gap });
             }
             Strategy::SymmetricTop(motion) | Strategy::EllipticSpin(motion) | Strategy::Elliptic(motion) => {
                 let outputs = plan.scene.outputs();
@@ -147,9 +145,9 @@ impl Plan<'_> {
         self.answer(time, Some(*omega), attitude)
     }
 
-    #[inline]
+    #[inline(always)]
     fn turned(&self, turn: Quaternion<f64>) -> UnitQuaternion<f64> {
-        let whole = self.body.world * UnitQuaternion::new_unchecked(turn);
+        let whole = UnitQuaternion::new_unchecked(attitude::product(&self.body.world, &turn));
         self.body.frame.map_or(whole, |frame| whole * frame.inverse())
     }
 

@@ -19,7 +19,12 @@ pub enum Strategy {
         attitude: Option<UnitQuaternion<f64>>,
     },
     /// A steady rotation about a fixed axis.
-    Rotation(Box<FreeMotion>),
+    Rotation {
+        /// The rotation.
+        motion: Box<FreeMotion>,
+        /// The spin in body axes, rad/s, where it is requested.
+        spin: Option<Vector3<f64>>,
+    },
     /// Two equal moments: sines and cosines.
     SymmetricTop(Box<FreeMotion>),
     /// Three different moments, the spin alone: Jacobi's functions.

@@ -103,7 +103,11 @@ impl Times {
             Self::Given(times) => {
                 usize::try_from(n).ok().and_then(|n| times.get(n)).copied().unwrap_or_default()
             }
-            Self::Every { step, span } => (n as f64 * step).min(*span),
+            Self::Every { step, span } => {
+                // By way of a signed number, one instruction: a count is below 2^63.
+                let time = n as i64 as f64 * step;
+                if time < *span { time } else { *span }
+            }
         }
     }
 

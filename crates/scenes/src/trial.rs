@@ -170,16 +170,35 @@ impl Trial<'_> {
             } else {
                 0.0
             };
-            let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
-            let turn = if self.outputs.attitude { attitude::angle_between(&p, &q) } else { 0.0 };
-            worst = worst.max(spin).max(energy).max(turn);
+            worst = worst.max(spin).max(energy);
             // A difference that is not a number is no agreement.
-            if spin.is_nan() || energy.is_nan() || turn.is_nan() {
+            if spin.is_nan() || energy.is_nan() {
                 return f64::INFINITY;
             }
         }
-        worst
+        if self.outputs.attitude { worst.max(largest_angle(a, b)) } else { worst }
     }
+}
+
+/// The largest angle between two runs' attitudes: from the end, where it mostly is, and with an arctangent
+/// only where the chord says that it may be larger than those before; infinite where one is not a number.
+fn largest_angle(a: &[State<f64>], b: &[State<f64>]) -> f64 {
+    let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
+    for (one, other) in a.iter().zip(b).rev() {
+        let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
+        let (minus, plus) = (p.coords - q.coords, p.coords + q.coords);
+        let chord = minus.norm_squared().min(plus.norm_squared());
+        // With room for the rounding of two attitudes that agree.
+        if chord + 1e-30 < 0.9 * longest {
+            continue;
+        }
+        let angle = attitude::angle_between(&p, &q);
+        if angle.is_nan() {
+            return f64::INFINITY;
+        }
+        (largest, longest) = (largest.max(angle), longest.max(chord));
+    }
+    largest
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ fn each_scene_is_answered_in_the_way_that_leaves_out_the_most() {
         match scene.plan(0).unwrap().strategy() {
             Strategy::Nothing => "nothing",
             Strategy::Constant { .. } => "constant",
-            Strategy::Rotation(_) => "rotation",
+            Strategy::Rotation { .. } => "rotation",
             Strategy::SymmetricTop(_) => "symmetric top",
             Strategy::EllipticSpin(_) => "elliptic spin",
             Strategy::Elliptic(_) => "elliptic",
