@@ -4,7 +4,7 @@ use serde_json::Value;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-/// Built beside this test by the same command.
+/// Built next to this test by the same command.
 fn program() -> PathBuf {
     let mut path = std::env::current_exe().unwrap();
     path.pop();

@@ -103,7 +103,8 @@ impl FreeMotion {
 
     /// The [`state_transition`](Self::state_transition) to time `t`, and the derivatives of attitude (rad, as
     /// there) and spin (rad/s) at that time by the tensor's entries (kg m²) `Ixx`, `Iyy`, `Izz`, `Ixy`,
-    /// `Ixz`, `Iyz` in body axes, at fixed attitude and spin at the start.
+    /// `Ixz`, `Iyz` in body axes, at fixed attitude and spin at the start. Of a covariance `C` of these
+    /// entries, independent of that of the start, `S C S^T` adds to `F P F^T`, with `S` this second matrix.
     ///
     /// `Ixy` is the entry of the tensor's matrix and its mirror together; it turns the principal axes, and
     /// where two moments agree the derivatives are the limit, since the motion is smooth in the tensor.

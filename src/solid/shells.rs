@@ -38,7 +38,7 @@ pub(super) fn check(
     }
     for own in &shells {
         for side in [-BESIDE, BESIDE] {
-            let point = own.beside(vertices, side);
+            let point = own.next_to(vertices, side);
             let (mut winding, mut doubt) = (0.0, 0.0);
             for other in shells.iter().filter(|other| other.may_enclose(&point)) {
                 for face in &other.faces {
@@ -103,7 +103,7 @@ impl Shell {
     }
 
     /// The middle of its best face, moved off it by `side` of its height: outwards if that is positive.
-    fn beside(&self, vertices: &[Vector3<Extended>], side: f64) -> Point {
+    fn next_to(&self, vertices: &[Vector3<Extended>], side: f64) -> Point {
         let [a, b, c] = self.best.map(|v| vertices[v]);
         let (up, _) = steepness(vertices, &self.best);
         let middle = ((b - a) + (c - a)).map(|x| x / Extended::from(3.0));

@@ -241,13 +241,13 @@ fn two_bricks_apart_or_touching_along_an_edge_are_one_solid() {
     let mesh = solid(&both(brick(Vector3::zeros(), edges), brick(apart, edges))).unwrap();
     assert_same("apart", &mesh.with_density(1.0).unwrap(), &whole(apart), 1e-14, 5.0);
     // Touching along an edge, with its two corners welded: that edge has four faces.
-    let beside = Vector3::new(1.0, 2.0, 0.0);
-    let (corners, mut faces) = both(brick(Vector3::zeros(), edges), brick(beside, edges));
+    let shifted = Vector3::new(1.0, 2.0, 0.0);
+    let (corners, mut faces) = both(brick(Vector3::zeros(), edges), brick(shifted, edges));
     for vertex in faces.iter_mut().flatten() {
         *vertex = corners.iter().position(|v| *v == corners[*vertex]).unwrap();
     }
     let welded = Mesh::new(&corners, &faces).unwrap();
-    assert_same("welded", &welded.with_density(1.0).unwrap(), &whole(beside), 1e-14, 5.0);
+    assert_same("welded", &welded.with_density(1.0).unwrap(), &whole(shifted), 1e-14, 5.0);
 }
 
 // A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside

@@ -140,8 +140,8 @@ fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [
     let order = ascending(moments);
     let [a, b, c] = order.map(|i| moments[i]);
     // What one component gives up, the other may take.
-    let share = |[weight, over]: [T; 2], [apart, beside]: [T; 2]| {
-        if apart == T::zero() { T::zero() } else { (weight / over) * (apart / beside) }
+    let share = |[weight, over]: [T; 2], [apart, span]: [T; 2]| {
+        if apart == T::zero() { T::zero() } else { (weight / over) * (apart / span) }
     };
     let mut bound = [one; 3];
     if a > T::zero() {

@@ -1,6 +1,6 @@
 //! Runs the kit's stories in Rapier: `cargo run -- STEP [STORY...]`, all stories if none is named.
 //!
-//! Writes STORY.csv into the folder `records` beside this package, for `judge`.
+//! Writes STORY.csv into the folder `records` next to this package, for `judge`.
 
 use rapier3d_f64::prelude::*;
 use serde_json::Value;
