@@ -82,9 +82,9 @@ impl Engine {
         }
     }
 
-    /// The rates of the attitude (body to world, of any length) and of the world vector `carried`, momentum or
-    /// spin as the engine has it, while no torque acts, for the body's tensor and its inverse: the law that
-    /// [`run`](Self::run) integrates.
+    /// The rates of the attitude (body to world, of any length) and of `carried`, the momentum or the spin in
+    /// world axes, as the engine has it, while no torque acts, for the body's tensor and its inverse: the law
+    /// that [`run`](Self::run) integrates.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Quaternion, Vector3};

@@ -165,6 +165,7 @@ fn half_a_period_turns_the_spin_half_round_the_axis_that_it_circles() {
 fn an_axis_that_is_none_is_named_by_its_number() {
     let error = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]).angles_to_momentum(7).unwrap_err();
     assert_eq!(error.to_string(), "there is no principal axis number 7: they are numbered 0, 1 and 2");
+    assert_eq!(error.kind(), tumbling::ErrorKind::OutOfBounds);
 }
 
 fn motion_near_the_middle(push: f64) -> FreeMotion {
