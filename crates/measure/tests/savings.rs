@@ -43,7 +43,7 @@ fn the_record_is_of_the_strategies_that_are_chosen_today() {
     let expected = |name: &str, strategy: &Strategy| match name {
         "energy and flips alone" => matches!(strategy, Strategy::Nothing),
         "ball; spin alone" | "principal spin; spin alone" => matches!(strategy, Strategy::Constant { .. }),
-        "ball" | "principal spin" => matches!(strategy, Strategy::Rotation(_)),
+        "ball" | "principal spin" => matches!(strategy, Strategy::Rotation { .. }),
         "two equal moments" | "two equal moments; spin alone" => {
             matches!(strategy, Strategy::SymmetricTop(_))
         }
