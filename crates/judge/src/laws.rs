@@ -292,6 +292,12 @@ impl Laws {
         (0..3).filter(|&i| spin[i] > ON_AXIS * self.floor * spin.amax()).count() <= 1
     }
 
+    /// Whether every axis of the body is a principal one.
+    pub(crate) fn has_equal_moments(&self) -> bool {
+        let [smallest, _, largest] = ordered(&self.moments).map(|i| self.moments[i]);
+        largest - smallest <= ON_AXIS * f64::EPSILON * largest
+    }
+
     /// The first, and the last, `2 E I2 / L²`.
     pub(crate) fn separatrix(&self) -> Option<[f64; 2]> {
         let middle = self.moments[ordered(&self.moments)[1]];

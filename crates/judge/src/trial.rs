@@ -240,12 +240,18 @@ impl Trial {
         }
     }
 
+    /// Whether the body has equal moments, and attitudes that show how it turns: a constant spin is then all
+    /// of its motion, and not a start along an axis.
+    fn turns_uniformly(&self) -> bool {
+        self.laws.has_equal_moments() && self.first.attitude.is_some()
+    }
+
     fn outcome(&self, found: &Findings, file_mistakes: bool, no_complaint: bool) -> Outcome {
         let Findings { free, still, broken, .. } = *found;
         let seen = &self.laws.seen;
         if file_mistakes || !self.resets.is_empty() || self.ended.is_some() {
             Outcome::Failed
-        } else if !free || still && !broken && found.otherwise.is_none() {
+        } else if !free || still && !broken && found.otherwise.is_none() && !self.turns_uniformly() {
             Outcome::NothingToJudge
         } else if broken || !no_complaint {
             Outcome::Failed
