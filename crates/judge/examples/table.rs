@@ -13,9 +13,10 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use tumbling::PrincipalMoments;
+use tumbling::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System};
-use tumbling_judge::{Confidence, Options, Rule, Verdict, judge};
+use tumbling::step::{Method, PositionStage, State, System};
+use tumbling_judge::{Base, Confidence, Options, Rule, Verdict, judge};
 
 /// A generator of numbers in 0..1, of period 2^64.
 struct Random(u64);
@@ -35,7 +36,8 @@ impl Random {
 /// What a record is made by.
 #[derive(Debug, Clone, Copy)]
 struct Made {
-    method: Method,
+    /// The library's position stage where it is none.
+    method: Option<Method>,
     /// Steps from row to row.
     steps: u32,
     moments: Vector3<f64>,
@@ -54,7 +56,7 @@ impl Made {
         let moments = [a, b, (a - b).abs() + (a + b - (a - b).abs()) * (0.02 + 0.96 * random.next())];
         let direction = Vector3::from([(); 3].map(|()| random.next() - 0.5)).normalize();
         Self {
-            method: random.pick(Method::ALL),
+            method: Method::ALL.get((random.next() * (Method::ALL.len() + 1) as f64) as usize).copied(),
             steps: random.pick(&[1, 2, 3, 4, 5, 7, 8, 11, 16]),
             moments: moments.into(),
             omega: direction * 0.1 * 300_f64.powf(random.next()),
@@ -79,6 +81,7 @@ impl Made {
         let round = |x: f64| if self.single { f64::from(x as f32) } else { x };
         let q = UnitQuaternion::from_euler_angles(0.3, -0.4, 1.2).into_inner();
         let (mut q, mut omega) = (Quaternion::from_vector(q.coords.map(round)), self.omega.map(round));
+        let stage = PositionStage::new(&self.moments).ok()?;
         let [a, b, c] = self.moments.into();
         let names = if self.attitude { "t,qw,qx,qy,qz,wx,wy,wz" } else { "t,wx,wy,wz" };
         let mut text = format!("# inertia: {a:e} {b:e} {c:e}\n{names}\n");
@@ -94,11 +97,20 @@ impl Made {
             text.push('\n');
             let exact = FreeMotion::new(checked, &omega).ok()?.omega(1.0 / self.rate).ok()?;
             for _ in 0..self.steps {
-                let from = State { attitude: q, momentum: system.momentum(&omega) };
                 let h = 1.0 / self.rate / f64::from(self.steps);
-                let next = self.method.step(&system, &from, h).ok()?;
-                q = Quaternion::from_vector(next.attitude.coords.map(round));
-                omega = system.omega(&next.momentum).map(round);
+                (q, omega) = match self.method {
+                    Some(method) => {
+                        let from = State { attitude: q, momentum: system.momentum(&omega) };
+                        let next = method.step(&system, &from, h).ok()?;
+                        (next.attitude, system.omega(&next.momentum))
+                    }
+                    None => {
+                        let next = stage.step(&(q / q.norm()), &(rotation_matrix(&q) * omega), h);
+                        (next.attitude, rotation_matrix(&next.attitude).tr_mul(&next.omega))
+                    }
+                };
+                q = Quaternion::from_vector(q.coords.map(round));
+                omega = omega.map(round);
             }
             errors.push((omega - exact).norm() / omega.norm());
             if omega.norm() > 1e3 * self.omega.norm() {
@@ -112,8 +124,11 @@ impl Made {
     /// How a verdict does: 0 named, 1 among equals, 2 unnamed, 3 wrong.
     fn graded(&self, verdict: &Verdict, error: f64) -> usize {
         let Some(diagnosis) = &verdict.diagnosis else { return 2 };
-        let parts = |n| n == self.steps || self.method == Method::ConstantSpin;
-        let is = |rule: &Rule| rule.method().is_some_and(|(method, n)| method == self.method && parts(n));
+        let parts = |n| n == self.steps || self.method == Some(Method::ConstantSpin);
+        let is = |rule: &Rule| match rule.base {
+            Base::PositionStage(n) => self.method.is_none() && parts(n) && rule.alteration.is_none(),
+            _ => rule.method().is_some_and(|(method, n)| Some(method) == self.method && parts(n)),
+        };
         let among = is(&diagnosis.best.rule) || diagnosis.alike.iter().any(is);
         let exact = error <= 16.0 * self.rounding();
         let names_exact = diagnosis.best.rule == Rule::EXACT || diagnosis.alike.contains(&Rule::EXACT);

@@ -101,6 +101,7 @@ impl Advice {
                 Base::Method(method, _) => Self::of_method(*method),
                 Base::Engine(engine) if engine.limits.rate.is_none() => Self::EngineLimits,
                 Base::Engine(engine) => Self::of_method(engine.method),
+                Base::PositionStage(_) => Self::KeepsLaws,
                 Base::FrozenTensor(_) | Base::FrozenAt(..) => Self::FrozenTensor,
                 Base::MomentumForSpin(_) => Self::MomentumForSpin,
                 Base::Straight(Spin::Kept, _) => Self::NoGyroscopicTerm,

@@ -6,7 +6,7 @@ use crate::state::{Pair, Row, angle_between, unit};
 use crate::thresholds::RULE_ROUNDS;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Engine, State, System, Torque};
+use tumbling::step::{Engine, PositionStage, State, System, Torque};
 use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
@@ -53,6 +53,7 @@ impl Subject {
                 parted(method, parts, &Limits::NONE, &self.system, &self.motion(from), h).map(end)
             }
             Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).map(end),
+            Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
             Base::FrozenTensor(steps) => self.frozen(steps, from, h),
             Base::FrozenAt(first, steps) => {
                 // In the axes that the body had at first the tensor is frozen at the identity.
@@ -68,6 +69,24 @@ impl Subject {
             }
             Base::Straight(spin, parts) => Ok(self.straight(spin, parts.max(1), from, h)),
         }
+    }
+
+    /// The library's position stage in this number of parts.
+    fn staged(&self, parts: u32, from: &Row, h: f64) -> Result<End, Error> {
+        let stage = PositionStage::new(&self.moments)?;
+        let attitude = unit(&from.start()).into_inner();
+        let part = h / f64::from(parts);
+        let start = (attitude, attitude::rotation_matrix(&attitude) * from.omega);
+        let (attitude, omega) = (0..parts).try_fold(start, |(attitude, omega), _| {
+            let end = stage.step(&attitude, &omega, part);
+            match end.parts {
+                0 => {
+                    Err(Error::unrepresentable("a spin that the position stage does not step", omega.norm()))
+                }
+                _ => Ok((end.attitude, end.omega)),
+            }
+        })?;
+        Ok((attitude, attitude::rotation_matrix(&attitude).tr_mul(&omega)))
     }
 
     /// The spin stepped so in this number of parts, and the attitude straight by each new one.

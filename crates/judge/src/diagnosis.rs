@@ -15,10 +15,9 @@ use crate::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain}
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
 use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, CLOSELY, FITS_EXACT, HIGH_ORDER, NEAR, NEAR_RATIO,
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, CLOSELY, FITS_EXACT, NEAR, NEAR_RATIO,
     TRIED_IN_PARTS, TRIED_SHARE, TRIED_TURNS,
 };
-use tumbling::step::Method;
 
 /// A rule, and how far its steps are from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -292,8 +291,7 @@ fn in_the_clear(found: &[Explanation], floor: Floor) -> Option<u32> {
     }
     let fits = found.iter().filter(|x| x.fits(floor) && x.rule != Rule::EXACT);
     let best = fits.min_by(|a, b| a.median.total_cmp(&b.median))?;
-    let parts = best.rule.method().map_or(1, |(_, parts)| parts);
-    (exact.median > CLEAR * best.median.max(floor.size)).then_some(parts)
+    (exact.median > CLEAR * best.median.max(floor.size)).then_some(best.rule.base.parts())
 }
 
 /// The rules in parts that a few of the pairs do not rule out.
@@ -307,16 +305,17 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
         let to = subject.next(&Rule::EXACT, &pair.from, pair.h)?;
         Some((subject.residual(&Rule::EXACT, pair), Pair { to, ..*pair }))
     });
-    let mut as_exact: Vec<(Method, u32)> = Vec::new();
+    let mut as_exact: Vec<(Base, u32)> = Vec::new();
     let mut possible = |rule: &Rule| {
         let (mut far, mut off) = (0, 0);
-        if let (Some((method, parts)), Some((error, exact))) = (rule.method(), &measure) {
-            if as_exact.iter().any(|(other, least)| *other == method && parts > *least) {
+        if let Some((error, exact)) = &measure {
+            let (base, parts) = (rule.base.in_one_part(), rule.base.parts());
+            if as_exact.iter().any(|(other, least)| *other == base && parts > *least) {
                 return false;
             }
             // Its own error is far below the record's: in more parts it comes no nearer.
             if *error > nearly_all && subject.residual(rule, exact) < AS_EXACT * error {
-                as_exact.push((method, parts));
+                as_exact.push((base, parts));
                 return false;
             }
         }
@@ -342,7 +341,7 @@ fn confidence_in(best: &Explanation, second: Option<&Explanation>, about: Circum
     } else if best.fits(floor) {
         // Methods of high order differ by little: one that is not known here may come as near as this.
         let [rounding, _] = floor.either(CLOSELY, ALIKE_FEW).map(|units| units * floor.size);
-        let high = best.rule.method().is_some_and(|(method, _)| method.info().order >= HIGH_ORDER);
+        let high = best.rule.alteration.is_none() && best.rule.base.is_of_high_order();
         if high && best.median > rounding { Confidence::Near } else { Confidence::ToRounding }
     } else if best.median <= floor.limits()[0] {
         Confidence::MostSteps

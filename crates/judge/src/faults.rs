@@ -32,7 +32,7 @@ pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
 /// Whether shorter steps do not lead to the motion of the body.
 const fn is_wrong(rule: &Rule) -> bool {
     match (rule.base, rule.alteration) {
-        (Base::Exact, None) => false,
+        (Base::Exact | Base::PositionStage(_), None) => false,
         (Base::Method(method, _), None) => matches!(method, Method::ConstantSpin),
         // A limit on the turn of a step is out of reach of shorter ones.
         (Base::Engine(engine), None) => {

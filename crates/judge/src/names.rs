@@ -34,6 +34,7 @@ impl Base {
         match self {
             Self::Exact => "the exact motion".into(),
             Self::Method(method, parts) => in_parts(method.info().name, *parts),
+            Self::PositionStage(parts) => in_parts("the position stage of the crate tumbling", *parts),
             Self::Engine(engine) => {
                 format!(
                     "{}, with the limits of {} ({})",

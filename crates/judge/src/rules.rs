@@ -3,7 +3,7 @@
 use crate::engine_step::{Limits, PhysicsEngine};
 use crate::engines::PHYSICS_ENGINES;
 use crate::state::Pair;
-use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
+use crate::thresholds::{BEYOND, HIGH_ORDER, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude;
 use tumbling::step::Method;
@@ -25,6 +25,8 @@ pub enum Base {
     Exact,
     /// A method of the library, with this number of parts a step.
     Method(Method, u32),
+    /// The library's [`PositionStage`](tumbling::step::PositionStage), with this number of parts a step.
+    PositionStage(u32),
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
     /// The spin in the world by the body's tensor as it stood at the identity.
@@ -109,6 +111,34 @@ impl Rule {
 }
 
 impl Base {
+    /// In how many parts it cuts a step.
+    pub(crate) const fn parts(&self) -> u32 {
+        match self {
+            Self::Method(_, parts) | Self::PositionStage(parts) | Self::Straight(_, parts) => *parts,
+            Self::Engine(engine) => engine.parts,
+            _ => 1,
+        }
+    }
+
+    /// The same rule in one part.
+    pub(crate) const fn in_one_part(self) -> Self {
+        match self {
+            Self::Method(method, _) => Self::Method(method, 1),
+            Self::PositionStage(_) => Self::PositionStage(1),
+            Self::Straight(spin, _) => Self::Straight(spin, 1),
+            other => other,
+        }
+    }
+
+    /// Whether it is a rule of high order, from which another one may differ by little.
+    pub(crate) const fn is_of_high_order(&self) -> bool {
+        match self {
+            Self::Method(method, _) => method.info().order >= HIGH_ORDER,
+            Self::PositionStage(_) => true,
+            _ => false,
+        }
+    }
+
     /// The exact motion, and the rules that engines go by.
     pub(crate) fn all() -> Vec<Self> {
         let mut all = vec![Self::Exact];
@@ -151,7 +181,11 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
         }
     }
     if free {
-        all.extend([Base::Straight(Spin::Kept, 1), Base::Straight(Spin::Explicit, 1)]);
+        all.extend([
+            Base::PositionStage(1),
+            Base::Straight(Spin::Kept, 1),
+            Base::Straight(Spin::Explicit, 1),
+        ]);
     }
     all.extend([Base::FrozenTensor(Steps::First), Base::FrozenTensor(Steps::Fourth)]);
     all.into_iter().map(Rule::plain).collect()
@@ -172,6 +206,7 @@ pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
             add(Base::Method(engine.method, parts.saturating_mul(engine.parts)));
         }
         Method::ALL.iter().for_each(|&method| add(Base::Method(method, parts)));
+        add(Base::PositionStage(parts));
         add(Base::Straight(Spin::Explicit, parts));
         add(Base::Straight(Spin::Kept, parts));
     }
@@ -181,6 +216,7 @@ pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
         let more = if all { more(method.info().order) } else { &[] };
         few.iter().chain(more).for_each(|&parts| add(Base::Method(method, parts)));
     }
+    few.iter().for_each(|&parts| add(Base::PositionStage(parts)));
     for &parts in few.iter().chain(if all { &MORE_PARTS[..] } else { &[] }) {
         add(Base::Straight(Spin::Explicit, parts));
         add(Base::Straight(Spin::Kept, parts));
@@ -195,7 +231,7 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
     }
     let methods = Method::ALL.iter().map(|&method| Base::Method(method, parts));
     let straight = [Spin::Explicit, Spin::Kept].map(|spin| Base::Straight(spin, parts));
-    methods.chain(straight).map(Rule::plain).collect()
+    methods.chain([Base::PositionStage(parts)]).chain(straight).map(Rule::plain).collect()
 }
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.

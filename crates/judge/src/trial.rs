@@ -269,12 +269,18 @@ impl Trial {
 /// A rule that keeps a law does not make every step of a record that breaks it.
 fn contradicted(found: &mut Findings, options: &Options) {
     let Some(diagnosis) = &mut found.diagnosis else { return };
-    let Rule { base: Base::Method(method, _), alteration: None } = diagnosis.best.rule else { return };
-    let keeps = method.info().conserved;
+    let keeps = match diagnosis.best.rule {
+        Rule { base: Base::Method(method, _), alteration: None } => {
+            let kept = method.info().conserved;
+            [kept.energy, kept.momentum, kept.direction]
+        }
+        Rule { base: Base::PositionStage(_), alteration: None } => [true; 3],
+        _ => return,
+    };
     let kept = |law: LawName| match law {
-        LawName::Energy => keeps.energy,
-        LawName::Momentum => keeps.momentum,
-        LawName::Direction => keeps.direction,
+        LawName::Energy => keeps[0],
+        LawName::Momentum => keeps[1],
+        LawName::Direction => keeps[2],
         _ => false,
     };
     let broken = |law: &Law| kept(law.name) && options.allowed(law.name).is_some_and(|most| law.most > most);
