@@ -50,8 +50,8 @@ Errors are relative to the first row: of energy and |L| a share, of a direction 
 above 1 where round the smallest's. Phase is how far the spin is ahead of the exact one, in times round its closed curve.
 
 The JSON object has: outcome (passed, failed, nothing to judge, too short to judge), complaints,
-laws (law, grade, rate, most, last), flips, separatrix (first and last), misread, resets, gaps, untold,
-sign_changes, rounding, diagnosis (sure: to rounding, most steps, near, too few digits, too few steps, accurate or
+laws (law, grade, rate, most, last, allowed), flips, separatrix (first and last), file_mistakes, resets, gaps,
+missing, sign_changes, rounding, diagnosis (confidence: to rounding, most steps, near, too few digits, too few steps, accurate or
 none fits; best, alike, second, ratio, steps, share, accuracy, would_decide, hints, advice), curve (the run in at most 256 points), and what was read.
 
 Exit code: 0 if the record passes, 1 if it fails or there is nothing or too little to judge, 2 if it cannot be read.";
@@ -109,7 +109,7 @@ impl Arguments {
 /// Judges a record and prints the verdict.
 pub(crate) fn run(arguments: &Arguments) -> ExitCode {
     let printed = judged(&arguments.file, &arguments.options())
-        .map_err(|wrong| format!("{}: {wrong}", arguments.file.display()))
+        .map_err(|wrong| format!("{}: {wrong}{}", arguments.file.display(), option_for(&wrong)))
         .and_then(|verdict| print(&verdict, arguments).map(|()| verdict.outcome));
     match printed {
         Ok(Outcome::Passed) => ExitCode::SUCCESS,
@@ -118,6 +118,15 @@ pub(crate) fn run(arguments: &Arguments) -> ExitCode {
             complain!("error: {wrong}");
             ExitCode::from(2)
         }
+    }
+}
+
+/// The option that mends what is wrong, where there is one.
+const fn option_for(wrong: &Error) -> &'static str {
+    match wrong {
+        Error::NoMoments => " (--inertia A,B,C)",
+        Error::Fit { .. } => " (--fit N)",
+        _ => "",
     }
 }
 

@@ -100,7 +100,7 @@ fn the_json_has_its_shape_whatever_the_outcome() {
         let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         assert_eq!(value["outcome"], outcome);
         assert_eq!(value["rows"], 400);
-        for key in ["moments", "misread", "resets", "laws", "complaints"] {
+        for key in ["moments", "file_mistakes", "resets", "laws", "complaints"] {
             assert!(value[key].is_array(), "{key}");
         }
         for law in value["laws"].as_array().unwrap() {

@@ -35,18 +35,6 @@ tumblingLive.judgeVerdict = (() => {
     /** Whether a law is broken by more than is allowed. */
     const broken = ({ most, allowed }) => allowed !== null && !(most !== null && Math.abs(most) <= allowed);
 
-    /** What the file itself has to tell. */
-    function ofFile({ misread, resets, gaps, ignored, notes, untold }) {
-        return [
-            ...misread,
-            ...resets.map(({ line, time, words }) => `line ${line}, at ${short(time)} s: the body ${words}; judged up to there`),
-            ...(gaps ? [`rows are missing in ${gaps.count} places, the first before line ${gaps.line}`] : []),
-            ...(ignored.length ? [`columns that are not used: ${ignored.join(", ")}`] : []),
-            ...notes,
-            ...(untold.length ? [`the file does not say: ${untold.join(", ")}`] : []),
-        ];
-    }
-
     function table(place, laws) {
         const table = put(put(place, "div", "", "table-wrapper"), "table");
         // Narrow pages lay a row out in two lines: the roles stay what they are.
@@ -69,14 +57,11 @@ tumblingLive.judgeVerdict = (() => {
         }
     }
 
-    function diagnosis(place, { best, words, alike, hints, advice }) {
+    function diagnosis(place, { heading, details, advice }) {
         put(place, "p", "What made it", "live-title");
-        put(place, "p", `${words}: ${best.rule}.`);
-        if (best.engines.length) put(place, "p", `As in: ${best.engines.join("; ")}.`);
-        const others = alike.map(({ rule }) => rule);
-        if (others.length) put(place, "p", `Cannot be distinguished from it here: ${others.join("; ")}.`);
-        for (const hint of hints) put(place, "p", hint);
-        if (advice) put(place, "p", `What to do: ${advice}`);
+        put(place, "p", `${heading}.`);
+        for (const detail of details) put(place, "p", `${capital(detail)}${detail.endsWith(".") ? "" : "."}`);
+        put(place, "p", `What to do: ${advice}`);
     }
 
     /** The whole verdict, in place of what was there. */
@@ -92,7 +77,7 @@ tumblingLive.judgeVerdict = (() => {
             const { rows, moved, left } = verdict.fit;
             put(place, "p", `The start is fitted to the first ${rows} rows: ${short(moved)} rad/s from the first one; ${short(left)} rad/s are left.`);
         }
-        list(place, "The file", ofFile(verdict));
+        list(place, "The file", verdict.file);
         tumblingLive.judgePicture(place, verdict);
         if (verdict.laws.length > 0) table(place, verdict.laws);
         const { separatrix, flips, torque } = verdict;
@@ -112,7 +97,7 @@ tumblingLive.judgeVerdict = (() => {
     /** The verdict in a line: the outcome, and what there is to say of it. */
     function line({ outcome, laws, diagnosis }) {
         const worst = laws.filter(broken).map(({ words }) => typeset(words));
-        const rule = diagnosis ? ` ${diagnosis.words}: ${diagnosis.best.rule}.` : "";
+        const rule = diagnosis ? ` ${diagnosis.heading}.` : "";
         return [capital(outcome), `${worst.length ? ` (${worst.join(", ")})` : ""}.${rule}`];
     }
 

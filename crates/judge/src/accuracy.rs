@@ -4,12 +4,13 @@
 use crate::state::{Pair, median, ordered};
 use crate::thresholds::{ABOVE_ROUNDING, EVEN_ERRORS, ORDER_GAIN, ORDER_LEFT, ORDER_STEPS, ORDER_TERMS};
 use nalgebra::Vector3;
+use serde::Serialize;
 use tumbling::PrincipalMoments;
 use tumbling::dynamics::euler;
 use tumbling::exact::FreeMotion;
 
 /// How the errors of a record's steps go, relative to the exact motion from the row before.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Accuracy {
     /// The errors go along the record as those of a rule of about this order with steps of one length; `None`
     /// where they do not show an order, as those of a rule that keeps energy and momentum never do.

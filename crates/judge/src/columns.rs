@@ -14,7 +14,7 @@ pub(crate) struct Columns {
     /// None where attitudes are all there is.
     pub vector: Option<[usize; 3]>,
     pub kind: Kind,
-    /// Another vector, beside the one that is judged.
+    /// Another vector than the one that is judged.
     pub second: Option<(Kind, [usize; 3])>,
     /// What a spin is to be multiplied by for rad/s, by the unit in its names; and the second vector's.
     pub units: [f64; 2],
@@ -28,7 +28,7 @@ pub(crate) enum Separator {
     Blanks,
 }
 
-/// What tells the time of a row.
+/// What the time of a row is read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Clock {
     /// Seconds.
@@ -110,7 +110,7 @@ fn plain(name: &str) -> (String, String) {
 
 const TIME: [&str; 10] =
     ["t", "time", "seconds", "timestamp", "ts", "tsec", "times", "timesec", "timeseconds", "simtime"];
-/// Names of the time that tell its unit.
+/// Names of the time that say its unit.
 const TIME_IN: [(&str, &str); 6] = [
     ("tms", "ms"),
     ("timems", "ms"),
@@ -197,7 +197,9 @@ impl Names {
         let plain = raw.iter().map(|name| plain(name)).collect();
         let names = Self { line, raw, plain };
         if names.plain.iter().any(|(name, _)| name.parse::<f64>().is_ok()) {
-            return Err(names.wrong(format!("column names are wanted here, and there is a number; {KNOWN}")));
+            return Err(
+                names.wrong(format!("this must be the line of column names, and it has a number; {KNOWN}"))
+            );
         }
         Ok(names)
     }
@@ -222,7 +224,7 @@ impl Names {
             if let Some(i) = self.at(name)? {
                 if let Some(before) = found {
                     let before: &String = &self.raw[before];
-                    let problem = format!("`{before}` and `{}` both tell the time", self.raw[i]);
+                    let problem = format!("`{before}` and `{}` both are the time", self.raw[i]);
                     return Err(self.wrong(problem));
                 }
                 found = Some(i);
@@ -318,8 +320,7 @@ impl Names {
         let name = &self.raw[places[0]];
         if let Some(k) = others.iter().position(|unit| *unit != first) {
             let other = &self.raw[places[k + 1]];
-            let problem =
-                format!("`{other}` is not in the unit of `{name}`: one unit is wanted for the three");
+            let problem = format!("`{other}` is not in the unit of `{name}`: the three must have one unit");
             return Err(self.wrong(problem));
         }
         if kind.is_momentum() {
@@ -364,7 +365,7 @@ impl Columns {
         };
         if kind.in_world() && attitude.is_none() {
             return Err(names.wrong(
-                "a vector in world axes tells nothing of the body without its attitude: qw,qx,qy,qz are missing"
+                "a vector in world axes says nothing of the body without its attitude: qw,qx,qy,qz are missing"
                     .into(),
             ));
         }

@@ -72,7 +72,7 @@ fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
 
 impl Header {
     /// Reads one more comment line. What it does not understand it takes for prose, and says so where it
-    /// seems to tell something.
+    /// seems to say something.
     pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
         if self.engine.is_none()
             && let Some(name) =

@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn each_way_to_grow_is_told_from_the_others_whatever_the_length() {
+    fn each_way_to_grow_is_distinguished_from_the_others_whatever_the_length() {
         for rows in [300, 5000, 100_000] {
             assert_eq!(grown(rows, |t| 1e-13 * t.sin(), false), Growth::Rounding);
             assert_eq!(grown(rows, |t| 1e-3 * (9.0 * t).sin(), false), Growth::Bounded);

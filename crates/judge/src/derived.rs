@@ -1,4 +1,4 @@
-//! Spins that a record does not tell, from the turns between its attitudes.
+//! Spins that a record does not have, from the turns between its attitudes.
 
 use crate::clock::Clock;
 use crate::error::Error;
@@ -40,11 +40,11 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
     (least <= TURN_LEFT && omega.iter().all(|x| x.is_finite())).then_some(omega)
 }
 
-/// A row with the spin that it does not tell, or why it has none.
+/// A row with the spin that the record does not have, or why it has none.
 pub(crate) enum Derived {
     /// Its spin is known.
     Known(Row),
-    /// There is no row before or after that tells it.
+    /// There is no row before or after to compute it from.
     Unknown,
     /// The attitude turns by so much up to this line, rad.
     TooFar { line: usize, turn: f64 },
@@ -57,7 +57,7 @@ pub(crate) struct Deriver {
 }
 
 impl Deriver {
-    /// One more row, so many steps and seconds after the last.
+    /// One more row, this number of steps and seconds after the last.
     pub(crate) fn push(&mut self, moments: &Vector3<f64>, state: &Row, h: f64, times: f64) -> Derived {
         let Some(from) = self.waiting.replace(*state) else { return Derived::Unknown };
         let pair = Pair { from, to: *state, h };
@@ -78,7 +78,7 @@ impl Deriver {
     }
 }
 
-/// Rows, with spins where the record tells none.
+/// Rows, with spins where the record has none.
 pub(crate) struct Feed {
     pub has_spin: bool,
     pub moments: Vector3<f64>,

@@ -31,8 +31,8 @@ pub struct PhysicsEngine {
 /// What an engine does to a body that is too fast for it. The rule alone has none of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Bullet: beyond this angle (rad) a step turns by less than the spin asks, never by more than half a
-    /// turn. The spin stays.
+    /// Bullet: beyond this angle (rad) a step turns by less than the spin times the step, never by more than
+    /// half a turn. The spin stays.
     pub turn: Option<f64>,
     /// Bullet's multibody: the most spin (rad/s) along each axis of the world; what is beyond it is cut off.
     pub component: Option<f64>,
@@ -124,12 +124,12 @@ impl Limits {
         part: f64,
         h: f64,
     ) -> Result<State<f64>, Error> {
-        let asked = system.omega(&end.momentum);
-        let mut omega = asked;
+        let requested = system.omega(&end.momentum);
+        let mut omega = requested;
         if let Some(most) = self.component {
             // Cut in the world's axes, at the attitude before the turn.
             let rotation = attitude::rotation_matrix(&start.attitude);
-            let world = rotation * asked;
+            let world = rotation * requested;
             if world.amax() > most {
                 omega = rotation.tr_mul(&world.map(|x| x.max(-most).min(most)));
             }
@@ -140,7 +140,7 @@ impl Limits {
                 omega *= most / speed;
             }
         }
-        let cut = omega != asked;
+        let cut = omega != requested;
         let most = self.turn.unwrap_or(f64::INFINITY);
         if !cut && omega.norm() * part.abs() <= most {
             return Ok(end);

@@ -18,6 +18,8 @@ pub enum Error {
     Empty,
     /// Column names, and no row below them.
     NoRows,
+    /// An iterator without a row.
+    NoRowsInMemory,
     /// A start, and nothing to hold against it.
     OneRow,
     /// The line of column names does not do.
@@ -54,7 +56,7 @@ pub enum Error {
     },
     /// The body or its motion is none that the library takes.
     Body(tumbling::Error),
-    /// Neither a header nor the caller tells the moments.
+    /// Neither a header nor the caller gives the moments.
     NoMoments,
     /// A threshold that is no number above zero.
     Threshold {
@@ -77,8 +79,9 @@ impl fmt::Display for Error {
         match self {
             Self::Read { line: 0, source } => write!(f, "{source}"),
             Self::Read { line, source } => write!(f, "line {line}: {source}"),
-            Self::Empty => f.write_str("the file is empty: a line of column names, then rows of numbers, are wanted"),
+            Self::Empty => f.write_str("the file is empty: it takes a line of column names, then rows of numbers"),
             Self::NoRows => f.write_str("there are column names and no rows"),
+            Self::NoRowsInMemory => f.write_str("the iterator gives no row: a motion takes two at least"),
             Self::OneRow => f.write_str("there is one row: a motion takes two at least"),
             Self::Columns { line, problem } | Self::Line { line, problem } => {
                 write!(f, "line {line}: {problem}")
@@ -94,7 +97,7 @@ impl fmt::Display for Error {
             }
             Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
             Self::NoMoments => f.write_str(
-                "the principal moments are not known: give `--inertia A,B,C`, or a comment line `# inertia: A B C`, about the body's x, y and z, which must be its principal axes",
+                "the principal moments are not known: give them with the record, or in it, by a comment line `# inertia: A B C`: about the body's x, y and z, which must be its principal axes",
             ),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::accuracy::Accuracy;
 use crate::confidence::Confidence;
-use crate::diagnosis::Diagnosis;
+use crate::diagnosis::{Diagnosis, Explanation};
 use crate::rules::Rule;
 use crate::thresholds::RULES_NAMED;
 use std::fmt;
@@ -36,47 +36,78 @@ impl Diagnosis {
         }
     }
 
-    fn residuals(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "  of {} steps half are within {:.1e}, 95 in 100 within {:.1e}",
-            self.steps, self.best.median, self.best.percentile_95
-        )?;
-        if self.share < 1.0 {
-            writeln!(f, "  {:.0} % of the rows follow the one before by one step", 100.0 * self.share)?;
+    /// In a line: the rule, and how sure it is; or how many fit.
+    pub(crate) fn heading(&self) -> String {
+        if self.confidence == Confidence::FewDigits {
+            let count = 1 + self.alike.len();
+            return format!(
+                "Too few digits to name the rule by its single steps: they fit {count} rules alike"
+            );
         }
-        Ok(())
+        format!("{}: {}", self.words(), self.best.rule.name())
     }
 
-    fn what_to_do(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for hint in &self.hints {
-            writeln!(f, "  {hint}")?;
+    /// What else there is to say, but for the advice.
+    pub(crate) fn details(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        if self.confidence == Confidence::FewDigits {
+            all.extend(self.residuals());
+            all.extend(self.drifting());
+        } else {
+            all.extend(self.engines.iter().map(|engine| format!("as in {engine}")));
+            all.extend(self.residuals());
+            all.extend(self.others());
         }
-        write!(f, "What to do: {}", self.advice.words())
+        all.extend(self.hints.iter().map(ToString::to_string));
+        all
+    }
+
+    fn residuals(&self) -> Vec<String> {
+        let Explanation { median, percentile_95, .. } = self.best;
+        let steps = self.steps;
+        let mut all = vec![format!(
+            "of {steps} steps half are within {median:.1e}, 95 in 100 within {percentile_95:.1e}"
+        )];
+        if self.share < 1.0 {
+            all.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
+        }
+        all
+    }
+
+    /// The other rules, relative to the one that is named.
+    fn others(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        if !self.alike.is_empty() {
+            let named = |rule: &Rule| match rule.engines() {
+                engines if engines.is_empty() => rule.name(),
+                engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
+            };
+            let names: Vec<String> = self.alike.iter().map(named).collect();
+            all.push(format!("cannot be distinguished from it here: {}", listed(&names)));
+        }
+        if self.is_exact() {
+            all.push("nor can any other rule whose errors in a step are within that rounding".into());
+        }
+        if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
+            all.push(format!("next is {}, {ratio:.1e} times as far", second.rule.name()));
+        }
+        all.extend(self.would_decide().map(|how| format!("what would decide: {how}")));
+        all.extend(self.accuracy.map(|accuracy| format!("the errors of the steps: {accuracy}")));
+        all
     }
 
     /// What is said where a few digits fit several rules.
-    fn few_digits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn drifting(&self) -> Vec<String> {
         let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
         let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
-        writeln!(
-            f,
-            "Diagnosis: too few digits to name the rule by its single steps: they fit {} rules alike",
-            all.len()
-        )?;
-        self.residuals(f)?;
+        let like_it = || format!("over the whole record these drift as it does: {}", listed(like));
         match (like, unlike) {
             ([], _) => {
-                let unlike = listed(unlike);
-                writeln!(f, "  but over the whole record none of these drifts as it does: {unlike}")?;
+                vec![format!("but over the whole record none of these drifts as it does: {}", listed(unlike))]
             }
-            (_, []) => writeln!(f, "  over the whole record these drift as it does: {}", listed(like))?,
-            _ => {
-                writeln!(f, "  over the whole record these drift as it does: {}", listed(like))?;
-                writeln!(f, "  and these do not: {}", listed(unlike))?;
-            }
+            (_, []) => vec![like_it()],
+            _ => vec![like_it(), format!("and these do not: {}", listed(unlike))],
         }
-        self.what_to_do(f)
     }
 }
 
@@ -88,35 +119,11 @@ fn listed(names: &[String]) -> String {
 
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.confidence == Confidence::FewDigits {
-            return self.few_digits(f);
+        writeln!(f, "Diagnosis: {}", self.heading())?;
+        for line in self.details() {
+            writeln!(f, "  {line}")?;
         }
-        writeln!(f, "Diagnosis: {}: {}", self.words(), self.best.rule.name())?;
-        for engine in &self.engines {
-            writeln!(f, "  as in {engine}")?;
-        }
-        self.residuals(f)?;
-        if !self.alike.is_empty() {
-            let named = |rule: &Rule| match rule.engines() {
-                engines if engines.is_empty() => rule.name(),
-                engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
-            };
-            let names: Vec<String> = self.alike.iter().map(named).collect();
-            writeln!(f, "  cannot be distinguished from it here: {}", listed(&names))?;
-        }
-        if self.is_exact() {
-            writeln!(f, "  nor can any other rule whose errors in a step are within that rounding")?;
-        }
-        if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
-            writeln!(f, "  next is {}, {ratio:.1e} times as far", second.rule.name())?;
-        }
-        if let Some(wanted) = self.would_decide() {
-            writeln!(f, "  what would decide: {wanted}")?;
-        }
-        if let Some(accuracy) = &self.accuracy {
-            writeln!(f, "  the errors of the steps: {accuracy}")?;
-        }
-        self.what_to_do(f)
+        write!(f, "What to do: {}", self.advice.words())
     }
 }
 

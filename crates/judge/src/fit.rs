@@ -4,10 +4,11 @@ use crate::error::Error;
 use crate::state::Row;
 use crate::thresholds::{FIT_BOTTOM, FIT_GAIN, FIT_LEFT, FIT_ROUNDS, FIT_SHARE};
 use nalgebra::{Matrix3, Vector3};
+use serde::Serialize;
 use tumbling::exact::FreeMotion;
 
 /// How a start was fitted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Fit {
     /// To how many rows.
     pub rows: usize,
@@ -56,7 +57,7 @@ pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64
             break;
         }
         let Some(step) = step(moments, rows, &omega)? else {
-            return Err(none("the rows do not tell the three components of a start"));
+            return Err(none("the rows do not determine the three components of a start"));
         };
         // Shorter steps where the whole one leads away.
         let mut share = 1.0;

@@ -1,4 +1,4 @@
-//! Suspects with a number in them, each fitted to the record before it is held against it.
+//! Candidates with a number in them, each fitted to the record before it is held against it.
 
 use crate::candidates::Subject;
 use crate::rules::{Alteration, Base, Rule, When};
@@ -19,7 +19,7 @@ pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rul
     (mass.is_finite() && mass > 0.0).then_some(Rule::plain(Base::MomentumForSpin(mass)))
 }
 
-/// Suspects with a number in them, which is fitted first.
+/// Candidates with a number in them, which is fitted first.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
     let few: Vec<Pair> = pairs.iter().step_by(pairs.len().div_ceil(FITTED_STEPS).max(1)).copied().collect();
     let mut all = Vec::new();
@@ -53,8 +53,8 @@ fn permuted(moments: &Vector3<f64>) -> Vec<Vector3<f64>> {
         .collect()
 }
 
-/// The triple that the changes of spin tell, each component's on its own, scaled to the sum of `told`.
-fn from_rates(pairs: &[Pair], told: &Vector3<f64>) -> Option<Vector3<f64>> {
+/// The triple that follows from the changes of spin, each component on its own, scaled to the sum of `given`.
+fn from_rates(pairs: &[Pair], given: &Vector3<f64>) -> Option<Vector3<f64>> {
     let (mut over, mut under) = (Vector3::zeros(), Vector3::zeros());
     for pair in pairs {
         let mean = (pair.from.omega + pair.to.omega) / 2.0;
@@ -68,14 +68,14 @@ fn from_rates(pairs: &[Pair], told: &Vector3<f64>) -> Option<Vector3<f64>> {
             }
         }
     }
-    // w1' = a w2 w3 with a = (I2 - I3) / I1, and so on round: two of them tell the ratios.
+    // w1' = a w2 w3 with a = (I2 - I3) / I1, and so on round: two of them determine the ratios.
     let rates: Vector3<f64> = over.component_div(&under);
     let second = (1.0 + rates.x) / (1.0 - rates.y);
-    scaled(Vector3::new(1.0, second, 1.0 + rates.y * second), told)
+    scaled(Vector3::new(1.0, second, 1.0 + rates.y * second), given)
 }
 
-fn scaled(moments: Vector3<f64>, told: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let moments = moments * (told.sum() / moments.sum());
+fn scaled(moments: Vector3<f64>, given: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let moments = moments * (given.sum() / moments.sum());
     Subject::new(moments, None).is_ok().then_some(moments)
 }
 
@@ -195,8 +195,8 @@ fn turned_by(pairs: &[Pair]) -> Option<f64> {
     (factor.is_finite() && (factor - 1.0).abs() > OTHER_PACE).then_some(factor)
 }
 
-/// How many times as long as told the steps are, if not once: from the turns, and from the changes of the
-/// spin.
+/// How many times as long as the record's the steps are, if not once: from the turns, and from the changes of
+/// the spin.
 fn clocks(subject: &Subject, pairs: &[Pair]) -> impl Iterator<Item = f64> {
     let (mut found, mut wanted) = (0.0, 0.0);
     for pair in pairs {

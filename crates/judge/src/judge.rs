@@ -218,7 +218,7 @@ impl Meaning {
     }
 }
 
-/// At which line an attitude turns too far to tell which way, and by how much, rad.
+/// At which line an attitude turns too far for its direction to be known, and by how much, rad.
 type Stopped = Option<(usize, f64)>;
 
 /// The first rows as motions, up to where one turns too far.
@@ -263,7 +263,7 @@ impl Start {
         if count > states.len() {
             let problem = match probe.len() {
                 PROBE_ROWS => format!("more than {PROBE_ROWS} are not held in memory"),
-                there => format!("the record has {there}. Give a smaller number, `--fit N`"),
+                there => format!("the record has {there}. Give a smaller number"),
             };
             return Err(Error::Fit { rows: count, problem });
         }

@@ -47,7 +47,7 @@ impl Jumps {
         Self { first, moments, torque, has_spin, floor, errors: Errors::default() }
     }
 
-    /// Whether the motion starts anew with a row, so many steps after the last.
+    /// Whether the motion starts anew with a row, this number of steps after the last.
     pub(crate) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
         let Pair { from: last, to: state, .. } = pair;
         let to_start = self.starts_anew(last, state) || self.comes_back(last, state, times);

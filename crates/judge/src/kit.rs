@@ -142,6 +142,10 @@ impl Story {
     /// The verdict on an engine's run of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
     /// body to world) and a spin (body axes, rad/s) one step further.
     ///
+    /// An engine that keeps its spin in world axes and in `f32` goes on with its own state, held by the
+    /// closure, and makes the spin in body axes from it in `f64`: to take the state of each step from the row
+    /// turns the spin there and back, and adds two roundings a step, as large as those of the engine.
+    ///
     /// # Errors
     /// Those of [`judge_in_memory`]: a step that gives no number, above all.
     pub fn run<T: Precision>(

@@ -1,6 +1,7 @@
 //! The laws of free motion, and how a record keeps each.
 
 use crate::curve::Growth;
+use serde::Serialize;
 
 /// What is held against the record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +96,7 @@ pub struct Law {
 }
 
 /// Flips counted, in the record and in the exact motion.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct FlipCount {
     /// In the record: changes of sign of the spin along the middle axis.
     pub found: u64,

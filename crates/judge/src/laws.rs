@@ -144,7 +144,7 @@ impl Laws {
         }
     }
 
-    /// One more row, so many steps after the last.
+    /// One more row, this number of steps after the last.
     pub(crate) fn push(&mut self, state: &Row, steps: f64) -> Result<(), tumbling::Error> {
         let t = state.t - self.start.row.t;
         self.seen.steps += steps;
@@ -279,7 +279,7 @@ impl Laws {
 
     /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a
     /// tenth of a radian, or more than any number holds: where in its motion the body should be then, an
-    /// `f64` does not tell.
+    /// `f64` does not determine.
     pub(crate) fn untraceable(&self) -> bool {
         let uncertain = f64::EPSILON * self.seen.turned;
         !uncertain.is_finite() || uncertain > UNTRACEABLE
@@ -328,9 +328,9 @@ impl Laws {
                 }
             })
             .map(|(name, curve)| {
-                // Some rounding units a step beside the rounding of the numbers themselves; of a time, of all
-                // that turns in it. Digits that a file lacks are lacking in each row alone: the engine steps
-                // on with its own, of single precision or better.
+                // Some rounding units a step, besides the rounding of the numbers themselves; of a time, of
+                // all that turns in it. Digits that a file lacks are lacking in each row alone: the engine
+                // steps on with its own, of single precision or better.
                 let own = (f64::from(f32::EPSILON) / self.floor).min(1.0);
                 let [once, each] = LAW_ROUNDINGS;
                 let units = once + each * self.seen.steps * own;

@@ -87,7 +87,7 @@ pub fn judge_in_memory<T: Precision>(
     options: &Options,
 ) -> Result<Verdict, Error> {
     let mut rows = rows.into_iter().peekable();
-    let first = rows.peek().ok_or(Error::NoRows)?;
+    let first = rows.peek().ok_or(Error::NoRowsInMemory)?;
     let about = About {
         kind: Kind::SpinBody,
         second: None,

@@ -50,7 +50,7 @@ impl Law {
     }
 }
 
-/// What a second makes of a quantity that grows by so many powers of e in it, or shrinks.
+/// What a second makes of a quantity that grows by this number of powers of e in it, or shrinks.
 fn times(rate: f64) -> String {
     let (way, steep) = if rate < 0.0 { ("shrinks", "to a tenth") } else { ("grows", "tenfold") };
     let size = rate.abs();
@@ -99,32 +99,32 @@ pub fn plain_number(x: f64) -> String {
 mod tests {
     use super::*;
 
-    fn told(name: LawName, growth: Growth) -> String {
+    fn said(name: LawName, growth: Growth) -> String {
         Law { name, growth, most: 1.0, last: 1.0 }.plain()
     }
 
     #[test]
-    fn a_rate_is_told_as_what_a_second_makes_of_it() {
+    fn a_rate_is_given_as_what_a_second_makes_of_it() {
         // e^1.58 = 4.855, e^0.02 = 1.0202, ln 10 / 100 = 0.02303.
-        let exponential = |rate| told(LawName::Energy, Growth::Exponential { rate });
+        let exponential = |rate| said(LawName::Energy, Growth::Exponential { rate });
         assert_eq!(exponential(-1.58), "exponential: shrinks by a factor of 4.85 a second");
         assert_eq!(exponential(1.58), "exponential: grows by a factor of 4.85 a second");
         assert_eq!(exponential(0.02), "exponential: grows by 2.02 % a second");
         assert_eq!(exponential(-0.02), "exponential: shrinks by 1.98 % a second");
         assert_eq!(exponential(100.0), "exponential: grows tenfold every 0.0230 s");
         assert_eq!(exponential(f64::INFINITY), "exponential: beyond counting");
-        let linear = |name, rate| told(name, Growth::Linear { rate });
+        let linear = |name, rate| said(name, Growth::Linear { rate });
         assert_eq!(linear(LawName::Momentum, -1.5e-7), "linear: falls by 1.50 · 10⁻⁷ of itself a second");
         assert_eq!(linear(LawName::Phase, -1.58), "linear: falls behind by 1.58 ways round a second");
         assert_eq!(linear(LawName::Direction, 0.5), "linear: turns away by 0.500 rad a second");
         assert_eq!(
-            told(LawName::Direction, Growth::RandomWalk { rate: 2e12 }),
+            said(LawName::Direction, Growth::RandomWalk { rate: 2e12 }),
             "random walk: 2.00 · 10¹² rad in a second, tenfold in a hundred"
         );
         assert_eq!(
-            told(LawName::Energy, Growth::Power { power: 2.04 }),
+            said(LawName::Energy, Growth::Power { power: 2.04 }),
             "faster than linear: as time to the power 2.0"
         );
-        assert_eq!(told(LawName::Unit, Growth::Bounded), "bounded");
+        assert_eq!(said(LawName::Unit, Growth::Bounded), "bounded");
     }
 }

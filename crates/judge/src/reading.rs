@@ -1,6 +1,6 @@
-//! How the numbers of a file are meant: mistakes of the file, told from mistakes of the engine.
+//! How the numbers of a file are meant: mistakes of the file, distinguished from mistakes of the engine.
 //!
-//! A spin and the turn from one row to the next tell the same thing. Where they do not, and would if the
+//! A spin and the turn from one row to the next say the same thing. Where they do not, and would if the
 //! numbers were read another way, the file is what is wrong.
 
 use crate::columns::Kind;
@@ -217,8 +217,8 @@ impl Reading {
         if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
     }
 
-    /// Of attitudes alone the law tells the order and the sense: three rows, each a step after the other,
-    /// have two turns, whose change is the gyroscopic one.
+    /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
+    /// other, have two turns, whose change is the gyroscopic one.
     pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(Kind::Attitude);
         let alike = |reading: &Self| {
@@ -334,7 +334,7 @@ impl Reading {
         }
     }
 
-    /// Spin and time each in a unit of its own: turns tell their product alone.
+    /// Spin and time each in a unit of its own: turns determine their product alone.
     fn with_both_units(self, ratio: f64) -> Self {
         if (ratio - 1.0).abs() < UNIT_APART {
             return self;
@@ -349,8 +349,8 @@ impl Reading {
         law(self.pairs(pairs, moments), moments)
     }
 
-    /// Without an attitude, the law alone tells: a spin of another unit changes too fast or too slow, one of
-    /// the other hand backward.
+    /// Without an attitude, the law alone decides: a spin of another unit changes too fast or too slow, one
+    /// of the other hand backward.
     fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let (alike, size) = self.law(pairs, moments);
         if alike.abs() < LAW_DECIDES {

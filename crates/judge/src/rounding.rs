@@ -4,7 +4,7 @@ use crate::rows::Raw;
 use crate::state::median;
 use crate::thresholds::{DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE, FEWEST_DIGITS, MOST_DIGITS};
 
-/// The rounding of numbers that have so many digits, or that single precision holds.
+/// The rounding of numbers that have this number of digits, or that single precision holds.
 pub(crate) fn rounding(probe: &[Raw]) -> f64 {
     let digits = probe.iter().map(|raw| raw.digits).max().unwrap_or(MOST_DIGITS).min(MOST_DIGITS);
     let single = probe.iter().all(|raw| raw.single) && digits > DIGITS_OF_SINGLE;
@@ -13,7 +13,7 @@ pub(crate) fn rounding(probe: &[Raw]) -> f64 {
     // Few digits may be all there are: 0.5 has one. A record of such numbers alone does not move.
     let of_digits = if digits < FEWEST_DIGITS { 0.0 } else { of_digits };
     let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
-    // Numbers of so many places after the point have fewer digits where they are small.
+    // Numbers with a fixed number of places after the point have fewer digits where they are small.
     let place = probe.iter().map(|raw| raw.place).fold(f64::INFINITY, f64::min);
     let size = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
     let of_place = if digits < FEWEST_DIGITS

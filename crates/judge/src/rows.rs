@@ -29,7 +29,7 @@ pub(crate) struct Raw {
     pub attitude: Option<Quaternion<f64>>,
     /// As [`Kind`] says; in radians.
     pub vector: Vector3<f64>,
-    /// Another vector, beside that one; zero where there is none.
+    /// Another vector than that one; zero where there is none.
     pub second: Vector3<f64>,
     /// How its time is printed.
     pub printed: Printed,
@@ -72,7 +72,7 @@ impl<R: BufRead> Rows<R> {
                 if matches!(columns.clock, Clock::Steps(_)) && header.step.is_none() {
                     return Err(Error::Columns {
                         line: lines.line,
-                        problem: "steps are counted, and how long one is is not told: a comment line `# dt: 0.01`, or a \
+                        problem: "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
                                   column `t`, is missing"
                             .into(),
                     });

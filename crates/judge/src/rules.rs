@@ -56,9 +56,9 @@ pub enum Alteration {
     SmallTurn(f64),
     /// Each component of the spin in body axes that is no greater than this, rad/s, is put to zero.
     Zeroed(f64),
-    /// The body turns so many times as far as the spin says.
+    /// The body turns by this factor times what the spin says.
     OtherTurn(f64),
-    /// Steps are so many times as long as the record says.
+    /// Steps are this factor times as long as the record says.
     OtherStep(f64),
 }
 

@@ -46,7 +46,7 @@ impl Pair {
         Some(if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() })
     }
 
-    /// How far the turn is from what the spin tells, relative to the spin: from the one before, after, or
+    /// How far the turn is from what the spin says, relative to the spin: from the one before, after, or
     /// their mean, whichever is the nearest. Nothing where a step turns so far that the shorter way need not
     /// be the right one.
     pub(crate) fn inconsistency(&self) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use crate::law::{Law, LawName};
 use crate::names::readable;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{Gaps, Outcome, Reset, Verdict};
 use std::fmt;
 
 impl fmt::Display for Verdict {
@@ -32,7 +32,10 @@ impl fmt::Display for Verdict {
                 fit.rows, fit.moved, fit.left
             )?;
         }
-        self.file(f)?;
+        for (label, sentence) in self.of_file() {
+            let label = if label.is_empty() { String::new() } else { format!("{label}:") };
+            writeln!(f, "{label:9} {sentence}")?;
+        }
         self.physics(f)?;
         if let Some(diagnosis) = &self.diagnosis {
             writeln!(f, "\n{diagnosis}")?;
@@ -46,22 +49,7 @@ impl fmt::Display for Verdict {
                 law.name.words()
             )?;
         }
-        let name = self.outcome.key().to_uppercase();
-        let mut reasons: Vec<String> = self.reason().into_iter().collect();
-        if self.outcome == Outcome::Failed {
-            if !self.file_mistakes.is_empty() {
-                reasons.push("the file is not what its names say".into());
-            }
-            if !self.resets.is_empty() {
-                reasons.push("the motion does not go through".into());
-            }
-            reasons.extend(self.broken().map(|law| {
-                let allowed = self.options.allowed(law.name).unwrap_or(f64::INFINITY);
-                format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
-            }));
-        }
-        reasons.extend(self.complaints.iter().map(ToString::to_string));
-        write!(f, "{name}: {}", reasons.join(";\n  "))
+        write!(f, "{}: {}", self.outcome.key().to_uppercase(), self.reasons().join(";\n  "))
     }
 }
 
@@ -84,11 +72,31 @@ impl Verdict {
                 "the spin is constant, as it is right for this start. Push the body off its principal axis"
             }
             Outcome::TooShort => {
-                "no law is broken, and too little is seen to say more: eight rows at least are wanted, in which the body turns once round \
+                "no law is broken, and too little is seen to say more: it takes eight rows at least, in which the body turns once round \
                  or its spin should change by a tenth"
             }
         };
         Some(words.into())
+    }
+
+    /// Every reason for the outcome, in words.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<String> {
+        let mut reasons: Vec<String> = self.reason().into_iter().collect();
+        if self.outcome == Outcome::Failed {
+            if !self.file_mistakes.is_empty() {
+                reasons.push("the file is not what its names say".into());
+            }
+            if !self.resets.is_empty() {
+                reasons.push("the motion does not go through".into());
+            }
+            reasons.extend(self.broken().map(|law| {
+                let allowed = self.options.allowed(law.name).unwrap_or(f64::INFINITY);
+                format!("{} is off by up to {:.3e} (allowed: {allowed})", law.name.words(), law.most)
+            }));
+        }
+        reasons.extend(self.complaints.iter().map(ToString::to_string));
+        reasons
     }
 
     /// What every law is kept within.
@@ -102,55 +110,48 @@ impl Verdict {
         text
     }
 
-    fn file(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if !self.record.ignored.is_empty() {
-            writeln!(f, "Ignored:  the columns {}", self.record.ignored.join(", "))?;
+    /// What is seen of the file besides its numbers: a label and a sentence for each.
+    pub(crate) fn of_file(&self) -> Vec<(&'static str, String)> {
+        let record = &self.record;
+        let mut all = Vec::new();
+        if !record.ignored.is_empty() {
+            all.push(("Ignored", format!("the columns {}", record.ignored.join(", "))));
         }
-        for note in &self.record.notes {
-            writeln!(f, "Note:     {note}.")?;
-        }
-        for mistake in &self.file_mistakes {
-            writeln!(f, "File:     {}.", mistake.words())?;
-        }
+        all.extend(record.notes.iter().map(|note| ("Note", note.to_string())));
+        all.extend(self.file_mistakes.iter().map(|mistake| ("File", mistake.words())));
         if !self.file_mistakes.is_empty() {
-            writeln!(f, "          What follows is of the file with that put right.")?;
+            all.push(("", "what follows is of the file with that put right".into()));
         }
-        for reset in &self.resets {
+        all.extend(self.resets.iter().map(|reset| {
+            let Reset { line, time, .. } = reset;
             let how = reset.words();
-            writeln!(
-                f,
-                "Reset:    line {}, t = {:.4} s: the body {how}. Judged up to there.",
-                reset.line, reset.time
-            )?;
+            ("Reset", format!("line {line}, t = {time:.4} s: the body {how}; judged up to there"))
+        }));
+        all.extend(record.gaps.map(|Gaps { count, line, longest }| {
+            let places = if count == 1 { "one place".into() } else { format!("{count} places") };
+            let words = format!(
+                "rows are missing in {places}, the first before line {line}; the longest is {longest:.0} steps"
+            );
+            ("Gaps", words)
+        }));
+        all.extend(self.unavailable().map(|words| ("Missing", words)));
+        if record.sign_changes > 0 {
+            let times = record.sign_changes;
+            let words = format!("the quaternion changes its sign {times} times; the attitude does not");
+            all.push(("Signs", words));
         }
-        if let Some(gaps) = &self.record.gaps {
-            writeln!(
-                f,
-                "Gaps:     rows are missing in {} places, the first before line {}; the longest is {:.0} steps",
-                gaps.count, gaps.line, gaps.longest
-            )?;
-        }
-        if !self.record.missing.is_empty() {
-            let names: Vec<&str> = self.record.missing.iter().map(|law| law.words()).collect();
-            writeln!(
-                f,
-                "Not available: {} (the file has no {})",
-                names.join(", "),
-                if self.record.has_attitude {
-                    "spin: it is made from the turns between the attitudes, by the exact motion"
-                } else {
-                    "attitude"
-                }
-            )?;
-        }
-        if self.record.sign_changes > 0 {
-            writeln!(
-                f,
-                "Signs:    the quaternion changes its sign {} times; the attitude does not",
-                self.record.sign_changes
-            )?;
-        }
-        Ok(())
+        all
+    }
+
+    /// The laws that the record has nothing of, and why.
+    fn unavailable(&self) -> Option<String> {
+        let names: Vec<&str> = self.record.missing.iter().map(|law| law.words()).collect();
+        let why = match self.record.has_attitude {
+            true => "no spin: it is made from the turns between the attitudes, by the exact motion",
+            false => "no attitude",
+        };
+        (!names.is_empty())
+            .then(|| format!("nothing is known of {} (the record has {why})", names.join(", ")))
     }
 
     fn physics(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -84,7 +84,7 @@ pub(crate) const DIGITS_OF_SINGLE: u32 = 6;
 pub(crate) const MOST_DIGITS_OF_SINGLE: u32 = 9;
 /// With fewer digits nothing is concluded from them: 0.5 has one, and is exact.
 pub(crate) const FEWEST_DIGITS: u32 = 4;
-/// Rounding beyond so many of single precision's means few decimal digits.
+/// Rounding beyond this number of single precision's means few decimal digits.
 pub(crate) const FEW_DIGITS: f64 = 2.0;
 /// Rounding of a spin found from a turn of one radian or more, in roundings: two attitudes have eight
 /// numbers.
@@ -256,7 +256,7 @@ pub(crate) const RUN_STEPS: f64 = 20_000.0;
 pub(crate) const DRIFT_APART: f64 = 0.25;
 /// Roundings added to a drift.
 pub(crate) const DRIFT_ROUNDINGS: f64 = 32.0;
-/// One flip in so many may be missed over a whole run: they are a matter of the start's rounding.
+/// One flip in this number may be missed over a whole run: they are a matter of the start's rounding.
 pub(crate) const FLIPS_MISSED: u64 = 10;
 
 // Rules with a number in them.
@@ -265,7 +265,7 @@ pub(crate) const FLIPS_MISSED: u64 = 10;
 pub(crate) const BEYOND: f64 = 1e-9;
 /// First step that slows a body by this factor, and share by which no later one goes beyond: a cap.
 pub(crate) const CAP_AT_START: [f64; 2] = [1.05, 1e-6];
-/// Rows at a greatest spin that make a cap: so many, and one in so many.
+/// Rows at a greatest spin that make a cap: at least this number, and at least one in this number.
 pub(crate) const CAPPED_ROWS: [usize; 2] = [4, 10];
 /// Loss of spin a step, as a share, below which there is no damping.
 pub(crate) const DAMPED: f64 = 1e-9;

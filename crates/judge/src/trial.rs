@@ -49,7 +49,7 @@ pub(crate) struct Trial {
     pub rows: u64,
     /// The number of pairs of rows that follow one another, however far apart.
     pairs: u64,
-    /// At which line the attitude turns too far to tell which way, and by how much, rad.
+    /// At which line the attitude turns too far for its direction to be known, and by how much, rad.
     pub stopped: Option<(usize, f64)>,
     /// How a second vector of the record is at odds with the first.
     pub second: Option<Complaint>,
@@ -256,7 +256,7 @@ impl Trial {
         } else if broken || !no_complaint {
             Outcome::Failed
         } else if self.laws.untraceable() {
-            // What is right here nobody can tell.
+            // What is right here is not known.
             Outcome::NothingToJudge
         } else if self.rows < ENOUGH_ROWS || seen.turned < TAU && seen.moved < ENOUGH_CHANGE {
             Outcome::TooShort

@@ -1,4 +1,4 @@
-//! Units that column names tell.
+//! Units in column names.
 
 use std::f64::consts::{PI, TAU};
 

@@ -9,6 +9,7 @@ use crate::points::Point;
 use crate::reading::FileMistake;
 use crate::thresholds::ALLOWED;
 use nalgebra::Vector3;
+use serde::Serialize;
 
 /// What the judge is to go by.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,7 +110,7 @@ pub struct Reset {
 }
 
 /// Steps that have no row.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Gaps {
     /// How often rows are missing.
     pub count: u64,
@@ -175,7 +176,7 @@ pub struct Verdict {
     pub options: Options,
     /// How the start was fitted, if it was.
     pub fit: Option<Fit>,
-    /// Whether the body turns so far that no `f64` tells where in its motion it should be.
+    /// Whether the body turns so far that no `f64` says where in its motion it should be.
     pub untraceable: bool,
     /// The run in at most 256 points, to draw it by.
     pub curve: Vec<Point>,

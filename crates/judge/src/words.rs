@@ -26,7 +26,7 @@ impl fmt::Display for Complaint {
                 let off = 100.0 * off;
                 write!(
                     f,
-                    "the columns of `{column}` tell another spin than those judged, by {off:.3} % in line {line}"
+                    "the columns of `{column}` have another spin than those judged, by {off:.3} % in line {line}"
                 )
             }
             Self::Constant { moved } => {
@@ -44,7 +44,7 @@ impl fmt::Display for Complaint {
             Self::WrongPace { off, ways, allowed } => write!(
                 f,
                 "the spin is {off:.3} ways round from the exact one, which goes {ways:.3} ways round (allowed: {allowed:.3}, unless \
-                 `--threshold phase=X` says otherwise)"
+                 a limit for phase says otherwise)"
             ),
         }
     }
@@ -55,7 +55,7 @@ impl Complaint {
     pub(crate) fn problem(&self) -> String {
         match self {
             Self::TooFar { turn, .. } => format!(
-                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not tell a turn from one that goes \
+                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes \
                  the other way round. Record the spin, or shorter steps"
             ),
             other => other.to_string(),

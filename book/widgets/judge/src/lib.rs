@@ -19,8 +19,7 @@ pub static VERDICT: Text = Text::new();
 /// own (not above zero: none).
 ///
 /// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and with the
-/// judge's own words for all that it names by a key: each law's name, heading and growth (and what is allowed
-/// of it), each reset, what the record has nothing of, and how the rule is named. The answer is 1. For a
+/// advice's chapter. The answer is 1. For a
 /// record that cannot be judged, the text says why; the answer is 0.
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold, fitted] = row.take(0);
@@ -32,25 +31,11 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
         Ok(verdict) => {
             let mut json = verdict.json();
             json["words"] = verdict.to_string().into();
-            let untold = verdict.record.missing.iter().map(|law| law.words());
-            json["untold"] = untold.collect::<Vec<_>>().into();
-            for (reset, told) in
-                verdict.resets.iter().zip(json["resets"].as_array_mut().into_iter().flatten())
+            if let Some(advice) = verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.advice)
+                && let Some(place) = chapters::chapter(advice)
             {
-                told["words"] = reset.words().into();
-            }
-            if let Some(diagnosis) = &verdict.diagnosis {
-                json["diagnosis"]["words"] = diagnosis.words().into();
-                if let Some(place) = chapters::chapter(diagnosis.advice) {
-                    let advice = diagnosis.advice.words();
-                    json["diagnosis"]["advice"] = format!("{advice} More about it: chapter {place}.").into();
-                }
-            }
-            for (law, told) in verdict.laws.iter().zip(json["laws"].as_array_mut().into_iter().flatten()) {
-                told["words"] = law.name.words().into();
-                told["heading"] = law.name.heading().into();
-                told["growth"] = law.plain().into();
-                told["allowed"] = verdict.options.allowed(law.name).into();
+                json["diagnosis"]["advice"] =
+                    format!("{} More about it: chapter {place}.", advice.words()).into();
             }
             VERDICT.say(json.to_string());
             1

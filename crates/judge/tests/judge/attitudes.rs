@@ -56,7 +56,7 @@ fn rules_are_named_by_the_attitudes_that_they_make() {
 }
 
 #[test]
-fn the_order_and_the_sense_of_attitudes_alone_are_told_by_the_law() {
+fn the_order_and_the_sense_of_attitudes_alone_are_determined_by_the_law() {
     for spin in [SPINS[0], SPINS[3]] {
         let rows = exact(spin.into(), 0.02, 800);
         let order: Vec<Row> =
@@ -64,7 +64,7 @@ fn the_order_and_the_sense_of_attitudes_alone_are_told_by_the_law() {
         assert_eq!(judged(&attitudes(&order)).file_mistakes, [FileMistake::Order]);
         let first: Vec<Row> =
             rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w)).collect();
-        // Not to be told from the other: the one is the other's mirror image.
+        // Not to be distinguished from the other: the one is the other's mirror image.
         assert_eq!(judged(&attitudes(&first)).file_mistakes, [FileMistake::Order]);
         let inverse: Vec<Row> = rows.iter().map(|(t, q, w)| (*t, q.conjugate(), *w)).collect();
         assert_eq!(judged(&attitudes(&inverse)).file_mistakes, [FileMistake::Inverse]);
@@ -77,7 +77,7 @@ fn steps_near_half_a_turn_are_refused_in_plain_words() {
     let text = attitudes(&exact(Vector3::new(1.0, 2.0, 1.5), 0.9, 100));
     let error = judge(text.as_bytes(), &Options::default()).unwrap_err().to_string();
     assert!(error.starts_with("line 4: the attitude turns by") && error.contains("shorter steps"), "{error}");
-    // A run that gets there is judged as far as it can be told.
+    // A run that gets there is judged as far as its turns are known.
     let mut rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.02, 400);
     let flipped = rows[300].1 * Quaternion::new(0.0, 1.0, 0.0, 0.0);
     rows[300].1 = flipped;

@@ -15,8 +15,8 @@ fn energy(system: &System<f64>, state: &State<f64>) -> f64 {
     tumbling::dynamics::observe::energy(&system.omega(&state.momentum), &state.momentum)
 }
 
-/// What became of a body: energy and `|L|` beside those at the start, and `2 E I2 / L^2`, which is `I2/I3`
-/// for a body that spins about its largest moment, `I2/I1` about its smallest, and 1 where it flips.
+/// What became of a body: energy and `|L|` relative to those at the start, and `2 E I2 / L^2`, which is
+/// `I2/I3` for a body that spins about its largest moment, `I2/I1` about its smallest, and 1 where it flips.
 fn fate(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 3] {
     let mut moments = *system.moments();
     moments.as_mut_slice().sort_by(f64::total_cmp);

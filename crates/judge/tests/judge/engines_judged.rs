@@ -91,17 +91,17 @@ fn by_hand(name: &str) -> [f64; 3] {
 }
 
 #[test]
-fn an_engine_that_turns_a_fast_body_by_less_than_its_spin_is_told_so() {
+fn an_engine_that_turns_a_fast_body_by_less_than_its_spin_is_named() {
     for (name, verdict) in records() {
-        let told = verdict
+        let named = verdict
             .complaints
             .iter()
             .any(|complaint| complaint.to_string().contains("does not turn as the spin says"));
         // 60 rad/s at 60 Hz are one radian a step. Bullet turns by 2 atan(4 tan(pi/8) / pi), 3 in 100 less.
         let less = name.starts_with("bullet") && name.ends_with("--fast");
-        assert!(told || !less, "{name}: {:?}", verdict.complaints);
+        assert!(named || !less, "{name}: {:?}", verdict.complaints);
         assert!(
-            !told || name.ends_with("--wound") || name.ends_with("--fast") || name.contains("-multibody"),
+            !named || name.ends_with("--wound") || name.ends_with("--fast") || name.contains("-multibody"),
             "{name}"
         );
     }

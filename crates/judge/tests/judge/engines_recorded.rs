@@ -37,8 +37,8 @@ fn attitudes_apart(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
     (a - b).norm().min((a + b).norm())
 }
 
-/// The errors of one step: of the spin beside the larger of its values before and after, of the attitude
-/// beside the angle turned where that is over 1, since its own rounding is as large.
+/// The errors of one step: of the spin relative to the larger of its values before and after, of the attitude
+/// relative to the angle turned where that is over 1, since its own rounding is as large.
 fn errors(engine: &PhysicsEngine, system: &System<f64>, ends: [&State<f64>; 2], before: f64) -> [f64; 2] {
     let [ours, theirs] = ends;
     let omega = [ours, theirs].map(|motion| system.omega(&motion.momentum));
@@ -146,7 +146,7 @@ fn mujoco_puts_a_body_back_to_rest_where_its_rule_is_refused_and_nowhere_else() 
     }
 }
 
-/// Our run beside the record, from its first row on: the error at each recorded step, and beside it how far a
+/// Our run and the record, from its first row on: the error at each recorded step, and how far a
 /// run is by then that is jolted by some rounding units at every step.
 fn followed(engine: &PhysicsEngine, record: &Record) -> Vec<(usize, f64, f64)> {
     let first = record.motion(&record.rows[0]);
@@ -206,7 +206,7 @@ fn whole_runs_follow_the_records_as_far_as_rounding_lets_any_run_follow() {
         for &(step, error, grown) in &run {
             assert!(
                 error < 10.0 * grown + 16.0 * f64::EPSILON,
-                "{name} {story} {step}: {error:e} beside {grown:e}"
+                "{name} {story} {step}: {error:e}, where {grown:e} is due to the start"
             );
         }
         let lost = run.iter().find(|(_, error, _)| *error > 1e-9).map_or(usize::MAX, |x| x.0);

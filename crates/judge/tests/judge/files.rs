@@ -84,7 +84,7 @@ fn spins(rows: &[Row]) -> String {
 }
 
 #[test]
-fn without_an_attitude_the_law_tells_units_and_hand() {
+fn without_an_attitude_the_law_determines_units_and_hand() {
     for rows in good() {
         assert_eq!(judged(&spins(&rows)).file_mistakes, []);
         for (misread, how) in [
@@ -180,7 +180,7 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
 }
 
 #[test]
-fn a_motion_that_starts_anew_is_told_where() {
+fn a_motion_that_starts_anew_is_named_with_its_place() {
     let mut rows = exact(SPIN, 0.01, 300);
     let again = rows.clone();
     rows.truncate(200);
@@ -214,14 +214,14 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert!(error("# inertia: 1 2 3\n\n").contains("the file is empty"));
     assert!(error("t,wx,wy,wz\n").contains("no rows"));
     assert!(error(head).contains("one row"));
-    assert!(error("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("--inertia"));
-    assert!(error("0,1,2,3\n1,1,2,3\n").starts_with("line 1: column names are wanted"));
+    assert!(error("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("moments are not known"));
+    assert!(error("0,1,2,3\n1,1,2,3\n").starts_with("line 1: this must be the line of column names"));
     assert!(error("t,wx,wz\n0,1,2\n").starts_with("line 1: the column `wy` is missing"));
     assert!(error("t,wx,wx,wy,wz\n").starts_with("line 1: there are two columns `wx`"));
     assert!(error("wx,wy,wz\n0,1,2\n").starts_with("line 1: the column `t` is missing"));
     assert!(error("t,x\n").contains("neither spin nor momentum nor attitude"));
     assert!(error("t,wxw,wyw,wzw\n").contains("without its attitude"));
-    assert!(error("step,wx,wy,wz\n").contains("how long one is"));
+    assert!(error("step,wx,wy,wz\n").contains("their length is not given"));
     assert!(error("# inertia: 1 2 4\nt,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("2 + 1 >= 4"));
     assert!(error("# inertia: 1 2 3; dt: 0\nt,wx,wy,wz\n").starts_with("line 1: the step is given as 0"));
     let no_attitude = "# inertia: 1 2 3\nt,wx,wy,wz,qw,qx,qy,qz\n0,1,2,3,1,0,0,0\n1,1,2,3,0,0,0,0\n";
@@ -251,13 +251,58 @@ fn numbers_of_few_digits_are_judged_by_their_digits() {
     assert_eq!(diagnosis.best.rule.name(), "the exact motion");
 }
 
+/// Terminal, programs and pages have the same sentences, and none of them names an option that only one has.
 #[test]
-fn the_json_tells_what_the_text_tells() {
+fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_command_line() {
+    let rows = exact(SPIN, 1.0 / 60.0, 600);
+    let gaps: Vec<Row> = rows.iter().enumerate().filter(|(i, _)| i % 97 != 5).map(|(_, row)| *row).collect();
+    let jump: Vec<Row> = rows
+        .iter()
+        .take(300)
+        .chain(&rows)
+        .copied()
+        .enumerate()
+        .map(|(i, row)| (i as f64 / 60.0, row.1, row.2))
+        .collect();
+    let mut texts: Vec<String> = [&rows, &gaps, &jump].map(|rows| csv(rows)).into();
+    let half = altered(&rows, |(t, q, w)| (*t, *q, w * (180.0 / std::f64::consts::PI)));
+    texts.push(csv(&half));
+    texts.push(csv(&stepped(Method::ConstantSpin, SPIN, 0.01, 600)));
+    texts.push(csv(&rows).replace("# inertia: 1 2 2.5 kg m2", "# inertia: 1 2 2.5 kg m2, dt about a step"));
+    for text in texts {
+        let verdict = judged(&text);
+        let (said, json) = (verdict.to_string(), verdict.json());
+        let diagnosis = &json["diagnosis"];
+        let all = [&json["file"], &json["reasons"], &diagnosis["details"]];
+        let mut sentences: Vec<&str> = all
+            .iter()
+            .flat_map(|all| all.as_array().into_iter().flatten())
+            .filter_map(|x| x.as_str())
+            .collect();
+        sentences.extend([&diagnosis["heading"], &diagnosis["advice"]].iter().filter_map(|x| x.as_str()));
+        for sentence in &sentences {
+            assert!(said.contains(sentence), "{sentence}\n{said}");
+        }
+        assert!(sentences.len() > 2 && !said.contains(" `--") && !said.contains(" --"), "{said}");
+    }
+    let alone = csv(&rows[..1]);
+    for (text, options) in [
+        ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", Options::default()),
+        (&*alone, Options::default()),
+        (&*csv(&rows), Options { fit: Some(5000), ..Options::default() }),
+    ] {
+        let error = judge(text.as_bytes(), &options).unwrap_err().to_string();
+        assert!(!error.contains("--"), "{error}");
+    }
+}
+
+#[test]
+fn the_json_says_what_the_text_says() {
     let verdict = judged(&csv(&stepped(Method::Rescaled, SPIN, 0.05, 600)));
     let json = verdict.json();
     assert_eq!(json["outcome"], "failed");
     assert_eq!(json["diagnosis"]["best"]["rule"], "explicit, rescaled");
-    assert_eq!(json["diagnosis"]["sure"], "to rounding");
+    assert_eq!(json["diagnosis"]["confidence"], "to rounding");
     assert_eq!(json["rows"], 601);
     let laws = json["laws"].as_array().unwrap();
     let energy = laws.iter().find(|law| law["law"] == "energy").unwrap();

@@ -41,7 +41,7 @@ fn what_spreadsheets_and_locales_make_of_a_record_is_named() {
 
 #[test]
 fn columns_that_say_a_thing_twice_are_refused() {
-    assert_eq!(error("t,time,wx,wy,wz\n"), "line 1: `t` and `time` both tell the time");
+    assert_eq!(error("t,time,wx,wy,wz\n"), "line 1: `t` and `time` both are the time");
     assert!(error("t,wx,wy,wz,omega_x,omega_y,omega_z\n").contains("two sets of columns for one vector"));
     assert!(
         error("t,qw,qx,qy,qz,quat_w,quat_x,quat_y,quat_z,wx,wy,wz\n")

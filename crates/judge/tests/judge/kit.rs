@@ -59,13 +59,13 @@ fn kit() -> (Vec<String>, Vec<Story>) {
     (steps, kit["stories"].as_array().unwrap().iter().map(story).collect())
 }
 
-/// Seconds of a step told as a fraction.
+/// Seconds of a step given as a fraction.
 fn seconds(step: &str) -> f64 {
     let (over, under) = step.split_once('/').unwrap();
     over.parse::<f64>().unwrap() / under.parse::<f64>().unwrap()
 }
 
-/// The errors of spin (beside its length) and attitude (rad).
+/// The errors of spin (relative to its length) and attitude (rad).
 fn errors(answer: &Answer, spin: &Vector3<f64>, q: &Quaternion<f64>) -> [f64; 2] {
     let between = attitude::product(&answer.attitude.conjugate().into_inner(), q);
     [(spin - answer.spin).norm() / answer.spin.norm(), 2.0 * between.imag().norm().atan2(between.w.abs())]
@@ -91,25 +91,25 @@ fn the_exact_motion_gives_every_answer_of_the_kit_as_well_as_rounded_inputs_allo
 #[test]
 fn the_kit_s_flips_are_those_of_the_exact_motion() {
     for story in kit().1 {
-        let told = &story.json["flips"];
-        if told.is_null() {
+        let stated = &story.json["flips"];
+        if stated.is_null() {
             continue;
         }
-        let told: Vec<f64> = told.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+        let stated: Vec<f64> = stated.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
         let motion = FreeMotion::new(story.moments.try_into().unwrap(), &story.spin).unwrap();
         let end = story.json["duration"].as_f64().unwrap();
         // A spin that starts in the plane of the other two axes passes there at the start, and does not count
         // it.
         let found: Vec<f64> = motion.flips(0.0, end).unwrap().filter(|&t| t > 0.0).collect();
-        assert_eq!(found.len(), told.len(), "{}", story.name);
+        assert_eq!(found.len(), stated.len(), "{}", story.name);
         let Some(within) = story.json["flips_within"]["f64"].as_array() else {
-            assert!(told.is_empty());
+            assert!(stated.is_empty());
             continue;
         };
         let most = within.iter().map(|x| x.as_f64().unwrap()).fold(0.0, f64::max);
-        for (found, told) in found.iter().zip(&told) {
-            let allowed = 2.0 * most + 4.0 * f64::EPSILON * told;
-            assert!((found - told).abs() <= allowed, "{}: {found} {told} {most:e}", story.name);
+        for (found, stated) in found.iter().zip(&stated) {
+            let allowed = 2.0 * most + 4.0 * f64::EPSILON * stated;
+            assert!((found - stated).abs() <= allowed, "{}: {found} {stated} {most:e}", story.name);
         }
     }
 }
@@ -161,12 +161,12 @@ fn the_stories_cover_the_spins_and_their_times_fall_on_every_step() {
 }
 
 #[test]
-fn the_implicit_midpoint_does_what_the_kit_asks_of_a_step() {
+fn the_implicit_midpoint_does_what_the_kit_requires_of_a_step() {
     let (steps, stories) = kit();
     let mut held = 0;
     for story in &stories {
         let system = System::free(story.moments.try_into().unwrap()).unwrap();
-        // The finest step takes longest, and asks nothing else.
+        // The finest step takes longest, and adds nothing.
         for step in &steps[..3] {
             let h = seconds(step);
             let mut motion =
@@ -186,6 +186,6 @@ fn the_implicit_midpoint_does_what_the_kit_asks_of_a_step() {
             }
         }
     }
-    // Of twice 132 answers at three steps most can be asked for.
+    // Of twice 132 answers at three steps most are held.
     assert!(held > 600, "{held}");
 }

@@ -125,13 +125,13 @@ fn a_turn_without_its_half_is_named_with_the_factor() {
 }
 
 #[test]
-fn steps_of_another_length_than_told_are_named_with_the_factor() {
+fn steps_of_another_length_than_stated_are_named_with_the_factor() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     for factor in [0.5, 2.0, 1.2] {
         for method in [Method::SemiImplicitEuler, Method::ImplicitOneNewton] {
             let rows = stepped_by(SPIN, H, 400, |motion| method.step(&system, motion, H * factor).unwrap());
             let diagnosis = diagnosed(&rows);
-            // A body at a standstill of the turn has no other clock: the exact motion's is told by its base.
+            // A body at a standstill of the turn has no other clock: the exact motion's is its base's.
             let Some(Alteration::OtherStep(found)) = diagnosis.best.rule.alteration else {
                 panic!("{method:?} {factor}: {diagnosis}")
             };
@@ -141,7 +141,7 @@ fn steps_of_another_length_than_told_are_named_with_the_factor() {
 }
 
 #[test]
-fn a_motion_that_jumps_is_told_where_and_judged_up_to_there() {
+fn a_motion_that_jumps_is_named_with_its_place_and_judged_up_to_there() {
     let mut rows = exact(SPIN, H, 300);
     let other = exact(Vector3::new(-2.0, 0.4, 1.0), H, 300);
     rows.truncate(200);

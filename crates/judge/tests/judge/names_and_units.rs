@@ -1,4 +1,4 @@
-//! What column names, units and comments tell, and what is told of those that are not read.
+//! What is read from column names, units and comments, and what is said of those that are not read.
 
 use crate::common::{MOMENTS, Row, csv, exact, judged};
 use nalgebra::{Quaternion, Vector3};
@@ -59,12 +59,12 @@ fn the_units_that_names_tell_are_honoured() {
 }
 
 #[test]
-fn spin_and_time_both_in_units_of_their_own_are_told() {
+fn spin_and_time_both_in_units_of_their_own_are_named() {
     let rows = altered(|(t, q, w)| (t * 1e3, *q, w.map(f64::to_degrees)));
     let verdict = judged(&csv(&rows));
     assert_eq!(verdict.outcome, Outcome::Failed);
     assert_eq!(verdict.file_mistakes, [FileMistake::Degrees, FileMistake::Milliseconds], "{verdict}");
-    // Times a hundred times too long are in no unit: the pace tells.
+    // Times a hundred times too long are in no unit: the pace says so.
     let verdict = judged(&csv(&altered(|(t, q, w)| (t * 100.0, *q, *w))));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     assert!(verdict.to_string().contains("steps 0.010000 times as long"), "{verdict}");
@@ -92,7 +92,7 @@ fn two_vectors_that_do_not_tell_the_same_are_said_to() {
     sound(&judged(&text(1.0)));
     let verdict = judged(&text(1.01));
     assert_eq!(verdict.outcome, Outcome::Failed);
-    assert!(verdict.to_string().contains("the columns of `lx` tell another spin"), "{verdict}");
+    assert!(verdict.to_string().contains("the columns of `lx` have another spin"), "{verdict}");
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
         assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{decimals} {head} {verdict}");
         assert!(verdict.record.notes.iter().any(|note| note.to_string().contains("few digits")));
     }
-    // Of so many significant digits, zeros at the end left off: later times are coarser.
+    // With a fixed number of significant digits, zeros at the end left off: later times are coarser.
     for digits in [4, 5, 6] {
         let mut text = String::from("# inertia: 1 2 2.5; dt: 1/60 s\nt,qw,qx,qy,qz,wx,wy,wz\n");
         for (t, q, w) in good() {

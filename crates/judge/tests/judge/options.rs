@@ -1,4 +1,4 @@
-//! What the caller may ask for: a fitted start, limits for each law; and the points that the run is drawn by.
+//! What the caller may choose: a fitted start, limits for each law; and the points that the run is drawn by.
 
 use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::Vector3;
@@ -8,7 +8,7 @@ use tumbling_judge::{LawName, Options, Outcome, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(0.1, 3.0, 0.2);
 
-/// With so many digits of each number.
+/// With this number of digits of each number.
 fn rounded(rows: &[Row], digits: usize) -> String {
     let mut text = String::from("# inertia: 1 2 2.5\nt,qw,qx,qy,qz,wx,wy,wz\n");
     for (t, q, w) in rows {
@@ -81,7 +81,7 @@ fn a_law_may_have_a_limit_of_its_own() {
     let mild = Options { threshold: 0.9 * energy, ..Options::default() };
     assert_eq!(with(mild).outcome, Outcome::Failed);
     assert!(with(mild.with(LawName::Energy, 1.1 * energy)).broken().all(|law| law.name != LawName::Energy));
-    // The phase is held to nothing, unless asked for.
+    // The phase is held to nothing, unless a limit is given.
     let phase = most(&usual, LawName::Phase);
     assert_eq!(with(Options::default().with(LawName::Phase, 0.9 * phase)).outcome, Outcome::Failed);
     assert_eq!(with(Options::default().with(LawName::Phase, 1.1 * phase)).outcome, Outcome::Passed);

@@ -116,7 +116,7 @@ fn a_wrong_triple_of_moments_is_named_with_the_moments() {
             let Some(Alteration::OtherMoments(found)) = diagnosis.best.rule.alteration else {
                 panic!("{method:?} {wrong}: {diagnosis}")
             };
-            // A free body tells their ratios.
+            // A free body shows their ratios.
             let expected = wrong * (found.sum() / wrong.sum());
             assert!((found - expected).norm() < 1e-6, "{method:?}: {found} {expected}");
         }

@@ -1,4 +1,4 @@
-//! What a record passes and fails by, beside the laws that the exact motion keeps.
+//! What a record passes and fails by, besides the laws that the exact motion keeps.
 
 use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
@@ -45,7 +45,7 @@ fn the_exact_motion_at_another_pace_fails_and_at_its_own_passes() {
     let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
     for pace in [1.0, 0.5, 2.0] {
         let rows = (0..=600).map(|i| (H * f64::from(i), motion.omega(H * f64::from(i) * pace).unwrap()));
-        // An error that no rule makes to rounding, so that the pace alone tells.
+        // An error that no rule makes to rounding, so that the pace alone decides.
         let rows = rows.enumerate().map(|(i, (t, w))| (t, w * (1.0 + 1e-9 * (i as f64 * 0.7).sin())));
         let text = spins([1.0, 2.0, 2.5], rows);
         let verdict = judged(&text);

@@ -26,7 +26,7 @@ fn plain(gyroscopic: bool, by_old: bool, count: u32) -> Vec<Row> {
     })
 }
 
-/// A number with so many significant digits, as `%.5g` would have it but for the exponent.
+/// A number with this number of significant digits, as `%.5g` would have it but for the exponent.
 fn significant(x: f64, digits: usize) -> String {
     format!("{x:.*e}", digits - 1)
 }
@@ -67,8 +67,8 @@ fn a_rule_that_few_digits_do_not_tell_is_not_named_for_a_wrong_one() {
     for digits in [4, 5, 6, 7] {
         let verdict = judged(&text(&rows, |x| significant(x, digits)));
         assert_eq!(verdict.outcome, Outcome::Failed);
-        let told = verdict.to_string();
-        assert!(!told.contains("Nothing to do"), "{told}");
+        let said = verdict.to_string();
+        assert!(!said.contains("Nothing to do"), "{said}");
         let diagnosis = verdict.diagnosis.unwrap();
         // Whatever is said for sure is so; and what drifts as the record does is among what is said.
         let right = [
@@ -140,7 +140,7 @@ fn a_record_whose_numbers_end_is_judged_up_to_there_and_fails() {
         let verdict = judged(&format!("{good}4.01,1,0,0,0,1,{end},0\n4.02,NaN,NaN,NaN,NaN,NaN,NaN,NaN\n"));
         assert_eq!(verdict.outcome, Outcome::Failed);
         assert_eq!(verdict.record.rows, 401);
-        let told = verdict.to_string();
-        assert!(told.contains("line 404, column 7 (`wy`)") && told.contains("udged up to there"), "{told}");
+        let said = verdict.to_string();
+        assert!(said.contains("line 404, column 7 (`wy`)") && said.contains("udged up to there"), "{said}");
     }
 }
