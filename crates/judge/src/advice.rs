@@ -59,6 +59,8 @@ pub enum Advice {
     OddSteps,
     /// The record has too few digits.
     MoreDigits,
+    /// The errors of the steps are too near to rounding.
+    LongerSteps,
     /// The record has too few rows that follow one another.
     EveryStep,
     /// An accurate rule, and none of those known.
@@ -74,6 +76,7 @@ impl Advice {
             Confidence::NoneFits => Self::Unknown,
             Confidence::Accurate => Self::Accurate,
             Confidence::FewSteps => Self::EveryStep,
+            Confidence::SmallErrors => Self::LongerSteps,
             Confidence::FewDigits => Self::MoreDigits,
             Confidence::MostSteps => Self::OddSteps,
             Confidence::ToRounding | Confidence::Near => match Self::of_rule(&diagnosis.best.rule) {
@@ -223,6 +226,9 @@ impl Advice {
             }
             Self::MoreDigits => {
                 "Write the record with all digits (17 of double precision, 9 of single), and judge it again."
+            }
+            Self::LongerSteps => {
+                "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it again."
             }
             Self::EveryStep => "Write a row at every step, and judge it again.",
             Self::Accurate => {

@@ -14,6 +14,9 @@ pub enum Confidence {
     /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
     /// drift as the record does, or it is one of several that do.
     FewDigits,
+    /// The steps are its own to rounding, and their errors are hardly above rounding: many a rule has as
+    /// small ones.
+    SmallErrors,
     /// Too few of the rows follow one another by one step.
     FewSteps,
     /// None of the rules known here, and nearer to the exact motion than to any of them:
@@ -25,11 +28,12 @@ pub enum Confidence {
 
 impl Confidence {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::ToRounding,
         Self::MostSteps,
         Self::Near,
         Self::FewDigits,
+        Self::SmallErrors,
         Self::FewSteps,
         Self::Accurate,
         Self::NoneFits,
@@ -43,6 +47,7 @@ impl Confidence {
             Self::MostSteps => "most steps",
             Self::Near => "near",
             Self::FewDigits => "too few digits",
+            Self::SmallErrors => "errors too small",
             Self::FewSteps => "too few steps",
             Self::Accurate => "accurate",
             Self::NoneFits => "none fits",

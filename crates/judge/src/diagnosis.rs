@@ -15,7 +15,7 @@ use crate::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain}
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
 use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, CLOSELY, FITS_EXACT, NEAR, NEAR_RATIO,
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO,
     TRIED_IN_PARTS, TRIED_SHARE, TRIED_TURNS,
 };
 
@@ -103,6 +103,7 @@ impl Diagnosis {
         let open = !self.alike.is_empty() || self.is_exact();
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
+            Confidence::SmallErrors => Some("a faster spin, or longer steps"),
             Confidence::NoneFits | Confidence::Accurate => None,
             _ if !open => None,
             _ if self.single || self.few => Some(
@@ -199,15 +200,15 @@ pub(crate) fn diagnose(subject: &Subject, sample: &Sample, about: Circumstances)
     let same =
         |rule: &Rule| *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method();
     // Where even the best is farther off than its own rounding would put it, whatever fits may be the rule.
-    let [rounding, _] = floor.either(CLOSELY, ALIKE_FEW).map(|units| units * floor.size);
+    let [rounding, _] = floor.closely();
     let alike_of = |x: &Explanation| alike_of(x) || least > rounding && x.fits(floor);
     let mut alike: Vec<Rule> =
         found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
     let others = found.iter().filter(|x| !alike_of(x)).copied();
     let second = others.min_by(|a, b| best.relative_to(a).total_cmp(&best.relative_to(b)));
-    let mut confidence = confidence_in(&best, second.as_ref(), about);
-    let exact = found.iter().find(|x| x.rule == Rule::EXACT && x.median < NEAR);
-    if let (Confidence::NoneFits, Some(exact)) = (confidence, exact) {
+    let exact = found.iter().find(|x| x.rule == Rule::EXACT);
+    let mut confidence = confidence_in(&best, &found, second.as_ref(), about);
+    if let (Confidence::NoneFits, Some(exact)) = (confidence, exact.filter(|x| x.median < NEAR)) {
         (best, alike, confidence) = (*exact, Vec::new(), Confidence::Accurate);
     }
     let mut hints = hints(subject, pairs, floor.size);
@@ -277,7 +278,7 @@ fn tried(subject: &Subject, pairs: &[Pair], about: Circumstances, sought: bool) 
         found.extend(frozen_at(pairs).into_iter().filter_map(explained));
     }
     if free && !fits(&found) {
-        found.extend(compound(subject, pairs).into_iter().filter_map(explained));
+        found.extend(compound(subject, pairs, floor.size).into_iter().filter_map(explained));
     }
     found
 }
@@ -333,23 +334,56 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
         .collect()
 }
 
-fn confidence_in(best: &Explanation, second: Option<&Explanation>, about: Circumstances) -> Confidence {
+/// How sure a diagnosis is: by how near the best rule is to the record, relative to rounding, to the error
+/// that it explains, and to the next rule.
+fn confidence_in(
+    best: &Explanation,
+    found: &[Explanation],
+    second: Option<&Explanation>,
+    about: Circumstances,
+) -> Confidence {
     let floor = about.floor;
     let ratio = second.map_or(f64::INFINITY, |second| best.relative_to(second));
+    let is_exact = best.rule == Rule::EXACT;
+    // A rule that is not known here may come near to one that is; to its rounding only by chance.
+    let [rounding, _] = floor.closely();
+    let closely = best.median <= rounding && (!is_exact || best.median <= FITS_EXACT[0] * floor.size);
+    let fitted = usize::from(has_fitted_number(&best.rule, about.per_row));
+    let clear = is_exact || explains_much(best, found, floor, ERROR_ABOVE[fitted]);
     if about.share < TRIED_SHARE {
         Confidence::FewSteps
-    } else if best.fits(floor) {
-        // Methods of high order differ by little: one that is not known here may come as near as this.
-        let [rounding, _] = floor.either(CLOSELY, ALIKE_FEW).map(|units| units * floor.size);
-        let high = best.rule.alteration.is_none() && best.rule.base.is_of_high_order();
-        if high && best.median > rounding { Confidence::Near } else { Confidence::ToRounding }
-    } else if best.median <= floor.limits()[0] {
+    } else if (closely || best.fits(floor)) && !clear {
+        Confidence::SmallErrors
+    } else if closely && best.fits(floor) {
+        Confidence::ToRounding
+    } else if closely {
         Confidence::MostSteps
-    } else if best.median < NEAR && best.rule == Rule::EXACT {
+    } else if best.median < NEAR && is_exact {
         Confidence::Accurate
-    } else if best.median < NEAR && ratio >= NEAR_RATIO[usize::from(best.rule.alteration.is_some())] {
+    } else if best.median < NEAR && clear && ratio >= NEAR_RATIO[fitted] {
         Confidence::Near
     } else {
         Confidence::NoneFits
     }
+}
+
+/// Whether a number of the rule is fitted to the record: that of an alteration, or a number of parts that
+/// neither the header nor an engine's rule names.
+fn has_fitted_number(rule: &Rule, per_row: Option<u32>) -> bool {
+    let parts = rule.base.parts();
+    let of_an_engine = rule
+        .method()
+        .is_some_and(|rule| PHYSICS_ENGINES.iter().any(|engine| (engine.method, engine.parts) == rule));
+    rule.alteration.is_some() || parts > 1 && per_row != Some(parts) && !of_an_engine
+}
+
+/// Whether the error that a rule explains (of the exact motion; of the rule without its alteration) is so
+/// many times as large as what is left of it and as the rounding. Otherwise it may be near by chance.
+fn explains_much(best: &Explanation, found: &[Explanation], floor: Floor, above: f64) -> bool {
+    let altered = best.rule.alteration.is_some();
+    let without = if altered { Rule::plain(best.rule.base) } else { Rule::EXACT };
+    let Some(error) = found.iter().find(|x| x.rule == without) else { return true };
+    // An alteration may act in some of the steps alone.
+    (altered || error.median >= above * best.median.max(floor.size))
+        && error.percentile_95 >= above * best.percentile_95.max(floor.size)
 }

@@ -16,6 +16,9 @@ impl Confidence {
             Self::MostSteps => "Most steps, but not all, are made by",
             Self::Near => "Most like",
             Self::FewDigits => "Too few digits to name the rule by its single steps. One that fits is",
+            Self::SmallErrors => {
+                "The errors of the steps are too near to rounding to name the rule. One that fits is"
+            }
             Self::FewSteps => {
                 "Too few rows follow one another by one step to name the rule. One that fits those is"
             }

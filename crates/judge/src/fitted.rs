@@ -4,7 +4,7 @@ use crate::candidates::Subject;
 use crate::rules::{Alteration, Base, Rule, When};
 use crate::state::{Pair, median};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_UP, DAMPING_ROUNDS, FITTED_STEPS, FRACTION,
+    BEYOND, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_ROUNDINGS, DAMPING_ROUNDS, FITTED_STEPS, FRACTION,
     FRACTION_APART, JOLT, MOMENTS_ROUNDS, OTHER_PACE, SMALL_COMPONENT,
 };
 use nalgebra::Vector3;
@@ -20,7 +20,7 @@ pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rul
 }
 
 /// Candidates with a number in them, which is fitted first.
-pub(crate) fn compound(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
+pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few: Vec<Pair> = pairs.iter().step_by(pairs.len().div_ceil(FITTED_STEPS).max(1)).copied().collect();
     let mut all = Vec::new();
     let mut triples = permuted(&subject.moments);
@@ -29,10 +29,10 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
         all.extend(triples.iter().map(|&moments| base.but(Alteration::OtherMoments(moments))));
         all.extend(fitted(subject, &few, base, &triples));
         for when in [When::After, When::Before] {
-            all.extend(damped(subject, &few, base, when));
+            all.extend(damped(subject, &few, base, when, rounding));
         }
         for when in [When::After, When::Before] {
-            all.extend(damped_by_axis(subject, &few, base, when));
+            all.extend(damped_by_axis(subject, &few, base, when, rounding));
         }
         all.extend(capped(pairs).map(|most| base.but(Alteration::Capped(most))));
         all.extend(small_turn(pairs).map(|angle| base.but(Alteration::SmallTurn(angle))));
@@ -119,7 +119,7 @@ fn fitted(subject: &Subject, pairs: &[Pair], base: Base, starts: &[Vector3<f64>]
 }
 
 /// The factor by which each step lessens the spin that the base makes.
-fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> Option<Rule> {
+fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<Rule> {
     let mut factor = 1.0;
     for _ in 0..DAMPING_ROUNDS[0] {
         let more = median(pairs.iter().filter_map(|pair| {
@@ -134,11 +134,12 @@ fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> Option<R
             break;
         }
     }
-    (factor > 0.0 && factor < 1.0 - DAMPED).then_some(base.but(Alteration::Damped(factor, when)))
+    let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS[1] * rounding);
+    (factor > 0.0 && factor < below).then_some(base.but(Alteration::Damped(factor, when)))
 }
 
 /// The factors by which each step lessens the spin about each axis of the body.
-fn damped_by_axis(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> Option<Rule> {
+fn damped_by_axis(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<Rule> {
     let mut factors = Vector3::repeat(1.0);
     let least = SMALL_COMPONENT * pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
     for _ in 0..DAMPING_ROUNDS[1] {
@@ -161,7 +162,8 @@ fn damped_by_axis(subject: &Subject, pairs: &[Pair], base: Base, when: When) -> 
             break;
         }
     }
-    let fair = factors.iter().all(|x| *x >= 0.0 && *x < 1.0 + DAMPED_UP) && factors.min() < 1.0 - DAMPED;
+    let [up, down] = DAMPED_ROUNDINGS.map(|units| units * rounding);
+    let fair = factors.iter().all(|x| *x >= 0.0 && *x <= 1.0 + up) && factors.min() < 1.0 - DAMPED.max(down);
     fair.then_some(base.but(Alteration::DampedByAxis(factors, when)))
 }
 

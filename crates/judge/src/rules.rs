@@ -3,7 +3,7 @@
 use crate::engine_step::{Limits, PhysicsEngine};
 use crate::engines::PHYSICS_ENGINES;
 use crate::state::Pair;
-use crate::thresholds::{BEYOND, HIGH_ORDER, MORE_PARTS, PARTS};
+use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude;
 use tumbling::step::Method;
@@ -127,15 +127,6 @@ impl Base {
             Self::PositionStage(_) => Self::PositionStage(1),
             Self::Straight(spin, _) => Self::Straight(spin, 1),
             other => other,
-        }
-    }
-
-    /// Whether it is a rule of high order, from which another one may differ by little.
-    pub(crate) const fn is_of_high_order(&self) -> bool {
-        match self {
-            Self::Method(method, _) => method.info().order >= HIGH_ORDER,
-            Self::PositionStage(_) => true,
-            _ => false,
         }
     }
 

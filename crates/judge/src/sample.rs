@@ -1,7 +1,9 @@
 //! Steps of a record of any length, evenly from all of it; and what is rounding in them.
 
 use crate::state::Pair;
-use crate::thresholds::{FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, TRIED_STEPS};
+use crate::thresholds::{
+    ALIKE_FEW, CLOSELY, CLOSELY_SINGLE, FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, TRIED_STEPS,
+};
 
 /// Pairs of rows from all of a record of any length.
 #[derive(Debug)]
@@ -65,6 +67,17 @@ impl Floor {
     pub(crate) fn fits(self, median: f64, percentile_95: f64) -> bool {
         let [half, nearly_all] = self.limits();
         median <= half && percentile_95 <= nearly_all
+    }
+
+    /// How far half of a rule's own steps are from the record's, and 95 in 100, where nothing multiplies the
+    /// rounding.
+    pub(crate) fn closely(self) -> [f64; 2] {
+        let units = match (self.single, self.few) {
+            (true, _) => CLOSELY_SINGLE,
+            (_, true) => ALIKE_FEW,
+            _ => CLOSELY,
+        };
+        units.map(|units| units * self.size)
     }
 
     /// How far half of a rule's own steps may be from the record's, and how far 95 in 100.

@@ -224,10 +224,15 @@ pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];
 pub(crate) const FITS_EXACT: [f64; 2] = [8.0, 256.0];
 /// Rounding from which on it is that of decimal digits, not of an engine's double precision.
 pub(crate) const FITS_FEW_FROM: f64 = 5e-15;
-/// Roundings within which the steps of a method are its own, and not those of one that is close to it.
-pub(crate) const CLOSELY: [f64; 2] = [4.0, 64.0];
-/// From this order on, a method that is not known may come within [`FITS`] of one that is.
-pub(crate) const HIGH_ORDER: u32 = 6;
+/// Roundings within which the steps of a rule are its own, and not those of one that is close to it: the
+/// recorded engines' are within six, a tensor frozen at an attitude within ten.
+pub(crate) const CLOSELY: [f64; 2] = [16.0, 64.0];
+/// The same for numbers of single precision.
+pub(crate) const CLOSELY_SINGLE: [f64; 2] = [4.0, 64.0];
+/// How many times as large as what a rule leaves of it, and as the rounding, the error must be that the rule
+/// explains: rules of one order differ by a tenth of their errors and more, but for chance; and where numbers
+/// of the rule are fitted to the record.
+pub(crate) const ERROR_ABOVE: [f64; 2] = [32.0, 1e3];
 /// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
 pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];
 /// The same in roundings.
@@ -269,8 +274,8 @@ pub(crate) const CAP_AT_START: [f64; 2] = [1.05, 1e-6];
 pub(crate) const CAPPED_ROWS: [usize; 2] = [4, 10];
 /// Loss of spin a step, as a share, below which there is no damping.
 pub(crate) const DAMPED: f64 = 1e-9;
-/// Share by which a factor of damping may exceed one, by rounding.
-pub(crate) const DAMPED_UP: f64 = 1e-6;
+/// Roundings by which a factor of damping may exceed one, and by which it must be below one.
+pub(crate) const DAMPED_ROUNDINGS: [f64; 2] = [4.0, 16.0];
 /// Change of a factor, as a share, at which a fit has converged.
 pub(crate) const CONVERGED: f64 = 1e-15;
 /// Component of the spin, relative to the greatest spin, below which its ratio says nothing.
