@@ -19,3 +19,4 @@ mod our_own;
 mod outcomes;
 mod plain;
 mod plain_rules;
+mod strangers;
