@@ -134,6 +134,7 @@ impl Made {
         let names_exact = diagnosis.best.rule == Rule::EXACT || diagnosis.alike.contains(&Rule::EXACT);
         match diagnosis.confidence {
             Confidence::NoneFits | Confidence::Accurate | Confidence::FewSteps => 2,
+            Confidence::SmallErrors if among || exact => 2,
             _ if is(&diagnosis.best.rule) && diagnosis.alike.is_empty() => 0,
             _ if among || exact && names_exact => 1,
             Confidence::FewDigits if diagnosis.drifts == Some(0) => 2,
