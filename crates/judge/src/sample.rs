@@ -1,9 +1,7 @@
 //! Steps of a record of any length, evenly from all of it; and what is rounding in them.
 
 use crate::state::Pair;
-use crate::thresholds::{
-    ALIKE_FEW, CLOSELY, CLOSELY_SINGLE, FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, TRIED_STEPS,
-};
+use crate::thresholds::{CLOSELY, CLOSELY_SINGLE, FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, TRIED_STEPS};
 
 /// Pairs of rows from all of a record of any length.
 #[derive(Debug)]
@@ -72,10 +70,10 @@ impl Floor {
     /// How far half of a rule's own steps are from the record's, and 95 in 100, where nothing multiplies the
     /// rounding.
     pub(crate) fn closely(self) -> [f64; 2] {
-        let units = match (self.single, self.few) {
-            (true, _) => CLOSELY_SINGLE,
-            (_, true) => ALIKE_FEW,
-            _ => CLOSELY,
+        let units = match self.single {
+            true => CLOSELY_SINGLE,
+            false if self.size > FITS_FEW_FROM => FITS_FEW,
+            false => CLOSELY,
         };
         units.map(|units| units * self.size)
     }
