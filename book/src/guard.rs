@@ -10,7 +10,8 @@
 //!   table;
 //! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line,
 //!   one after the other, so that inputs too are said as they are;
-//! - **a fact** of `facts.toml`, which the text must state. The versions in the README are facts of the manifests;
+//! - **a fact** of `facts.toml`, which the text must state. The versions in the README are facts of the
+//!   manifests;
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!

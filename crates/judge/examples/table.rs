@@ -121,12 +121,24 @@ impl Made {
         Some((text, errors[errors.len() / 2]))
     }
 
+    /// The number of parts from row to row if the position stage takes this number of steps: it cuts a long
+    /// step itself, so that two numbers of steps may be the same motion.
+    fn parts_of_stage(&self, steps: u32) -> Option<u32> {
+        let stage = PositionStage::new(&self.moments).ok()?;
+        let step = stage.step(&Quaternion::identity(), &self.omega, 1.0 / self.rate / f64::from(steps));
+        Some(step.parts * steps)
+    }
+
     /// How a verdict does: 0 named, 1 among equals, 2 unnamed, 3 wrong.
     fn graded(&self, verdict: &Verdict, error: f64) -> usize {
         let Some(diagnosis) = &verdict.diagnosis else { return 2 };
         let parts = |n| n == self.steps || self.method == Some(Method::ConstantSpin);
         let is = |rule: &Rule| match rule.base {
-            Base::PositionStage(n) => self.method.is_none() && parts(n) && rule.alteration.is_none(),
+            Base::PositionStage(n) => {
+                self.method.is_none()
+                    && self.parts_of_stage(n) == self.parts_of_stage(self.steps)
+                    && rule.alteration.is_none()
+            }
             _ => rule.method().is_some_and(|(method, n)| Some(method) == self.method && parts(n)),
         };
         let among = is(&diagnosis.best.rule) || diagnosis.alike.iter().any(is);
