@@ -95,8 +95,9 @@ fn arrows(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>, gap: f
     canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
     canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
     canvas.disc(centre, 4.0, Fill::new(Ink::Text), None);
-    let text = Label::new("$!ω$ = (1, 1, 0) rad/s").ink(Ink::Omega).halo(Ink::Paper);
-    canvas.label((496.0, w_tip.1 + 66.0), &text.end());
+    for (down, words) in [(56.0, "$!ω$ = (1, 1, 0)"), (80.0, "rad/s")] {
+        canvas.label((w_tip.0 + 8.0, w_tip.1 + down), &Label::new(words).ink(Ink::Omega));
+    }
     canvas.label(
         (496.0, l_tip.1 - 16.0),
         &Label::new(format!("$!L$ = ({:.3}, {:.3}, 0) kg m²/s", momentum.x, momentum.y))

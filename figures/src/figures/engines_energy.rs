@@ -34,7 +34,7 @@ pub(super) fn draw() -> Drawing {
         let at = plot.at(p.0, p.1);
         canvas.label((at.0, at.1 + down), &Label::new(text).ink(Ink::Wrong).middle());
     };
-    mark(most, -12.0, format!("invents {:.0} %", 100.0 * (most.1 - 1.0)));
+    mark(most, -12.0, format!("gains {:.0} %", 100.0 * (most.1 - 1.0)));
     mark(least, 24.0, format!("loses {:.0} %", 100.0 * (1.0 - least.1)));
     let at = plot.at(0.6, 1.225);
     canvas.label(at, &Label::new("frozen tensor (dashed)").ink(Ink::Wrong));
@@ -44,7 +44,7 @@ pub(super) fn draw() -> Drawing {
         canvas,
         description: format!(
             "Kinetic energy of the free box, spun at (1, 1, 1) rad/s, over {END:.0} s. The right engine, which turns the tensor \
-             at each step, keeps it to better than {:.0e}. The one that leaves the body's tensor frozen in the world invents up to \
+             at each step, keeps it to better than {:.0e}. The one that leaves the body's tensor frozen in the world gains up to \
              {:.0} % and loses up to {:.0} %, though no torque acts.",
             bound(drift),
             100.0 * (most.1 - 1.0),

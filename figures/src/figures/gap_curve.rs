@@ -8,7 +8,7 @@ use tumbling::{Axis, Error, Inertia, body::named::NamedBody};
 struct Curve {
     name: &'static str,
     inertia: Inertia,
-    /// From the lighter axis to the heavier one.
+    /// From the easy axis to the hard one.
     plane: [Vector3<f64>; 2],
 }
 
@@ -59,7 +59,7 @@ pub(super) fn draw() -> Drawing {
     let plot =
         Plot::new(&canvas, 50.0, 56.0, 484.0, 366.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
     let ticks = || (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
-    plot.x_axis(ticks(), "spin, from the lighter axis (0°) to the heavier (90°)");
+    plot.x_axis(ticks(), "spin, from the easy axis (0°) to the hard one (90°)");
     plot.y_axis(ticks(), "gap between $!ω$ and $!L$");
     let mut said = Vec::new();
     for curve in &curves {
@@ -92,9 +92,9 @@ pub(super) fn draw() -> Drawing {
     Ok(Picture {
         canvas,
         description: format!(
-            "The gap between spin and momentum against the direction of the spin, from the lighter to the heavier of two \
+            "The gap between spin and momentum against the direction of the spin, from the easy to the hard one of two \
              principal axes. It is zero at both ends and widest between them. The widest gaps: {}. The more unequal the \
-             moments, the wider the gap, and the nearer to the lighter axis.",
+             moments, the wider the gap, and the nearer to the easy axis.",
             said.join("; ")
         ),
     })

@@ -63,7 +63,7 @@ pub(super) fn draw() -> Drawing {
         canvas,
         description: format!(
             "A hammer from its side: a wooden handle {long} m long, a steel head {across} m wide across its end and {OFF} m off its \
-             middle. Its centre of mass lies {:.3} m below the head. The easiest of its principal axes leans by {lean:.1}° from the \
+             middle. Its centre of mass lies in the handle, {:.3} m from the head. The easiest of its principal axes leans by {lean:.1}° from the \
              handle, the middle one stands across it, and the hardest goes through the page.",
             long - centre.z
         ),

@@ -92,7 +92,7 @@ pub(crate) static ALL: [Figure; 38] = [
     },
     Figure {
         name: "two-arrows",
-        shows: "A flat plate spun off its axes: the angular momentum leans to the heavier axis",
+        shows: "A flat plate spun off its axes: the angular momentum leans to the hard axis",
         chapter: "two-arrows",
         draw: two_arrows::draw,
     },
@@ -170,7 +170,7 @@ pub(crate) static ALL: [Figure; 38] = [
     },
     Figure {
         name: "flip-map",
-        shows: "How fast a wobble about the middle axis grows, for every rigid body",
+        shows: "How fast a push off the middle axis grows, for every rigid body",
         chapter: "dzhanibekov",
         draw: moments_map::draw_growth,
     },

@@ -122,7 +122,7 @@ pub(super) fn draw_growth() -> Drawing {
     edges(&canvas, &plot);
     points(&canvas, &plot)?;
     let words = plot.at(0.76, 0.72);
-    for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a wobble’s growth"), (42.0, "per radian of spin")]
+    for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a push’s growth"), (42.0, "per radian of spin")]
     {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
     }
@@ -134,7 +134,7 @@ pub(super) fn draw_growth() -> Drawing {
     Ok(Picture {
         canvas,
         description: format!(
-            "The triangle of all rigid bodies with lines of equal growth rate of a wobble about the middle axis, relative to the spin: \
+            "The triangle of all rigid bodies with lines of equal growth rate of a push off the middle axis, relative to the spin: \
              {}. It is zero along the two edges of round bodies and largest towards the needle along the edge of flat \
              plates. The book's bodies: {}.",
             levels.join(", "),

@@ -57,7 +57,7 @@ pub(super) fn draw() -> Drawing {
             "A flat plate, {WIDE:.0} m wide and {HIGH:.0} m high, 1 kg. Its moment about the horizontal axis is \
              {light:.3}, about the vertical axis {heavy:.3} kg m². The spin, a blue arrow, points {SHOWN:.0}° above the \
              horizontal axis; the momentum, an orange arrow from the same point, points {:.1}° above it: it leans to the \
-             heavier, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
+             hard, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
              from one axis to the other; the gap is {}. The arrows coincide only at the two ends.",
             shown.momentum.to_degrees(),
             gaps.join(", ")
@@ -72,9 +72,9 @@ fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
     canvas.line((centre.0 - 156.0, centre.1), (centre.0 + 180.0, centre.1), axis);
     canvas.line((centre.0, centre.1 + 96.0), (centre.0, centre.1 - 196.0), axis);
-    canvas.label((centre.0 + 186.0, centre.1 - 4.0), &Label::new("the lighter axis"));
+    canvas.label((centre.0 + 186.0, centre.1 - 4.0), &Label::new("the easy axis"));
     canvas.label((centre.0 + 186.0, centre.1 + 18.0), &Label::new(format!("$I_1$ = {light:.3} kg m²")));
-    canvas.label((centre.0 - 14.0, centre.1 - 188.0), &Label::new("the heavier axis").end());
+    canvas.label((centre.0 - 14.0, centre.1 - 188.0), &Label::new("the hard axis").end());
     canvas.label((centre.0 - 14.0, centre.1 - 166.0), &Label::new(format!("$I_2$ = {heavy:.3} kg m²")).end());
 
     let w_tip = polar(centre, 190.0, shown.omega);
