@@ -19,15 +19,15 @@ tumblingLive.widget("toss", async (stage) => {
     const TOSSES = {
         across: {
             spin: [SPIN, SLIP * SPIN, 0], eye: [[1, 0, 0], [0, 0, 1], [0, -1, 0]], above: 14,
-            words: "About the middle axis it cannot keep still: every few turns it flips over, though nothing touches it.",
+            words: "About the middle axis the spin is not steady: every few turns the book flips over, though nothing touches it.",
         },
         spine: {
             spin: [0, SLIP * SPIN, SPIN], eye: [[0, 0, 1], [-1, 0, 0], [0, -1, 0]], above: 14,
-            words: "About the axis of least resistance it keeps steady.",
+            words: "About the axis of least resistance the spin is steady.",
         },
         through: {
             spin: [SLIP * SPIN, SPIN, 0], eye: [[1, 0, 0], [0, 0, 1], [0, -1, 0]], above: 48,
-            words: "About the axis of greatest resistance it keeps steady, too.",
+            words: "About the axis of greatest resistance it is steady, too.",
         },
     };
 

@@ -142,9 +142,12 @@ pub(super) fn draw() -> Drawing {
     canvas.label((24.0, foot + 24.0), &Label::new("0").middle());
     canvas.line((24.0, foot), (474.0, foot), Pen::new(Ink::Text, 1.2));
     canvas.line((294.0, 96.0), (294.0, foot), Pen::new(Ink::Text, 1.6).dashed());
-    canvas.label((304.0, 112.0), &Label::new("as rounding one"));
-    canvas.label((304.0, 134.0), &Label::new("input causes"));
-    canvas.label((249.0, foot + 54.0), &Label::new("error; 1 is what rounding one input causes").middle());
+    canvas.label((304.0, 112.0), &Label::new("what rounding"));
+    canvas.label((304.0, 134.0), &Label::new("one input causes"));
+    canvas.label(
+        (249.0, foot + 54.0),
+        &Label::new("error, in units of what rounding one input causes").middle(),
+    );
     canvas.label((24.0, 28.0), &Label::new("share of the answers").bold());
     Ok(Picture {
         canvas,
