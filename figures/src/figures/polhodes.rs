@@ -27,7 +27,7 @@ pub(super) fn draw() -> Drawing {
     };
     name((max.0 + 16.0, max.1 + 8.0), Axis::Largest, "largest", "stable: loops");
     name((14.0, min.1 + 84.0), Axis::Smallest, "smallest", "stable: loops");
-    name((330.0, mid.1 + 28.0), Axis::Middle, "middle", "unstable: a crossing");
+    name((330.0, mid.1 + 44.0), Axis::Middle, "middle", "unstable: a crossing");
     // The separatrix is named where it comes from behind the left edge.
     let ellipses = [ellipsoid.separatrix(1.0), ellipsoid.separatrix(-1.0)].concat();
     let left = ellipses.iter().map(|p| view.at(p)).min_by(|p, q| p.0.total_cmp(&q.0)).unwrap_or_default();
