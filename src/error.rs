@@ -37,7 +37,7 @@ pub enum ErrorKind {
     Impossible,
     /// A principal moment is zero to rounding: momentum does not determine spin.
     NotInvertible,
-    /// The result is beyond what a finite, nonzero `f64` holds with all its digits.
+    /// The result is beyond what a finite, nonzero number of its type holds with all its digits.
     Unrepresentable,
     /// The input leaves open what is requested: such as the direction of a vector of length zero.
     Undefined,

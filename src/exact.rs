@@ -132,9 +132,9 @@ impl FreeMotion {
     ///
     /// The principal axes of a tensor that is not diagonal come rounded: the motion is then that of a tensor
     /// some units in the last place of its largest entry away. To a needle whose smallest moment is `e` times
-    /// its largest that is much: the moment is good to `4/e` units of 2^-53, and spin and attitude in the
-    /// first few radians to `8/e`, 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12. Given along its principal axes
-    /// it costs nothing.
+    /// its largest that is much: the smallest moment is right to a relative `4/e` x 2^-53, and spin and
+    /// attitude in the first few radians to `8/e` x 2^-53, which is 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12.
+    /// A tensor that is diagonal loses nothing.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

@@ -22,8 +22,8 @@ pub(crate) enum Refusal {
         what: &'static str,
         value: f64,
     },
-    /// A finite input gives a result that a finite nonzero `f64` cannot hold with all its digits: an
-    /// infinity, zero, a subnormal number, or NaN from infinities.
+    /// A finite input gives a result that a finite nonzero number of its type cannot hold with all its
+    /// digits: an infinity, zero, a subnormal number, or NaN from infinities.
     OutOfRange {
         what: &'static str,
         value: f64,
@@ -141,7 +141,7 @@ impl fmt::Display for Refusal {
             }
             Self::OutOfRange { what, value } => write!(
                 f,
-                "{what} comes out as {value:?}: its true value is beyond what a finite, nonzero f64 holds in full"
+                "{what} comes out as {value:?}: its true value is beyond what a finite, nonzero floating-point number holds in full"
             ),
             Self::Order { smaller, small, larger, large } => {
                 write!(f, "{smaller} is {small:?}: it must be at most {larger}, {large:?}")

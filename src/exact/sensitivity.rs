@@ -109,9 +109,9 @@ impl FreeMotion {
     /// `Ixy` is the entry of the tensor's matrix and its mirror together; it turns the principal axes, and
     /// where two moments agree the derivatives are the limit, since the motion is smooth in the tensor.
     ///
-    /// Accuracy is that of the state transition: of attitude and of spin, the derivative by all six entries
-    /// together is right relative to its norm. That norm does not depend on the body's axes; that of one
-    /// column does, and may be far smaller. Of a needle with a smallest moment `e` the largest columns are of
+    /// Accuracy is that of the state transition, relative to the norm of a block of three rows (attitude, or
+    /// spin) and all six columns. That norm does not depend on the body's axes; that of one column does, and
+    /// may be far smaller. Of a needle with a smallest moment `e` the largest columns are of
     /// the order of `1/e`, and columns by moments that are small at some instant keep the rounding of those.
     ///
     /// ```

@@ -19,7 +19,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
 /// forth, so that a reversible method stays reversible. No step allocates. In `f32` the body is converted
 /// once and all steps are taken in `f32`: rounding moves the energy of a T-handle by some 1e-5 in a minute at
-/// 60 Hz.
+/// 60 Hz. The type is named where a stepper is made, `Stepper::<f64>::new` or `Stepper::<f32>::new`.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};

@@ -83,7 +83,7 @@ impl From<Error> for Why {
         let rule = match error.kind() {
             ErrorKind::NotFinite => ": it must be a finite number",
             ErrorKind::Unrepresentable => {
-                ": its true value is beyond what a finite, nonzero f64 holds in full"
+                ": its true value is beyond what a finite, nonzero floating-point number holds in full"
             }
             ErrorKind::OutOfBounds => match error.subject() {
                 subject if subject.starts_with("the edge") => ": it must be above zero",

@@ -33,7 +33,7 @@ pub fn answer(_what: u32, row: &Numbers) -> usize {
     }
 }
 
-const BEYOND: &str = ": its true value is beyond what a finite, nonzero f64 holds in full";
+const BEYOND: &str = ": its true value is beyond what a finite, nonzero floating-point number holds in full";
 
 fn words(why: &Error) -> [&'static str; 2] {
     let rule = match why.kind() {
