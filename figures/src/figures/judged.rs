@@ -73,7 +73,10 @@ pub(super) fn grades() -> Drawing {
     for (law, x) in [12.0, 44.0, 76.0].into_iter().enumerate() {
         mark(&canvas, law, (LEFT + x, 58.0), true);
     }
-    canvas.label((LEFT + 100.0, 65.0), &Label::new("filled: off by more than 1 in 100").size(21.0));
+    canvas.label(
+        (LEFT + 100.0, 65.0),
+        &Label::new("filled: off by more than 1 % (direction: 0.01 rad)").size(21.0),
+    );
     for (column, (_, title)) in STORIES.iter().enumerate() {
         let x = LEFT + COLUMN * number(column);
         canvas.label((x, TOP - 18.0), &Label::new(*title).size(21.0).bold());

@@ -23,7 +23,7 @@ pub(super) fn draw() -> Drawing {
     let plot = Plot::new(&canvas, 62.0, 50.0, 296.0, 410.0, Scale::log(70.0..1.5e7), Scale::log(low..high));
     plot.x_axis((2..=7).map(|n| (10_f64.powi(n), power_of_ten(n))), "bodies");
     plot.y_axis((6..=8).map(|n| (10_f64.powi(n), power_of_ten(n))), "");
-    canvas.label((20.0, 28.0), &Label::new("answers a second").bold());
+    canvas.label((20.0, 28.0), &Label::new("results a second").bold());
     let mut ends = Vec::new();
     for (build, crowd, lanes, threads, ink, dashed, name) in CURVES {
         let points: Vec<(f64, f64)> = scale::of(rows, build, crowd, lanes, threads)
@@ -65,7 +65,7 @@ pub(super) fn draw() -> Drawing {
     Ok(Picture {
         canvas,
         description: format!(
-            "The number of bodies across, from a hundred to ten million, answers a second up, both logarithmic. The curves of the exact motion \
+            "The number of bodies across, from a hundred to ten million, results a second up, both logarithmic. The curves of the exact motion \
              run nearly level. {}. Measured on {} ({}).",
             told.join("; "),
             said("machine"),
