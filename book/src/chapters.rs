@@ -5,13 +5,13 @@ use tumbling_judge::Advice;
 /// The chapter, and where in it.
 pub(crate) const fn chapter(advice: Advice) -> Option<&'static str> {
     Some(match advice {
-        Advice::NoGyroscopicTerm => "\"Three pitfalls\", 3",
-        Advice::FrozenTensor => "\"Three pitfalls\", 1",
-        Advice::MomentumForSpin => "\"Three pitfalls\", 2",
+        Advice::NoGyroscopicTerm => "\"Three pitfalls\", the engine that refuses to flip",
+        Advice::FrozenTensor => "\"Three pitfalls\", the tensor that never turned",
+        Advice::MomentumForSpin => "\"Three pitfalls\", momentum taken for spin",
         Advice::ExplicitTerm
         | Advice::ExplicitTermTurnedStraight
         | Advice::Rescaled
-        | Advice::Dissipative => "\"Where things break\", the fix",
+        | Advice::Dissipative => "\"Test your engine\", a step that keeps the laws",
         Advice::OtherMoments => "\"Principal axes\"",
         Advice::MeanSpin
         | Advice::ExplicitEuler

@@ -144,11 +144,12 @@ impl Advice {
             }
             Self::NoGyroscopicTerm => {
                 "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same where \
-                 the momentum is taken for the spin). Turn gyroscopic forces on, or add w x I w."
+                 the momentum is taken for the spin). Turn the momentum in the body (three exact turns a step). An engine's flag for \
+                 gyroscopic forces makes the body flip, and may lose a stable spin: record one with it."
             }
             Self::ExplicitTerm => {
                 "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. Turn the \
-                 momentum instead of adding to it (three exact turns a step, or Buss's method)."
+                 momentum instead of adding to it (three exact turns a step)."
             }
             Self::ExplicitTermTurnedStraight => {
                 "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and the \
@@ -161,15 +162,14 @@ impl Advice {
             }
             Self::Dissipative => {
                 "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by themselves; of a \
-                 step that turns by a radian or more it can multiply the energy. Use the implicit midpoint rule or three exact turns a \
-                 step."
+                 step that turns by a radian or more it can multiply the energy. Use three exact turns a step."
             }
             Self::MeanSpin => {
                 "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' spins to the \
                  turn since the start of the step."
             }
             Self::ExplicitEuler => {
-                "Everything is stepped straight ahead, the crudest of all: take any other method."
+                "Everything is stepped straight ahead, and the energy grows without bound: use three exact turns a step."
             }
             Self::HighOrder => {
                 "A good method whose errors fall fast with the step, and add up: for long runs take one that keeps the laws."
