@@ -79,7 +79,7 @@ pub(super) fn grades() -> Drawing {
     );
     for (column, (_, title)) in STORIES.iter().enumerate() {
         let x = LEFT + COLUMN * number(column);
-        canvas.label((x, TOP - 18.0), &Label::new(*title).size(21.0).bold());
+        canvas.label((x + 12.0 + MARK, TOP - 18.0), &Label::new(*title).size(21.0).bold().middle());
     }
     let mut said = Vec::new();
     for (row, (engine, name)) in ENGINES.iter().enumerate() {
