@@ -69,11 +69,11 @@ fn a_plan_expects_what_was_counted() {
         let cost = one.scene.plan(0).unwrap().cost();
         let driven = one.name.contains("weight");
         let room = if driven { 0.5 } else { 0.25 };
-        for (told, what) in [(cost.state, STATE), (cost.once, PLAN)] {
+        for (expected, what) in [(cost.state, STATE), (cost.once, PLAN)] {
             let counted = count(one.name, what);
             assert!(
-                (told / counted - 1.0).abs() < room,
-                "{}, {what}: {told} told, {counted} counted",
+                (expected / counted - 1.0).abs() < room,
+                "{}, {what}: {expected} expected, {counted} counted",
                 one.name
             );
         }

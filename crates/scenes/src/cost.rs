@@ -33,13 +33,13 @@ impl Plan<'_> {
             Cost { once: driven.trials, state: each * (steps / states).max(least) }
         };
         match &self.strategy {
-            Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 150.0 },
-            Strategy::Nothing | Strategy::Constant { .. } => Cost { once: 1900.0, state: 120.0 },
-            Strategy::Rotation { .. } => Cost { once: 2500.0, state: 490.0 },
-            Strategy::SymmetricTop(_) if outputs.attitude => Cost { once: 3100.0, state: 1000.0 },
-            Strategy::SymmetricTop(_) => Cost { once: 3100.0, state: 430.0 },
-            Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 720.0 },
-            Strategy::Elliptic(_) => Cost { once: ELLIPTIC, state: 1250.0 },
+            Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 90.0 },
+            Strategy::Nothing | Strategy::Constant { .. } => Cost { once: 1900.0, state: 85.0 },
+            Strategy::Rotation { .. } => Cost { once: 2200.0, state: 405.0 },
+            Strategy::SymmetricTop(_) if outputs.attitude => Cost { once: 2900.0, state: 930.0 },
+            Strategy::SymmetricTop(_) => Cost { once: 2900.0, state: 400.0 },
+            Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 635.0 },
+            Strategy::Elliptic(_) => Cost { once: ELLIPTIC, state: 1220.0 },
             Strategy::FixedStep(one)
             | Strategy::Stiff(one)
             | Strategy::ExactDrift(one)
