@@ -20,7 +20,7 @@ import { serve } from "./serve.mjs";
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 const WIDTHS = [320, 800, 1400];
 // Of all rules, those whose answer a narrower window can change.
-const OF_WIDTH = ["scrollable-region-focusable", "target-size", "aria-hidden-focus", "link-name", "button-name", "label", "bypass"];
+const OF_WIDTH = ["color-contrast", "scrollable-region-focusable", "target-size", "aria-hidden-focus", "link-name", "button-name", "label", "bypass"];
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
 const { values, positionals: words } = parseArgs({

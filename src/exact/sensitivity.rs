@@ -111,8 +111,8 @@ impl FreeMotion {
     ///
     /// Accuracy is that of the state transition, relative to the norm of a block of three rows (attitude, or
     /// spin) and all six columns. That norm does not depend on the body's axes; that of one column does, and
-    /// may be far smaller. Of a needle with a smallest moment `e` the largest columns are of
-    /// the order of `1/e`, and columns by moments that are small at some instant keep the rounding of those.
+    /// may be far smaller. Of a needle with a smallest moment `e` the largest columns are of the order of
+    /// `1/e`, and columns by moments that are small at some instant keep the rounding of those.
     ///
     /// ```
     /// use nalgebra::{Vector3, Vector6};
