@@ -127,30 +127,13 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
 /// # Errors
 /// What could not be read, or what the guard objects to already.
 pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
-    let (mut tallies, chapters) = alterations_of_numbers(folder, |_| true)?;
-    for (tally, chapter) in tallies.iter_mut().zip(&chapters) {
+    let mut book = Book::read(folder)?;
+    let tallies = (0..).map_while(|place| book.alterations_of_numbers(place));
+    let mut tallies = tallies.collect::<Result<Vec<_>, _>>()?;
+    for (tally, chapter) in tallies.iter_mut().zip(&book.chapters) {
         tally.take_equations(chapter, equations::altered(chapter));
     }
     Ok(tallies)
-}
-
-/// Those of numbers alone, in the chapters that are taken, by their place in the book.
-fn alterations_of_numbers(
-    folder: &Path,
-    takes: impl Fn(usize) -> bool,
-) -> Result<(Vec<Tally>, Vec<Chapter>), String> {
-    let mut book = Book::read(folder)?;
-    let mut tallies = Vec::new();
-    for (_, chapter) in book.chapters.iter().enumerate().filter(|(place, _)| takes(*place)) {
-        if let Some(offence) = holding::findings(chapter, &book.beside).offences.first() {
-            return Err(format!(
-                "{offence}
-Alterations can be judged once the chapters hold."
-            ));
-        }
-        tallies.push(mutants::tally(chapter, &book.beside, &mut book.reader));
-    }
-    Ok((tallies, book.chapters))
 }
 
 /// The chapters and what stands beside them.
@@ -203,6 +186,16 @@ impl Book {
         }
         let drawings = drawings(folder, &chapters)?;
         Ok(Self { chapters, beside: Beside { facts, drawings }, reader, own })
+    }
+
+    /// Alters the numbers of the chapter at this place, one digit at a time; nothing where there is none.
+    fn alterations_of_numbers(&mut self, place: usize) -> Option<Result<Tally, String>> {
+        let chapter = self.chapters.get(place)?;
+        let offences = holding::findings(chapter, &self.beside).offences;
+        Some(match offences.first() {
+            Some(offence) => Err(format!("{offence}\nAlterations can be judged once the chapters hold.")),
+            None => Ok(mutants::tally(chapter, &self.beside, &mut self.reader)),
+        })
     }
 }
 
