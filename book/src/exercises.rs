@@ -90,12 +90,12 @@ impl Standing {
     }
 }
 
-/// The file that a reader edits, as told to him.
+/// The file that a reader edits, as messages name it.
 fn shown(exercise: &Exercise) -> String {
     format!("book/exercises/stubs/{}.md", exercise.name)
 }
 
-/// What the file alone tells: `Begun` where only a run can tell whether it is done; nothing where it cannot
+/// The standing by the file alone: `Begun` where only a run shows whether it is done; nothing where it cannot
 /// be read.
 fn before_running(exercise: &Exercise) -> Option<Standing> {
     let text = exercises::file(exercise, &exercises::stubs()).ok()?;
@@ -194,11 +194,11 @@ mod tests {
     #[test]
     fn the_next_is_the_first_that_is_not_done() {
         let all = &exercises::all().unwrap()[..3];
-        let told = |standings: [Standing; 3]| next(all, &standings);
+        let named = |standings: [Standing; 3]| next(all, &standings);
         use Standing::{Begun, Done, Gone, Open};
-        assert!(told([Open, Done, Open]).ends_with("    cargo exercise toss_a_book_1"));
-        assert!(told([Done, Begun, Open]).ends_with("    cargo exercise toss_a_book_2"));
-        assert!(told([Done, Done, Gone]).ends_with("exercises reset toss_a_book_3"));
-        assert_eq!(told([Done; 3]), "Nothing is left to do.");
+        assert!(named([Open, Done, Open]).ends_with("    cargo exercise toss_a_book_1"));
+        assert!(named([Done, Begun, Open]).ends_with("    cargo exercise toss_a_book_2"));
+        assert!(named([Done, Done, Gone]).ends_with("exercises reset toss_a_book_3"));
+        assert_eq!(named([Done; 3]), "Nothing is left to do.");
     }
 }

@@ -210,8 +210,8 @@ mod tests {
             ("judge --fit a", "the record goes before `--fit`"),
             ("judge a --svg --json", "--svg"),
         ] {
-            let told = options(words).unwrap_err();
-            assert!(told.contains(answer), "{words}: {told}");
+            let error = options(words).unwrap_err();
+            assert!(error.contains(answer), "{words}: {error}");
         }
     }
 }

@@ -68,8 +68,8 @@ mod tests {
 
     #[test]
     fn the_page_that_has_no_sentence_is_named() {
-        let told = Sentences::parse("a = 'Fine.'").unwrap();
-        assert_eq!(told.of(Path::new("a.md")), Ok("Fine."));
-        assert!(told.of(Path::new("b.md")).unwrap_err().contains("`b`"));
+        let sentences = Sentences::parse("a = 'Fine.'").unwrap();
+        assert_eq!(sentences.of(Path::new("a.md")), Ok("Fine."));
+        assert!(sentences.of(Path::new("b.md")).unwrap_err().contains("`b`"));
     }
 }

@@ -55,10 +55,10 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
         let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
         let index = name == "introduction";
         let address = if index { String::new() } else { format!("{name}.html") };
-        let told = with_head(&html, sentence, Some(&address), site)
+        let page = with_head(&html, sentence, Some(&address), site)
             .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
         let write =
-            |file: &Path| fs::write(file, &told).map_err(|e| format!("cannot write {}: {e}", file.display()));
+            |file: &Path| fs::write(file, &page).map_err(|e| format!("cannot write {}: {e}", file.display()));
         write(&file)?;
         if index {
             write(&pages.join("index.html"))?;
@@ -70,9 +70,9 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
     for (name, sentence) in OTHERS {
         let file = pages.join(format!("{name}.html"));
         let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
-        let told = with_head(&named(html), sentence, None, site)
+        let page = with_head(&named(html), sentence, None, site)
             .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
-        fs::write(&file, told).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        fs::write(&file, page).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
     }
     let file = pages.join("sitemap.xml");
     if site.is_some() {
@@ -139,15 +139,15 @@ mod tests {
 
     #[test]
     fn a_page_tells_its_own_sentence() {
-        let told = with_head(PAGE, "Three \"quiet\" axes.", Some("axes.html"), None).unwrap();
-        assert!(told.contains("name=\"description\" content=\"Three &quot;quiet&quot; axes.\">"), "{told}");
+        let page = with_head(PAGE, "Three \"quiet\" axes.", Some("axes.html"), None).unwrap();
+        assert!(page.contains("name=\"description\" content=\"Three &quot;quiet&quot; axes.\">"), "{page}");
         assert!(
-            told.contains("og:title\" content=\"Axes - Tumbling\">") && !told.contains("The book."),
-            "{told}"
+            page.contains("og:title\" content=\"Axes - Tumbling\">") && !page.contains("The book."),
+            "{page}"
         );
         assert!(
-            told.contains("og:image\" content=\"preview.png\">") && !told.contains("canonical"),
-            "{told}"
+            page.contains("og:image\" content=\"preview.png\">") && !page.contains("canonical"),
+            "{page}"
         );
         let first = with_head(&PAGE.replace("Axes", "Tumbling"), "A flip.", Some(""), None).unwrap();
         assert!(
@@ -160,13 +160,13 @@ mod tests {
     #[test]
     fn a_page_of_a_site_knows_its_full_address() {
         let site = Site::parse("https://example.org/book").unwrap();
-        let told = with_head(PAGE, "Axes.", Some("axes.html"), Some(&site)).unwrap();
-        assert!(told.contains("rel=\"canonical\" href=\"https://example.org/book/axes.html\">"), "{told}");
-        assert!(told.contains("og:image\" content=\"https://example.org/book/preview.png\">"), "{told}");
-        assert!(told.contains("content=\"summary_large_image\">"), "{told}");
+        let page = with_head(PAGE, "Axes.", Some("axes.html"), Some(&site)).unwrap();
+        assert!(page.contains("rel=\"canonical\" href=\"https://example.org/book/axes.html\">"), "{page}");
+        assert!(page.contains("og:image\" content=\"https://example.org/book/preview.png\">"), "{page}");
+        assert!(page.contains("content=\"summary_large_image\">"), "{page}");
         let contents = named("<head><meta charset=\"UTF-8\"></head>".to_owned());
-        let told = with_head(&contents, "The chapters.", None, Some(&site)).unwrap();
-        assert!(told.contains("book/preview.png\">") && !told.contains("canonical"), "{told}");
+        let page = with_head(&contents, "The chapters.", None, Some(&site)).unwrap();
+        assert!(page.contains("book/preview.png\">") && !page.contains("canonical"), "{page}");
     }
 
     #[test]

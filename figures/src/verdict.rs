@@ -51,7 +51,7 @@ pub fn verdict(verdict: &Verdict) -> Result<String, Box<dyn std::error::Error>> 
 
 /// What made the record, in a line.
 fn diagnosis(verdict: &Verdict) -> String {
-    let Some(diagnosis) = &verdict.diagnosis else { return "no rule is told".into() };
+    let Some(diagnosis) = &verdict.diagnosis else { return "no rule is named".into() };
     format!("{}: {}", diagnosis.words(), diagnosis.best.rule.name())
 }
 

@@ -1,4 +1,4 @@
-//! Whether a reader's file may count as an answer, told by its text alone.
+//! Whether a reader's file may count as an answer, by its text alone.
 
 use crate::exercise::{BEGIN, END, Exercise};
 use std::collections::BTreeSet;

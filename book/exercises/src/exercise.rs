@@ -52,7 +52,7 @@ impl Exercise {
         let fault = |line: usize, what: &str| format!("book/exercises/whole/{name}.md:{line}: {what}");
         let sections = sections(text);
         let (first, rest) = sections.split_first().ok_or_else(|| fault(1, "the file is empty"))?;
-        let mut exercise = Self::asked(name, first).map_err(|what| fault(first.line, what))?;
+        let mut exercise = Self::parse_task(name, first).map_err(|what| fault(first.line, what))?;
         for section in rest {
             exercise.add(section).map_err(|what| fault(section.line, what))?;
         }
@@ -61,7 +61,7 @@ impl Exercise {
     }
 
     /// The task, with nothing about its answer.
-    fn asked(name: &str, first: &Section) -> Result<Self, &'static str> {
+    fn parse_task(name: &str, first: &Section) -> Result<Self, &'static str> {
         let title = first.heading.strip_prefix("# ").ok_or("begin with `# TITLE`")?;
         let (task, code, rest) = first.code()?;
         if !rest.trim().is_empty() {

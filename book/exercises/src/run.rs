@@ -25,9 +25,9 @@ pub fn run(names: &[impl AsRef<str>], mut heard: impl FnMut(&str)) -> Result<Str
         .map_err(cannot)?;
     let out = cargo.stdout.take();
     let out = thread::spawn(move || {
-        let mut told = Vec::new();
-        let read = out.map_or(Ok(0), |mut out| out.read_to_end(&mut told));
-        read.map(|_| String::from_utf8_lossy(&told).into_owned())
+        let mut output = Vec::new();
+        let read = out.map_or(Ok(0), |mut out| out.read_to_end(&mut output));
+        read.map(|_| String::from_utf8_lossy(&output).into_owned())
     });
     let mut said = String::new();
     for line in cargo.stderr.take().map(BufReader::new).into_iter().flat_map(|err| err.split(b'\n')) {
@@ -38,19 +38,19 @@ pub fn run(names: &[impl AsRef<str>], mut heard: impl FnMut(&str)) -> Result<Str
         said.push('\n');
     }
     cargo.wait().map_err(cannot)?;
-    let told = out.join().map_err(|_| "what cargo prints could not be read".to_owned())?.map_err(cannot)?;
-    if told.contains("test result: ") {
-        Ok(told)
+    let output = out.join().map_err(|_| "what cargo prints could not be read".to_owned())?.map_err(cannot)?;
+    if output.contains("test result: ") {
+        Ok(output)
     } else {
-        Err(format!("The exercises could not be run:\n{told}{said}"))
+        Err(format!("The exercises could not be run:\n{output}{said}"))
     }
 }
 
 /// Which exercises ran, by what `cargo test` prints, and whether all of each passed.
 #[must_use]
-pub fn passed(told: &str) -> BTreeMap<String, bool> {
+pub fn passed(output: &str) -> BTreeMap<String, bool> {
     let mut passed = BTreeMap::new();
-    for line in told.lines() {
+    for line in output.lines() {
         if let Some((_, rest)) = line.strip_prefix("test ").and_then(|line| line.rsplit_once(" - mine::"))
             && let Some((name, rest)) = rest.split_once(" (line ")
         {
@@ -64,8 +64,8 @@ pub fn passed(told: &str) -> BTreeMap<String, bool> {
 ///
 /// # Errors
 /// For each that failed what it said, with the line it failed at; or which did not run.
-pub fn verdict(names: &[impl AsRef<str>], told: &str) -> Result<(), String> {
-    let passed = passed(told);
+pub fn verdict(names: &[impl AsRef<str>], output: &str) -> Result<(), String> {
+    let passed = passed(output);
     for name in names {
         let name = name.as_ref();
         if !passed.contains_key(name) {
@@ -78,14 +78,14 @@ pub fn verdict(names: &[impl AsRef<str>], told: &str) -> Result<(), String> {
     if names.iter().all(|name| passed[name.as_ref()]) {
         return Ok(());
     }
-    let said: Vec<String> = failures(told).map(|(name, body)| sentence(name, body)).collect();
-    Err(if said.is_empty() { told.to_owned() } else { said.join("\n\n") })
+    let said: Vec<String> = failures(output).map(|(name, body)| sentence(name, body)).collect();
+    Err(if said.is_empty() { output.to_owned() } else { said.join("\n\n") })
 }
 
 /// The failures' names, and what is printed of each.
-fn failures(told: &str) -> impl Iterator<Item = (&str, &str)> {
-    let told = told.rsplit_once("\nfailures:\n").map_or(told, |(details, _)| details);
-    told.split("\n---- ").skip(1).filter_map(|section| {
+fn failures(output: &str) -> impl Iterator<Item = (&str, &str)> {
+    let output = output.rsplit_once("\nfailures:\n").map_or(output, |(details, _)| details);
+    output.split("\n---- ").skip(1).filter_map(|section| {
         let (title, body) = section.split_once(" stdout ----\n")?;
         Some((title.rsplit_once("mine::")?.1.split_once(" (line ")?.0, body))
     })
@@ -121,23 +121,23 @@ mod tests {
 
     #[test]
     fn a_run_tells_which_pass_and_an_exercise_passes_if_all_of_its_blocks_do() {
-        let told = "running 4 tests\n\
+        let output = "running 4 tests\n\
             test /a b/book/exercises/stubs/two_arrows_1.md - mine::two_arrows_1 (line 7) ... ok\n\
             test /a b/book/exercises/stubs/proofs_2.md - mine::proofs_2 (line 9) ... FAILED\n\
             test /a b/book/exercises/stubs/proofs_1.md - mine::proofs_1 (line 9) ... ok\n\
             test /a b/book/exercises/stubs/proofs_1.md - mine::proofs_1 (line 30) ... FAILED\n\
             test result: FAILED. 2 passed\n";
-        let passed = passed(told);
+        let passed = passed(output);
         assert_eq!(passed.len(), 3);
         assert!(passed["two_arrows_1"] && !passed["proofs_1"] && !passed["proofs_2"]);
-        assert_eq!(verdict(&["two_arrows_1"], told), Ok(()));
-        assert!(verdict(&["two_arrows_1", "proofs_1"], told).is_err());
+        assert_eq!(verdict(&["two_arrows_1"], output), Ok(()));
+        assert!(verdict(&["two_arrows_1", "proofs_1"], output).is_err());
     }
 
     #[test]
     fn an_exercise_of_which_nothing_ran_is_not_solved() {
-        let told = "running 0 tests\n\ntest result: ok. 0 passed; 0 failed\n";
-        let why = verdict(&["two_arrows_1"], told).unwrap_err();
+        let output = "running 0 tests\n\ntest result: ok. 0 passed; 0 failed\n";
+        let why = verdict(&["two_arrows_1"], output).unwrap_err();
         assert!(
             why.starts_with("Nothing ran for `two_arrows_1`") && why.contains("reset two_arrows_1"),
             "{why}"
@@ -152,18 +152,18 @@ mod tests {
 
     #[test]
     fn of_a_panic_its_own_words_and_its_line_are_told_and_no_more() {
-        let told = format!(
+        let output = format!(
             "{FAILED}Test executable failed (exit status: 101).\n\nstderr:\n\n\
              thread 'main' (6613) panicked at /r/book/exercises/stubs/two_arrows_1.md:12:30:\n\
              you have 3 kg m²/s, it is 4: part by part\n\
              note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace\n{ENDS}"
         );
         assert_eq!(
-            verdict(&["two_arrows_1"], &told).unwrap_err(),
+            verdict(&["two_arrows_1"], &output).unwrap_err(),
             "two_arrows_1: you have 3 kg m²/s, it is 4: part by part\n    \
              at book/exercises/stubs/two_arrows_1.md:12"
         );
-        let printed = told.replace("exit status: 101).\n", "exit status: 101).\n\nstdout:\nx is 3\n");
+        let printed = output.replace("exit status: 101).\n", "exit status: 101).\n\nstdout:\nx is 3\n");
         let why = verdict(&["two_arrows_1"], &printed).unwrap_err();
         assert!(
             why.contains("x is 3") && why.contains("you have 3"),

@@ -1,5 +1,5 @@
 //! The exercises are exercises: left open, each stops at its own `todo!`; solved, each passes; answered
-//! wrongly, each is refused by an assertion, and told why. All blocks are compiled, so none fails for that.
+//! wrongly, each is refused by an assertion that says why. All blocks are compiled, so none fails for that.
 
 use std::cell::RefCell;
 use std::{panic, thread};
@@ -51,7 +51,7 @@ impl Run {
     }
 }
 
-/// Whom of these variants the test is told about, and what of each.
+/// What `fault` says of the runs of these variants.
 fn faults(of: &str, fault: impl Fn(&Run, Result<(), Panicked>) -> Option<String>) -> Vec<String> {
     let (before, here) = (panic::take_hook(), thread::current().id());
     panic::set_hook(Box::new(move |info| {
@@ -82,7 +82,7 @@ fn exercises_left_open_stop_at_their_own_todo_solved_ones_pass_and_wrong_answers
     let wrong = faults("wrong: ", |run, ended| match ended {
         // An assertion with words of its own: they show the reader's value and say what to think of.
         Err(p) if p.line.starts_with("assert!(") && !p.message.starts_with("assertion failed") => {
-            (p.message.len() < 40).then(|| format!("{} is told too little: {}", run.label(), p.message))
+            (p.message.len() < 40).then(|| format!("{} says too little: {}", run.label(), p.message))
         }
         Err(p) => Some(format!("{} ends by no assertion, but: {} at {}", run.label(), p.message, p.line)),
         Ok(()) => Some(format!("{} passes", run.label())),
@@ -159,7 +159,7 @@ fn a_file_that_was_changed_outside_of_its_marks_is_no_answer_and_says_which_line
     let exercise = named("two_arrows_4");
     let solved = filled(&exercise, exercise.solution());
     let line = |of: &str| solved.lines().position(|line| line.contains(of)).unwrap() + 1;
-    for (text, told) in [
+    for (text, message) in [
         (String::new(), " has not both marks".to_owned()),
         (format!("{solved}\n{}\n", exercises::BEGIN), " has not both marks".to_owned()),
         (
@@ -183,15 +183,18 @@ fn a_file_that_was_changed_outside_of_its_marks_is_no_answer_and_says_which_line
         ),
         (filled(&exercise, "let angle = 0.0;\n```\n```text"), ": ``` ends the block".to_owned()),
     ] {
-        let fault = exercises::fault(&exercise, &text).expect(&told);
-        assert!(fault.contains(&format!("stubs/two_arrows_4.md{told}")) || fault.contains(&told), "{fault}");
+        let fault = exercises::fault(&exercise, &text).expect(&message);
+        assert!(
+            fault.contains(&format!("stubs/two_arrows_4.md{message}")) || fault.contains(&message),
+            "{fault}"
+        );
         assert!(fault.contains("exercises reset two_arrows_4"), "{fault}");
     }
 }
 
 #[test]
 fn an_answer_that_goes_round_the_check_is_none() {
-    for (name, answer, told) in [
+    for (name, answer, message) in [
         ("two_arrows_4", "let angle = 0.0_f64;\nlet degrees = 0.0;", "`let degrees` hides the `degrees`"),
         ("two_arrows_4", "let (angle, plate) = (0.0_f64, 1);", "`let plate` hides"),
         ("worked_example_2", "let tangent = 0.0;\nreturn Ok(());", "`return` would end the program"),
@@ -199,7 +202,7 @@ fn an_answer_that_goes_round_the_check_is_none() {
         ("toss_a_book_1", "    std::process::exit(0)", "`process` would end"),
     ] {
         let fault = exercises::fault(&named(name), &filled(&named(name), answer)).expect(answer);
-        assert!(fault.contains(told) && fault.contains(name), "{fault}");
+        assert!(fault.contains(message) && fault.contains(name), "{fault}");
     }
 }
 
@@ -219,8 +222,8 @@ fn a_file_that_is_missing_or_no_text_is_named_with_what_brings_it_back() {
     let missing = exercises::readable(&all, folder).unwrap_err();
     assert!(no_text.starts_with("book/exercises/stubs/proofs_3.md is no text in UTF-8"), "{no_text}");
     assert!(missing.starts_with("book/exercises/stubs/proofs_3.md is missing"), "{missing}");
-    for told in [no_text, missing] {
-        assert!(told.ends_with("cargo run -- exercises reset proofs_3"), "{told}");
+    for message in [no_text, missing] {
+        assert!(message.ends_with("cargo run -- exercises reset proofs_3"), "{message}");
     }
 }
 

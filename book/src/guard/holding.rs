@@ -91,7 +91,7 @@ pub(crate) fn findings(chapter: &Chapter, beside: &Beside) -> Findings {
     for section in &chapter.sections {
         checker.section(section);
     }
-    checker.facts_are_told();
+    checker.facts_are_stated();
     checker.found.offences.sort();
     checker.found
 }
@@ -111,7 +111,7 @@ pub(crate) fn objects(altered: &Chapter, original: &Chapter, beside: &Beside) ->
             checker.section(section);
         }
     }
-    checker.facts_are_told();
+    checker.facts_are_stated();
     !checker.found.offences.is_empty()
 }
 
@@ -326,12 +326,12 @@ impl Checker<'_> {
         self.beside.facts.iter().filter(|f| f.chapter == self.chapter.name)
     }
 
-    fn facts_are_told(&mut self) {
-        let told = |fact: &Fact| {
+    fn facts_are_stated(&mut self) {
+        let stated = |fact: &Fact| {
             let mut passages = self.chapter.sections.iter().flat_map(|s| &s.passages);
             passages.any(|p| p.text.contains(&fact.text))
         };
-        let gone: Vec<String> = self.own_facts().filter(|f| !told(f)).map(|f| f.text.clone()).collect();
+        let gone: Vec<String> = self.own_facts().filter(|f| !stated(f)).map(|f| f.text.clone()).collect();
         for text in gone {
             let expected = "these words of the facts file, or no such fact there";
             self.offend(0, format!("no `{text}`"), expected.into());

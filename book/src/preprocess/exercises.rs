@@ -95,10 +95,10 @@ mod tests {
         for exercise in &here {
             let (_, from) = out.split_once(&format!("{{#{}}}\n", exercise.name)).unwrap();
             let mine = from.split("\n### ").next().unwrap();
-            let (told, folded) = mine.split_once("<details").unwrap();
+            let (shown, folded) = mine.split_once("<details").unwrap();
             assert!(
-                told.contains(&exercise.task) && told.contains(&exercise.command()),
-                "before all folds: {told}"
+                shown.contains(&exercise.task) && shown.contains(&exercise.command()),
+                "before all folds: {shown}"
             );
             // What each fold shows, in the order of the page, and what is in it.
             let mut expected = vec![("The code to complete".to_owned(), code(&exercise.open()))];

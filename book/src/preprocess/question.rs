@@ -1,5 +1,5 @@
-//! Questions: a quote that begins with `**Predict.**` asks before it tells. Where there are scripts, its
-//! answer waits until the reader has chosen.
+//! Questions: a quote that begins with `**Predict.**` asks before the text answers. Where there are scripts,
+//! its answer waits until the reader has chosen.
 //!
 //! Such a quote is a paragraph with the question, perhaps a list of answers to choose from, and a paragraph
 //! that begins with the right one in italics and goes on with the reason. Without a list the right one is a

@@ -12,19 +12,19 @@ pub(super) fn add(book: &mut Book, root: &Path) -> Vec<String> {
         Err(what) => return vec![what],
     };
     let mut faults = Vec::new();
-    let mut told = Vec::new();
+    let mut chapters = Vec::new();
     for item in book.iter() {
         if let BookItem::Chapter(chapter) = item
             && let Some(path) = &chapter.source_path
         {
             match sentences.of(path) {
-                Ok(sentence) => told.push((path.clone(), chapter.name.clone(), sentence.to_owned())),
+                Ok(sentence) => chapters.push((path.clone(), chapter.name.clone(), sentence.to_owned())),
                 Err(what) => faults.push(what),
             }
         }
     }
     for page in sentences.pages() {
-        if !told.iter().any(|(path, ..)| path.file_stem().is_some_and(|name| name == page)) {
+        if !chapters.iter().any(|(path, ..)| path.file_stem().is_some_and(|name| name == page)) {
             faults.push(format!("book/pages.toml has a sentence for `{page}`, which is no page"));
         }
     }
@@ -34,21 +34,21 @@ pub(super) fn add(book: &mut Book, root: &Path) -> Vec<String> {
     book.for_each_mut(|item| {
         if let BookItem::Chapter(chapter) = item
             && let Some(path) = &chapter.source_path
-            && let Some(at) = told.iter().position(|(other, ..)| other == path)
+            && let Some(at) = chapters.iter().position(|(other, ..)| other == path)
         {
-            let before = at.checked_sub(1).and_then(|at| told.get(at));
-            chapter.content.push_str(&foot(before, told.get(at + 1)));
+            let before = at.checked_sub(1).and_then(|at| chapters.get(at));
+            chapter.content.push_str(&foot(before, chapters.get(at + 1)));
         }
     });
     Vec::new()
 }
 
-type Told = (PathBuf, String, String);
+type Page = (PathBuf, String, String);
 
-fn foot(before: Option<&Told>, after: Option<&Told>) -> String {
+fn foot(before: Option<&Page>, after: Option<&Page>) -> String {
     let mut html = String::from("\n\n<nav class=\"turning\" aria-label=\"Chapters before and after\">\n");
-    for (way, told) in [("Before", before), ("Next", after)] {
-        if let Some((path, name, sentence)) = told {
+    for (way, chapter) in [("Before", before), ("Next", after)] {
+        if let Some((path, name, sentence)) = chapter {
             html.push_str(&format!(
                 "<p class=\"turning-{}\"><span>{way}</span> <a href=\"{}\">{}</a> {}</p>\n",
                 way.to_lowercase(),

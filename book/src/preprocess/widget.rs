@@ -1,7 +1,7 @@
 //! Widgets: `{{#widget NAME}}` becomes a place in the page that comes to life where there is JavaScript.
 //!
 //! What stands there without it, and what its controls are, says `widgets/page/NAME.html`;
-//! `widgets/README.md` tells the rest. As a page may be read from a disk, where nothing may be fetched,
+//! `widgets/README.md` has the rest. As a page may be read from a disk, where nothing may be fetched,
 //! modules travel as text in scripts.
 
 use super::edits::Edits;

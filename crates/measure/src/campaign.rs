@@ -98,7 +98,7 @@ fn work(campaign: &Campaign<'_>, tell: &mut dyn FnMut(&str)) -> Result<Record<Wo
 /// Measures, and writes `work.csv` and `long.csv` into a folder. The verdict.
 ///
 /// # Errors
-/// A story that cannot be told, or a folder that cannot be written to.
+/// A story that cannot be prepared, or a folder that cannot be written to.
 pub fn write(campaign: &Campaign<'_>, folder: &Path, tell: &mut dyn FnMut(&str)) -> Result<String, Wrong> {
     fs::create_dir_all(folder)?;
     let work = work(campaign, tell)?;

@@ -179,17 +179,17 @@ fn time_of(k: u64, steps: u64, end: f64) -> f64 {
 }
 
 /// The closed form at the story's end.
-fn asked(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+fn at_the_end(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
     let there = exact.at(black_box(story.end))?;
     if let Some(watch) = watch {
-        watch.told(exact.flips(0.0, story.end)?.count());
+        watch.take_flips(exact.flips(0.0, story.end)?.count());
     }
     let vector = story.system.moments().component_mul(&there.omega);
     let motion = State { attitude: there.attitude.into_inner(), momentum: vector };
     Ok(Ended { motion, steps: 1, evaluations: None })
 }
 
-/// The exact motion: prepared from moments and spin, asked once.
+/// The exact motion: prepared from moments and spin, evaluated once.
 #[derive(Debug, Clone, Copy)]
 pub struct Exact;
 
@@ -202,11 +202,11 @@ impl Contestant for Exact {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.momentum);
         let exact = FreeMotion::new((*moments).try_into()?, &omega)?;
-        asked(&exact, story, watch)
+        at_the_end(&exact, story, watch)
     }
 }
 
-/// The exact motion of a story, once prepared, asked for one instant: what each further instant costs.
+/// The exact motion of a story, once prepared, at one instant: what each further instant costs.
 #[derive(Debug, Default)]
 pub struct Prepared(RefCell<Option<(&'static str, FreeMotion)>>);
 
@@ -228,7 +228,7 @@ impl Contestant for Prepared {
             *kept = Some((story.name, FreeMotion::new((*story.system.moments()).try_into()?, &omega)?));
         }
         let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };
-        asked(exact, story, watch)
+        at_the_end(exact, story, watch)
     }
 }
 

@@ -106,8 +106,8 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// How many flips there are, from one who knows without steps. When they are is then not watched.
-    pub fn told(&mut self, flips: usize) {
+    /// Takes the number of flips of a run that makes no steps. Their times are then not compared.
+    pub fn take_flips(&mut self, flips: usize) {
         self.flips = flips as u64;
     }
 

@@ -60,7 +60,7 @@ struct Rung<'a> {
 /// Every contestant on every story. `tell` hears how far it is.
 ///
 /// # Errors
-/// Nothing but a story that cannot be told; what contestants do wrong stands in their rows.
+/// Nothing but a story that cannot be prepared; what contestants do wrong stands in their rows.
 pub fn measure(
     contestants: &[Box<dyn Contestant>],
     stories: &[Story],

@@ -242,15 +242,15 @@ const ROOM: f64 = 0.25;
 /// Where counts are not those of the record.
 #[must_use]
 pub fn differences(recorded: &[Saving], counted: &[Saving]) -> Vec<String> {
-    let mut told = Vec::new();
+    let mut lines = Vec::new();
     for new in counted {
         match value(recorded, &new.table, &new.row, &new.what) {
             Some(old) if (new.value - old).abs() <= ROOM * old + 50.0 => {}
             Some(old) => {
-                told.push(format!("{}, {}: {} where the record has {old}", new.row, new.what, new.value))
+                lines.push(format!("{}, {}: {} where the record has {old}", new.row, new.what, new.value))
             }
-            None => told.push(format!("{}, {}: not in the record", new.row, new.what)),
+            None => lines.push(format!("{}, {}: not in the record", new.row, new.what)),
         }
     }
-    told
+    lines
 }

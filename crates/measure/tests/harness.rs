@@ -182,10 +182,15 @@ fn the_committed_record_is_one_for_the_record() {
     };
     for contestant in ours() {
         let stories = story::all().unwrap();
-        let told = stories.iter().filter(|story| contestant.takes(story)).map(|s| has(s, contestant.name()));
-        let told: Vec<bool> = told.collect();
+        let measured =
+            stories.iter().filter(|story| contestant.takes(story)).map(|s| has(s, contestant.name()));
+        let measured: Vec<bool> = measured.collect();
         // A method newer than the record is in none of it.
-        assert!(told.iter().all(|&has| has) || !told.contains(&true), "{}: {told:?}", contestant.name());
+        assert!(
+            measured.iter().all(|&has| has) || !measured.contains(&true),
+            "{}: {measured:?}",
+            contestant.name()
+        );
     }
     assert!(verdict::contestants(&work.rows).iter().filter(|(_, group)| *group == Group::Peer).count() == 3);
 }

@@ -100,9 +100,9 @@ fn a_count_that_has_changed_is_told_and_other_tables_stay() {
     let mut changed = old.rows.clone();
     let counted = changed.iter_mut().find(|row| row.row == GENERAL && row.what == STATE).unwrap();
     counted.value *= 1.5;
-    let told = differences(&old.rows, &changed);
-    assert_eq!(told.len(), 1);
-    assert!(told[0].starts_with("three moments, instructions for a state: "), "{told:?}");
+    let found = differences(&old.rows, &changed);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].starts_with("three moments, instructions for a state: "), "{found:?}");
     let executed: Vec<_> = old.rows.iter().filter(|row| row.table == "executed").cloned().collect();
     let rows = old.rows.clone();
     assert_eq!(renewed(old, executed).rows, rows);

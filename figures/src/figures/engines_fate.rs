@@ -70,7 +70,7 @@ pub(super) fn draw() -> Drawing {
         Plot::new(&canvas, 62.0, 50.0, 484.0, 316.0, Scale::linear(0.0..end), Scale::linear(0.0..94.0));
     plot.x_axis((0..=4).map(|k| (15.0 * f64::from(k), (15 * k).to_string())), "time $t$ (s)");
     plot.y_axis([0, 30, 60, 90].map(|y| (f64::from(y), format!("{y}°"))), "lean of the spin from its axis");
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     for (name, setting, rate, words, at) in ENGINES {
         let of = |e: &&PhysicsEngine| e.name == name && e.setting.starts_with(setting);
         let engine = PHYSICS_ENGINES.iter().find(of).ok_or("no such engine")?;
@@ -79,7 +79,7 @@ pub(super) fn draw() -> Drawing {
         plot.curve(points, Pen::new(Ink::Wrong, 2.8))?;
         let label = Label::new(words).ink(Ink::Wrong).halo(Ink::Paper);
         canvas.label(plot.at(at.0, at.1), &label);
-        told.push(format!("{words}, in steps: passes 60° at about {passes:.0} s"));
+        sentences.push(format!("{words}, in steps: passes 60° at about {passes:.0} s"));
     }
     let exact = exactly()?;
     let most = exact.iter().map(|point| point.1).fold(0.0, f64::max);
@@ -90,7 +90,7 @@ pub(super) fn draw() -> Drawing {
         description: format!(
             "A free body with moments 1, 2 and 3 kg m², spun at (0.5, 0.5, 10) rad/s for {END} s: the angle between the spin and the axis of \
              the largest moment, the greatest in each half second. Exactly it stays within {most:.1}°. By the engines' own defaults: {}.",
-            told.join("; ")
+            sentences.join("; ")
         ),
     })
 }

@@ -42,9 +42,9 @@ pub(super) fn draw() -> Drawing {
     }
     super::work::column(&canvas, 318.0, 56.0, 410.0, ends);
     let both = ("spin and attitude", 4, 1);
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     if let Some(rate) = best(rows, "native", both.0, 4, 1) {
-        told.push(format!(
+        sentences.push(format!(
             "In four lanes on one thread {:.0} million spins with attitude a second at best",
             rate / 1e6
         ));
@@ -55,11 +55,11 @@ pub(super) fn draw() -> Drawing {
     ];
     for (other, words) in against {
         if let Some(ratio) = ratio(rows, "native", both, other) {
-            told.push(format!("{ratio:.1} times {words}"));
+            sentences.push(format!("{ratio:.1} times {words}"));
         }
     }
     if let Some(ratio) = ratio(rows, "native", (both.0, 4, 2), both) {
-        told.push(format!("on two threads {ratio:.1} times those of one"));
+        sentences.push(format!("on two threads {ratio:.1} times those of one"));
     }
     let said = |key: &str| record.said(key).unwrap_or("unknown").to_owned();
     Ok(Picture {
@@ -67,7 +67,7 @@ pub(super) fn draw() -> Drawing {
         description: format!(
             "The number of bodies across, from a hundred to ten million, results a second up, both logarithmic. The curves of the exact motion \
              run nearly level. {}. Measured on {} ({}).",
-            told.join("; "),
+            sentences.join("; "),
             said("machine"),
             said("compiler")
         ),

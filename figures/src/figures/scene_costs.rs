@@ -25,7 +25,7 @@ pub(super) fn draw() -> Drawing {
     let bottom = top + apart * ROWS.len() as f64;
     let plot = Plot::new(&canvas, 206.0, top, 484.0, bottom, Scale::log(50.0..5e4), Scale::linear(0.0..1.0));
     plot.x_axis((2..=4).map(|n| (10_f64.powi(n), raised(n))), "processor instructions for a state");
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     for (k, (row, words, attitude)) in ROWS.into_iter().enumerate() {
         let count = value(&rows, "executed", row, STATE).ok_or_else(|| format!("no count of {row}"))?;
         let y = top + apart * (k as f64 + 0.5);
@@ -36,13 +36,13 @@ pub(super) fn draw() -> Drawing {
         canvas.label((198.0, y + 5.5), &Label::new(words).end());
         canvas.label((to + 13.0, y + 5.5), &Label::new(grouped(count)).halo(Ink::Paper));
         let asked = if attitude { "spin and attitude" } else { "spin" };
-        told.push(format!("{words}, {asked}: {}", grouped(count)));
+        sentences.push(format!("{words}, {asked}: {}", grouped(count)));
     }
     Ok(Picture {
         canvas,
         description: format!(
             "The instructions that one state takes, by what is asked, as dots on an axis where each power of ten takes the same room. {}.",
-            told.join("; ")
+            sentences.join("; ")
         ),
     })
 }

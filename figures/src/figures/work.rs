@@ -208,11 +208,11 @@ pub(super) fn draw_box() -> Drawing {
     write((1.6e-7, 6e-13), "the exact motion");
     write((2.2e-7, 3e-6), "the best at each time:");
     write((2.2e-7, 3e-7), "Moser-Veselov 8, 10");
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     for error in [1e-2, 1e-8] {
         for name in ["Moser-Veselov 8", "Moser-Veselov 10", NAMED[0].0] {
             if let Some(seconds) = seconds_at(&record.rows, "box", name, kind, error) {
-                told.push(format!("{name} comes below {error:.0e} in {:.1} ms", seconds * 1e3));
+                sentences.push(format!("{name} comes below {error:.0e} in {:.1} ms", seconds * 1e3));
             }
         }
     }
@@ -221,7 +221,7 @@ pub(super) fn draw_box() -> Drawing {
         description: format!(
             "Time of a run across, error of the attitude up, both logarithmic. Each grey curve is a method at ever finer steps. A bold \
              line is the least error of all steppers for each time. The exact motion is a dot far to the left and at the bottom. {}. {}",
-            told.join(", "),
+            sentences.join(", "),
             circumstances(&record)
         ),
     })
@@ -245,7 +245,7 @@ fn bodies(name: &str) -> Drawing {
         (56.0 + 244.0 * column as f64, 68.0 + 218.0 * row as f64)
     };
     let size = (180.0, 150.0);
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     for (at, story) in with.iter().enumerate() {
         let corner = place(at);
         let plot = plot(&canvas, corner, size, 4, "");
@@ -261,7 +261,7 @@ fn bodies(name: &str) -> Drawing {
         let best =
             best.filter(|(name, _)| !name.starts_with("exact motion")).min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((name, error)) = best {
-            told.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
+            sentences.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
         }
     }
     key(&canvas, (16.0, 48.0 + 218.0 * f64::from(rows)));
@@ -270,7 +270,7 @@ fn bodies(name: &str) -> Drawing {
         description: format!(
             "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
              both logarithmic. {}. {}",
-            told.join("; "),
+            sentences.join("; "),
             circumstances(&record)
         ),
     })
@@ -337,7 +337,7 @@ pub(super) fn draw_drift() -> Drawing {
             names.push((&row.contestant, group));
         }
     }
-    let (mut ends, mut told) = (Vec::new(), Vec::new());
+    let (mut ends, mut sentences) = (Vec::new(), Vec::new());
     for (name, group) in names {
         let points: Vec<(f64, f64)> = record
             .rows
@@ -351,7 +351,7 @@ pub(super) fn draw_drift() -> Drawing {
             ends.push((plot.at(x, y), name.to_owned(), pen));
         }
         if let Some(slope) = tumbling_measure::verdict::drift(&record.rows, name) {
-            told.push(format!("{name} {slope:.2}"));
+            sentences.push(format!("{name} {slope:.2}"));
         }
     }
     column(&canvas, 304.0, 50.0, 490.0, ends);
@@ -360,7 +360,7 @@ pub(super) fn draw_drift() -> Drawing {
         description: format!(
             "The error of the energy against the number of turns, both logarithmic, for the methods that keep something, and for \
              the classical Runge-Kutta method. Slopes from a thousand turns on: {}. A random walk has 0.5, a steady drift 1.",
-            told.join(", ")
+            sentences.join(", ")
         ),
     })
 }

@@ -41,7 +41,7 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
         }
     }
     let mut waiting = false;
-    let told = exercises::run(names, |line| {
+    let output = exercises::run(names, |line| {
         if !waiting && line.trim_start().starts_with("Compiling ") {
             waiting = true;
             let _ = writeln!(io::stderr(), "Compiling once, about a minute ...");
@@ -49,7 +49,7 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
             let _ = writeln!(io::stderr(), "{}", line.trim());
         }
     })?;
-    match exercises::verdict(names, &told) {
+    match exercises::verdict(names, &output) {
         Err(why) => {
             let _ = writeln!(io::stderr(), "{why}");
             Ok(ExitCode::FAILURE)

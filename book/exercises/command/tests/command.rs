@@ -15,8 +15,11 @@ fn exercise(names: &[&str]) -> Output {
 fn a_misspelt_name_is_refused_with_the_nearest() {
     let output = exercise(&["two_arows_1"]);
     assert_eq!(output.status.code(), Some(2));
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(told.starts_with("There is no exercise `two_arows_1`. Did you mean `two_arrows_1`? "), "{told}");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        message.starts_with("There is no exercise `two_arows_1`. Did you mean `two_arrows_1`? "),
+        "{message}"
+    );
     assert!(output.stdout.is_empty());
 }
 

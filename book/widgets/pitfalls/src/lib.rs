@@ -295,7 +295,7 @@ mod tests {
                 broken += usize::from((length - 1.0).abs() > 0.01 && high > 1.01);
             }
         }
-        assert!(broken >= 3, "wrong engines break both laws, or nothing is told apart here: {broken}");
+        assert!(broken >= 3, "wrong engines break both laws, or nothing is distinguished here: {broken}");
     }
 
     #[test]

@@ -23,7 +23,7 @@ static MOTION: Mutex<Option<(FreeMotion, usize, Vector3<f64>)>> = Mutex::new(Non
 
 /// How many of the next flips are given.
 const NEXT: usize = 3;
-/// Most flips told of a stretch of time, and most samples of it.
+/// Most flips given for a stretch of time, and most samples of it.
 const MOST_FLIPS: usize = 64;
 const MOST_SAMPLES: f64 = 1000.0;
 
@@ -263,10 +263,10 @@ mod tests {
                         assert!(row.get(0) * side * spin > 0.0, "{which}, at {t}: {}", row.get(0));
                         if way > 0.0 {
                             for later in 0..NEXT as u32 {
-                                let (told, right) = (row.get(11 + later as usize), half(count + later));
+                                let (given, right) = (row.get(11 + later as usize), half(count + later));
                                 assert!(
-                                    (told - right).abs() < 1e-9 * beat,
-                                    "{which}, at {t}: {told}, not {right}"
+                                    (given - right).abs() < 1e-9 * beat,
+                                    "{which}, at {t}: {given}, not {right}"
                                 );
                             }
                         }

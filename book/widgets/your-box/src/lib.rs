@@ -60,7 +60,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_told_in_the_words_of_the_library() {
         let edges = [1e-200, 1e-9, 0.02, 1.0, 17.3, 1e100, 1e200, 0.0, -1.0, f64::NAN];
-        let mut told = 0;
+        let mut named = 0;
         for a in edges {
             for b in edges {
                 for mass in [0.0, 1e-320, 1.0, f64::INFINITY] {
@@ -68,11 +68,11 @@ mod tests {
                         let Err(why) = found([a, b, 1.0, mass], &spin.into()) else { continue };
                         let ([what, rule], whole) = (words(&why), why.to_string());
                         assert!(whole.starts_with(what) && whole.ends_with(rule), "{whole}: {what}{rule}");
-                        told += 1;
+                        named += 1;
                     }
                 }
             }
         }
-        assert!(told > 500);
+        assert!(named > 500);
     }
 }

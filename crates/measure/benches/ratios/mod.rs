@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-/// A piece of work by name; it is told how often it has been done.
+/// A piece of work by name; its argument is the number of times it has been done.
 pub type Work = (&'static str, Box<dyn FnMut(u32)>);
 
 /// The least of several measurements, ns for one.

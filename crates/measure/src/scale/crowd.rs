@@ -84,7 +84,7 @@ impl Digest for Vector3<f64> {
     }
 }
 
-/// The exact motion, prepared as `W` and asked at `instants` times in a pass, with `run` to see it through.
+/// The exact motion, prepared as `W` and evaluated at `instants` times in a pass; `run` drives it.
 fn ready<'a, W: Solver + 'a>(bodies: usize, instants: usize, run: &'a Run<'a>) -> Ready<'a>
 where
     W::Answer: Digest,

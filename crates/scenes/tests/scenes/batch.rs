@@ -78,8 +78,8 @@ fn mixed(bodies: usize) -> Vec<InitialState> {
 #[test]
 fn a_batch_answers_as_each_body_alone_whatever_is_requested() {
     let mut tried = 0;
-    for asked in 1_u8..16 {
-        let on = |bit: u8| asked & bit != 0;
+    for requested in 1_u8..16 {
+        let on = |bit: u8| requested & bit != 0;
         let outputs = Outputs { spin: on(1), attitude: on(2), energy: on(4), gap: on(8), ..Outputs::NOTHING };
         // A body at rest has no gap: it goes wrong, and alone.
         let scene = Scene::new(mixed(300), vec![], Times::every(0.3, 10.0), outputs, 1e-9).unwrap();

@@ -108,12 +108,12 @@ fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
         // To nine digits the pair is the only one that gets there: what it costs bounds the others.
         let Strategy::Adaptive(_) = truth.strategy() else { panic!("{}", truth.explain()) };
         assert!(plan.cost().state <= truth.cost().state, "{}", plan.explain());
-        let told = if by_pair {
+        let reason = if by_pair {
             "steps that fast damping does not shorten"
         } else {
             "which fast damping makes short"
         };
-        assert!(plan.explain().contains(told), "{}", plan.explain());
+        assert!(plan.explain().contains(reason), "{}", plan.explain());
         let (mut fastest, mut richest) = (0.0_f64, 0.0_f64);
         for (state, right) in states(&plan).iter().zip(states(&truth)) {
             let (spin, energy) = (right.spin.unwrap(), right.energy.unwrap());
@@ -130,7 +130,7 @@ fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
 }
 
 /// Along x without products and along x with hardly any is not the same axis by its number: what cannot be
-/// told is refused.
+/// distinguished is refused.
 #[test]
 fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
     let moments = Vector3::new(3.0, 1.5, 2.5);
@@ -142,19 +142,19 @@ fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
     let (none, hardly) = (Vector3::zeros(), Vector3::new(1e-12, 0.0, 0.0));
     let uneven = Vector3::new(0.5, 0.0, 0.0);
     assert!((end(none, uneven).unwrap().x - (-0.5_f64 * 5.0 / 3.0).exp()).abs() < 1e-8);
-    let told = end(hardly, uneven).unwrap_err().to_string();
+    let message = end(hardly, uneven).unwrap_err().to_string();
     assert!(
-        told.contains("damping that differs from axis to axis is requested, but it acts along"),
-        "{told}"
+        message.contains("damping that differs from axis to axis is requested, but it acts along"),
+        "{message}"
     );
     let even = Vector3::new(0.5, 0.5, 0.5);
     assert!((end(none, even).unwrap() - end(hardly, even).unwrap()).norm() < 1e-8);
 }
 
-/// The same top, told along its principal axes and told in axes of its maker's: the arm, the push and the
-/// attitude go along.
+/// The same top, given in its principal axes and in other axes, to which the arm, the push and the
+/// attitude are turned.
 #[test]
-fn a_driven_body_told_in_other_axes_moves_the_same() {
+fn a_driven_body_given_in_other_axes_moves_the_same() {
     let moments = Vector3::new(1.0, 1.5, 0.75);
     let frame = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1);
     let rotation = frame.to_rotation_matrix();
@@ -186,8 +186,8 @@ fn a_driven_body_told_in_other_axes_moves_the_same() {
     }
 }
 
-/// A push so weak that one step would do: two runs met at the one instant asked for, and both were wrong by
-/// three times what was asked.
+/// A push so weak that one step would do: two runs met at the one requested instant, and both were wrong by
+/// three times what was requested.
 #[test]
 fn runs_are_compared_between_the_times_asked_for_too() {
     let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 3.0, 0.2));
@@ -215,14 +215,14 @@ fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
     let scene = one(body, damped.clone(), Times::every(0.1, 100.0), Outputs::NOTHING, 1e-9);
     let plan = scene.plan(0).unwrap();
     assert!(matches!(plan.strategy(), Strategy::Nothing) && plan.cost().once < 2000.0, "{}", plan.explain());
-    // And the attitude, not asked for, refines no step.
+    // And the attitude, not requested, refines no step.
     let cost = |outputs| {
         one(body, damped.clone(), Times::every(0.1, 5.0), outputs, 1e-7).plan(0).unwrap().cost().state
     };
     assert!(cost(SPIN) <= cost(BOTH));
 }
 
-/// Two strong torques, no digit asked for to speak of, and a thousand seconds: the way there is longer than
+/// Two strong torques, hardly a digit requested, and a thousand seconds: the way there is longer than
 /// anybody waits.
 #[test]
 fn trials_end_after_so_many_steps_in_all() {

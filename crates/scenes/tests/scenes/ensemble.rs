@@ -90,15 +90,15 @@ fn bodies_of_every_kind_and_size_answer_in_lanes_as_each_does_alone_to_the_bit()
             for (n, body) in all.iter().enumerate() {
                 let alone = body.motion().unwrap();
                 let at = k * all.len() + n;
-                let told = format!("{body:?} at {t:e}");
+                let label = format!("{body:?} at {t:e}");
                 let expected = alone.at(t).unwrap();
                 let found = four[at].unwrap();
                 // The signs of zeros too.
-                assert_eq!(bits(&found), bits(&expected), "{told}");
-                assert_eq!(bits(&one[at].unwrap()), bits(&expected), "{told}");
+                assert_eq!(bits(&found), bits(&expected), "{label}");
+                assert_eq!(bits(&one[at].unwrap()), bits(&expected), "{label}");
                 let sign_and_size = |w: Vector3<f64>| <[f64; 3]>::from(w).map(f64::to_bits);
                 let omega = alone.omega(t).unwrap();
-                assert_eq!(sign_and_size(spins[at].unwrap()), sign_and_size(omega), "{told}");
+                assert_eq!(sign_and_size(spins[at].unwrap()), sign_and_size(omega), "{label}");
             }
         }
     }
@@ -217,12 +217,12 @@ fn chunks_cover_every_body_and_time_once_and_progress_ends_at_the_end() {
         assert_eq!(p.of, bodies);
     });
     assert_eq!(*prepared.lock().unwrap(), bodies);
-    let (seen, told) = (Mutex::new(vec![0; bodies * times.len()]), Mutex::new(0));
+    let (seen, answered) = (Mutex::new(vec![0; bodies * times.len()]), Mutex::new(0));
     ensemble
         .each(
             &times,
             |p| {
-                let mut most = told.lock().unwrap();
+                let mut most = answered.lock().unwrap();
                 *most = (*most).max(p.done);
             },
             |chunk| {
@@ -235,7 +235,7 @@ fn chunks_cover_every_body_and_time_once_and_progress_ends_at_the_end() {
         )
         .unwrap();
     assert!(seen.lock().unwrap().iter().all(|&n| n == 1));
-    assert_eq!(*told.lock().unwrap(), bodies * times.len());
+    assert_eq!(*answered.lock().unwrap(), bodies * times.len());
 }
 
 #[test]

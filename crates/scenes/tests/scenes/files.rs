@@ -96,7 +96,7 @@ fn refusal(from: &str, to: &str) -> String {
 fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
     assert!(read(GOOD).is_ok());
     let torque = |text: &str| refusal("\n\n[[body]]", &format!("\n\n[[torque]]\n{text}\n[[body]]"));
-    for (told, expected) in [
+    for (message, expected) in [
         (refusal("accuracy", "acuracy"), "line 1, `acuracy`: no such field. Did you mean `accuracy`?"),
         (refusal("moments", "mass"), "line 7, `mass`: no such field. There are `moments`, `products`"),
         (refusal("spin = [", "omega = ["), "line 8, `omega`: no such field. Did you mean `spin`?"),
@@ -132,7 +132,7 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
         (torque(""), "line 6: the kind of this torque"),
         (torque("dissipation = 1\nin-body = [1, 0, 0]"), "line 6, `torque`: one kind of torque is expected"),
     ] {
-        assert!(told.starts_with(expected), "{told}\nwhere expected: {expected}");
+        assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
     }
     let error = read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err();
     assert!(matches!(error, Error::File { line: None, .. }), "{error}");
@@ -155,7 +155,7 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
         let error = file.scene.plan(0).unwrap_err();
         file.bodies[0].error(&error).to_string()
     };
-    for (told, expected) in [
+    for (message, expected) in [
         (body("2.5]", "9.5]"), "line 7, `moments`: body 0: no body has principal moments"),
         (body("[1, 2.0, 2.5]", "[0, 2, 2]"), "line 7, `moments`: body 0"),
         (body("spin = [", "products = [5, 0, 0]\nspin = ["), "line 8, `products`: body 0"),
@@ -169,7 +169,7 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
         ),
         (body("1e-9", "1e-15"), "line 6: body 0: an accuracy of 1e-15"),
     ] {
-        assert!(told.starts_with(expected), "{told}\nwhere expected: {expected}");
+        assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
     }
 }
 

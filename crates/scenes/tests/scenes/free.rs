@@ -116,7 +116,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
     /// Two moments equal, or apart by a hair; all three; the spin along an axis, or beside it by a hair; the
-    /// hair moves the motion by less than what is asked.
+    /// hair moves the motion by less than the accuracy requested.
     #[test]
     fn scenes_on_either_side_of_a_border_agree(
         a in 0.6..1.0_f64, rise in 1.1..1.9_f64, w in prop::array::uniform3(-2.0..2.0_f64), hair in 1e-14..1e-12_f64,
@@ -215,8 +215,8 @@ fn what_turning_to_the_principal_axes_rounds_is_not_promised() {
         },
     ] {
         let scene = |accuracy| one(body, vec![], Times::Given(vec![0.0, 1.0]), BOTH, accuracy);
-        let told = scene(1e-12).plan(0).map(|plan| plan.explain()).unwrap_err();
-        let Error::Body { source, .. } = told else { panic!("{told}") };
+        let error = scene(1e-12).plan(0).map(|plan| plan.explain()).unwrap_err();
+        let Error::Body { source, .. } = error else { panic!("{error}") };
         assert!(matches!(*source, Error::Unattainable { attainable, .. } if attainable > 1e-9), "{source}");
     }
 }

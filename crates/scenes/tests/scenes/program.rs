@@ -94,8 +94,8 @@ fn a_body_that_is_none_is_named_with_its_line_and_the_others_are_answered() {
                 [[body]]\nmoments = [1.0, 1.0, 2.0]\nspin = [0.0, 0.0, 1.0]\n";
     let output = of_text("invalid", text);
     assert_eq!(output.status.code(), Some(1));
-    let told = said(&output.stderr);
-    assert!(told.contains("line 6, `moments`: body 0: no body has principal moments"), "{told}");
+    let message = said(&output.stderr);
+    assert!(message.contains("line 6, `moments`: body 0: no body has principal moments"), "{message}");
     assert!(said(&output.stdout).contains("\n1,1.0000000000000000e0,0.0000000000000000e0"));
 }
 

@@ -45,15 +45,18 @@ fn refusals_are_plain_sentences() {
         Vector3::new(-4e299, -8e299, 2e298),
     );
     assert_eq!(refused(slow, vec![], 1.0, 1.0), "the accuracy is 1.0: it must be below 1");
-    let told = refused(fast, vec![], 1e9, 1e-9);
-    assert!(told.starts_with("body 0: the angle turned up to the last time comes out as inf"), "{told}");
+    let message = refused(fast, vec![], 1e9, 1e-9);
+    assert!(
+        message.starts_with("body 0: the angle turned up to the last time comes out as inf"),
+        "{message}"
+    );
     let push = Torque::InBody(Vector3::new(0.1, 0.0, 0.0));
-    let told = refused(slow, vec![push.clone()], 10.0, 1e-15);
-    let share: f64 = told.rsplit(' ').next().unwrap().parse().unwrap();
-    assert!((1e-14..1e-10).contains(&share), "{told}");
+    let message = refused(slow, vec![push.clone()], 10.0, 1e-15);
+    let share: f64 = message.rsplit(' ').next().unwrap().parse().unwrap();
+    assert!((1e-14..1e-10).contains(&share), "{message}");
     // What is offered can be had.
     let scene = one(slow, vec![push], Times::Given(vec![10.0]), ALL, 1.1 * share);
-    assert!(scene.plan(0).is_ok(), "{told}");
+    assert!(scene.plan(0).is_ok(), "{message}");
 }
 
 #[test]
@@ -132,21 +135,24 @@ fn a_span_of_zero_answers_the_start() {
 /// Each kind of plan says what it leaves out.
 #[test]
 fn a_plan_explains_itself_in_words() {
-    let told = |moments: [f64; 3], omega: [f64; 3], torques, outputs| {
+    let reason = |moments: [f64; 3], omega: [f64; 3], torques, outputs| {
         let body = InitialState::spinning(moments.into(), omega.into());
         one(body, torques, Times::every(0.5, 5.0), outputs, 1e-6).plan(0).unwrap().explain()
     };
     for (text, words) in [
-        (told([1.0; 3], [1.0, 2.0, 3.0], vec![], SPIN), "all three moments are equal"),
-        (told([1.0, 2.0, 2.5], [0.0, 1.0, 0.0], vec![], BOTH), "along a principal axis"),
-        (told([2.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "two moments are equal"),
-        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], SPIN), "the attitude, which is not requested"),
-        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "no torque acts"),
+        (reason([1.0; 3], [1.0, 2.0, 3.0], vec![], SPIN), "all three moments are equal"),
+        (reason([1.0, 2.0, 2.5], [0.0, 1.0, 0.0], vec![], BOTH), "along a principal axis"),
+        (reason([2.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "two moments are equal"),
+        (reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], SPIN), "the attitude, which is not requested"),
+        (reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "no torque acts"),
         (
-            told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::InBody(Vector3::x())], BOTH),
+            reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::InBody(Vector3::x())], BOTH),
             "since a torque acts",
         ),
-        (told([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING), "nothing that moves is requested"),
+        (
+            reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING),
+            "nothing that moves is requested",
+        ),
     ] {
         assert!(text.contains(words), "{text}");
         assert_eq!(text.lines().count(), 4, "{text}");
