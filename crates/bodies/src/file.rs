@@ -1,0 +1,427 @@
+//! A body from the text of a TOML file.
+
+use crate::error::Error;
+use crate::model::BodyModel;
+use crate::shape::{KINDS, Sizes, Weight, shaped, sides};
+use crate::surface::Surface;
+use crate::{mesh, urdf};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use serde::Deserialize;
+use std::ops::Range;
+use std::path::Path;
+use toml::Spanned;
+use tumbling::body::named::NamedBody;
+use tumbling::solid::{Compound, Mesh};
+use tumbling::{Inertia, MassProperties};
+
+/// The fields of a body or of one of its parts, by the names that a file has for them.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    name: Option<String>,
+    shape: Option<Spanned<String>>,
+    sides: Option<Spanned<Vec<f64>>>,
+    radius: Option<Spanned<f64>>,
+    inner: Option<Spanned<f64>>,
+    height: Option<Spanned<f64>>,
+    length: Option<Spanned<f64>>,
+    semiaxes: Option<Spanned<[f64; 3]>>,
+    vertices: Option<Spanned<[[f64; 3]; 4]>>,
+    points: Option<Spanned<Vec<[f64; 4]>>>,
+    mesh: Option<Spanned<String>>,
+    unit: Option<Spanned<f64>>,
+    part: Option<Spanned<Vec<Spanned<Table>>>>,
+    moments: Option<Spanned<[f64; 3]>>,
+    products: Option<Spanned<[f64; 3]>>,
+    tolerance: Option<Spanned<f64>>,
+    urdf: Option<Spanned<String>>,
+    link: Option<Spanned<String>>,
+    body: Option<Spanned<String>>,
+    mass: Option<Spanned<f64>>,
+    density: Option<Spanned<f64>>,
+    at: Option<Spanned<[f64; 3]>>,
+    turn: Option<Spanned<[f64; 4]>>,
+}
+
+/// The fields that say what a body is, and those that may go with each.
+const GIVEN_BY: [(&str, &[&str]); 8] = [
+    ("moments", &["products", "tolerance", "mass", "sides"]),
+    ("shape", &["mass", "density"]),
+    ("sides", &["mass", "density"]),
+    ("points", &[]),
+    ("mesh", &["unit", "mass", "density"]),
+    ("part", &[]),
+    ("urdf", &["link", "tolerance"]),
+    ("body", &[]),
+];
+
+/// Where a table stands, and what it names.
+struct Reader<'a> {
+    text: &'a str,
+    folder: &'a Path,
+}
+
+pub(crate) fn read(text: &str, folder: &Path) -> Result<BodyModel, Error> {
+    let table: Table = toml::from_str(text).map_err(|error| match error.span() {
+        Some(span) => Error::at(text, &span, error.message()),
+        None => Error::new(error.message()),
+    })?;
+    Reader { text, folder }.body(&table, &(0..0))
+}
+
+impl Table {
+    /// The fields that there are, and where.
+    fn present(&self) -> Vec<(&'static str, Range<usize>)> {
+        macro_rules! spans {
+            ($($name:ident)*) => { [$((stringify!($name), self.$name.as_ref().map(Spanned::span))),*] };
+        }
+        let all = spans!(shape sides radius inner height length semiaxes vertices points mesh unit part
+            moments products tolerance urdf link body mass density at turn);
+        all.into_iter().filter_map(|(name, span)| Some((name, span?))).collect()
+    }
+}
+
+/// The field that one of the library's refusals speaks of.
+fn field_of(subject: &str) -> &'static str {
+    const WORDS: [(&str, &str); 11] = [
+        ("the mass", "mass"),
+        ("density", "density"),
+        ("inner", "inner"),
+        ("radius", "radius"),
+        ("height", "height"),
+        ("length", "length"),
+        ("semi-axis", "semiaxes"),
+        ("edge", "sides"),
+        ("vert", "vertices"),
+        ("tolerance", "tolerance"),
+        ("product", "products"),
+    ];
+    WORDS.into_iter().find(|(word, _)| subject.contains(word)).map_or("", |(_, field)| field)
+}
+
+impl Reader<'_> {
+    fn wrong(&self, span: &Range<usize>, field: &str, why: impl std::fmt::Display) -> Error {
+        Error::at(self.text, span, why).of_field(field)
+    }
+
+    /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
+    fn refused(&self, table: &Table, by: &(&'static str, Range<usize>), error: &tumbling::Error) -> Error {
+        let (meant, present) = (field_of(error.subject()), table.present());
+        let (field, span) = present.iter().find(|(field, _)| *field == meant).unwrap_or(by);
+        self.wrong(span, field, error)
+    }
+
+    /// The one field that says what the body is; all others must go with it.
+    fn given_by(&self, table: &Table, span: &Range<usize>) -> Result<(&'static str, Range<usize>), Error> {
+        let present = table.present();
+        let by = GIVEN_BY.iter().find_map(|(name, with)| {
+            let (name, span) = present.iter().find(|(field, _)| field == name)?;
+            Some((*name, span.clone(), *with))
+        });
+        let Some((name, span, with)) = by else {
+            let all: Vec<String> = GIVEN_BY.iter().map(|(name, _)| format!("`{name}`")).collect();
+            let why = format!("what the body is is missing: one of {}", all.join(", "));
+            return Err(Error::at(self.text, span, why));
+        };
+        let sizes = match (&table.shape, name) {
+            (Some(shape), _) => self.sizes_of(shape.get_ref(), &shape.span())?,
+            (None, "sides") => &["sides"],
+            _ => &[][..],
+        };
+        for (field, span) in &present {
+            let goes = *field == name
+                || with.contains(field)
+                || sizes.contains(field)
+                || ["at", "turn"].contains(field);
+            if !goes {
+                return Err(self.wrong(span, field, format!("it does not go with `{name}`")));
+            }
+        }
+        Ok((name, span))
+    }
+
+    fn sizes_of(&self, shape: &str, span: &Range<usize>) -> Result<&'static [&'static str], Error> {
+        let Some(kind) = KINDS.iter().find(|kind| kind.name == shape) else {
+            let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+            return Err(self.wrong(
+                span,
+                "shape",
+                format!("no shape is called `{shape}`; there are {}", names.join(", ")),
+            ));
+        };
+        Ok(kind.all)
+    }
+
+    /// A body as its table says, placed and turned.
+    fn body(&self, table: &Table, span: &Range<usize>) -> Result<BodyModel, Error> {
+        let by = self.given_by(table, span)?;
+        let found = match by.0 {
+            "points" => self.points(table, &by),
+            "mesh" => self.mesh(table, &by),
+            "part" => self.parts(table, &by),
+            "moments" => self.moments(table, &by),
+            "urdf" => self.urdf(table, &by),
+            "body" => self.named(table, &by),
+            _ => self.shape(table, &by),
+        }?;
+        let name = table.name.clone().unwrap_or_else(|| found.name.clone());
+        self.placed(table, BodyModel { name, ..found })
+    }
+
+    fn weight(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<Weight, Error> {
+        match (&table.mass, &table.density) {
+            (Some(mass), None) => Ok(Weight::Mass(*mass.get_ref())),
+            (None, Some(density)) => Ok(Weight::Density(*density.get_ref())),
+            (None, None) => Err(self.wrong(
+                &by.1,
+                by.0,
+                "`mass` (kg) or `density` (kg/m³) is missing, which goes with it",
+            )),
+            (Some(_), Some(density)) => Err(self.wrong(
+                &density.span(),
+                "density",
+                "either `mass` or `density` is expected, not both",
+            )),
+        }
+    }
+
+    fn shape(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let name = table.shape.as_ref().map_or("box", |shape| shape.get_ref());
+        let present = table.present();
+        if let Some(kind) = KINDS.iter().find(|kind| kind.name == name) {
+            if let Some(missing) =
+                kind.all.iter().find(|f| **f != "inner" && present.iter().all(|p| p.0 != **f))
+            {
+                return Err(self.wrong(&by.1, by.0, format!("`{missing}` is missing, which a {name} has")));
+            }
+        }
+        let count = sides(name);
+        if let Some(given) = table.sides.as_ref().filter(|given| given.get_ref().len() != count) {
+            let why = format!("{count} numbers are expected here, not {}", given.get_ref().len());
+            return Err(self.wrong(&given.span(), "sides", why));
+        }
+        let number = |field: &Option<Spanned<f64>>| field.as_ref().map_or(0.0, |x| *x.get_ref());
+        let sizes = Sizes {
+            sides: table.sides.as_ref().map(|s| s.get_ref().clone()).unwrap_or_default(),
+            radius: number(&table.radius),
+            inner: number(&table.inner),
+            height: number(&table.height),
+            length: number(&table.length),
+            semiaxes: table.semiaxes.as_ref().map(|s| *s.get_ref()).unwrap_or_default(),
+            vertices: table.vertices.as_ref().map(|s| *s.get_ref()).unwrap_or_default(),
+        };
+        let (properties, surface) =
+            shaped(name, &sizes, self.weight(table, by)?).map_err(|error| self.refused(table, by, &error))?;
+        let sides = (name == "box").then(|| <[f64; 3]>::try_from(sizes.sides).ok()).flatten();
+        Ok(BodyModel { sides, ..model(properties, vec![surface]) })
+    }
+
+    /// The three edges of a box.
+    fn edges(&self, given: &Spanned<Vec<f64>>) -> Result<[f64; 3], Error> {
+        let wrong = |why: String| self.wrong(&given.span(), "sides", why);
+        let count = given.get_ref().len();
+        let edges = <[f64; 3]>::try_from(given.get_ref().as_slice())
+            .map_err(|_| wrong(format!("3 numbers are expected here, not {count}")))?;
+        let [a, b, c] = edges;
+        tumbling::solid::Cuboid::new(a, b, c).map_err(|error| wrong(error.to_string()))?;
+        Ok(edges)
+    }
+
+    fn points(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let rows = table.points.as_ref().map(|points| points.get_ref().as_slice()).unwrap_or_default();
+        let points: Vec<_> = rows.iter().map(|&[mass, x, y, z]| (mass, Vector3::new(x, y, z))).collect();
+        let properties =
+            MassProperties::of_points(&points).map_err(|error| self.wrong(&by.1, by.0, error))?;
+        Ok(model(properties, vec![Surface::points(points.into_iter().map(|point| point.1).collect())]))
+    }
+
+    fn mesh(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let file = table.mesh.as_ref().map_or("", |file| file.get_ref());
+        let unit = table.unit.as_ref().map_or(1.0, |unit| *unit.get_ref());
+        if let Some(given) = table.unit.as_ref().filter(|_| !(unit > 0.0 && unit.is_finite())) {
+            return Err(self.wrong(&given.span(), "unit", format!("{unit} is not above 0 and finite")));
+        }
+        let (mut vertices, faces) =
+            mesh::read(&self.folder.join(file)).map_err(|error| self.wrong(&by.1, by.0, error))?;
+        for vertex in &mut vertices {
+            *vertex *= unit;
+        }
+        let weight = self.weight(table, by)?;
+        let properties = Mesh::new(&vertices, &faces)
+            .and_then(|mesh| weight.of(&mesh))
+            .map_err(|error| self.refused(table, by, &error))?;
+        let faces = faces.into_iter().map(|face| face.to_vec()).collect();
+        Ok(model(properties, vec![Surface { vertices, faces, convex: false }]))
+    }
+
+    fn parts(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let (mut whole, mut surfaces) = (Compound::new(), Vec::new());
+        for part in table.part.iter().flat_map(Spanned::get_ref) {
+            let found = self.body(part.get_ref(), &part.span())?;
+            let Some(mass) = found.mass else {
+                return Err(Error::at(
+                    self.text,
+                    &part.span(),
+                    "`mass` (kg) is missing: a part without is no part",
+                ));
+            };
+            let of_part = MassProperties::new(mass, &found.centre, found.inertia);
+            whole = whole.at(of_part.map_err(|error| self.wrong(&by.1, by.0, error))?, &Vector3::zeros());
+            surfaces.extend(found.surfaces);
+        }
+        let properties = whole.properties().map_err(|error| self.wrong(&by.1, by.0, error))?;
+        Ok(model(properties, surfaces))
+    }
+
+    fn moments(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let [xx, yy, zz] = table.moments.as_ref().map(|m| *m.get_ref()).unwrap_or_default();
+        let [xy, xz, yz] = table.products.as_ref().map(|p| *p.get_ref()).unwrap_or_default();
+        let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        let found = match &table.tolerance {
+            Some(tolerance) => Inertia::within(&matrix, *tolerance.get_ref()),
+            None => Inertia::try_from(matrix).map(|inertia| (inertia, 0.0)),
+        };
+        let (inertia, moved) = found.map_err(|error| self.refused(table, by, &error))?;
+        let mass = table.mass.as_ref().map(|mass| *mass.get_ref());
+        if let Some(mass) = mass {
+            MassProperties::new(mass, &Vector3::zeros(), inertia)
+                .map_err(|error| self.refused(table, by, &error))?;
+        }
+        // Sides say what is drawn.
+        let sides = table.sides.as_ref().map(|given| self.edges(given)).transpose()?;
+        let surfaces = sides.iter().map(|sides| Surface::cuboid(&(*sides).into())).collect();
+        Ok(BodyModel { name: String::new(), mass, centre: Vector3::zeros(), inertia, moved, surfaces, sides })
+    }
+
+    fn urdf(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let path = self.folder.join(table.urdf.as_ref().map_or("", |file| file.get_ref()));
+        let text = std::fs::read_to_string(&path).map_err(|error| {
+            self.wrong(&by.1, by.0, format!("{} cannot be read ({error})", path.display()))
+        })?;
+        let link = table.link.as_ref().map(|link| link.get_ref().as_str());
+        let tolerance = table.tolerance.as_ref().map_or(0.0, |tolerance| *tolerance.get_ref());
+        urdf::read(&text, link, tolerance).map_err(|error| self.wrong(&by.1, by.0, error.in_file(&path)))
+    }
+
+    fn named(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+        let name = table.body.as_ref().map_or("", |name| name.get_ref());
+        let body = NamedBody::ALL.into_iter().find(|&body| crate::named::word(body) == name);
+        let body =
+            body.ok_or_else(|| self.wrong(&by.1, by.0, format!("no body of the book is called `{name}`")))?;
+        BodyModel::named(body)
+    }
+
+    /// The body turned about the origin of its axes, then moved.
+    fn placed(&self, table: &Table, found: BodyModel) -> Result<BodyModel, Error> {
+        let mut found = found;
+        if let Some(turn) = &table.turn {
+            let [x, y, z, degrees] = *turn.get_ref();
+            let axis = Vector3::new(x, y, z);
+            let wrong = |why: &dyn std::fmt::Display| self.wrong(&turn.span(), "turn", why);
+            let Some(axis) =
+                nalgebra::Unit::try_new(axis, 0.0).filter(|axis| axis.iter().all(|x| x.is_finite()))
+            else {
+                return Err(wrong(
+                    &"x, y and z must be a direction, of finite numbers that are not all zero",
+                ));
+            };
+            let attitude = UnitQuaternion::from_axis_angle(&axis, degrees.to_radians());
+            found.inertia = found.inertia.turned(attitude).map_err(|error| wrong(&error))?;
+            found.centre = attitude * found.centre;
+            for surface in &mut found.surfaces {
+                *surface = surface.mapped(|p| attitude * p);
+            }
+            found.sides = None;
+        }
+        if let Some(at) = &table.at {
+            let place = Vector3::from(*at.get_ref());
+            found.centre += place;
+            if !found.centre.iter().all(|x| x.is_finite()) {
+                return Err(self.wrong(&at.span(), "at", "the place must be finite"));
+            }
+            for surface in &mut found.surfaces {
+                *surface = surface.mapped(|p| p + place);
+            }
+        }
+        Ok(found)
+    }
+}
+
+fn model(properties: MassProperties, surfaces: Vec<Surface>) -> BodyModel {
+    BodyModel {
+        name: String::new(),
+        mass: Some(properties.mass()),
+        centre: properties.centre(),
+        inertia: properties.inertia(),
+        moved: 0.0,
+        surfaces,
+        sides: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn body(text: &str) -> Result<BodyModel, Error> {
+        BodyModel::from_toml(text, Path::new(""))
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_line_and_its_field() {
+        for (text, words) in [
+            ("sides = [1, 2, 3]", "line 1, `sides`: `mass` (kg) or `density` (kg/m³) is missing"),
+            ("mass = 1", "line 1: what the body is is missing"),
+            (
+                "sides = [1, -2, 3]\nmass = 1",
+                "line 1, `sides`: the edge along y is -2.0: it must be above zero",
+            ),
+            ("sides = [1, 2]\nmass = 1", "line 1, `sides`: 3 numbers are expected here, not 2"),
+            (
+                "mass = 1\nshape = 'bal'\nradius = 1",
+                "line 2, `shape`: no shape is called `bal`; there are box, ball",
+            ),
+            ("mass = 1\nshape = 'ball'\nheight = 1", "line 3, `height`: it does not go with `shape`"),
+            ("mass = 1\nshape = 'cone'\nheight = 1", "line 2, `shape`: `radius` is missing"),
+            ("mass = 1\nshape = 'ball'\nradius = 1\ninner = 2", "line 4, `inner`: the inner radius"),
+            ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
+            ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
+            ("moments = [1, 2, nan]", "line 1, `moments`"),
+            ("mass = 'a'", "line 1: invalid type"),
+            (
+                "[[part]]\nsides = [1, 2, 3]\nmass = 1\n[[part]]\nmomets = [1]",
+                "line 5: unknown field `momets`",
+            ),
+            ("[[part]]\nmoments = [1, 2, 3]", "line 1: `mass` (kg) is missing"),
+            ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nturn = [0, 0, 0, 1]", "line 4, `turn`: x, y and z"),
+            ("mesh = 'none.stl'\nmass = 1", "line 1, `mesh`: none.stl: it cannot be read"),
+            ("shape = 'rod'\nlength = 1\nmass = 1", "moment"),
+            ("points = [[1, 0, 0, 0]]", "line 1, `points`"),
+        ] {
+            let error = body(text).unwrap_err().to_string();
+            assert!(error.contains(words), "{text}\n{error}");
+        }
+    }
+
+    #[test]
+    fn parts_add_up_as_a_compound_does_wherever_they_are_written() {
+        let one = "[[part]]\nsides = [1, 2, 3]\ndensity = 2\nat = [0.5, 0, 0]\n";
+        let pair = format!(
+            "{one}[[part]]\nsides = [2, 1, 3]\ndensity = 2\nturn = [0, 0, 1, 90]\nat = [-0.5, 0, 0]\n"
+        );
+        let whole = body("sides = [2, 2, 3]\ndensity = 2").unwrap();
+        let found = body(&pair).unwrap();
+        assert!((found.inertia.matrix() - whole.inertia.matrix()).amax() < 1e-13);
+        assert_eq!(found.mass, whole.mass);
+        let nested = pair.replace("[[part]]", "[[part.part]]");
+        assert_eq!(body(&format!("[[part]]\nat = [0, 7, 0]\n{nested}")).unwrap().centre.y, 7.0);
+    }
+
+    #[test]
+    fn printed_moments_are_taken_within_the_tolerance_that_the_file_has() {
+        let panel = "moments = [0.003333, 0.01333, 0.01667]";
+        assert!(body(panel).is_err());
+        let moved = body(&format!("{panel}\ntolerance = 1e-3")).unwrap().moved;
+        assert!(moved > 1e-4 && moved < 1e-3);
+    }
+}

@@ -1,0 +1,45 @@
+//! Bodies from files: what one command line, one drawing and one report need to know of a body.
+//!
+//! A [`BodyModel`] has a name, an inertia tensor that a [`tumbling::Body`] can be spun with, mass and centre
+//! as far as they are known, and the surfaces to draw. It comes from one of the book's bodies by name, from a
+//! TOML file, or from a link of a URDF file. A TOML file holds one of:
+//!
+//! ```
+//! use tumbling_bodies::BodyModel;
+//! let model = |text: &str| BodyModel::from_toml(text, "examples".as_ref());
+//! let phone = model("sides = [0.077, 0.0078, 0.16] # m, along x, y and z\nmass = 0.2 # kg")?;
+//! assert_eq!(phone.mass, Some(0.2));
+//! // Another solid; `density` (kg/m³) may stand for `mass`.
+//! let coin = model("shape = 'cylinder'\nradius = 0.012\nheight = 0.002\ndensity = 8900")?;
+//! assert_eq!(coin.moments()?[0], coin.moments()?[1]);
+//! // Parts: each a body, at a place (m) and turned about an axis (x, y, z, degrees).
+//! let hammer = model(
+//!     "[[part]]\nshape = 'cylinder'\nradius = 0.0145\nheight = 0.29\ndensity = 680\nat = [0, 0, 0.145]\n\
+//!      [[part]]\nsides = [0.1, 0.032, 0.032]\ndensity = 7850\nat = [0, 0, 0.306]\nturn = [0, 0, 1, 90]",
+//! )?;
+//! assert_eq!(hammer.surfaces.len(), 2);
+//! // Moments (xx, yy, zz) and products (xy, xz, yz, signed so that L = I w) alone, kg m².
+//! let satellite = model("moments = [0.04, 0.04, 0.007]\nproducts = [0, 1e-4, 0]")?;
+//! assert_eq!(satellite.mass, None);
+//!
+//! let error = model("sides = [1, 2, 3]\nmass = -1").unwrap_err();
+//! assert_eq!(error.to_string(), "line 2, `mass`: the mass is -1.0: it must be above zero");
+//! # Ok::<(), tumbling_bodies::Error>(())
+//! ```
+//!
+//! Besides, `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for one in millimetres) with
+//! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for one of the
+//! book's. `sides` with `moments` say what is drawn.
+
+mod error;
+mod file;
+mod mesh;
+mod model;
+mod named;
+mod shape;
+mod surface;
+mod urdf;
+
+pub use error::Error;
+pub use model::BodyModel;
+pub use surface::Surface;

@@ -1,0 +1,135 @@
+//! Triangles from the text or bytes of an STL or OBJ file.
+
+use crate::error::Error;
+use nalgebra::Vector3;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// Vertices in the file's own unit, and faces by their numbers.
+pub(crate) type Triangles = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
+
+/// The triangles of a file; those of an STL are welded where coordinates are equal.
+pub(crate) fn read(path: &Path) -> Result<Triangles, Error> {
+    let bytes = std::fs::read(path)
+        .map_err(|error| Error::new(format!("it cannot be read ({error})")).in_file(path))?;
+    let found = match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
+        Some("stl") => stl(&bytes),
+        Some("obj") => obj(&String::from_utf8_lossy(&bytes)),
+        _ => Err(Error::new("a mesh is read from a file that ends in .stl or .obj")),
+    };
+    found.map_err(|error| error.in_file(path))
+}
+
+/// Loose triangles with one vertex at each place.
+fn welded(corners: impl IntoIterator<Item = [Vector3<f64>; 3]>) -> Triangles {
+    let (mut vertices, mut faces, mut known) = (Vec::new(), Vec::new(), HashMap::new());
+    for triangle in corners {
+        faces.push(triangle.map(|p| {
+            // Zero has two signs and one place.
+            let key: [u64; 3] = p.map(|x| (x + 0.0).to_bits()).into();
+            *known.entry(key).or_insert_with(|| {
+                vertices.push(p);
+                vertices.len() - 1
+            })
+        }));
+    }
+    (vertices, faces)
+}
+
+fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
+    const HEADER: usize = 84;
+    const EACH: usize = 50;
+    let count = bytes.get(80..HEADER).and_then(|four| four.try_into().ok()).map_or(0, u32::from_le_bytes);
+    let wanted = usize::try_from(count).ok().and_then(|count| count.checked_mul(EACH)?.checked_add(HEADER));
+    if bytes.len() > HEADER && wanted == Some(bytes.len()) {
+        let number = |four: &[u8]| f64::from(f32::from_le_bytes(four.try_into().unwrap_or_default()));
+        let corner = |twelve: &[u8]| Vector3::from_fn(|i, _| number(&twelve[4 * i..4 * i + 4]));
+        let triangle = |each: &[u8]| [12, 24, 36].map(|at| corner(&each[at..at + 12]));
+        return Ok(welded(bytes[HEADER..].chunks_exact(EACH).map(triangle)));
+    }
+    let text = String::from_utf8_lossy(bytes);
+    if !text.trim_start().starts_with("solid") {
+        let why =
+            format!("neither text that begins with `solid` nor {EACH} bytes for each of {count} triangles");
+        return Err(Error::new(why));
+    }
+    let mut corners = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        if let Some(rest) = line.trim_start().strip_prefix("vertex") {
+            corners.push(vertex(rest, number)?);
+        }
+    }
+    Ok(welded(corners.chunks_exact(3).map(|three| [three[0], three[1], three[2]])))
+}
+
+fn vertex(words: &str, line: usize) -> Result<Vector3<f64>, Error> {
+    let numbers: Option<Vec<f64>> = words.split_whitespace().take(3).map(|word| word.parse().ok()).collect();
+    let place: Option<[f64; 3]> = numbers.and_then(|three| three.try_into().ok());
+    let why = || Error { line: Some(line + 1), ..Error::new("three numbers are expected for a vertex") };
+    place.map(Vector3::from).ok_or_else(why)
+}
+
+fn obj(text: &str) -> Result<Triangles, Error> {
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if let Some(rest) = line.strip_prefix("v ") {
+            vertices.push(vertex(rest, number)?);
+        } else if let Some(rest) = line.strip_prefix("f ") {
+            let wrong = || Error {
+                line: Some(number + 1),
+                ..Error::new("a face names three or more vertices from 1")
+            };
+            let index = |word: &str| -> Option<usize> {
+                let index: isize = word.split('/').next()?.parse().ok()?;
+                // A number below zero counts back from the last vertex.
+                let from_zero = if index < 0 {
+                    vertices.len().checked_add_signed(index)?
+                } else {
+                    usize::try_from(index - 1).ok()?
+                };
+                Some(from_zero)
+            };
+            let around: Vec<usize> =
+                rest.split_whitespace().map(index).collect::<Option<_>>().ok_or_else(wrong)?;
+            if around.len() < 3 {
+                return Err(wrong());
+            }
+            faces.extend(around[1..].windows(2).map(|pair| [around[0], pair[0], pair[1]]));
+        }
+    }
+    Ok((vertices, faces))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumbling::solid::{Mesh, Solid};
+
+    const CORNERS: [[f32; 3]; 4] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [-0.0, 0.0, 6.0]];
+    const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+
+    #[test]
+    fn a_corner_of_a_cube_has_its_volume_in_every_kind_of_file() {
+        let mut binary = vec![b's'; 80];
+        binary.extend(4_u32.to_le_bytes());
+        let mut text = String::from("solid corner\n");
+        for face in FACES {
+            binary.extend([0; 12]);
+            for corner in face.map(|i| CORNERS[i]) {
+                binary.extend(corner.iter().flat_map(|x| x.to_le_bytes()));
+                text += &format!("vertex {} {} {}\n", corner[0], corner[1], corner[2]);
+            }
+            binary.extend([0; 2]);
+        }
+        let lines = CORNERS.map(|[x, y, z]| format!("v {x} {y} {z}\n")).concat();
+        let named = FACES.map(|[a, b, c]| format!("f {}/1 {} -{}\n", a + 1, b + 1, 4 - c)).concat();
+        for found in [stl(&binary), stl(text.as_bytes()), obj(&(lines + &named))] {
+            let (vertices, faces) = found.unwrap();
+            assert_eq!(vertices.len(), 4);
+            assert_eq!(Mesh::new(&vertices, &faces).unwrap().measure().unwrap(), 16.0);
+        }
+        assert_eq!(obj("v 1 2 3\nf 1 2\n").unwrap_err().line, Some(2));
+        assert!(stl(b"PK").is_err());
+    }
+}

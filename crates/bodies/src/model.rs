@@ -1,0 +1,102 @@
+//! A body as figures, films and reports take it.
+
+use crate::error::Error;
+use crate::surface::Surface;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use tumbling::{Body, Inertia, PrincipalAxes, PrincipalMoments};
+
+/// A body with a name, ready to be spun and drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyModel {
+    /// As in "the book": the `name` in its file, or the file's own name.
+    pub name: String,
+    /// kg, where it is known.
+    pub mass: Option<f64>,
+    /// The centre of mass, m, from the origin of the body's axes; zero where nothing is said of it.
+    pub centre: Vector3<f64>,
+    /// About the centre of mass, in the body's axes. All three principal moments are above zero.
+    pub inertia: Inertia,
+    /// How far the tensor was moved to be one that a body can have, relative to its largest moment: zero
+    /// but where the file has a `tolerance`.
+    pub moved: f64,
+    /// What is drawn, in the body's axes, m. Empty where only numbers are known.
+    pub surfaces: Vec<Surface>,
+    /// The edges along x, y and z of a body that is one box, m.
+    pub sides: Option<[f64; 3]>,
+}
+
+impl BodyModel {
+    /// The principal moments (kg m², smallest first) and axes.
+    #[must_use]
+    pub fn principal(&self) -> PrincipalAxes {
+        self.inertia.principal()
+    }
+
+    /// The principal moments, smallest first.
+    ///
+    /// # Errors
+    /// None for a model that was read.
+    pub fn moments(&self) -> Result<PrincipalMoments, Error> {
+        Ok(self.principal().moments().try_into()?)
+    }
+
+    /// The body in flight, with its axes along the world's and this spin (rad/s) in its own axes.
+    ///
+    /// # Errors
+    /// A spin that is not finite, or a momentum beyond `f64`.
+    pub fn spinning(&self, omega: &Vector3<f64>) -> Result<Body, Error> {
+        Ok(Body::spinning(self.inertia, UnitQuaternion::identity(), omega)?)
+    }
+
+    /// The even box of the same mass and tensor: its edges along the principal axes, smallest moment
+    /// first, m. None where the mass is not known.
+    ///
+    /// ```
+    /// use tumbling_bodies::BodyModel;
+    /// let even = BodyModel::from_toml("moments = [13, 5, 10]\nmass = 12", "".as_ref())?;
+    /// let edges = even.equivalent_box().unwrap();
+    /// assert!((edges - nalgebra::Vector3::new(3.0, 2.0, 1.0)).amax() < 1e-14);
+    /// # Ok::<(), tumbling_bodies::Error>(())
+    /// ```
+    #[must_use]
+    pub fn equivalent_box(&self) -> Option<Vector3<f64>> {
+        let (mass, moments) = (self.mass?, self.principal().moments());
+        let sum = 0.5 * moments.sum();
+        Some(moments.map(|moment| (12.0 * (sum - moment).max(0.0) / mass).sqrt()))
+    }
+
+    /// What is drawn, from the centre of mass: its own surfaces; else the [box](Self::equivalent_box) of the
+    /// same mass and tensor; else a box with these proportions and a longest edge of 1.
+    #[must_use]
+    pub fn drawn(&self) -> Vec<Surface> {
+        if !self.surfaces.is_empty() {
+            return self.surfaces.iter().map(|surface| surface.mapped(|p| p - self.centre)).collect();
+        }
+        let of_mass_one = Self { mass: Some(1.0), ..self.clone() };
+        let Some(edges) = self.equivalent_box().or_else(|| of_mass_one.equivalent_box()) else {
+            return Vec::new();
+        };
+        let edges = if self.mass.is_some() { edges } else { edges / edges.max() };
+        let frame: Matrix3<f64> = self.principal().frame();
+        vec![Surface::cuboid(&edges).mapped(|p| frame * p)]
+    }
+
+    /// The greatest distance of what is [drawn](Self::drawn) from the centre of mass, m, or relative to the
+    /// longest edge where no length is known.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.drawn().iter().flat_map(|s| &s.vertices).map(|p| p.norm()).fold(0.0, f64::max)
+    }
+
+    /// Whether what is drawn has a length: a surface or a mass was given.
+    #[must_use]
+    pub fn has_size(&self) -> bool {
+        !self.surfaces.is_empty() || self.mass.is_some()
+    }
+
+    /// The turn that takes body axes to principal axes, smallest moment first.
+    #[must_use]
+    pub fn to_principal(&self) -> Rotation3<f64> {
+        Rotation3::from_matrix_unchecked(self.principal().frame()).inverse()
+    }
+}

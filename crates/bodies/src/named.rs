@@ -1,0 +1,138 @@
+//! A body by its name or by its file.
+
+use crate::error::Error;
+use crate::model::BodyModel;
+use crate::surface::Surface;
+use crate::{file, urdf};
+use nalgebra::{Rotation3, Vector3};
+use std::path::Path;
+use tumbling::body::named::{NamedBody, Part, Section};
+
+/// A body's name on a command line.
+pub(crate) fn word(body: NamedBody) -> String {
+    body.to_string().trim_start_matches("the ").to_lowercase().replace(' ', "-")
+}
+
+impl BodyModel {
+    /// A body of the library by its name (`box`, `book`, `phone`, `remote-control`, `hammer`,
+    /// `tennis-racket`, `wing-nut`, `t-handle`), or from a file: `FILE.toml`, `FILE.urdf`, or `FILE.urdf#LINK`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, with the line, the field and the rule that it breaks; a name that no body
+    /// has.
+    ///
+    /// ```
+    /// use tumbling_bodies::BodyModel;
+    /// assert_eq!(BodyModel::load("wing-nut")?.name, "the wing nut");
+    /// assert!(BodyModel::load("hamer").unwrap_err().to_string().contains("`hammer`"));
+    /// # Ok::<(), tumbling_bodies::Error>(())
+    /// ```
+    pub fn load(argument: &str) -> Result<Self, Error> {
+        if let Some(body) = NamedBody::ALL.into_iter().find(|&body| word(body) == argument) {
+            return Self::named(body);
+        }
+        let (path, link) = match argument.split_once('#') {
+            Some((path, link)) => (Path::new(path), Some(link)),
+            None => (Path::new(argument), None),
+        };
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let read = || {
+            std::fs::read_to_string(path)
+                .map_err(|error| Error::new(format!("it cannot be read ({error})")).in_file(path))
+        };
+        let mut model = match ending.as_deref() {
+            Some("toml") => Self::from_toml(&read()?, path.parent().unwrap_or(Path::new(""))),
+            Some("urdf" | "xml") => Self::from_urdf(&read()?, link),
+            Some("stl" | "obj") => Err(Error::new(
+                "a mesh alone does not say what it weighs: name it in a TOML file, `mesh = \"...\"` with `mass = ...` (kg)",
+            )),
+            _ => {
+                let names: Vec<String> = NamedBody::ALL.into_iter().map(|body| format!("`{}`", word(body))).collect();
+                let why = format!(
+                    "`{argument}` is neither a body of the book ({}) nor a file that ends in .toml or .urdf",
+                    names.join(", ")
+                );
+                return Err(Error::new(why));
+            }
+        }
+        .map_err(|error| error.in_file(path))?;
+        if model.name.is_empty() {
+            model.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        }
+        Ok(model)
+    }
+
+    /// A body of the library.
+    ///
+    /// # Errors
+    /// None: the sizes are constants.
+    pub fn named(body: NamedBody) -> Result<Self, Error> {
+        let properties = body.properties()?;
+        let (mut surfaces, mut sides) = (Vec::new(), None);
+        body.each_part(&mut |part| {
+            surfaces.push(bar(&part));
+            sides = match part.section {
+                Section::Rectangle { wide, thick } if surfaces.len() == 1 => {
+                    Some([wide, thick, part.along.norm()])
+                }
+                _ => None,
+            };
+        });
+        Ok(Self {
+            name: body.to_string(),
+            mass: Some(properties.mass()),
+            centre: properties.centre(),
+            inertia: properties.inertia(),
+            moved: 0.0,
+            surfaces,
+            sides,
+        })
+    }
+
+    /// From the text of a TOML file; the files that it names lie in `folder`. The name is empty where
+    /// the file has none.
+    ///
+    /// # Errors
+    /// The line, the field and the rule that it breaks.
+    pub fn from_toml(text: &str, folder: &Path) -> Result<Self, Error> {
+        file::read(text, folder)?.ready()
+    }
+
+    /// From the text of a URDF file: the link of this name, or the only one with an `<inertial>` element.
+    ///
+    /// # Errors
+    /// The line and the rule that it breaks.
+    ///
+    /// ```
+    /// use tumbling_bodies::BodyModel;
+    /// let link = "<link name='arm'><inertial><origin xyz='0 0 0.1' rpy='0 0 0'/><mass value='2'/>\
+    ///     <inertia ixx='0.02' ixy='0' ixz='0' iyy='0.03' iyz='0' izz='0.04'/></inertial></link>";
+    /// let arm = BodyModel::from_urdf(link, None)?;
+    /// assert_eq!((arm.name.as_str(), arm.mass, arm.centre.z), ("arm", Some(2.0), 0.1));
+    /// # Ok::<(), tumbling_bodies::Error>(())
+    /// ```
+    pub fn from_urdf(text: &str, link: Option<&str>) -> Result<Self, Error> {
+        urdf::read(text, link, 0.0)?.ready()
+    }
+
+    /// Refuses an ideal rod, whose spin about itself no momentum determines.
+    fn ready(self) -> Result<Self, Error> {
+        self.inertia.inverse()?;
+        self.moments()?;
+        Ok(self)
+    }
+}
+
+/// A part of a named body, in the body's axes.
+fn bar(part: &Part) -> Surface {
+    let length = part.along.norm();
+    let straight = match part.section {
+        Section::Line => Surface::line(length),
+        Section::Rectangle { wide, thick } => Surface::cuboid(&Vector3::new(wide, thick, length)),
+        Section::Round { radius } => Surface::cylinder(0.0, radius, length),
+        Section::Ring { inner, outer } => Surface::cylinder(inner, outer, length),
+    };
+    let angle = part.along.x.atan2(part.along.z);
+    let turn = Rotation3::from_axis_angle(&Vector3::y_axis(), angle);
+    straight.mapped(|p| turn * p + part.middle)
+}

@@ -1,0 +1,170 @@
+//! A link of a URDF file: the `<inertial>` element, and what of `<visual>` is a plain solid.
+//!
+//! The origin of `<inertial>` is the centre of mass, and its `rpy` turns the axes of the six numbers:
+//! <https://wiki.ros.org/urdf/XML/link>.
+
+use crate::error::Error;
+use crate::model::BodyModel;
+use crate::surface::Surface;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use roxmltree::{Document, Node};
+use tumbling::{Inertia, MassProperties};
+
+fn wrong(node: Node<'_, '_>, why: impl std::fmt::Display) -> Error {
+    let place = node.document().text_pos_at(node.range().start);
+    let line = usize::try_from(place.row).ok();
+    Error { line, ..Error::new(why) }.of_field(node.tag_name().name())
+}
+
+fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
+    node.children().find(|child| child.has_tag_name(name))
+}
+
+/// The numbers of an attribute.
+fn numbers<const N: usize>(node: Node<'_, '_>, name: &str) -> Result<Option<[f64; N]>, Error> {
+    let Some(text) = node.attribute(name) else { return Ok(None) };
+    let found: Option<Vec<f64>> = text.split_whitespace().map(|word| word.parse().ok()).collect();
+    let found = found.and_then(|found| <[f64; N]>::try_from(found).ok());
+    let plural = if N == 1 { "" } else { "s" };
+    found.map(Some).ok_or_else(|| wrong(node, format!("{name}=\"{text}\": {N} number{plural} expected")))
+}
+
+fn number(node: Node<'_, '_>, name: &str) -> Result<f64, Error> {
+    numbers::<1>(node, name)?
+        .map(|[x]| x)
+        .ok_or_else(|| wrong(node, format!("the attribute `{name}` is missing")))
+}
+
+/// Where an element lies in the link's frame, and how it is turned.
+fn origin(node: Node<'_, '_>) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
+    let Some(origin) = child(node, "origin") else {
+        return Ok((Vector3::zeros(), UnitQuaternion::identity()));
+    };
+    let place = numbers::<3>(origin, "xyz")?.unwrap_or_default();
+    let [roll, pitch, yaw] = numbers::<3>(origin, "rpy")?.unwrap_or_default();
+    if ![roll, pitch, yaw].iter().all(|x| x.is_finite()) {
+        return Err(wrong(origin, "the angles `rpy` must be finite"));
+    }
+    Ok((place.into(), UnitQuaternion::from_euler_angles(roll, pitch, yaw)))
+}
+
+/// What of the link is a box, a cylinder or a sphere.
+fn surfaces(link: Node<'_, '_>) -> Result<Vec<Surface>, Error> {
+    let mut found = Vec::new();
+    for visual in link.children().filter(|node| node.has_tag_name("visual")) {
+        let (place, turn) = origin(visual)?;
+        let Some(solid) = child(visual, "geometry").and_then(|g| g.children().find(Node::is_element)) else {
+            continue;
+        };
+        let surface = match solid.tag_name().name() {
+            "box" => {
+                let edges = numbers::<3>(solid, "size")?;
+                Surface::cuboid(&edges.ok_or_else(|| wrong(solid, "the attribute `size` is missing"))?.into())
+            }
+            "cylinder" => Surface::cylinder(0.0, number(solid, "radius")?, number(solid, "length")?),
+            "sphere" => Surface::ellipsoid(&Vector3::repeat(number(solid, "radius")?)),
+            _ => continue,
+        };
+        if surface.vertices.iter().any(|p| !p.iter().all(|x| x.is_finite())) {
+            return Err(wrong(solid, "its sizes must be finite"));
+        }
+        found.push(surface.mapped(|p| turn * p + place));
+    }
+    Ok(found)
+}
+
+/// The link `name`, or the only one that has inertia. Its tensor may be moved by `tolerance`.
+pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<BodyModel, Error> {
+    let document = Document::parse(text)
+        .map_err(|error| Error { line: usize::try_from(error.pos().row).ok(), ..Error::new(error) })?;
+    let links: Vec<_> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("link") && node.has_attribute("name"))
+        .collect();
+    let called = |link: &Node<'_, '_>| link.attribute("name").unwrap_or_default().to_owned();
+    let heavy: Vec<_> = links.iter().copied().filter(|&link| child(link, "inertial").is_some()).collect();
+    let names = || heavy.iter().map(|link| format!("`{}`", called(link))).collect::<Vec<_>>().join(", ");
+    let link = match name {
+        Some(name) => *links.iter().find(|link| called(link) == name).ok_or_else(|| {
+            Error::new(format!("no link is called `{name}`; those with inertia are {}", names()))
+        })?,
+        None => match heavy.as_slice() {
+            [only] => *only,
+            [] => return Err(Error::new("no link has an `<inertial>` element")),
+            _ => return Err(Error::new(format!("name the link, after a `#` or by `link`: {}", names()))),
+        },
+    };
+    let inertial = child(link, "inertial").ok_or_else(|| wrong(link, "it has no `<inertial>` element"))?;
+    let inside =
+        |name: &str| child(inertial, name).ok_or_else(|| wrong(inertial, format!("`<{name}>` is missing")));
+    let (mass, tensor) = (inside("mass")?, inside("inertia")?);
+    let [xx, xy, xz, yy, yz, zz] =
+        ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"].map(|name| number(tensor, name));
+    let (xx, xy, xz, yy, yz, zz) = (xx?, xy?, xz?, yy?, yz?, zz?);
+    let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    let (centre, turn) = origin(inertial)?;
+    let read = || {
+        let (inertia, moved) = if tolerance > 0.0 {
+            Inertia::within(&matrix, tolerance)?
+        } else {
+            (Inertia::try_from(matrix)?, 0.0)
+        };
+        Ok::<_, tumbling::Error>((inertia.turned(turn)?, moved))
+    };
+    let (inertia, moved) = read().map_err(|error| wrong(tensor, error))?;
+    let properties =
+        MassProperties::new(number(mass, "value")?, &centre, inertia).map_err(|error| wrong(mass, error))?;
+    Ok(BodyModel {
+        name: called(&link),
+        mass: Some(properties.mass()),
+        centre,
+        inertia,
+        moved,
+        surfaces: surfaces(link)?,
+        sides: None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ARM: &str = "<robot name='r'>\n<link name='world'/>\n<link name='arm'>\n<inertial>\n\
+        <origin xyz='0.1 0.2 0.3' rpy='0 0 1.5707963267948966'/>\n<mass value='2'/>\n\
+        <inertia ixx='0.02' ixy='0.001' ixz='0' iyy='0.03' iyz='0' izz='0.04'/>\n</inertial>\n\
+        <visual><geometry><box size='0.2 0.3 0.4'/></geometry></visual></link>\n</robot>";
+
+    #[test]
+    fn a_quarter_turn_of_the_inertial_frame_exchanges_the_moments_across_it() {
+        let arm = read(ARM, None, 0.0).unwrap();
+        let turned = Matrix3::new(0.03, -0.001, 0.0, -0.001, 0.02, 0.0, 0.0, 0.0, 0.04);
+        assert!((arm.inertia.matrix() - turned).amax() < 1e-17);
+        assert_eq!((arm.centre, arm.mass), (Vector3::new(0.1, 0.2, 0.3), Some(2.0)));
+        assert_eq!(arm.surfaces.len(), 1);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_line() {
+        for (from, to, line, words) in [
+            ("'0.04'", "'0.06'", 7, "the triangle inequality"),
+            ("value='2'", "value='-2'", 6, "the mass is -2.0"),
+            ("iyz='0'", "", 7, "`iyz` is missing"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
+        ] {
+            let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
+            assert_eq!(error.line, Some(line), "{error}");
+            assert!(error.to_string().contains(words), "{error}");
+        }
+        assert!(read(ARM, Some("leg"), 0.0).unwrap_err().why.contains("`arm`"));
+        assert!(read(ARM, Some("world"), 0.0).unwrap_err().why.contains("no `<inertial>`"));
+        assert!(read(&ARM.replace("<mass", "<maß"), None, 0.0).is_err());
+    }
+
+    #[test]
+    fn a_tensor_of_few_digits_is_taken_within_the_tolerance_alone() {
+        let flat = ARM.replace("izz='0.04'", "izz='0.05007'");
+        assert!(read(&flat, None, 0.0).is_err());
+        let arm = read(&flat, None, 1e-2).unwrap();
+        assert!(arm.moved > 1e-5 && arm.moved < 1e-2, "{}", arm.moved);
+    }
+}
