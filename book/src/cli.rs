@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
+use tumbling_bodies::BodyModel;
 use tumbling_figures::{Figure, registry};
 
 /// Draws the figures of the book and builds its pages
@@ -38,6 +39,10 @@ enum Command {
         /// Draw nothing; fail and name the committed figures that are not what would be drawn
         #[arg(long)]
         check: bool,
+        /// For this body instead of the book's: a name such as `phone` or `hammer`, a TOML file, or
+        /// FILE.urdf#LINK; into figures/of-bodies/NAME/
+        #[arg(long, value_name = "BODY", value_parser = BodyModel::load, conflicts_with = "check")]
+        body: Option<BodyModel>,
     },
     /// List the name, chapter and subject of each figure
     List,
@@ -109,9 +114,12 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
     };
     match command {
         Command::List => say!("{}", listing(registry())),
-        Command::Figures { names, check } => {
-            let figures = if names.is_empty() { registry().iter().collect() } else { names };
-            if check {
+        Command::Figures { names, check, body } => {
+            let named = !names.is_empty();
+            let figures = if named { names } else { registry().iter().collect() };
+            if let Some(body) = body {
+                draw::draw_for(&body, &figures, !named)?;
+            } else if check {
                 draw::check(&figures, &paths::figures())?;
             } else {
                 draw::draw(&figures, &paths::figures())?;
@@ -245,7 +253,8 @@ mod tests {
         let site = ["build", "--site", "https://example.org/"];
         assert!(matches!(parsed(&site), Ok(Some(Command::Build { site: Some(_) }))));
         let name = registry()[0].name;
-        let Ok(Some(Command::Figures { names, check: true })) = parsed(&["figures", name, "--check"]) else {
+        let Ok(Some(Command::Figures { names, check: true, .. })) = parsed(&["figures", name, "--check"])
+        else {
             panic!("`figures {name} --check` is not understood");
         };
         assert_eq!(names.iter().map(|figure| figure.name).collect::<Vec<_>>(), [name]);
@@ -257,6 +266,7 @@ mod tests {
             &["list"][..],
             &["build"],
             &["figures"],
+            &["figures", "polhodes", "--body", "hammer"],
             &["check"],
             &["check", "folder", "--list"],
             &["check", "--mutants"],
@@ -307,6 +317,8 @@ mod tests {
             &["build", "--json"],
             &["list", "--check"],
             &["figures", "--mutants"],
+            &["figures", "--body", "hamer"],
+            &["figures", "--check", "--body", "hammer"],
             &["check", "a", "b"],
             &["check", "--list", "--mutants"],
             &["exercises", "next", "one"],

@@ -1,7 +1,7 @@
 //! Drawing figures into their committed files, or checking that these are what would be drawn.
 
 use crate::files::write_changed;
-use crate::say;
+use crate::{paths, say};
 use std::any::Any;
 use std::fs;
 use std::panic::catch_unwind;
@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
+use tumbling_bodies::BodyModel;
 use tumbling_figures::{Figure, registry};
 
 /// A figure as just drawn, or why it could not be, and how long that took.
@@ -39,6 +40,36 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     }
     say!("Drew {} figures ({changed} changed) in {:.1} s.", figures.len(), start.elapsed().as_secs_f64());
     Ok(())
+}
+
+/// Draws these figures for a body into a folder of its name; with `all`, those that follow a body.
+///
+/// # Errors
+/// A figure that follows no body, or that shows what this body does not have, each in a sentence; after
+/// drawing the others.
+pub(crate) fn draw_for(body: &BodyModel, figures: &[&Figure], all: bool) -> Result<(), String> {
+    let folder = paths::figures().join("of-bodies").join(folder_name(&body.name));
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let mut failures = Vec::new();
+    for figure in figures.iter().filter(|figure| !all || figure.follows_a_body()) {
+        match figure.draw_for(body) {
+            Ok(svg) => {
+                let file = file_of(figure, &folder);
+                write_changed(&file, svg.as_bytes())?;
+                say!("  {}", file.display());
+            }
+            Err(why) if all => say!("  {}: not drawn: {why}", figure.name),
+            Err(why) => failures.push(format!("figure `{}`: {why}", figure.name)),
+        }
+    }
+    if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
+}
+
+/// A body's name as a folder has it.
+pub(crate) fn folder_name(name: &str) -> String {
+    let plain = name.trim_start_matches("the ").to_lowercase();
+    let words = plain.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("-")
 }
 
 /// Compares these figures with their committed files.
@@ -122,7 +153,6 @@ fn words_of(panic: &(dyn Any + Send)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paths;
 
     #[test]
     fn a_drawing_that_no_figure_draws_is_named() {

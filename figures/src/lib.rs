@@ -11,8 +11,11 @@ mod draw;
 mod figures;
 mod ink;
 mod motion;
+mod of_body;
+mod units;
 mod verdict;
 
+use tumbling_bodies::BodyModel;
 pub use verdict::verdict;
 
 /// One figure of the book.
@@ -25,6 +28,16 @@ pub struct Figure {
     /// The chapter's file name without its ending, for instance `two-arrows`.
     pub chapter: &'static str,
     draw: fn() -> Result<figures::Picture, Box<dyn std::error::Error>>,
+    /// How it is drawn for another body, or why it is not.
+    of_body: Result<Follows, &'static str>,
+}
+
+/// A figure that follows a body.
+#[derive(Debug, Clone, Copy)]
+struct Follows {
+    /// What it shows of the body, in one line.
+    shows: &'static str,
+    draw: fn(&of_body::Subject<'_>) -> figures::Drawing,
 }
 
 impl Figure {
@@ -35,6 +48,30 @@ impl Figure {
     pub fn draw(&self) -> Result<String, Box<dyn std::error::Error>> {
         let figures::Picture { canvas, description } = (self.draw)()?;
         Ok(canvas.finish(self.name, self.shows, &figures::with_powers(&description)))
+    }
+
+    /// The same for another body: its numbers, its shape, with units and ticks that suit them.
+    ///
+    /// # Errors
+    /// That this figure is about no one body, or that the body has nothing of what it shows, in a sentence;
+    /// or what the library reported.
+    pub fn draw_for(&self, body: &BodyModel) -> Result<String, Box<dyn std::error::Error>> {
+        let figures::Picture { canvas, description } = self.picture_of(body)??;
+        let shows = self.of_body.map_or(self.shows, |follows| follows.shows);
+        let title = format!("{}: {shows}", body.name);
+        Ok(canvas.finish(self.name, &title, &figures::with_powers(&description)))
+    }
+
+    fn picture_of(&self, body: &BodyModel) -> Result<figures::Drawing, String> {
+        let follows = self.of_body.map_err(|why| format!("`{}` follows no other body: {why}", self.name))?;
+        let subject = of_body::Subject::new(body).map_err(|error| error.to_string())?;
+        Ok((follows.draw)(&subject))
+    }
+
+    /// Whether it can be drawn for another body.
+    #[must_use]
+    pub fn follows_a_body(&self) -> bool {
+        self.of_body.is_ok()
     }
 }
 

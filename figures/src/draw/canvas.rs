@@ -20,6 +20,8 @@ use std::rc::Rc;
 pub(crate) struct Canvas {
     size: (u32, u32),
     body: Rc<RefCell<String>>,
+    /// Left, top, right and bottom of each piece of writing.
+    written: Rc<RefCell<Vec<[f64; 4]>>>,
 }
 
 /// The width of every figure, in points.
@@ -37,7 +39,7 @@ impl Canvas {
 
     /// One of another width, that of its letters at their own size.
     pub(crate) fn sized(width: u32, height: u32) -> Self {
-        Self { size: (width, height), body: Rc::default() }
+        Self { size: (width, height), body: Rc::default(), written: Rc::default() }
     }
 
     fn push(&self, element: &str) {
@@ -148,7 +150,42 @@ impl Canvas {
 
     /// Writing, with its baseline at the point.
     pub(crate) fn label(&self, at: P, label: &Label) {
+        self.written.borrow_mut().push(label.bounds(at));
         self.push(&label.svg(at, FINENESS));
+    }
+
+    /// Writing at the first of these places where it stays on the sheet and off all other writing; at the
+    /// one that is least over it where there is none.
+    pub(crate) fn label_at_first(&self, places: &[P], label: &Label) {
+        let cost = |&at: &P| self.overlap(&label.bounds(at));
+        let best = places.iter().map(|at| (cost(at), at)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+        if let Some((_, &at)) = best {
+            self.label(at, label);
+        }
+    }
+
+    /// The area by which this rectangle lies on writing or beyond the sheet.
+    fn overlap(&self, bounds: &[f64; 4]) -> f64 {
+        let common = |[l, t, r, b]: [f64; 4]| {
+            let (wide, high) = (bounds[2].min(r) - bounds[0].max(l), bounds[3].min(b) - bounds[1].max(t));
+            if wide > 0.0 && high > 0.0 { wide * high } else { 0.0 }
+        };
+        let whole = (bounds[2] - bounds[0]) * (bounds[3] - bounds[1]);
+        let sheet = [0.0, 0.0, f64::from(self.size.0), f64::from(self.size.1)];
+        let off = whole - common(sheet);
+        off.max(0.0) + self.written.borrow().iter().map(|&other| common(other)).sum::<f64>()
+    }
+
+    /// Where writing lies on other writing or beyond the sheet: left, top, right and bottom, and the area.
+    #[cfg(test)]
+    pub(crate) fn collisions(&self) -> Vec<([f64; 4], f64)> {
+        let written = self.written.take();
+        let over = |bounds: [f64; 4]| {
+            let over = self.overlap(&bounds);
+            self.written.borrow_mut().push(bounds);
+            (bounds.map(f64::round), over)
+        };
+        written.into_iter().map(over).filter(|(_, over)| *over > 1e-6).collect()
     }
 
     /// The whole document. `name` prefixes its ids.

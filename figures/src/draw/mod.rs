@@ -4,6 +4,7 @@ mod canvas;
 mod pen;
 mod plot;
 mod point;
+mod solid;
 mod space;
 mod text;
 
@@ -11,5 +12,6 @@ pub(crate) use canvas::Canvas;
 pub(crate) use pen::{Fill, Pen};
 pub(crate) use plot::{Plot, Scale};
 pub(crate) use point::{P, polar};
+pub(crate) use solid::{hull, solid};
 pub(crate) use space::{Cuboid, View};
 pub(crate) use text::Label;

@@ -92,12 +92,20 @@ fn spans(text: &str, size: f64) -> String {
     out
 }
 
-fn symbols(text: &str, size: f64, out: &mut String) {
+/// Letters of a symbol that stand on one line.
+struct Run {
+    text: String,
+    /// How far below the line they stand, in parts of the size.
+    level: f64,
+    bold: bool,
+}
+
+/// The runs of a symbol.
+fn runs(text: &str) -> Vec<Run> {
     let mut rest = text.chars().peekable();
-    // How far below the line the writing stands, which the next span must undo.
-    let mut low = 0.0;
+    let mut found = Vec::new();
     while let Some(c) = rest.next() {
-        let (level, bold, run) = match c {
+        let (level, bold, text) = match c {
             '_' | '^' => {
                 let mut run = String::new();
                 match rest.next() {
@@ -118,6 +126,15 @@ fn symbols(text: &str, size: f64, out: &mut String) {
                 (0.0, false, run)
             }
         };
+        found.push(Run { text, level, bold });
+    }
+    found
+}
+
+fn symbols(text: &str, size: f64, out: &mut String) {
+    // How far below the line the writing stands, which the next span must undo.
+    let mut low = 0.0;
+    for Run { text: run, level, bold } in runs(text) {
         let shift = (level - low) * size;
         low = level;
         let mut tag = String::new();
@@ -125,7 +142,7 @@ fn symbols(text: &str, size: f64, out: &mut String) {
             let _ = write!(tag, " dy=\"{shift:.0}\"");
         }
         if level != 0.0 {
-            let _ = write!(tag, " font-size=\"{:.0}\"", 0.74 * size);
+            let _ = write!(tag, " font-size=\"{:.0}\"", LOW_OR_HIGH * size);
         }
         if bold {
             tag.push_str(" font-weight=\"bold\"");
@@ -143,6 +160,56 @@ fn symbols(text: &str, size: f64, out: &mut String) {
     if low != 0.0 {
         // A zero-width space carries the baseline back.
         let _ = write!(out, "<tspan dy=\"{:.0}\">\u{200b}</tspan>", -low * size);
+    }
+}
+
+/// The size of low and high letters, in parts of the others'.
+const LOW_OR_HIGH: f64 = 0.74;
+
+/// The width of a letter in parts of its size: that of DejaVu Sans, the widest face that a system may take.
+fn advance(c: char) -> f64 {
+    match c {
+        '\u{200b}' => 0.0,
+        'i' | 'j' | 'l' | 'I' | 'J' => 0.29,
+        'f' | 't' | ' ' | '.' | ',' | '’' | ':' | ';' | '/' | '(' | ')' | '-' | '|' => 0.39,
+        'r' | '²' | '³' | '¹' => 0.42,
+        'm' | 'w' | 'M' | 'W' | '%' | '–' => 0.99,
+        '+' | '=' | '×' | '−' | '<' | '>' => 0.84,
+        'A'..='Z' | 'Λ' | 'Ω' | 'ω' => 0.79,
+        _ => 0.64,
+    }
+}
+
+impl Label {
+    /// How wide its letters are, at the most.
+    pub(crate) fn width(&self) -> f64 {
+        let [left, _, right, _] = self.bounds((0.0, 0.0));
+        right - left
+    }
+
+    /// Left, top, right and bottom of its letters with the baseline at the point, at the most.
+    pub(super) fn bounds(&self, at: P) -> [f64; 4] {
+        let (mut width, mut top, mut bottom) = (0.0, 0.74_f64, 0.21_f64);
+        let wide = |text: &str| text.chars().map(advance).sum::<f64>();
+        for (place, piece) in self.text.split('$').enumerate() {
+            if place % 2 == 0 {
+                width += wide(piece);
+                continue;
+            }
+            for Run { text, level, .. } in runs(piece) {
+                let size = if level == 0.0 { 1.0 } else { LOW_OR_HIGH };
+                width += size * wide(&text);
+                top = top.max(0.74 * size - level);
+                bottom = bottom.max(0.21 * size + level);
+            }
+        }
+        width *= self.size * if self.bold { 1.1 } else { 1.0 };
+        let left = match self.anchor {
+            "middle" => at.0 - 0.5 * width,
+            "end" => at.0 - width,
+            _ => at.0,
+        };
+        [left, at.1 - top * self.size, left + width, at.1 + bottom * self.size]
     }
 }
 

@@ -7,7 +7,7 @@ use tumbling::body::named::NamedBody;
 use tumbling::dynamics::stability::rate_squared;
 
 /// The triangle of possible bodies, with its corners and edges named.
-fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
+pub(crate) fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
     let plot = Plot::new(canvas, 52.0, 92.0, 432.0, 412.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
     let tenths = |range: std::ops::RangeInclusive<i32>| {
         range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))))
@@ -21,7 +21,7 @@ fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
 }
 
 /// Two lines on each side of the triangle that no body crosses, and what stands in its corners.
-fn edges(canvas: &Canvas, plot: &Plot) {
+pub(crate) fn edges(canvas: &Canvas, plot: &Plot) {
     let outside = |x: f64, y: f64, lines: [&str; 2], end: bool| {
         let p = plot.at(x, y);
         for (down, line) in [0.0, 21.0].into_iter().zip(lines) {
@@ -87,11 +87,13 @@ pub(super) fn draw() -> Drawing {
     })
 }
 
-/// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
-pub(super) fn draw_growth() -> Drawing {
-    let canvas = Canvas::sized(500, 476);
-    let plot = map(&canvas)?;
-    let rate = |x: f64, y: f64| rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt();
+/// How much the angle grows on the way of one radian of spin, for a body at this place of the map.
+fn rate(x: f64, y: f64) -> f64 {
+    rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt()
+}
+
+/// Lines of equal growth, named; gives their names.
+pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut levels = Vec::new();
     for tenth in [2, 4, 6, 8, 9] {
         let level = 0.1 * f64::from(tenth);
@@ -119,6 +121,14 @@ pub(super) fn draw_growth() -> Drawing {
         canvas.label((p.0 + across, p.1 + 5.0), &if outside { label.end() } else { label });
         levels.push(format!("{level:.1}"));
     }
+    Ok(levels)
+}
+
+/// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
+pub(super) fn draw_growth() -> Drawing {
+    let canvas = Canvas::sized(500, 476);
+    let plot = map(&canvas)?;
+    let levels = growth_lines(&canvas, &plot)?;
     edges(&canvas, &plot);
     points(&canvas, &plot)?;
     let words = plot.at(0.76, 0.72);

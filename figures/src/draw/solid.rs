@@ -1,0 +1,151 @@
+//! Bodies of any shape, by the faces of their surfaces.
+
+use super::canvas::Canvas;
+use super::pen::{Fill, Pen};
+use super::point::P;
+use super::space::View;
+use crate::ink::Ink;
+use nalgebra::{Matrix3, Vector3};
+use std::collections::HashMap;
+use tumbling_bodies::Surface;
+
+/// Two faces that meet at less than this look like one that is bent.
+const BENT: f64 = 0.85; // the cosine of 32°
+
+/// Draws surfaces turned by `rotation`, those behind first. Flat faces that look along `mark`, an axis of the
+/// body, are dark, and a bent surface has a dot there, so that the body is seen to turn.
+pub(crate) fn solid(
+    canvas: &Canvas,
+    view: &View,
+    surfaces: &[Surface],
+    rotation: &Matrix3<f64>,
+    mark: Option<&Vector3<f64>>,
+) {
+    let mut items: Vec<(f64, &Surface, Option<usize>)> = Vec::new();
+    let depth = |p: &Vector3<f64>| (rotation * p).dot(&view.toward());
+    for surface in surfaces {
+        if surface.convex {
+            items.push((depth(&middle(&surface.vertices)), surface, None));
+            continue;
+        }
+        for (number, face) in surface.faces.iter().enumerate() {
+            let corners: Vec<_> = face.iter().map(|&i| surface.vertices[i]).collect();
+            if faces_viewer(view, &(rotation * normal(surface, face))) {
+                items.push((depth(&middle(&corners)), surface, Some(number)));
+            }
+        }
+    }
+    items.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (_, surface, face) in items {
+        let places: Vec<P> = surface.vertices.iter().map(|p| view.at(&(rotation * p))).collect();
+        match face {
+            None => convex(canvas, view, surface, &places, rotation, mark),
+            Some(face) => {
+                let corners: Vec<P> = surface.faces[face].iter().map(|&i| places[i]).collect();
+                canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 0.5).opacity(0.5)));
+            }
+        }
+    }
+}
+
+fn middle(points: &[Vector3<f64>]) -> Vector3<f64> {
+    points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64
+}
+
+/// Outwards, of length 1; zero of a line or a point.
+fn normal(surface: &Surface, face: &[usize]) -> Vector3<f64> {
+    let p = |i: usize| surface.vertices[face[i]];
+    let fan = (1..face.len().saturating_sub(1)).map(|i| (p(i) - p(0)).cross(&(p(i + 1) - p(0))));
+    fan.sum::<Vector3<f64>>().try_normalize(0.0).unwrap_or_default()
+}
+
+fn faces_viewer(view: &View, normal: &Vector3<f64>) -> bool {
+    normal.dot(&view.toward()) > 1e-9
+}
+
+fn convex(
+    canvas: &Canvas,
+    view: &View,
+    surface: &Surface,
+    places: &[P],
+    rotation: &Matrix3<f64>,
+    mark: Option<&Vector3<f64>>,
+) {
+    let edge = Pen::new(Ink::Text, 1.2);
+    if surface.faces.iter().all(|face| face.len() < 3) {
+        for face in &surface.faces {
+            match face[..] {
+                [a, b] => canvas.line(places[a], places[b], Pen::new(Ink::Text, 1.6)),
+                [a] => canvas.disc(places[a], 4.0, Fill::new(Ink::Text), None),
+                _ => {}
+            }
+        }
+        return;
+    }
+    let normals: Vec<_> = surface.faces.iter().map(|face| normal(surface, face)).collect();
+    let outline = hull(places);
+    canvas.area(&outline, Fill::new(Ink::Surface), None);
+    canvas.area(&outline, Fill::new(Ink::Text).opacity(0.05), Some(edge));
+    let bent = bent_faces(surface, &normals);
+    // Light from above the viewer's left shoulder.
+    let light = Vector3::new(0.1, -0.3, 1.0).normalize();
+    for (number, face) in surface.faces.iter().enumerate() {
+        let out = rotation * normals[number];
+        if bent[number] || !faces_viewer(view, &out) {
+            continue;
+        }
+        let dark = mark.is_some_and(|mark| normals[number].dot(mark) > 0.7);
+        let shade = if dark { 0.7 } else { 0.13 * (0.5 - 0.5 * out.dot(&light)) };
+        let corners: Vec<P> = face.iter().map(|&i| places[i]).collect();
+        canvas.area(&corners, Fill::new(Ink::Text).opacity(shade), Some(edge));
+    }
+    let Some(mark) = mark else { return };
+    let most = (0..places.len())
+        .max_by(|&a, &b| surface.vertices[a].dot(mark).total_cmp(&surface.vertices[b].dot(mark)));
+    if let Some(most) =
+        most.filter(|_| bent.iter().any(|&bent| bent) && faces_viewer(view, &(rotation * mark)))
+    {
+        canvas.disc(places[most], 3.5, Fill::new(Ink::Text), None);
+    }
+}
+
+/// Which faces go over into a neighbour without an edge.
+fn bent_faces(surface: &Surface, normals: &[Vector3<f64>]) -> Vec<bool> {
+    let mut sides: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
+    for (number, face) in surface.faces.iter().enumerate() {
+        for (i, &from) in face.iter().enumerate() {
+            let to = face[(i + 1) % face.len()];
+            sides.entry([from.min(to), from.max(to)]).or_default().push(number);
+        }
+    }
+    let mut bent = vec![false; normals.len()];
+    for faces in sides.values() {
+        if let [a, b] = faces[..] {
+            if normals[a].dot(&normals[b]) > BENT {
+                (bent[a], bent[b]) = (true, true);
+            }
+        }
+    }
+    bent
+}
+
+/// The corners of the smallest convex area that holds the points, by Andrew's chains.
+pub(crate) fn hull(points: &[P]) -> Vec<P> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let left = |a: P, b: P, c: P| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) <= 0.0;
+    let chain = |points: &mut dyn Iterator<Item = P>| {
+        let mut chain: Vec<P> = Vec::new();
+        for p in points {
+            while chain.len() > 1 && left(chain[chain.len() - 2], chain[chain.len() - 1], p) {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut whole = chain(&mut sorted.iter().copied());
+    whole.extend(chain(&mut sorted.iter().rev().copied()));
+    whole
+}

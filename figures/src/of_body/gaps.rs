@@ -1,0 +1,70 @@
+//! The gap between spin and momentum against the direction of the spin.
+
+use super::{Kind, NAMES, Subject};
+use crate::draw::{Canvas, Label, Pen, Plot, Scale};
+use crate::figures::{Drawing, Picture};
+use crate::ink::Ink;
+use crate::units;
+
+/// Gap and direction, degrees, for moments of this ratio: `tan(angle of momentum) = ratio tan(angle of spin)`.
+fn gap(ratio: f64, degrees: f64) -> f64 {
+    let angle = degrees.to_radians();
+    let (s, c) = angle.sin_cos();
+    ((ratio - 1.0) * s * c).atan2(c * c + ratio * s * s).to_degrees()
+}
+
+pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
+    let m = subject.moments.vector();
+    let planes = [(0, 2), (0, 1), (1, 2)];
+    let widest = |(easy, hard): (usize, usize)| {
+        let ratio: f64 = m[hard] / m[easy];
+        let at = (1.0 / ratio.sqrt()).atan().to_degrees();
+        (at, gap(ratio, at))
+    };
+    let most = widest(planes[0]).1;
+    let canvas = Canvas::sized(500, 450);
+    canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
+    let top = if most > 60.0 { 90.0 } else { (1.35 * most).max(1.0) };
+    let plot =
+        Plot::new(&canvas, 60.0, 78.0, 484.0, 376.0, Scale::linear(0.0..90.0), Scale::linear(0.0..top));
+    plot.x_axis(
+        (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i))),
+        "spin, from the easier axis to the harder",
+    );
+    let degrees = units::ticks(top).into_iter().map(|(y, text)| (y, format!("{text}°")));
+    plot.y_axis(degrees, "gap between $!ω$ and $!L$");
+    let pens =
+        [Pen::new(Ink::Text, 2.6), Pen::new(Ink::Text, 2.2).dashed(), Pen::new(Ink::Text, 2.2).dotted()];
+    let mut said = Vec::new();
+    for (&plane, pen) in planes.iter().zip(pens) {
+        let ratio = m[plane.1] / m[plane.0];
+        let (at, widest) = widest(plane);
+        let between = format!("{} to {}", NAMES[plane.0], NAMES[plane.1]);
+        said.push(format!("{between}: {widest:.2}° at {at:.1}°"));
+        if ratio == 1.0 {
+            continue;
+        }
+        let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
+        plot.curve(directions.map(|d| (d, gap(ratio, d))), pen)?;
+        let p = plot.at(at, widest);
+        plot.dots([(at, widest)], 4.0, Ink::Text)?;
+        let words =
+            Label::new(format!("{between}: {}°", units::number(widest, 3))).size(15.5).halo(Ink::Paper);
+        let places = [-12.0, 24.0, -32.0, 44.0, 64.0].map(|down| (p.0 + 8.0, p.1 + down));
+        let left = places.map(|(_, y)| (p.0.min(484.0 - words.width()).max(66.0), y));
+        canvas.label_at_first(&[places, left].concat(), &words);
+    }
+    if subject.kind == Kind::Ball {
+        let at = plot.at(45.0, 0.0);
+        canvas.label((at.0, at.1 - 10.0), &Label::new("no gap in any direction").middle());
+    }
+    Ok(Picture {
+        canvas,
+        description: format!(
+            "The gap between spin and momentum of {} against the direction of the spin, from the easier to the harder of two \
+             principal axes: zero at both ends, widest between them. The widest gaps: {}.",
+            subject.name(),
+            said.join("; ")
+        ),
+    })
+}

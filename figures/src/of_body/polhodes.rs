@@ -1,0 +1,158 @@
+//! The paths of the spin on the ellipsoid of equal energy, from the two conservation laws alone.
+
+use super::{Kind, NAMES, Subject};
+use crate::draw::{Canvas, Fill, Label, P, Pen, View, hull};
+use crate::figures::{Drawing, Picture, ink_of};
+use crate::ink::Ink;
+use crate::units;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+use tumbling::Axis;
+
+/// Where the spin can point, drawn as an ellipsoid.
+struct Ellipsoid {
+    moments: Vector3<f64>,
+    /// Its half axes as drawn.
+    reach: Vector3<f64>,
+    /// Whether they are the true ones, relative to the longest.
+    to_scale: bool,
+}
+
+impl Ellipsoid {
+    fn new(moments: Vector3<f64>) -> Self {
+        let reach = moments.map(|moment| (moments.x / moment).sqrt());
+        let to_scale = reach.z > 0.3;
+        // A needle's would be too thin to draw on.
+        Self { moments, reach: if to_scale { reach } else { Vector3::new(1.0, 0.85, 0.8) }, to_scale }
+    }
+
+    /// A closed path round the end of an axis (0 or 2), `share` of the way to the separatrix; at 1 it is half
+    /// the separatrix.
+    ///
+    /// With `u` the spin over the half axes, `|u| = 1` and `I1 u1² + I2 u2² + I3 u3² = c`: across the axis an
+    /// ellipse.
+    fn path(&self, axis: usize, sign: f64, share: f64) -> Vec<Vector3<f64>> {
+        let i = &self.moments;
+        let other = 2 - axis;
+        let across = |k: usize| (i[k] - i[axis]).abs();
+        // The angle along the great circle to the other end, at most that of the separatrix.
+        let full = if across(1) == 0.0 { 1.0 } else { (across(1) / across(other)).sqrt().asin() };
+        let angle = share * if across(1) == across(other) { std::f64::consts::FRAC_PI_2 } else { full };
+        let size = angle.sin() * across(other).sqrt();
+        (0..=240)
+            .map(|k| {
+                let (s, c) = (TAU * f64::from(k) / 240.0).sin_cos();
+                let mut u = Vector3::zeros();
+                u[other] = size / across(other).sqrt() * c;
+                u[1] = size / across(1).sqrt() * s;
+                u[axis] = sign * (1.0 - u.norm_squared()).max(0.0).sqrt();
+                u.component_mul(&self.reach)
+            })
+            .collect()
+    }
+
+    fn seen(&self, view: &View, p: &Vector3<f64>) -> bool {
+        view.toward().dot(&p.component_div(&self.reach).component_div(&self.reach)) > 0.0
+    }
+
+    /// A curve on the surface: before in full, behind faint.
+    fn curve(&self, canvas: &Canvas, view: &View, points: &[Vector3<f64>], pen: Pen) {
+        let faint = Pen::new(pen.ink(), 1.0).opacity(0.35);
+        for pair in points.chunk_by(|p, q| self.seen(view, p) == self.seen(view, q)) {
+            let places: Vec<P> = pair.iter().map(|p| view.at(p)).collect();
+            canvas.path(&places, if self.seen(view, &pair[0]) { pen } else { faint });
+        }
+    }
+
+    fn surface(&self, canvas: &Canvas, view: &View) {
+        let ball = tumbling_bodies::Surface::ellipsoid(&self.reach);
+        let places: Vec<P> = ball.vertices.iter().map(|p| view.at(p)).collect();
+        canvas.area(&hull(&places), Fill::new(Ink::Surface), Some(Pen::new(Ink::Faint, 1.2)));
+    }
+}
+
+fn paths(canvas: &Canvas, view: &View, ellipsoid: &Ellipsoid, kind: Kind, shares: &[f64]) {
+    ellipsoid.surface(canvas, view);
+    let ends: &[(usize, Axis)] = match kind {
+        Kind::Ball => &[],
+        Kind::Round(Axis::Smallest) => &[(0, Axis::Smallest)],
+        Kind::Round(_) => &[(2, Axis::Largest)],
+        Kind::Three => &[(0, Axis::Smallest), (2, Axis::Largest)],
+    };
+    for &(end, axis) in ends {
+        for sign in [1.0, -1.0] {
+            for &share in shares {
+                let path = ellipsoid.path(end, sign, share);
+                ellipsoid.curve(canvas, view, &path, Pen::new(ink_of(axis), 1.8));
+            }
+        }
+    }
+    if kind == Kind::Three {
+        for sign in [1.0, -1.0] {
+            let half = ellipsoid.path(0, sign, 1.0);
+            ellipsoid.curve(canvas, view, &half, Pen::new(Ink::Separatrix, 3.0));
+        }
+    }
+}
+
+pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
+    let ellipsoid = Ellipsoid::new(subject.moments.vector());
+    let canvas = Canvas::sized(500, 540);
+    let view = View::new((250.0, 246.0), 190.0, 58.0, 27.0);
+    paths(&canvas, &view, &ellipsoid, subject.kind, &[0.22, 0.44, 0.66, 0.86]);
+    canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
+    for axis in Axis::ALL {
+        let k = axis as usize;
+        let end = Vector3::ith(k, ellipsoid.reach[k]);
+        let tip = view.at(&(end * (1.0 + 0.25 / end.norm())));
+        canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
+        canvas.arrow(view.at(&end), tip, Pen::new(ink_of(axis), 2.6));
+        let places = [(10.0, 6.0), (-18.0, 6.0), (10.0, 24.0), (-18.0, 24.0), (0.0, -12.0)];
+        let places = places.map(|(right, down)| (tip.0 + right, tip.1 + down));
+        canvas.label_at_first(&places, &Label::new((k + 1).to_string()).ink(ink_of(axis)).bold());
+    }
+    let (written, unit) = units::moments(subject.moments.vector().as_slice());
+    for axis in Axis::ALL {
+        let k = axis as usize;
+        let fate = match (subject.kind, axis) {
+            (Kind::Three, Axis::Middle) => "unstable: it flips",
+            (Kind::Three, _) => "stable: loops",
+            (Kind::Round(lone), _) if lone == axis => "stable: circles",
+            (Kind::Round(_), _) => "one of two equal",
+            (Kind::Ball, _) => "any spin stays",
+        };
+        let words = format!("{} {}: {} {unit}, {fate}", k + 1, NAMES[k], written[k]);
+        canvas.label((14.0, 462.0 + 22.0 * k as f64), &Label::new(words).ink(ink_of(axis)).size(15.5));
+    }
+    let scale = if ellipsoid.to_scale { "" } else { "not to scale: the true ellipsoid is a needle" };
+    canvas.label((14.0, 530.0), &Label::new(scale).size(15.5));
+    Ok(Picture { canvas, description: words(subject) })
+}
+
+/// The same without words.
+pub(crate) fn cover(subject: &Subject<'_>) -> Drawing {
+    let canvas = Canvas::new(430);
+    let view = View::new((340.0, 215.0), 220.0, 62.0, 24.0);
+    let shares = [0.12, 0.26, 0.4, 0.54, 0.68, 0.82, 0.94];
+    paths(&canvas, &view, &Ellipsoid::new(subject.moments.vector()), subject.kind, &shares);
+    Ok(Picture { canvas, description: words(subject) })
+}
+
+fn words(subject: &Subject<'_>) -> String {
+    let name = subject.name();
+    match subject.kind {
+        Kind::Three => format!(
+            "The ellipsoid of all spins of {name} with the same energy. The paths of the spin on it are closed loops round the ends of \
+             the axes with the smallest and the largest moment. Two ellipses, the separatrix, part them and cross at the ends of \
+             the middle axis."
+        ),
+        Kind::Round(_) => format!(
+            "The ellipsoid of all spins of {name} with the same energy. Two of its moments are equal: the paths of the spin are \
+             circles round the third axis, and no spin flips."
+        ),
+        Kind::Ball => format!(
+            "The sphere of all spins of {name} with the same energy. Its three moments are equal: every spin stays where it is, and \
+             there is no path to draw."
+        ),
+    }
+}

@@ -1,0 +1,149 @@
+//! Numbers with the unit that suits them.
+
+use crate::figures::raised;
+
+/// Units of one kind by their size, smallest first, and from which value on each is taken.
+struct Units(&'static [(f64, &'static str, f64)]);
+
+const LENGTH: Units = Units(&[(1e-6, "µm", 0.0), (1e-3, "mm", 1e-3), (1.0, "m", 1.0), (1e3, "km", 1e3)]);
+const MASS: Units =
+    Units(&[(1e-6, "mg", 0.0), (1e-3, "g", 1e-3), (1.0, "kg", 1.0), (1e3, "t", 1e4), (1.0, "kg", 1e8)]);
+const TIME: Units = Units(&[
+    (1e-6, "µs", 0.0),
+    (1e-3, "ms", 1e-3),
+    (1.0, "s", 1.0),
+    (60.0, "min", 120.0),
+    (3600.0, "h", 7200.0),
+    (86_400.0, "days", 172_800.0),
+    (31_557_600.0, "years", 63_115_200.0),
+]);
+const MOMENT: Units =
+    Units(&[(1e-9, "g mm²", 0.0), (1e-7, "g cm²", 1e-7), (1e-4, "kg cm²", 1e-5), (1.0, "kg m²", 1e-2)]);
+
+impl Units {
+    fn of(&self, value: f64) -> (f64, &'static str) {
+        let fits = self.0.iter().rev().find(|(_, _, from)| value.abs() >= from * (1.0 - 1e-9));
+        fits.or(self.0.first()).map_or((1.0, ""), |&(size, name, _)| (size, name))
+    }
+
+    fn say(&self, value: f64) -> String {
+        let (size, name) = self.of(value);
+        format!("{} {name}", number(value / size, 3))
+    }
+}
+
+/// A length in m: `7.8 mm`.
+pub(crate) fn length(m: f64) -> String {
+    LENGTH.say(m)
+}
+
+/// A mass in kg: `200 g`.
+pub(crate) fn mass(kg: f64) -> String {
+    MASS.say(kg)
+}
+
+/// A time in s: `3.2 h`.
+pub(crate) fn time(s: f64) -> String {
+    TIME.say(s)
+}
+
+/// The unit for times up to this one, s, and its name.
+pub(crate) fn time_unit(longest: f64) -> (f64, &'static str) {
+    TIME.of(longest)
+}
+
+/// Moments of inertia in one unit, kg m² or a part or a power of ten of it, and the unit's name.
+pub(crate) fn moments(all: &[f64]) -> (Vec<String>, String) {
+    let largest = all.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let (size, name) = if largest < 1e5 {
+        let (size, name) = MOMENT.of(largest);
+        (size, name.to_owned())
+    } else {
+        let power = largest.log10().floor() as i32;
+        (10_f64.powi(power), format!("{} kg m²", raised(power)))
+    };
+    let tiny = largest < 1e-9;
+    let digits = (3 - (largest / size).log10().floor() as i32).clamp(0, 3) as usize;
+    let written = all
+        .iter()
+        .map(|&x| if tiny { number(x / size, 4) } else { with_minus(format!("{:.digits$}", x / size)) });
+    (written.collect(), name)
+}
+
+fn with_minus(text: String) -> String {
+    let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if zero { text.replace('-', "") } else { text.replace('-', "−") }
+}
+
+/// A number with at most so many significant digits: plain, or with a power of ten where that is long.
+pub(crate) fn number(x: f64, digits: usize) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { "0".into() } else { "none".into() };
+    }
+    let text = format!("{:.*e}", digits.saturating_sub(1), x);
+    let Some((mantissa, power)) = text.split_once('e') else { return text };
+    let power: i32 = power.parse().unwrap_or(0);
+    let trimmed = |text: &str| -> String {
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text.into() }
+    };
+    if (-3..5).contains(&power) {
+        let decimals = usize::try_from(digits as i32 - 1 - power).unwrap_or(0);
+        let rounded: f64 = text.parse().unwrap_or(x);
+        return with_minus(trimmed(&format!("{rounded:.decimals$}")));
+    }
+    let mantissa = trimmed(mantissa);
+    let power = raised(power);
+    with_minus(if mantissa == "1" { power } else { format!("{mantissa} × {power}") })
+}
+
+/// Round values from zero to `most`, four to seven of them, with their numbers.
+pub(crate) fn ticks(most: f64) -> Vec<(f64, String)> {
+    let rough = most / 4.0;
+    let power = 10_f64.powf(rough.log10().floor());
+    let step = power * [5.0, 2.0, 1.0].into_iter().find(|factor| factor * power <= rough).unwrap_or(1.0);
+    let count = (most / step * (1.0 + 1e-9)).floor() as u32;
+    (0..=count).map(|k| (step * f64::from(k), number(step * f64::from(k), 3))).collect()
+}
+
+/// A speed of turning in rad/s, in turns: `one turn a second`, `one turn in 3 h`.
+pub(crate) fn turning(spin: f64) -> String {
+    let turns = spin / std::f64::consts::TAU;
+    match number(turns, 3).as_str() {
+        "1" => "one turn a second".into(),
+        text if turns > 1.0 => format!("{text} turns a second"),
+        _ => format!("one turn in {}", time(1.0 / turns)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_suits_its_number_from_a_dice_to_a_planetoid() {
+        assert_eq!(length(0.0078), "7.8 mm");
+        assert_eq!(length(1240.0), "1.24 km");
+        assert_eq!([mass(0.001), mass(0.9995), mass(4.0)], ["1 g", "1000 g", "4 kg"]);
+        assert_eq!([mass(2.5e4), mass(1e12)], ["25 t", "10¹² kg"]);
+        assert_eq!([time(0.004), time(90.0), time(1e5), time(4e5)], ["4 ms", "90 s", "27.8 h", "4.63 days"]);
+        assert_eq!(moments(&[10.0 / 12.0, 13.0 / 12.0, -5.0 / 12.0]).0, ["0.833", "1.083", "−0.417"]);
+        assert_eq!(moments(&[1e17, 2.5e16]), (vec!["1.000".into(), "0.250".into()], "10¹⁷ kg m²".into()));
+        assert_eq!(moments(&[4e-4, 1e-4]).1, "kg cm²");
+        assert_eq!([number(-3.0e-7, 3), number(0.1, 3), number(12345.0, 3)], ["−3 × 10⁻⁷", "0.1", "12300"]);
+        assert_eq!(
+            [turning(6.283_185_307), turning(0.1), turning(10.0)],
+            ["one turn a second", "one turn in 62.8 s", "1.59 turns a second"]
+        );
+    }
+
+    #[test]
+    fn ticks_are_few_and_round() {
+        for most in [0.9, 1.0, 3.3, 7.0, 45.0, 1e-7, 8.4e11] {
+            let all = ticks(most);
+            assert!((4..=11).contains(&all.len()), "{most}: {all:?}");
+            assert!(all.last().is_some_and(|last| last.0 <= most * (1.0 + 1e-9)));
+        }
+        let words: Vec<String> = ticks(7.0).into_iter().map(|tick| tick.1).collect();
+        assert_eq!(words, ["0", "1", "2", "3", "4", "5", "6", "7"]);
+    }
+}
