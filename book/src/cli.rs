@@ -1,7 +1,7 @@
 //! The command line: its grammar, and what each command does.
 
 use crate::share::Site;
-use crate::{build, complain, docs, draw, exercises, guard, judge, measure, paths, preprocess, say};
+use crate::{build, complain, docs, draw, exercises, guard, judge, measure, paths, preprocess, report, say};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use clap_complete::Shell;
@@ -73,6 +73,8 @@ enum Command {
         #[command(subcommand)]
         command: Option<exercises::Command>,
     },
+    /// Write one page on a body, HTML and PDF: axes, moments, which spin flips and when, the step for an engine
+    Report(report::Arguments),
     /// Compare an engine's record of a free body with the exact motion, and name the rule that made it
     Judge(judge::Arguments),
     /// Run every method against the exact motion, some minutes; renews crates/measure/record/
@@ -131,6 +133,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
             return Ok(checked(&folder, list, mutants));
         }
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
+        Command::Report(arguments) => report::run(&arguments)?,
         Command::Judge(arguments) => return Ok(judge::run(&arguments)),
         Command::Measure(arguments) => measure::run(&arguments)?,
         Command::Atlas => measure::atlas()?,
@@ -275,6 +278,8 @@ mod tests {
             &["exercises", "untouched"],
             &["exercises", "reset", "two_arrows_1", "two_arrows_2"],
             &["judge", "run.csv"],
+            &["report", "hammer"],
+            &["report", "phone", "--out", "reports"],
             &["measure"],
             &["measure", "--quick", "--peers"],
             &["measure", "--long", "Buss"],
@@ -324,6 +329,8 @@ mod tests {
             &["exercises", "next", "one"],
             &["exercises", "reset"],
             &["judge"],
+            &["report"],
+            &["report", "nothing"],
             &["judge", "a", "b"],
             &["measure", "all"],
             &["measure", "--check"],

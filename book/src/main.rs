@@ -14,6 +14,7 @@ mod measure;
 mod paths;
 mod places;
 mod preprocess;
+mod report;
 mod share;
 
 use clap::Parser as _;

@@ -79,11 +79,16 @@ impl Ink {
 /// The style sheet of a figure that is opened or embedded by itself. `svg:root` matches only there: in a
 /// page the root is the page, and the page's own theme holds.
 pub(crate) fn stand_alone_style() -> String {
+    style_of("svg:root")
+}
+
+/// The palette for the elements that a selector picks, for a light and for a dark ground.
+pub(crate) fn style_of(selector: &str) -> String {
     let list = |pick: fn(&Shade) -> &'static str| -> String {
         SHADES.iter().map(|shade| format!("{}:{};", shade.property, pick(shade))).collect()
     };
     format!(
-        "svg:root{{color-scheme:light dark;{}}}@media (prefers-color-scheme:dark){{svg:root{{{}}}}}",
+        "{selector}{{color-scheme:light dark;{}}}@media (prefers-color-scheme:dark){{{selector}{{{}}}}}",
         list(|s| s.light),
         list(|s| s.dark)
     )

@@ -12,9 +12,11 @@ mod figures;
 mod ink;
 mod motion;
 mod of_body;
+mod report;
 mod units;
 mod verdict;
 
+pub use report::report;
 use tumbling_bodies::BodyModel;
 pub use verdict::verdict;
 

@@ -27,6 +27,9 @@ impl Units {
     }
 
     fn say(&self, value: f64) -> String {
+        if value == 0.0 {
+            return format!("0 {}", self.of(1.0).1);
+        }
         let (size, name) = self.of(value);
         format!("{} {name}", number(value / size, 3))
     }
@@ -60,10 +63,10 @@ pub(crate) fn moments(all: &[f64]) -> (Vec<String>, String) {
         (size, name.to_owned())
     } else {
         let power = largest.log10().floor() as i32;
-        (10_f64.powi(power), format!("{} kg m²", raised(power)))
+        (10_f64.powi(power), format!("× {} kg m²", raised(power)))
     };
     let tiny = largest < 1e-9;
-    let digits = (3 - (largest / size).log10().floor() as i32).clamp(0, 3) as usize;
+    let digits = (3 - (largest / size).log10().floor() as i32).clamp(0, 5) as usize;
     let written = all
         .iter()
         .map(|&x| if tiny { number(x / size, 4) } else { with_minus(format!("{:.digits$}", x / size)) });
@@ -127,7 +130,7 @@ mod tests {
         assert_eq!([mass(2.5e4), mass(1e12)], ["25 t", "10¹² kg"]);
         assert_eq!([time(0.004), time(90.0), time(1e5), time(4e5)], ["4 ms", "90 s", "27.8 h", "4.63 days"]);
         assert_eq!(moments(&[10.0 / 12.0, 13.0 / 12.0, -5.0 / 12.0]).0, ["0.833", "1.083", "−0.417"]);
-        assert_eq!(moments(&[1e17, 2.5e16]), (vec!["1.000".into(), "0.250".into()], "10¹⁷ kg m²".into()));
+        assert_eq!(moments(&[1e17, 2.5e16]), (vec!["1.000".into(), "0.250".into()], "× 10¹⁷ kg m²".into()));
         assert_eq!(moments(&[4e-4, 1e-4]).1, "kg cm²");
         assert_eq!([number(-3.0e-7, 3), number(0.1, 3), number(12345.0, 3)], ["−3 × 10⁻⁷", "0.1", "12300"]);
         assert_eq!(

@@ -15,7 +15,8 @@ pub(crate) fn word(body: NamedBody) -> String {
 
 impl BodyModel {
     /// A body of the library by its name (`box`, `book`, `phone`, `remote-control`, `hammer`,
-    /// `tennis-racket`, `wing-nut`, `t-handle`), or from a file: `FILE.toml`, `FILE.urdf`, or `FILE.urdf#LINK`.
+    /// `tennis-racket`, `wing-nut`, `t-handle`), or from a file: `FILE.toml`, `FILE.urdf`, or
+    /// `FILE.urdf#LINK`.
     ///
     /// # Errors
     /// A file that cannot be read, with the line, the field and the rule that it breaks; a name that no body

@@ -47,7 +47,7 @@ fn pair(canvas: &Canvas, centre: P, long: f64, pair: &Pair, wide: [f64; 2]) -> [
 
 /// One spin, large, with its momentum.
 fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64) -> Pair {
-    let centre = (200.0, 290.0);
+    let centre = (215.0, 290.0);
     outline(canvas, subject, plane, centre, 120.0);
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
     canvas.line((centre.0 - 150.0, centre.1), (490.0, centre.1), axis);
@@ -66,7 +66,16 @@ fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64)
     let tips = pair(canvas, centre, 215.0, &arrows, [3.6, 3.6]);
     canvas.arc(centre, 112.0, arrows.omega, arrows.momentum, Pen::new(Ink::Text, 2.2));
     let near = |tip: P| {
-        let places = [(10.0, 6.0), (10.0, 26.0), (10.0, -14.0), (10.0, 46.0), (10.0, -34.0), (-40.0, -14.0)];
+        let places = [
+            (10.0, 6.0),
+            (10.0, 26.0),
+            (10.0, -14.0),
+            (10.0, 46.0),
+            (10.0, -34.0),
+            (-40.0, -14.0),
+            (-70.0, -26.0),
+            (-90.0, 40.0),
+        ];
         places.map(|(right, down)| (tip.0 + right, tip.1 + down))
     };
     canvas.label_at_first(&near(tips[0]), &Label::new("spin $!ω$").ink(Ink::Omega));

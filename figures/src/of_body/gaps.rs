@@ -6,7 +6,7 @@ use crate::figures::{Drawing, Picture};
 use crate::ink::Ink;
 use crate::units;
 
-/// Gap and direction, degrees, for moments of this ratio: `tan(angle of momentum) = ratio tan(angle of spin)`.
+/// The gap, degrees, for moments of this ratio: `tan(angle of momentum) = ratio tan(angle of spin)`.
 fn gap(ratio: f64, degrees: f64) -> f64 {
     let angle = degrees.to_radians();
     let (s, c) = angle.sin_cos();
@@ -15,7 +15,11 @@ fn gap(ratio: f64, degrees: f64) -> f64 {
 
 pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     let m = subject.moments.vector();
-    let planes = [(0, 2), (0, 1), (1, 2)];
+    // Where two moments are equal, one plane stands for two.
+    let planes: Vec<(usize, usize)> = match subject.kind {
+        Kind::Three => vec![(0, 2), (0, 1), (1, 2)],
+        _ => vec![(0, 2)],
+    };
     let widest = |(easy, hard): (usize, usize)| {
         let ratio: f64 = m[hard] / m[easy];
         let at = (1.0 / ratio.sqrt()).atan().to_degrees();
@@ -41,7 +45,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let (at, widest) = widest(plane);
         let between = format!("{} to {}", NAMES[plane.0], NAMES[plane.1]);
         said.push(format!("{between}: {widest:.2}° at {at:.1}°"));
-        if ratio == 1.0 {
+        if subject.kind == Kind::Ball {
             continue;
         }
         let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));

@@ -11,6 +11,7 @@ pub(crate) mod tosses;
 #[cfg(test)]
 mod tests;
 
+use crate::draw::{P, polar};
 use crate::units;
 use nalgebra::{Matrix3, Vector3};
 use std::error::Error;
@@ -45,6 +46,18 @@ pub(crate) struct Subject<'a> {
 
 /// What the axes are called, smallest moment first.
 pub(crate) const NAMES: [&str; 3] = ["smallest", "middle", "largest"];
+
+/// Places for the middle of a number beyond the tip of an arrow from `centre`, the first straight on.
+pub(crate) fn beyond(centre: P, tip: P) -> [P; 5] {
+    let (x, y) = (tip.0 - centre.0, tip.1 - centre.1);
+    let length = x.hypot(y);
+    // An arrow straight to the viewer points nowhere.
+    let angle = if length > 1.0 { (-y).atan2(x) } else { 0.8 };
+    [0.0, 0.7, -0.7, 1.4, -1.4].map(|aside| {
+        let (x, y) = polar(tip, 15.0, angle + aside);
+        (x, y + 6.0)
+    })
+}
 
 impl<'a> Subject<'a> {
     pub(crate) fn new(model: &'a BodyModel) -> Result<Self, Box<dyn Error>> {

@@ -1,6 +1,6 @@
 //! The body with its principal axes and moments, and its place among all bodies.
 
-use super::{NAMES, Subject};
+use super::{NAMES, Subject, beyond};
 use crate::draw::{Canvas, Fill, Label, Pen, View, solid};
 use crate::figures::moments_map::{edges, growth_lines, map};
 use crate::figures::{Drawing, Picture, ink_of};
@@ -17,7 +17,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
     canvas.label((14.0, 46.0), &Label::new(subject.sizes()).size(15.5));
     let (surfaces, reach) = (subject.model.drawn(), subject.model.reach());
-    let view = View::new((250.0, 258.0), 128.0 / reach, SEEN.0, SEEN.1);
+    let view = View::new((250.0, 258.0), 140.0 / reach, SEEN.0, SEEN.1);
     solid(&canvas, &view, &surfaces, &Matrix3::identity(), None);
     let centre = view.at(&Vector3::zeros());
     for axis in Axis::ALL {
@@ -28,9 +28,11 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let [from, tip] = [inside, inside.max(0.35 * reach) + 0.5 * reach].map(|far| view.at(&(along * far)));
         canvas.line(centre, from, Pen::new(ink_of(axis), 1.4).dashed());
         canvas.arrow(from, tip, Pen::new(ink_of(axis), 2.8));
-        let beyond = [(10.0, 6.0), (-18.0, 6.0), (-4.0, -10.0), (-4.0, 22.0), (14.0, 22.0), (-22.0, -12.0)];
-        let places = beyond.map(|(right, down)| (tip.0 + right, tip.1 + down));
-        canvas.label_at_first(&places, &Label::new((axis as usize + 1).to_string()).ink(ink_of(axis)).bold());
+        let places = beyond(centre, tip);
+        canvas.label_at_first(
+            &places,
+            &Label::new((axis as usize + 1).to_string()).ink(ink_of(axis)).bold().middle(),
+        );
     }
     let (written, unit) = units::moments(subject.moments.vector().as_slice());
     for axis in Axis::ALL {

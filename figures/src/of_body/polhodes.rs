@@ -1,6 +1,6 @@
 //! The paths of the spin on the ellipsoid of equal energy, from the two conservation laws alone.
 
-use super::{Kind, NAMES, Subject};
+use super::{Kind, NAMES, Subject, beyond};
 use crate::draw::{Canvas, Fill, Label, P, Pen, View, hull};
 use crate::figures::{Drawing, Picture, ink_of};
 use crate::ink::Ink;
@@ -107,9 +107,8 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let tip = view.at(&(end * (1.0 + 0.25 / end.norm())));
         canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
         canvas.arrow(view.at(&end), tip, Pen::new(ink_of(axis), 2.6));
-        let places = [(10.0, 6.0), (-18.0, 6.0), (10.0, 24.0), (-18.0, 24.0), (0.0, -12.0)];
-        let places = places.map(|(right, down)| (tip.0 + right, tip.1 + down));
-        canvas.label_at_first(&places, &Label::new((k + 1).to_string()).ink(ink_of(axis)).bold());
+        let places = beyond(view.at(&Vector3::zeros()), tip);
+        canvas.label_at_first(&places, &Label::new((k + 1).to_string()).ink(ink_of(axis)).bold().middle());
     }
     let (written, unit) = units::moments(subject.moments.vector().as_slice());
     for axis in Axis::ALL {

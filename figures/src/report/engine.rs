@@ -1,0 +1,168 @@
+//! What rules of engines make of the body, frame by frame, against the exact motion.
+
+use super::row;
+use crate::of_body::{Kind, Subject};
+use crate::units;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::error::Error;
+use std::f64::consts::TAU;
+use tumbling::step::{Method, PositionStage, State, System};
+
+/// How long the body is followed, turns.
+const TURNS: u32 = 10;
+/// Frames a turn: 60 a second at a turn a second.
+const FRAMES: u32 = 60;
+/// The push about the largest axis, as a part of the spin: it flips within a turn or a few.
+const PUSH: f64 = 0.1;
+/// The largest error allowed, of energy and of momentum.
+const ALLOWED: f64 = 0.01;
+/// That of the attitude at the end, rad.
+const ANGLE: f64 = 0.1;
+/// More frames a turn are not tried.
+const MOST: u32 = 4096;
+
+/// A rule, and where it is at work.
+enum Rule {
+    Method(Method),
+    PositionStage,
+}
+
+const RULES: [(&str, Rule); 6] = [
+    ("constant spin (PhysX, Unity, Godot)", Rule::Method(Method::ConstantSpin)),
+    ("semi-implicit Euler (MuJoCo’s Euler, Bullet’s multibody)", Rule::Method(Method::SemiImplicitEuler)),
+    ("the same, rescaled (Jolt, Avian)", Rule::Method(Method::Rescaled)),
+    ("one Newton step (Bullet’s rigid body, Box3D)", Rule::Method(Method::ImplicitOneNewton)),
+    ("Runge-Kutta 4", Rule::Method(Method::RungeKutta4)),
+    ("the position stage of this library", Rule::PositionStage),
+];
+
+/// Errors over the run.
+#[derive(Debug, Clone, Copy, Default)]
+struct Errors {
+    /// The greatest of the energy, relative to the start.
+    energy: f64,
+    /// The greatest of the momentum in the world, relative to the start.
+    momentum: f64,
+    /// Of the attitude at the end, rad.
+    attitude: f64,
+}
+
+/// The spin at the start along the principal axes, in parts of the whole.
+fn start(subject: &Subject<'_>) -> Vector3<f64> {
+    match subject.kind {
+        Kind::Three => Vector3::new(0.0, PUSH.cos(), PUSH.sin()),
+        _ => Vector3::new(0.5, 0.0, 0.75_f64.sqrt()),
+    }
+}
+
+/// None where the rule breaks down.
+fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>, Box<dyn Error>> {
+    let motion = subject.motion(&start(subject))?;
+    let system = System::free(subject.moments)?;
+    let omega = start(subject) * subject.spin;
+    let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let (energy, momentum) = (system.energy(&state), state.momentum);
+    let h = TAU / subject.spin / f64::from(frames);
+    let stage = PositionStage::new(&subject.moments.vector())?;
+    let mut errors = Errors::default();
+    let mut spin = omega; // in world axes
+    for _ in 0..TURNS * frames {
+        match rule {
+            Rule::Method(method) => match method.step(&system, &state, h) {
+                Ok(next) => state = next,
+                Err(_) => return Ok(None),
+            },
+            Rule::PositionStage => {
+                let end = stage.step(&state.attitude, &spin, h);
+                spin = end.omega;
+                let in_body = UnitQuaternion::new_normalize(end.attitude).inverse() * spin;
+                state = State { attitude: end.attitude, momentum: system.momentum(&in_body) };
+            }
+        }
+        let in_world = UnitQuaternion::new_normalize(state.attitude) * state.momentum;
+        let off = (in_world - momentum).norm() / momentum.norm();
+        errors.energy = errors.energy.max((system.energy(&state) / energy - 1.0).abs());
+        errors.momentum = errors.momentum.max(off);
+        if !(errors.energy + off).is_finite() {
+            return Ok(None);
+        }
+    }
+    let exact = motion.attitude(f64::from(TURNS) * TAU / subject.spin)?;
+    errors.attitude = UnitQuaternion::new_normalize(state.attitude).angle_to(&exact);
+    Ok(Some(errors))
+}
+
+/// The fewest frames a turn, of 4, 6, 8, 12, 16, ..., that keep energy, momentum and attitude; none up to
+/// [`MOST`].
+fn needed(rule: &Rule, subject: &Subject<'_>) -> Result<Option<u32>, Box<dyn Error>> {
+    let mut frames = 4;
+    while frames <= MOST {
+        for each in [frames, frames + frames / 2] {
+            let errors = run(rule, subject, each)?;
+            if errors.is_some_and(|e| e.energy.max(e.momentum) <= ALLOWED && e.attitude <= ANGLE) {
+                return Ok(Some(each));
+            }
+        }
+        frames *= 2;
+    }
+    Ok(None)
+}
+
+fn share(error: f64) -> String {
+    match error {
+        ..1e-12 => "to rounding".into(),
+        1e-12..1e-3 => units::number(error, 2),
+        10.0.. => "more than 1000 %".into(),
+        _ => format!("{} %", units::number(100.0 * error, 2)),
+    }
+}
+
+pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
+    let frame = units::time(TAU / subject.spin / f64::from(FRAMES));
+    let mut out = format!(
+        "<section><h2>The step that an engine needs</h2>\n<p>{TURNS} turns at {FRAMES} frames a turn (a frame each {frame}), {}: \
+         greatest errors, and the fewest frames a turn with energy and momentum right to 1 % and the attitude at the end to {:.0}°</p>\n<table><tr><th scope=\"col\">rule</th>\
+         <th scope=\"col\">energy</th><th scope=\"col\">momentum</th><th scope=\"col\">attitude at the end</th>\
+         <th scope=\"col\">frames a turn needed</th></tr>\n",
+        match subject.kind {
+            Kind::Three => "spun about axis 2 with a push of 0.1",
+            _ => "spun between axes 1 and 3",
+        },
+        ANGLE.to_degrees()
+    );
+    for (name, rule) in &RULES {
+        let cells = match run(rule, subject, FRAMES)? {
+            Some(errors) => {
+                let needed = needed(rule, subject)?;
+                let angle = format!("{}°", units::number(errors.attitude.to_degrees(), 2));
+                let needed = needed.map_or(format!("more than {MOST}"), |frames| frames.to_string());
+                [share(errors.energy), share(errors.momentum), angle, needed]
+            }
+            None => ["breaks down", "breaks down", "", ""].map(String::from),
+        };
+        out += &row(name, &cells);
+    }
+    out += "</table>\n</section>\n";
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumbling_bodies::BodyModel;
+
+    #[test]
+    fn the_position_stage_keeps_both_laws_and_a_constant_spin_does_not() {
+        let phone = BodyModel::load("phone").unwrap();
+        let subject = Subject::new(&phone).unwrap();
+        let errors = |rule: &Rule| run(rule, &subject, FRAMES).unwrap().unwrap();
+        let stage = errors(&Rule::PositionStage);
+        assert!(stage.energy < 1e-12 && stage.momentum < 1e-12, "{stage:?}");
+        let constant = errors(&Rule::Method(Method::ConstantSpin));
+        assert!(constant.energy < 1e-12 && constant.momentum > 0.01, "{constant:?}");
+        // A method of order 4: with twice the frames the attitude is near 16 times better.
+        let fourth = |frames| run(&Rule::Method(Method::RungeKutta4), &subject, frames).unwrap().unwrap();
+        let gain = fourth(240).attitude / fourth(480).attitude;
+        assert!((12.0..20.0).contains(&gain), "{gain}");
+    }
+}

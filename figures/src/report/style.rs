@@ -1,0 +1,20 @@
+//! The look of the page.
+
+pub(super) const PAGE: &str = "
+@page{size:A4;margin:9mm 11mm}
+body{margin:0;background:var(--fig-paper);font:16px/1.4 system-ui,sans-serif}
+main{max-width:60rem;margin:0 auto;padding:1rem}
+h1{font-size:1.6em;margin:0 0 .3em}
+h2{font-size:1.1em;margin:.2em 0 .3em}
+p,ul{margin:.3em 0}ul{padding-left:1.2em}
+.pair{display:grid;grid-template-columns:1fr 1fr;gap:.6rem 2rem;margin:.6rem 0}
+figure{margin:0}figure svg{width:100%;height:auto}
+table{border-collapse:collapse;margin:.3em 0;width:100%;font-variant-numeric:tabular-nums}
+caption{text-align:left;padding-bottom:.15em}
+th{text-align:left;font-weight:500}th[scope=col]{font-weight:600;vertical-align:bottom}
+td,th{padding:.1em .6em .1em 0;border-bottom:1px solid var(--fig-faint)}
+@media(max-width:44rem){.pair{grid-template-columns:1fr}table{display:block;overflow-x:auto}}
+@media print{:root{color-scheme:light}body{font-size:8.6pt;line-height:1.25}main{max-width:none;padding:0}
+h1{font-size:15pt}h2{font-size:10pt}.pair{grid-template-columns:1fr 1fr;margin:1mm 0;gap:1mm 8mm}
+figure svg{width:72mm;display:block;margin:0 auto}section,figure{break-inside:avoid}}
+";
