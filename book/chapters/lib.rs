@@ -85,6 +85,10 @@ mod proofs {}
 mod where_next {}
 
 #[cfg(doctest)]
+#[doc = include_str!("your-own-body.md")]
+mod your_own_body {}
+
+#[cfg(doctest)]
 #[doc = include_str!("about.md")]
 mod about {}
 

@@ -73,7 +73,7 @@ enum Command {
         #[command(subcommand)]
         command: Option<exercises::Command>,
     },
-    /// Write one page on a body, HTML and PDF: axes, moments, which spin flips and when, the step for an engine
+    /// Write one page on a body, HTML and PDF: axes, moments, which spin flips, the step for an engine
     Report(report::Arguments),
     /// Compare an engine's record of a free body with the exact motion, and name the rule that made it
     Judge(judge::Arguments),

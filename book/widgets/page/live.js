@@ -168,6 +168,8 @@ globalThis.tumblingLive ??= (() => {
     // The whole book for printing keeps still.
     const boxes = /\/print\.html$/.test(location.pathname) ? [] : document.querySelectorAll("[data-live]");
     for (const box of boxes) {
+        // An address that gives a widget its numbers leads to it.
+        if (location.hash.startsWith(`#${box.dataset.live}?`)) box.scrollIntoView();
         box.classList.add("live-on");
         box.querySelector(".live-stage").inert = true;
         box.addEventListener("keydown", (event) => event.stopPropagation()); // mdBook turns pages by keys

@@ -30,6 +30,7 @@ fn main() -> io::Result<()> {
 
     two_arrows(&mut ask)?;
     your_box(&mut ask)?;
+    your_body(&mut ask)?;
     exact(&mut ask)?;
     engines(&row, &mut ask)?;
     methods(&mut ask)?;
@@ -77,6 +78,35 @@ fn two_arrows(ask: &mut Ask<'_>) -> io::Result<()> {
 }
 
 /// Boxes of sizes, masses and spins ordinary, extreme and impossible.
+fn your_body(ask: &mut Ask<'_>) -> io::Result<()> {
+    let mut ask = |what: u32, asked: &[f64]| {
+        ask("your-body", widget_your_body::answer, what, asked, Some(|| widget_your_body::WHY.said()))
+    };
+    let sizes = [1e-160, 0.0078, 0.16, 1.0, 620.0, 0.0, -1.0, f64::NAN];
+    for kind in 0..9_u32 {
+        for (i, a) in sizes.into_iter().enumerate() {
+            for (j, b) in sizes.into_iter().enumerate() {
+                let c = sizes[(3 * i + 5 * j + 2) % sizes.len()];
+                ask(0, &[f64::from(kind), [0.2, 1e12, 0.0][(i + j) % 3], a, b, c])?;
+            }
+        }
+    }
+    for [a, b, c] in MOMENTS {
+        for products in [[0.0; 3], [0.1, -0.2, 0.3], [1e-9, 0.0, 2.0]] {
+            let [xy, xz, yz] = products;
+            ask(0, &[9.0, 4.0, a, b, c, xy, xz, yz])?;
+            for angles in [[0.0; 3], [0.3, -1.2, 2.9], [f64::NAN, 0.0, 0.0]] {
+                ask(3, &[a, b, c, xy, xz, yz, angles[0], angles[1], angles[2]])?;
+            }
+        }
+        for (axis, share) in [(0.0, 0.3), (2.0, 0.9), (0.0, 1.0)] {
+            ask(1, &[a.min(b).min(c), b, a.max(b).max(c), axis, -1.0, share])?;
+        }
+        ask(2, &[a, b, c, 0.0, 2.0, 4.0, 0.0, 0.2, 0.4, 1.0])?;
+    }
+    Ok(())
+}
+
 fn your_box(ask: &mut Ask<'_>) -> io::Result<()> {
     let mut ask = |asked: &[f64]| {
         ask("your-box", widget_your_box::answer, 0, asked, Some(|| widget_your_box::WHY.said()))

@@ -1,0 +1,284 @@
+// Your body: sizes, moments or a robot's link in; axes, stability, times between flips, paths of the spin out.
+"use strict";
+
+tumblingLive.widget("your-body", async (stage) => {
+    const { module, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
+    const body = await module("your-body");
+    const field = (id) => stage.querySelector(`#your-body-${id}`);
+    const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
+    const say = sayer(stage);
+    const kind = field("kind");
+    const wrong = stage.querySelector(".live-wrong");
+    const SIZES = ["a", "b", "c"];
+    const TENSOR = ["xx", "yy", "zz", "xy", "xz", "yz"];
+    /** Each kind's sizes by their names, in the order in which the module counts kinds. */
+    const KINDS = {
+        box: ["x", "y", "z"], ball: ["radius"], cylinder: ["radius", "height"], tube: ["radius of the hole", "radius", "height"], capsule: ["radius", "length"],
+        cone: ["radius", "height"], ellipsoid: ["semi-axis x", "y", "z"], plate: ["x", "y"], disk: ["radius"], moments: [],
+    };
+    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const unit = (a) => a.map((x) => x / (Math.hypot(...a) || 1));
+    let found = null; // what the module answers, by name
+
+    /** What is asked now, by the fields: names and values. */
+    function given() {
+        const names = KINDS[kind.value].length > 0 ? ["m", ...SIZES.slice(0, KINDS[kind.value].length)] : ["m", ...TENSOR];
+        return names.map((name) => [name, field(name).value]);
+    }
+
+    function ask() {
+        const values = given();
+        const known = kind.value === "moments" ? values.slice(1) : values;
+        const empty = known.find(([, value]) => value === "");
+        if (empty) return `Type a number for ${field(empty[0]).getAttribute("aria-label") ?? empty[0]}.`;
+        const answer = body.answer(0, Object.keys(KINDS).indexOf(kind.value), ...values.map(([, value]) => Number(value)));
+        if (!answer) return `${body.words()}.`;
+        const part = (from, count) => Array.from(answer.slice(from, from + count));
+        found = {
+            tensor: part(0, 6), moments: part(6, 3), axes: [part(9, 3), part(12, 3), part(15, 3)], equal: answer[18], growth: answer[19],
+            circles: [answer[20], answer[21]], semiaxes: part(22, 3), flips: part(25, 9), edges: kind.value === "box" ? values.slice(1).map(([, x]) => Number(x)) : null,
+        };
+        return null;
+    }
+
+    // The eye goes round both pictures alike.
+    const [turn, tilt] = [field("turn"), field("tilt")];
+    const eye = () => {
+        const [a, b] = [turn, tilt].map((slider) => (Number(slider.value) * Math.PI) / 180);
+        const [c, s, low, high] = [Math.cos(a), Math.sin(a), Math.sin(b), Math.cos(b)];
+        return [[c, s, 0], [s * low, -c * low, high], [s * high, -c * high, low]];
+    };
+    /** From principal axes to the body's. */
+    const inBody = (p) => [0, 1, 2].map((i) => p.reduce((sum, x, k) => sum + x * found.axes[k][i], 0));
+    const path = (svg, name, places, close = "") => draw("path", svg, { class: name, d: `M${places.map((p) => p.map((x) => x.toFixed(1)).join(" ")).join("L")}${close}` });
+
+    /** The outline of an ellipsoid along the principal axes. */
+    function outline(semiaxes, at) {
+        const toward = found.axes.map((axis) => dot(axis, eye()[2]));
+        const pole = unit(toward.map((x, k) => x / Math.max(semiaxes[k], 1e-6)));
+        const first = unit(cross(pole, Math.abs(pole[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]));
+        const second = cross(pole, first);
+        return Array.from({ length: 72 }, (_, k) => {
+            const [c, s] = [Math.cos((k * Math.PI) / 36), Math.sin((k * Math.PI) / 36)];
+            return at(inBody(first.map((x, i) => (x * c + second[i] * s) * semiaxes[i])));
+        });
+    }
+
+    /** An arrow along each principal axis from where it leaves what is drawn, with its number. */
+    function axes(svg, at, from) {
+        found.axes.forEach((axis, k) => {
+            const lead = dot(axis, eye()[2]) < -0.05 ? -1 : 1;
+            const [near, far] = [from[k], from[k] + 0.42].map((x) => at(axis.map((part) => lead * part * x)));
+            const tip = arrow(svg, near, far, `your-body-${k + 1}`, 3);
+            const [right, down] = unit([tip[0] - near[0], tip[1] - near[1], 0]);
+            draw("text", svg, { class: `your-body-${k + 1} live-strong`, x: tip[0] + 12 * right, y: tip[1] + 12 * down + 5, "text-anchor": "middle" }, String(k + 1));
+        });
+    }
+
+    /** Places in the middle of a drawing, where a length of one is so many pixels. */
+    const looking = (width, height, scale) => {
+        const [right, up] = eye();
+        return (p) => [width / 2 + scale * dot(right, p), height / 2 - scale * dot(up, p)];
+    };
+    const square = (width) => Math.round(Math.min(0.86 * width, 320));
+    const redraws = [];
+    const pictures = {};
+    for (const svg of stage.querySelectorAll("[data-drawing]")) pictures[svg.dataset.drawing] = svg;
+
+    redraws.push(drawing(pictures.body, square, (width, height) => {
+        if (!found) return;
+        const svg = pictures.body;
+        const edges = found.edges;
+        const longest = edges ? Math.hypot(...edges) / 2 : Math.max(...found.semiaxes);
+        const at = looking(width, height, 0.31 * Math.min(width, height));
+        if (edges) {
+            const half = edges.map((edge) => edge / 2 / longest);
+            const corner = (bits) => half.map((far, i) => (bits >> i & 1 ? far : -far));
+            const farthest = eye()[2].reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
+            for (let from = 0; from < 8; from += 1) {
+                for (const bit of [1, 2, 4]) {
+                    if (from & bit) continue;
+                    const hidden = [from, from | bit].includes(farthest);
+                    path(svg, hidden ? "live-edge live-hidden" : "live-edge", [at(corner(from)), at(corner(from | bit))]);
+                }
+            }
+            axes(svg, at, found.axes.map((axis) => Math.min(...half.map((far, i) => far / Math.max(Math.abs(axis[i]), 1e-9)))));
+        } else {
+            const semiaxes = found.semiaxes.map((x) => x / longest);
+            path(svg, "live-body", outline(semiaxes, at), "z");
+            axes(svg, at, semiaxes);
+        }
+    }));
+
+    redraws.push(drawing(pictures.polhodes, square, (width, height) => {
+        if (!found) return;
+        const svg = pictures.polhodes;
+        const true_ = found.moments.map((moment) => Math.sqrt(found.moments[0] / moment));
+        const reach = true_[2] > 0.3 ? true_ : [1, 0.85, 0.8]; // a needle's would be too thin to draw on
+        const at = looking(width, height, 0.31 * Math.min(width, height));
+        path(svg, "live-body", outline(reach, at), "z");
+        const toward = found.axes.map((axis) => dot(axis, eye()[2]));
+        const curve = (name, axis, sign, share) => {
+            const numbers = body.answer(1, ...found.moments, axis, sign, share);
+            const points = Array.from({ length: numbers.length / 3 }, (_, k) => [0, 1, 2].map((i) => (numbers[3 * k + i] / true_[i]) * reach[i]));
+            const before = (p) => p.reduce((sum, x, i) => sum + (x / reach[i] ** 2) * toward[i], 0) > 0;
+            let part = [];
+            points.forEach((p, k) => {
+                part.push(at(inBody(p)));
+                if (k + 1 === points.length || before(points[k + 1]) !== before(p)) {
+                    if (part.length > 1) path(svg, before(p) ? name : `${name} your-body-behind`, part);
+                    part = [at(inBody(p))];
+                }
+            });
+        };
+        const ends = { 0: [0, 2], 1: [0], 2: [2], 3: [] }[found.equal];
+        for (const axis of ends) {
+            for (const sign of [1, -1]) for (const share of [0.22, 0.45, 0.68, 0.88]) curve(`your-body-path your-body-${axis + 1}`, axis, sign, share);
+        }
+        if (found.equal === 0) for (const sign of [1, -1]) curve("your-body-path your-body-edge", 0, sign, 1);
+        axes(svg, at, reach);
+    }));
+
+    /** Two axes and the gap between spin and momentum from the easier to the harder. */
+    const PLANES = [[0, 2, ""], [0, 1, "your-body-dashed"], [1, 2, "your-body-dotted"]];
+    const DEGREES = Array.from({ length: 91 }, (_, k) => k);
+    function gaps([easy, hard]) {
+        return Array.from(body.answer(2, ...found.moments, easy, hard, DEGREES.length, ...DEGREES.map((x) => Math.tan((x * Math.PI) / 360))) ?? []);
+    }
+    redraws.push(drawing(pictures.gap, (width) => Math.round(Math.min(0.5 * width, 240)), (width, height) => {
+        if (!found) return;
+        const svg = pictures.gap;
+        const curves = PLANES.map(gaps);
+        const most = Math.max(1, ...curves.flat()) * 1.15;
+        const at = (x, gap) => [44 + ((width - 60) * x) / 90, height - 40 - ((height - 60) * gap) / most];
+        for (const x of [0, 30, 60, 90]) {
+            path(svg, "live-grid", [at(x, 0), at(x, most)]);
+            draw("text", svg, { x: at(x, 0)[0], y: height - 22, "text-anchor": "middle" }, `${x}°`);
+        }
+        const step = [30, 10, 5, 2, 1, 0.5, 0.2].find((step) => most / step >= 2.5) ?? 0.2;
+        for (let gap = 0; gap < most; gap += step) {
+            path(svg, "live-grid", [at(0, gap), at(90, gap)]);
+            draw("text", svg, { x: 38, y: at(0, gap)[1] + 5, "text-anchor": "end" }, `${Number(gap.toFixed(1))}°`);
+        }
+        curves.forEach((gap, k) => { if (gap.length > 0) path(svg, `live-curve ${PLANES[k][2]}`, gap.map((y, x) => at(x, y))); });
+        draw("text", svg, { x: width / 2, y: height - 3, "text-anchor": "middle" }, width > 480 ? "spin from axis 1 to 3 (solid), 1 to 2 (dashed), 2 to 3 (dotted)" : "1 to 3 solid, 1 to 2 dashed, 2 to 3 dotted");
+    }));
+    const redraw = () => redraws.forEach((again) => again());
+
+    // Dragged, the view goes round; the sliders do the same for a keyboard.
+    for (const svg of [pictures.body, pictures.polhodes]) {
+        let held = null;
+        svg.addEventListener("pointerdown", (event) => {
+            event.preventDefault();
+            svg.setPointerCapture(event.pointerId);
+            held = [event.clientX, event.clientY];
+        });
+        svg.addEventListener("pointermove", (event) => {
+            if (!held) return;
+            turn.value = ((Number(turn.value) - 0.6 * (event.clientX - held[0]) + 540) % 360) - 180;
+            tilt.value = Number(tilt.value) + 0.6 * (event.clientY - held[1]);
+            held = [event.clientX, event.clientY];
+            redraw();
+        });
+        for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => { held = null; });
+    }
+    for (const slider of [turn, tilt]) slider.addEventListener("input", redraw);
+
+    /** What the address says of a body, and what it is to say. */
+    const MARK = "#your-body?";
+    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given()])}`;
+    function fromAddress() {
+        if (!location.hash.startsWith(MARK)) return;
+        const said = new URLSearchParams(location.hash.slice(MARK.length));
+        if (said.get("kind") in KINDS) kind.value = said.get("kind");
+        for (const name of ["m", ...SIZES, ...TENSOR]) {
+            const value = said.get(name);
+            if (value !== null && (value === "" || Number.isFinite(Number(value)))) field(name).value = value;
+        }
+    }
+    let later = 0;
+    function keep() {
+        clearTimeout(later);
+        // Browsers count how often an address changes.
+        later = setTimeout(() => history.replaceState(null, "", words()), 400);
+    }
+
+    const turns = (perRadian) => `once in ${digits(1 / perRadian)} turns`;
+    const digits = (x, count = 3) => (Math.abs(x) >= 0.001 && Math.abs(x) < 1e5 ? String(Number(x.toPrecision(count))) : short(x));
+    function tell() {
+        const { moments, axes, equal, growth, circles, flips } = found;
+        const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");
+        moments.forEach((moment, k) => { shown(`axis-${k + 1}`).textContent = `${digits(moment, 4)} kg m², along (${direction(axes[k])})`; });
+        const never = { 1: "moments 2 and 3 are equal: it never flips", 2: "moments 1 and 2 are equal: it never flips", 3: "all moments are equal: any spin stays as it is" }[equal];
+        shown("growth").textContent = never ?? `unstable, it flips: a push grows e-fold in ${digits(1 / (growth * 2 * Math.PI))} turns, by a factor of ${digits(Math.exp(growth * 2 * Math.PI))} in each`;
+        shown("circles").textContent = equal === 3 ? "the same" : [0, 2].filter((k) => circles[k / 2] > 0).map((k) => `axis ${k + 1}: stable, circled ${turns(circles[k / 2])}`).join("; ");
+        const widest = PLANES.map((plane) => Math.max(...gaps(plane)));
+        shown("gap").textContent = equal === 3 ? "none in any direction" : `${digits(Math.max(...widest))}°`;
+        stage.querySelector(".your-body-flips").hidden = equal !== 0;
+        stage.querySelector(".your-body-flips tbody").replaceChildren(...flips.map((time, k) => {
+            const row = document.createElement("tr");
+            row.append(Object.assign(document.createElement("th"), { scope: "row", textContent: `10${raised(-1 - k)}` }), Object.assign(document.createElement("td"), { textContent: digits(time) }));
+            return row;
+        }));
+        return `${shown("growth").textContent}.`;
+    }
+
+    function show() {
+        for (const set of stage.querySelectorAll("[data-of]")) set.hidden = (set.dataset.of === "moments") !== (kind.value === "moments");
+        SIZES.forEach((name, k) => {
+            const called = KINDS[kind.value][k];
+            field(name).parentElement.hidden = called === undefined;
+            field(name).previousElementSibling.textContent = called ?? "";
+            field(name).setAttribute("aria-label", called?.length === 1 ? `the side along ${called}` : called ?? "");
+        });
+        const why = ask();
+        wrong.hidden = why === null;
+        wrong.textContent = why === null ? "" : why + (found ? " The drawings are of the last body that was right." : "");
+        for (const svg of Object.values(pictures)) svg.classList.toggle("live-dim", why !== null);
+        stage.querySelector("dl").style.visibility = why === null ? "" : "hidden";
+        if (why === null) {
+            say(tell());
+            keep();
+        }
+        redraw();
+    }
+
+    /** The tensor of a link as URDF has it, or what is wrong with it. */
+    function link(text) {
+        const inertial = new DOMParser().parseFromString(text, "text/xml").querySelector("inertial") ?? new DOMParser().parseFromString(text, "text/html").querySelector("inertial");
+        if (!inertial) return "There is no inertial element in it.";
+        const number = (selector, name) => Number(inertial.querySelector(selector)?.getAttribute(name) ?? NaN);
+        const tensor = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map((name) => number("inertia", name));
+        const mass = number("mass", "value");
+        const turned = (inertial.querySelector("origin")?.getAttribute("rpy") ?? "0 0 0").trim().split(/\s+/).map(Number);
+        if (![...tensor, mass, ...turned].every(Number.isFinite) || turned.length !== 3) return "A number is missing: mass, the six of inertia, and the angles of origin where there are any.";
+        const answer = body.answer(3, ...tensor, ...turned);
+        if (!answer) return `${body.words()}.`;
+        kind.value = "moments";
+        field("m").value = mass;
+        TENSOR.forEach((name, k) => { field(name).value = answer[k]; });
+        show();
+        return "Read: its tensor about its centre of mass, in the link’s axes.";
+    }
+    field("urdf").addEventListener("input", () => { shown("urdf").textContent = field("urdf").value.trim() === "" ? "" : link(field("urdf").value); });
+
+    field("copy").addEventListener("click", async () => {
+        clearTimeout(later);
+        history.replaceState(null, "", words());
+        try {
+            await navigator.clipboard.writeText(location.href);
+            shown("copied").textContent = "Copied.";
+        } catch {
+            shown("copied").textContent = "It stands in the address of this page: copy it from there.";
+        }
+    });
+    addEventListener("hashchange", () => { fromAddress(); show(); });
+    kind.addEventListener("input", show);
+    for (const name of ["m", ...SIZES, ...TENSOR]) field(name).addEventListener("input", show);
+    fromAddress();
+    // What stands there at first is not in the address until something is changed.
+    const first = location.hash;
+    show();
+    if (!first.startsWith(MARK)) clearTimeout(later);
+});
