@@ -120,8 +120,11 @@ export async function withoutScripts(open, base, page, fault) {
     // The answers of questions wait only where there are scripts.
     const seen = (selector) =>
       [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().width > 0 && !e.closest(".question")).length;
+    const lettersOf = (element) => element.innerText.replace(/\s/g, "").length;
+    const awake = [...document.querySelectorAll("main .live-stage")].filter((stage) => stage.clientHeight > 0);
     return {
-      letters: document.querySelector("main").innerText.replace(/\s/g, "").length,
+      // But for those of widgets that are awake.
+      letters: lettersOf(document.querySelector("main")) - awake.reduce((sum, stage) => sum + lettersOf(stage), 0),
       figures: seen("main .fig svg"),
       formulas: seen("main math"),
       wide: document.documentElement.scrollWidth > document.documentElement.clientWidth,

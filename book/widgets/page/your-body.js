@@ -47,7 +47,7 @@ tumblingLive.widget("your-body", async (stage) => {
     const eye = () => {
         const [a, b] = [turn, tilt].map((slider) => (Number(slider.value) * Math.PI) / 180);
         const [c, s, low, high] = [Math.cos(a), Math.sin(a), Math.sin(b), Math.cos(b)];
-        return [[c, s, 0], [s * low, -c * low, high], [s * high, -c * high, low]];
+        return [[c, s, 0], [-s * low, c * low, high], [s * high, -c * high, low]];
     };
     /** From principal axes to the body's. */
     const inBody = (p) => [0, 1, 2].map((i) => p.reduce((sum, x, k) => sum + x * found.axes[k][i], 0));
