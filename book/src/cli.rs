@@ -232,6 +232,8 @@ fn listing(all: &[Figure]) -> String {
     for f in all {
         let _ = writeln!(out, "{:name$}  {:chapter$}  {}", f.name, f.chapter, f.shows);
     }
+    let following: Vec<&str> = all.iter().filter(|f| f.follows_a_body()).map(|f| f.name).collect();
+    let _ = write!(out, "\nWith --body, for any body: {}", following.join(", "));
     out.truncate(out.trim_end().len());
     out
 }

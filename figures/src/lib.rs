@@ -65,7 +65,7 @@ impl Figure {
     }
 
     fn picture_of(&self, body: &BodyModel) -> Result<figures::Drawing, String> {
-        let follows = self.of_body.map_err(|why| format!("`{}` follows no other body: {why}", self.name))?;
+        let follows = self.of_body.map_err(|why| format!("it follows no other body: {why}"))?;
         let subject = of_body::Subject::new(body).map_err(|error| error.to_string())?;
         Ok((follows.draw)(&subject))
     }

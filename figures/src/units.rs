@@ -18,7 +18,7 @@ const TIME: Units = Units(&[
     (31_557_600.0, "years", 63_115_200.0),
 ]);
 const MOMENT: Units =
-    Units(&[(1e-9, "g mm²", 0.0), (1e-7, "g cm²", 1e-7), (1e-4, "kg cm²", 1e-5), (1.0, "kg m²", 1e-2)]);
+    Units(&[(1e-9, "g mm²", 0.0), (1e-7, "g cm²", 1e-7), (1e-4, "kg cm²", 1e-4), (1.0, "kg m²", 1e-2)]);
 
 impl Units {
     fn of(&self, value: f64) -> (f64, &'static str) {
@@ -65,7 +65,9 @@ pub(crate) fn moments(all: &[f64]) -> (Vec<String>, String) {
         let power = largest.log10().floor() as i32;
         (10_f64.powi(power), format!("× {} kg m²", raised(power)))
     };
-    let tiny = largest < 1e-9;
+    // In one row with equal decimals, but where the smallest would have no digits left.
+    let smallest = all.iter().map(|x| x.abs()).filter(|&x| x > 0.0).fold(largest, f64::min);
+    let tiny = largest < 1e-9 || smallest < 0.02 * largest;
     let digits = (3 - (largest / size).log10().floor() as i32).clamp(0, 5) as usize;
     let written = all
         .iter()
@@ -132,6 +134,7 @@ mod tests {
         assert_eq!(moments(&[10.0 / 12.0, 13.0 / 12.0, -5.0 / 12.0]).0, ["0.833", "1.083", "−0.417"]);
         assert_eq!(moments(&[1e17, 2.5e16]), (vec!["1.000".into(), "0.250".into()], "× 10¹⁷ kg m²".into()));
         assert_eq!(moments(&[4e-4, 1e-4]).1, "kg cm²");
+        assert_eq!(moments(&[1.31e-5, 7.2e-8]), (vec!["131".into(), "0.72".into()], "g cm²".into()));
         assert_eq!([number(-3.0e-7, 3), number(0.1, 3), number(12345.0, 3)], ["−3 × 10⁻⁷", "0.1", "12300"]);
         assert_eq!(
             [turning(6.283_185_307), turning(0.1), turning(10.0)],

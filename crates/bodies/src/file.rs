@@ -37,6 +37,7 @@ struct Table {
     urdf: Option<Spanned<String>>,
     link: Option<Spanned<String>>,
     body: Option<Spanned<String>>,
+    spin: Option<Spanned<f64>>,
     mass: Option<Spanned<f64>>,
     density: Option<Spanned<f64>>,
     at: Option<Spanned<[f64; 3]>>,
@@ -76,7 +77,7 @@ impl Table {
             ($($name:ident)*) => { [$((stringify!($name), self.$name.as_ref().map(Spanned::span))),*] };
         }
         let all = spans!(shape sides radius inner height length semiaxes vertices points mesh unit part
-            moments products tolerance urdf link body mass density at turn);
+            moments products tolerance urdf link body spin mass density at turn);
         all.into_iter().filter_map(|(name, span)| Some((name, span?))).collect()
     }
 }
@@ -132,7 +133,7 @@ impl Reader<'_> {
             let goes = *field == name
                 || with.contains(field)
                 || sizes.contains(field)
-                || ["at", "turn"].contains(field);
+                || ["at", "turn", "spin"].contains(field);
             if !goes {
                 return Err(self.wrong(span, field, format!("it does not go with `{name}`")));
             }
@@ -165,7 +166,8 @@ impl Reader<'_> {
             _ => self.shape(table, &by),
         }?;
         let name = table.name.clone().unwrap_or_else(|| found.name.clone());
-        self.placed(table, BodyModel { name, ..found })
+        let spin = table.spin.as_ref().map(|spin| self.spin(spin)).transpose()?;
+        self.placed(table, BodyModel { name, spin, ..found })
     }
 
     fn weight(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<Weight, Error> {
@@ -216,6 +218,13 @@ impl Reader<'_> {
         Ok(BodyModel { sides, ..model(properties, vec![surface]) })
     }
 
+    /// How fast it spins, rad/s.
+    fn spin(&self, given: &Spanned<f64>) -> Result<f64, Error> {
+        let spin = *given.get_ref();
+        let why = || self.wrong(&given.span(), "spin", format!("{spin} rad/s is not above zero and finite"));
+        if spin > 0.0 && spin.is_finite() { Ok(spin) } else { Err(why()) }
+    }
+
     /// The three edges of a box.
     fn edges(&self, given: &Spanned<Vec<f64>>) -> Result<[f64; 3], Error> {
         let wrong = |why: String| self.wrong(&given.span(), "sides", why);
@@ -258,6 +267,9 @@ impl Reader<'_> {
         let (mut whole, mut surfaces) = (Compound::new(), Vec::new());
         for part in table.part.iter().flat_map(Spanned::get_ref) {
             let found = self.body(part.get_ref(), &part.span())?;
+            if let Some(spin) = &part.get_ref().spin {
+                return Err(self.wrong(&spin.span(), "spin", "it is the whole body's, not a part's"));
+            }
             let Some(mass) = found.mass else {
                 return Err(Error::at(
                     self.text,
@@ -290,7 +302,16 @@ impl Reader<'_> {
         // Sides say what is drawn.
         let sides = table.sides.as_ref().map(|given| self.edges(given)).transpose()?;
         let surfaces = sides.iter().map(|sides| Surface::cuboid(&(*sides).into())).collect();
-        Ok(BodyModel { name: String::new(), mass, centre: Vector3::zeros(), inertia, moved, surfaces, sides })
+        Ok(BodyModel {
+            name: String::new(),
+            mass,
+            centre: Vector3::zeros(),
+            inertia,
+            moved,
+            surfaces,
+            spin: None,
+            sides,
+        })
     }
 
     fn urdf(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
@@ -355,6 +376,7 @@ fn model(properties: MassProperties, surfaces: Vec<Surface>) -> BodyModel {
         inertia: properties.inertia(),
         moved: 0.0,
         surfaces,
+        spin: None,
         sides: None,
     }
 }
@@ -396,6 +418,8 @@ mod tests {
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nturn = [0, 0, 0, 1]", "line 4, `turn`: x, y and z"),
             ("mesh = 'none.stl'\nmass = 1", "line 1, `mesh`: none.stl: it cannot be read"),
             ("shape = 'rod'\nlength = 1\nmass = 1", "moment"),
+            ("spin = 0\nmoments = [1, 2, 2]", "line 1, `spin`: 0 rad/s is not above zero"),
+            ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
             ("points = [[1, 0, 0, 0]]", "line 1, `points`"),
         ] {
             let error = body(text).unwrap_err().to_string();

@@ -29,7 +29,8 @@
 //!
 //! Besides, `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for one in millimetres) with
 //! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for one of the
-//! book's. `sides` with `moments` say what is drawn.
+//! book's. `sides` with `moments` say what is drawn. `spin` (rad/s) is how fast
+//! it turns in figures and films; left out, that follows from its size.
 
 mod error;
 mod file;

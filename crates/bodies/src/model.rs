@@ -21,6 +21,8 @@ pub struct BodyModel {
     pub moved: f64,
     /// What is drawn, in the body's axes, m. Empty where only numbers are known.
     pub surfaces: Vec<Surface>,
+    /// How fast its motions spin, rad/s, where its file says so.
+    pub spin: Option<f64>,
     /// The edges along x, y and z of a body that is one box, m.
     pub sides: Option<[f64; 3]>,
 }

@@ -86,6 +86,7 @@ impl BodyModel {
             inertia: properties.inertia(),
             moved: 0.0,
             surfaces,
+            spin: None,
             sides,
         })
     }

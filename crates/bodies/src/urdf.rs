@@ -121,6 +121,7 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
         inertia,
         moved,
         surfaces: surfaces(link)?,
+        spin: None,
         sides: None,
     })
 }

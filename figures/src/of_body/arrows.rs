@@ -48,7 +48,7 @@ fn pair(canvas: &Canvas, centre: P, long: f64, pair: &Pair, wide: [f64; 2]) -> [
 /// One spin, large, with its momentum.
 fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64) -> Pair {
     let centre = (215.0, 290.0);
-    outline(canvas, subject, plane, centre, 120.0);
+    outline(canvas, subject, plane, centre, 100.0);
     let axis = Pen::new(Ink::Faint, 1.2).dash_dotted();
     canvas.line((centre.0 - 150.0, centre.1), (490.0, centre.1), axis);
     canvas.line((centre.0, centre.1 + 70.0), (centre.0, 70.0), axis);

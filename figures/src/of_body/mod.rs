@@ -76,12 +76,13 @@ impl<'a> Subject<'a> {
             Kind::Round(_) => m.z = m.y,
             Kind::Three => {}
         }
-        let spin = match model.reach() {
+        let by_size = match model.reach() {
             _ if !model.has_size() => TAU,
             ..=3.0 => TAU,
             3.0..=100.0 => TAU / 60.0,
             _ => TAU / 10_800.0,
         };
+        let spin = model.spin.unwrap_or(by_size);
         Ok(Self { model, moments: m.try_into()?, frame: principal.frame(), kind, spin })
     }
 
