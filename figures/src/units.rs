@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(moments(&[1.31e-5, 7.2e-8]), (vec!["131".into(), "0.72".into()], "g cm²".into()));
         assert_eq!([number(-3.0e-7, 3), number(0.1, 3), number(12345.0, 3)], ["−3 × 10⁻⁷", "0.1", "12300"]);
         assert_eq!(
-            [turning(6.283_185_307), turning(0.1), turning(10.0)],
+            [turning(std::f64::consts::TAU), turning(0.1), turning(10.0)],
             ["one turn a second", "one turn in 62.8 s", "1.59 turns a second"]
         );
     }

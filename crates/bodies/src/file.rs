@@ -190,12 +190,10 @@ impl Reader<'_> {
     fn shape(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
         let name = table.shape.as_ref().map_or("box", |shape| shape.get_ref());
         let present = table.present();
-        if let Some(kind) = KINDS.iter().find(|kind| kind.name == name) {
-            if let Some(missing) =
-                kind.all.iter().find(|f| **f != "inner" && present.iter().all(|p| p.0 != **f))
-            {
-                return Err(self.wrong(&by.1, by.0, format!("`{missing}` is missing, which a {name} has")));
-            }
+        let needed = KINDS.iter().find(|kind| kind.name == name).map_or(&[][..], |kind| kind.all);
+        let absent = |field: &&&str| **field != "inner" && present.iter().all(|p| p.0 != **field);
+        if let Some(missing) = needed.iter().find(absent) {
+            return Err(self.wrong(&by.1, by.0, format!("`{missing}` is missing, which a {name} has")));
         }
         let count = sides(name);
         if let Some(given) = table.sides.as_ref().filter(|given| given.get_ref().len() != count) {

@@ -120,10 +120,10 @@ fn bent_faces(surface: &Surface, normals: &[Vector3<f64>]) -> Vec<bool> {
     }
     let mut bent = vec![false; normals.len()];
     for faces in sides.values() {
-        if let [a, b] = faces[..] {
-            if normals[a].dot(&normals[b]) > BENT {
-                (bent[a], bent[b]) = (true, true);
-            }
+        if let [a, b] = faces[..]
+            && normals[a].dot(&normals[b]) > BENT
+        {
+            (bent[a], bent[b]) = (true, true);
         }
     }
     bent
