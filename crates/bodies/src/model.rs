@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::surface::Surface;
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-use tumbling::{Body, Inertia, PrincipalAxes, PrincipalMoments};
+use nalgebra::{Matrix3, Vector3};
+use tumbling::{Inertia, PrincipalAxes, PrincipalMoments};
 
 /// A body with a name, ready to be spun and drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,14 +40,6 @@ impl BodyModel {
     /// None for a model that was read.
     pub fn moments(&self) -> Result<PrincipalMoments, Error> {
         Ok(self.principal().moments().try_into()?)
-    }
-
-    /// The body in flight, with its axes along the world's and this spin (rad/s) in its own axes.
-    ///
-    /// # Errors
-    /// A spin that is not finite, or a momentum beyond `f64`.
-    pub fn spinning(&self, omega: &Vector3<f64>) -> Result<Body, Error> {
-        Ok(Body::spinning(self.inertia, UnitQuaternion::identity(), omega)?)
     }
 
     /// The even box of the same mass and tensor: its edges along the principal axes, smallest moment
@@ -94,11 +86,5 @@ impl BodyModel {
     #[must_use]
     pub fn has_size(&self) -> bool {
         !self.surfaces.is_empty() || self.mass.is_some()
-    }
-
-    /// The turn that takes body axes to principal axes, smallest moment first.
-    #[must_use]
-    pub fn to_principal(&self) -> Rotation3<f64> {
-        Rotation3::from_matrix_unchecked(self.principal().frame()).inverse()
     }
 }

@@ -42,7 +42,7 @@ fn no_letters_of_any_body_lie_on_others_or_leave_the_sheet() {
 }
 
 #[test]
-fn a_body_that_never_flips_has_no_figure_of_flips_and_is_told_why() {
+fn a_body_that_never_flips_has_no_figure_of_flips_and_the_refusal_says_why() {
     let coin = BodyModel::from_toml(BODIES[6].1, "".as_ref()).unwrap();
     let refused: Vec<_> = registry()
         .iter()

@@ -20,16 +20,16 @@ const POINTS: u32 = 96;
 
 /// What the page asks:
 ///
-/// 0. A body, by its kind: 0 box (edges), 1 ball (radius), 2 cylinder (radius, height), 3 tube (radius of the
-///    hole, of the whole, height), 4 capsule (radius, length), 5 cone (radius, height), 6 ellipsoid
-///    (semi-axes), 7 plate (edges), 8 disk (radius), each with its mass (kg) and its sizes (m) after it; or 9,
-///    moments: the mass, or zero where it is not known, then xx, yy, zz, xy, xz, yz (kg m²). The answer: the
-///    tensor about the centre in that order; the moments, smallest first; their axes, three components each;
-///    which moments are equal, 0 none, 1 all but the smallest, 2 all but the largest, 3 all; how fast a push
-///    off the middle axis grows, per radian of spin; how fast one circles the axis of the smallest moment,
-///    and of the largest, per radian; the semi-axes of the even ellipsoid of the same mass and moments, m (of
-///    one kilogram where the mass is not known); and the time between flips for pushes from 0.1 to 1e-9 in
-///    turns (NaN: it never flips).
+/// 0. A body, by its kind: 0 box (edges), 1 ball (radius), 2 cylinder (radius, height), 3 tube (radius of
+///    the hole, of the whole, height), 4 capsule (radius, length), 5 cone (radius, height), 6 ellipsoid
+///    (semi-axes), 7 plate (edges), 8 disk (radius), each with its mass (kg) and its sizes (m) after it; or
+///    9, moments: the mass, or zero where it is not known, then xx, yy, zz, xy, xz, yz (kg m²). The answer:
+///    the tensor about the centre in that order; the moments, smallest first; their axes, three components
+///    each; which moments are equal, 0 none, 1 all but the smallest, 2 all but the largest, 3 all; how fast a
+///    push off the middle axis grows, per radian of spin; how fast one circles the axis of the smallest
+///    moment, and of the largest, per radian; the semi-axes of the even ellipsoid of the same mass and
+///    moments, m (of one kilogram where the mass is not known); and the time between flips for pushes from
+///    0.1 to 1e-9 in turns (NaN: it never flips).
 /// 1. Of moments, smallest first, the closed path round axis 0 or 2, on its positive or negative side, at
 ///    this share of the way to the separatrix: spins of equal energy, in parts of the longest.
 /// 2. The gap, degrees, of spins between two axes (by their places) of a body with these moments: how many,
@@ -140,8 +140,8 @@ fn circle(half: f64) -> (f64, f64) {
     ((1.0 - squared) / (1.0 + squared), 2.0 * half / (1.0 + squared))
 }
 
-/// With `u` the spin over the half axes of the ellipsoid, `|u| = 1` and `I1 u1² + I2 u2² + I3 u3² = c`: across
-/// the axis an ellipse.
+/// With `u` the spin over the half axes of the ellipsoid, `|u| = 1` and `I1 u1² + I2 u2² + I3 u3² = c`:
+/// across the axis an ellipse.
 fn path(row: &Numbers) -> usize {
     let moments: [f64; 3] = row.take(0);
     let [axis, sign, share] = row.take(3);
