@@ -1,7 +1,10 @@
 //! The command line: its grammar, and what each command does.
 
 use crate::share::Site;
-use crate::{build, complain, docs, draw, exercises, guard, judge, measure, paths, preprocess, report, say};
+use crate::{
+    build, complain, docs, draw, exercises, export, film, guard, judge, measure, paths, preprocess, report,
+    say,
+};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use clap_complete::Shell;
@@ -32,18 +35,26 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Draw every figure, or those named
+    #[command(
+        after_help = "With one of --format, --theme, --width and --out it writes files for slides, papers and \
+other programs, and leaves the pages' drawings as they are: `cargo run -- figures two-arrows --format pdf --theme print --out slides`."
+    )]
     Figures {
         /// The figures, by the names that `list` shows
         #[arg(value_name = "NAME", value_parser = figure(), hide_possible_values = true)]
         names: Vec<&'static Figure>,
         /// Draw nothing; fail and name the committed figures that are not what would be drawn
-        #[arg(long)]
+        #[arg(long, conflicts_with_all = ["format", "theme", "width", "out"])]
         check: bool,
         /// For this body instead of the book's: a name such as `phone` or `hammer`, a TOML file, or
-        /// FILE.urdf#LINK; into figures/of-bodies/NAME/
+        /// FILE.urdf#LINK; into figures/of-bodies/NAME/ where no --out is given
         #[arg(long, value_name = "BODY", value_parser = BodyModel::load, conflicts_with = "check")]
         body: Option<BodyModel>,
+        #[command(flatten)]
+        export: export::Arguments,
     },
+    /// Film a body in free motion: the body, its two arrows, the path of its spin
+    Film(film::Arguments),
     /// List the name, chapter and subject of each figure
     List,
     /// Build the book from the figures as they are
@@ -116,10 +127,12 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
     };
     match command {
         Command::List => say!("{}", listing(registry())),
-        Command::Figures { names, check, body } => {
+        Command::Figures { names, check, body, export } => {
             let named = !names.is_empty();
             let figures = if named { names } else { registry().iter().collect() };
-            if let Some(body) = body {
+            if export.wanted() {
+                export::export(&figures, body.as_ref(), !named, &export)?;
+            } else if let Some(body) = body {
                 draw::draw_for(&body, &figures, !named)?;
             } else if check {
                 draw::check(&figures, &paths::figures())?;
@@ -127,6 +140,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
                 draw::draw(&figures, &paths::figures())?;
             }
         }
+        Command::Film(arguments) => film::run(&arguments)?,
         Command::Build { site } => build::build(site.as_ref())?,
         Command::Check { folder, list, mutants } => {
             let folder = folder.unwrap_or_else(paths::chapters);
@@ -271,6 +285,24 @@ mod tests {
             &["list"][..],
             &["build"],
             &["figures"],
+            &["figures", "two-arrows", "--format", "pdf", "--theme", "print", "--width", "800", "--out", "x"],
+            &["film", "book"],
+            &[
+                "film",
+                "phone.toml",
+                "--axis",
+                "largest",
+                "--spin",
+                "2turns",
+                "--push",
+                "0.1",
+                "--seconds",
+                "4",
+            ],
+            &[
+                "film", "hammer", "--camera", "body", "--format", "frames", "--theme", "navy", "--width",
+                "800",
+            ],
             &["figures", "polhodes", "--body", "hammer"],
             &["check"],
             &["check", "folder", "--list"],
@@ -306,6 +338,7 @@ mod tests {
             (&["exercises", "reset", "two_arrow_1"], "'two_arrows_1'"),
             (&["figures", "--chekc"], "'--check'"),
             (&["figures", "two-arows"], "'two-arrows'"),
+            (&["figures", "--theme", "prnt"], "'print'"),
             (&["judge", "x", "--inertai", "1,2,3"], "'--inertia'"),
             (&["judge", "x", "--tresholds"], "'--threshold'"),
         ] {
@@ -324,6 +357,13 @@ mod tests {
             &["build", "--json"],
             &["list", "--check"],
             &["figures", "--mutants"],
+            &["film"],
+            &["film", "book", "--format", "mp4"],
+            &["film", "book", "--spin", "fast"],
+            &["figures", "--check", "--format", "svg"],
+            &["figures", "--format", "jpeg"],
+            &["figures", "--theme", "dark"],
+            &["figures", "--width", "0"],
             &["figures", "--body", "hamer"],
             &["figures", "--check", "--body", "hammer"],
             &["check", "a", "b"],

@@ -4,7 +4,7 @@ use crate::files::write_changed;
 use crate::{paths, say};
 use std::any::Any;
 use std::fs;
-use std::panic::catch_unwind;
+use std::panic::{RefUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -13,8 +13,8 @@ use std::time::{Duration, Instant};
 use tumbling_bodies::BodyModel;
 use tumbling_figures::{Figure, registry};
 
-/// A figure as just drawn, or why it could not be, and how long that took.
-type Drawn<'a> = (&'a Figure, Result<String, String>, Duration);
+/// What was made of a figure, or why it could not be, and how long that took.
+type Made<'a, T> = (&'a Figure, Result<T, String>, Duration);
 
 /// Draws these figures into `folder`, touching only files whose bytes change.
 ///
@@ -121,19 +121,27 @@ fn file_of(figure: &Figure, folder: &Path) -> PathBuf {
 }
 
 /// Draws on every core and hands the drawings over as they come.
-fn each_drawn<'a>(figures: &[&'a Figure], mut take: impl FnMut(Drawn<'a>)) {
+fn each_drawn<'a>(figures: &[&'a Figure], take: impl FnMut(Made<'a, String>)) {
+    each_made(figures, |figure| figure.draw().map_err(|e| e.to_string()), take);
+}
+
+/// Makes something of each figure, on every core, and hands it over as it comes.
+pub(crate) fn each_made<'a, T: Send>(
+    figures: &[&'a Figure],
+    make: impl Fn(&Figure) -> Result<T, String> + Sync + RefUnwindSafe,
+    mut take: impl FnMut(Made<'a, T>),
+) {
     let next = AtomicUsize::new(0);
-    let (send, receive) = mpsc::channel::<Drawn<'a>>();
+    let (send, receive) = mpsc::channel::<Made<'a, T>>();
     let workers = thread::available_parallelism().map_or(1, usize::from).min(figures.len());
     thread::scope(|scope| {
         for _ in 0..workers {
-            let (send, next) = (send.clone(), &next);
+            let (send, next, make) = (send.clone(), &next, &make);
             scope.spawn(move || {
                 while let Some(figure) = figures.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let start = Instant::now();
-                    let svg = catch_unwind(|| figure.draw().map_err(|e| e.to_string()))
-                        .unwrap_or_else(|panic| Err(words_of(&*panic)));
-                    if send.send((figure, svg, start.elapsed())).is_err() {
+                    let made = catch_unwind(|| make(figure)).unwrap_or_else(|panic| Err(words_of(&*panic)));
+                    if send.send((figure, made, start.elapsed())).is_err() {
                         return; // nobody listens any more
                     }
                 }

@@ -70,6 +70,11 @@ impl Ink {
         SHADES.iter().position(|shade| shade.ink == self).unwrap_or(0)
     }
 
+    /// The ink whose colour a page sets by this custom property.
+    pub(crate) fn of_property(property: &str) -> Option<Self> {
+        SHADES.iter().find(|shade| shade.property == property).map(|shade| shade.ink)
+    }
+
     /// The ink behind such a number.
     pub(crate) fn from_index(index: usize) -> Self {
         SHADES.get(index).map_or(Self::Text, |shade| shade.ink)

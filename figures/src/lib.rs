@@ -9,14 +9,17 @@
 
 mod draw;
 mod figures;
+pub mod film;
 mod ink;
 mod motion;
 mod of_body;
 mod report;
+mod theme;
 mod units;
 mod verdict;
 
 pub use report::report;
+pub use theme::Theme;
 use tumbling_bodies::BodyModel;
 pub use verdict::verdict;
 

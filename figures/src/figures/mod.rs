@@ -23,7 +23,7 @@ mod jacobi;
 mod judged;
 mod moments_gallery;
 pub(crate) mod moments_map;
-mod polhode;
+pub(crate) mod polhode;
 mod polhodes;
 mod rod_two_ways;
 mod scale;

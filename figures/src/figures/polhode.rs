@@ -10,16 +10,17 @@ use tumbling::Inertia;
 use tumbling::exact::time_between_flips;
 
 /// All spins with which a body has the same energy.
-pub(super) struct Ellipsoid {
-    pub(super) inertia: Inertia,
-    pub(super) moments: Vector3<f64>,
+#[derive(Debug)]
+pub(crate) struct Ellipsoid {
+    pub(crate) inertia: Inertia,
+    pub(crate) moments: Vector3<f64>,
     /// Half its axes: the spins about the principal axes.
-    pub(super) reach: Vector3<f64>,
+    pub(crate) reach: Vector3<f64>,
 }
 
 impl Ellipsoid {
     /// For moments in rising order, with an energy such that the longest half axis is 1 rad/s.
-    pub(super) fn new(moments: [f64; 3]) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn new(moments: [f64; 3]) -> Result<Self, Box<dyn Error>> {
         let inertia = Inertia::from_moments(moments[0], moments[1], moments[2])?;
         let reach = Vector3::from(moments).map(|moment| (moments[0] / moment).sqrt());
         Ok(Self { inertia, moments: moments.into(), reach })
@@ -30,7 +31,7 @@ impl Ellipsoid {
     }
 
     /// The outline: where the line of sight grazes the surface.
-    pub(super) fn outline(&self, view: &View) -> Vec<P> {
+    pub(crate) fn outline(&self, view: &View) -> Vec<P> {
         // On the unit sphere from which the ellipsoid is stretched, the outline is a great circle.
         let pole = view.toward().component_div(&self.reach).normalize();
         let first = pole.cross(&Vector3::x()).normalize();
@@ -45,7 +46,7 @@ impl Ellipsoid {
 
     /// The closed path of the spin that starts `share` of the way from the end of an axis (0 or 2, positive
     /// or negative) to the separatrix.
-    pub(super) fn polhode(
+    pub(crate) fn polhode(
         &self,
         axis: usize,
         sign: f64,
@@ -73,7 +74,7 @@ impl Ellipsoid {
     }
 
     /// One of the two ellipses that make up the separatrix.
-    pub(super) fn separatrix(&self, sign: f64) -> Vec<Vector3<f64>> {
+    pub(crate) fn separatrix(&self, sign: f64) -> Vec<Vector3<f64>> {
         let angle = self.separatrix_angle(0);
         let across = Vector3::new(angle.cos(), 0.0, sign * angle.sin());
         (0..=360)
@@ -85,7 +86,7 @@ impl Ellipsoid {
     }
 
     /// Draws a curve on the surface: before in full, behind faint.
-    pub(super) fn curve(
+    pub(crate) fn curve(
         &self,
         canvas: &Canvas,
         view: &View,
@@ -106,7 +107,7 @@ impl Ellipsoid {
     }
 
     /// A head on a curve where it comes nearest to the viewer.
-    pub(super) fn head(&self, canvas: &Canvas, view: &View, points: &[Vector3<f64>], at: usize, pen: Pen) {
+    pub(crate) fn head(&self, canvas: &Canvas, view: &View, points: &[Vector3<f64>], at: usize, pen: Pen) {
         let n = points.len() - 1;
         let around: Vec<P> = (0..=12).map(|i| view.at(&points[(at + n + i - 12) % n])).collect();
         if self.seen(view, &points[at % n]) {
@@ -115,7 +116,7 @@ impl Ellipsoid {
     }
 
     /// The surface itself.
-    pub(super) fn surface(&self, canvas: &Canvas, view: &View, edge: Pen) {
+    pub(crate) fn surface(&self, canvas: &Canvas, view: &View, edge: Pen) {
         let outline = self.outline(view);
         canvas.area(&outline, Fill::new(Ink::Surface), Some(edge));
     }

@@ -1,0 +1,147 @@
+//! Figures as files for other programs: slides, papers, printers.
+
+use crate::draw::each_made;
+use crate::files::write_changed;
+use crate::{paths, say};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::{Path, PathBuf};
+use tumbling_bodies::BodyModel;
+use tumbling_figures::{Figure, Theme};
+use tumbling_media::Drawing;
+
+/// How figures leave the book.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// Write files for other programs, in this format [default: svg]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// The colours of those files [default: light]
+    #[arg(long, value_parser = theme())]
+    theme: Option<Theme>,
+    /// Their width in pixels, 96 to the inch [default: 1600 of a png, otherwise as drawn]
+    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(16..=20_000))]
+    width: Option<u32>,
+    /// The folder for those files [default: the one you are in]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// Outlines and plain colours, for any program
+    Svg,
+    /// Pixels
+    Png,
+    /// One page, with text that can be copied
+    Pdf,
+}
+
+/// The width of a PNG: a slide's, nearly.
+const PNG_WIDTH: u32 = 1600;
+
+/// A theme's name on the command line.
+pub(crate) fn theme() -> impl TypedValueParser<Value = Theme> {
+    PossibleValuesParser::new(Theme::ALL.map(Theme::name))
+        .try_map(|name| Theme::ALL.into_iter().find(|theme| theme.name() == name).ok_or("no such theme"))
+}
+
+impl Arguments {
+    /// Whether any of them was given.
+    pub(crate) fn wanted(&self) -> bool {
+        self.format.is_some() || self.theme.is_some() || self.width.is_some() || self.out.is_some()
+    }
+}
+
+/// Writes these figures into the folder that was given: the book's own, or those of a body; with `all`, those
+/// that follow a body and that this one has.
+///
+/// # Errors
+/// The folder of the pages' own drawings; each figure that could not be drawn or written, after the others.
+pub(crate) fn export(
+    figures: &[&Figure],
+    body: Option<&BodyModel>,
+    all: bool,
+    wanted: &Arguments,
+) -> Result<(), String> {
+    let folder = wanted.out.clone().unwrap_or_else(|| PathBuf::from("."));
+    own_folder_refused(&folder)?;
+    let (format, theme) = (wanted.format.unwrap_or(Format::Svg), wanted.theme.unwrap_or(Theme::Light));
+    let mut failures = Vec::new();
+    let make = |figure: &Figure| {
+        let svg =
+            body.map_or_else(|| figure.draw(), |body| figure.draw_for(body)).map_err(|e| e.to_string())?;
+        exported(&svg, format, theme, wanted.width)
+    };
+    let follows = |figure: &&Figure| body.is_none() || !all || figure.follows_a_body();
+    let figures: Vec<&Figure> = figures.iter().copied().filter(follows).collect();
+    each_made(&figures, make, |(figure, made, _)| {
+        let file = folder.join(format!("{}.{}", figure.name, ending(format)));
+        match made.and_then(|bytes| Ok((write_changed(&file, &bytes)?, bytes.len()))) {
+            Ok((_, size)) => say!("  {}  {} kB", file.display(), size.div_ceil(1000)),
+            Err(reason) if body.is_some() && all => say!("  {}: not drawn: {reason}", figure.name),
+            Err(reason) => failures.push(format!("figure `{}`: {reason}", figure.name)),
+        }
+    });
+    if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
+}
+
+/// The bytes of one file.
+fn exported(svg: &str, format: Format, theme: Theme, width: Option<u32>) -> Result<Vec<u8>, String> {
+    let drawing = Drawing::read(&theme.dressed(svg)).map_err(|e| e.to_string())?;
+    match format {
+        Format::Svg => Ok(drawing.svg(width).into_bytes()),
+        Format::Png => drawing.png(width.unwrap_or(PNG_WIDTH)).map_err(|e| e.to_string()),
+        Format::Pdf => drawing.pdf(width).map_err(|e| e.to_string()),
+    }
+}
+
+fn ending(format: Format) -> &'static str {
+    match format {
+        Format::Svg => "svg",
+        Format::Png => "png",
+        Format::Pdf => "pdf",
+    }
+}
+
+/// Exported drawings have no place among those that the pages take.
+pub(crate) fn own_folder_refused(folder: &Path) -> Result<(), String> {
+    let same =
+        |a: &Path, b: &Path| a.canonicalize().ok().zip(b.canonicalize().ok()).is_some_and(|(a, b)| a == b);
+    if same(folder, &paths::figures()) {
+        return Err(format!(
+            "{} holds the drawings that the pages take; choose another folder with --out",
+            folder.display()
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn by_day_and_by_night_the_colours_are_those_of_the_pages() {
+        let sheet = fs::read_to_string(paths::book().join("theme/palette.css")).unwrap();
+        for (theme, selector) in
+            [(Theme::Light, ".light, html:not(.js) {"), (Theme::Navy, ".coal, .navy, .ayu {")]
+        {
+            let rules = sheet.split(selector).nth(1).unwrap().split('}').next().unwrap();
+            let colours: Vec<_> = rules.lines().filter_map(|line| line.trim().split_once(": ")).collect();
+            let inks: Vec<_> = colours.iter().filter(|(name, _)| name.starts_with("--fig-")).collect();
+            assert_eq!(inks.len(), 7, "{theme:?}");
+            for (property, colour) in inks {
+                let dressed = theme.dressed(&format!("var({property},none)"));
+                assert_eq!(dressed, colour.trim_end_matches(';'), "{theme:?} {property}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_pages_own_drawings_are_not_overwritten() {
+        let refused = own_folder_refused(&paths::figures().join("../figures")).unwrap_err();
+        assert!(refused.contains("choose another folder"), "{refused}");
+        assert_eq!(own_folder_refused(Path::new("slides")), Ok(()));
+    }
+}

@@ -1,0 +1,79 @@
+//! Films: pictures one after another, in few colours, each stored by what it changes.
+
+mod apng;
+mod changes;
+mod gif;
+mod palette;
+
+pub use palette::Palette;
+
+use crate::error::Error;
+use crate::picture::Picture;
+use changes::{Changes, Patch};
+
+/// How a film is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// An animated PNG.
+    Apng,
+    /// A GIF.
+    Gif,
+}
+
+/// A film that grows picture by picture, and starts again at its end.
+#[derive(Debug)]
+pub struct Film {
+    writer: Writer,
+    palette: Palette,
+    changes: Changes,
+}
+
+#[derive(Debug)]
+enum Writer {
+    Apng(Box<apng::Writer>),
+    Gif(Box<gif::Writer>),
+}
+
+impl Film {
+    /// A film of `count` pictures of this size, each shown for `milliseconds`. A GIF counts in hundredths of
+    /// a second, so that its pictures stay for ten milliseconds or a multiple.
+    ///
+    /// # Errors
+    /// What the encoder reports, for instance of a size that the format does not have.
+    pub fn new(
+        format: Format,
+        palette: Palette,
+        size: [u32; 2],
+        count: u32,
+        milliseconds: u16,
+    ) -> Result<Self, Error> {
+        let writer = match format {
+            Format::Apng => Writer::Apng(Box::new(apng::Writer::new(&palette, size, count, milliseconds)?)),
+            Format::Gif => Writer::Gif(Box::new(gif::Writer::new(&palette, size, milliseconds)?)),
+        };
+        Ok(Self { writer, palette, changes: Changes::new(size) })
+    }
+
+    /// Adds the next picture.
+    ///
+    /// # Errors
+    /// A picture of another size, or what the encoder reports.
+    pub fn add(&mut self, picture: &Picture) -> Result<(), Error> {
+        let patch = self.changes.patch(picture, &mut self.palette)?;
+        match &mut self.writer {
+            Writer::Apng(writer) => writer.add(&patch),
+            Writer::Gif(writer) => writer.add(&patch),
+        }
+    }
+
+    /// The file.
+    ///
+    /// # Errors
+    /// Fewer pictures than were announced, or what the encoder reports.
+    pub fn finish(self) -> Result<Vec<u8>, Error> {
+        match self.writer {
+            Writer::Apng(writer) => writer.finish(),
+            Writer::Gif(writer) => writer.finish(),
+        }
+    }
+}

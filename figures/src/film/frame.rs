@@ -1,0 +1,212 @@
+//! One drawing of a film.
+
+use super::{Camera, Film, place, share_in_words};
+use crate::draw::{Canvas, Fill, Label, P, Pen, View, solid};
+use crate::figures::{ink_of, with_powers};
+use crate::ink::Ink;
+use nalgebra::Vector3;
+use std::error::Error;
+use std::f64::consts::TAU;
+use tumbling::Axis;
+
+/// Width and height of a drawing.
+pub const SHEET: [u32; 2] = [640, 360];
+
+/// Where the body's centre is drawn, and where the ellipsoid's.
+const BODY: P = (176.0, 210.0);
+const ELLIPSOID: P = (482.0, 184.0);
+
+/// From where all is seen, degrees.
+const AZIMUTH: f64 = -52.0;
+const ELEVATION: f64 = 22.0;
+
+/// How long things are drawn: the body's reach, the momentum, the longest spin, the ellipsoid's longest half
+/// axis, the pin beyond the body.
+const REACH: f64 = 104.0;
+const MOMENTUM: f64 = 172.0;
+const SPIN: f64 = 146.0;
+const HALF_AXIS: f64 = 122.0;
+const PIN: f64 = 32.0;
+
+/// How much of the trace is drawn strongly, as a share of a turn of the first spin.
+const TAIL: f64 = 0.8;
+
+/// How a film draws an arrow of the spin, for those who read a drawing back.
+#[derive(Debug, Clone, Copy)]
+pub struct Projection {
+    /// The longest spin of the film, rad/s: the longest arrow.
+    fastest: f64,
+}
+
+impl Projection {
+    /// Where the tip of this spin (rad/s, as the camera sees it: z up) is drawn.
+    #[must_use]
+    pub fn tip(&self, omega: &Vector3<f64>) -> [f64; 2] {
+        let (x, y) = view(BODY, SPIN / self.fastest, AZIMUTH).at(omega);
+        [x, y]
+    }
+}
+
+fn view(centre: P, scale: f64, azimuth: f64) -> View {
+    View::new(centre, scale, azimuth, ELEVATION)
+}
+
+impl Film {
+    /// How it draws arrows.
+    #[must_use]
+    pub fn projection(&self) -> Projection {
+        Projection { fastest: self.fastest }
+    }
+
+    /// The spin as the camera sees it at this share of the film, rad/s, z upwards.
+    ///
+    /// # Errors
+    /// A share that is not finite.
+    pub fn spin_seen(&self, share: f64) -> Result<Vector3<f64>, Box<dyn Error>> {
+        let now = self.motion.at(share * self.length.motion)?;
+        Ok(self.seen_from(share, &now.attitude) * (now.attitude * now.omega))
+    }
+
+    /// The drawing at this share of the film: 0 at its start, 1 at its end, where it starts again.
+    ///
+    /// # Errors
+    /// A share that is not finite.
+    pub fn frame(&self, share: f64) -> Result<String, Box<dyn Error>> {
+        let canvas = Canvas::sized(SHEET[0], SHEET[1]);
+        self.body(&canvas, share)?;
+        self.polhode(&canvas, share)?;
+        self.words(&canvas, share);
+        let title = format!("{} in free motion", self.name);
+        Ok(canvas.finish("film", &title, &self.explained()?))
+    }
+
+    /// The body with its spin and its momentum.
+    fn body(&self, canvas: &Canvas, share: f64) -> Result<(), Box<dyn Error>> {
+        let rotation = self.rotation(share)?;
+        let arrows = view(BODY, 1.0, AZIMUTH);
+        let axis = self.frame.column(place(self.request.axis)).into_owned();
+        let pole = rotation * axis;
+        let of_body = view(BODY, REACH / self.reach, AZIMUTH);
+        // A pin along the axis of the spin: it shows which way round the body is.
+        let surface = self.support(&axis);
+        let pin = |from: f64| {
+            let [from, to] = [from, surface + PIN].map(|along| arrows.at(&(pole * along)));
+            canvas.line(from, to, Pen::new(ink_of(self.request.axis), 5.0));
+        };
+        let before = pole.dot(&arrows.toward()) > 0.0;
+        if !before {
+            pin(0.0);
+        }
+        solid(canvas, &of_body, &self.surfaces, rotation.to_rotation_matrix().matrix(), Some(&axis));
+        let whole: Vec<P> = self.trace(0.0, 1.0, 240)?;
+        canvas.path(&whole, Pen::new(Ink::Omega, 1.2).opacity(0.4));
+        let tail = TAIL / self.length.film;
+        for (part, opacity) in [(0.0, 0.35), (1.0, 0.65), (2.0, 1.0)] {
+            let from = share + tail * (part / 3.0 - 1.0);
+            canvas.path(&self.trace(from, from + tail / 3.0, 8)?, Pen::new(Ink::Omega, 2.6).opacity(opacity));
+        }
+        if before {
+            pin(surface);
+        }
+        let attitude = self.motion.attitude(share * self.length.motion)?;
+        let momentum = self.seen_from(share, &attitude) * self.momentum.normalize();
+        canvas.arrow(BODY, arrows.at(&(momentum * MOMENTUM)), Pen::new(Ink::Momentum, 3.6));
+        let [x, y] = self.projection().tip(&self.spin_seen(share)?);
+        canvas.arrow(BODY, (x, y), Pen::new(Ink::Omega, 3.2));
+        canvas.disc(BODY, 3.5, Fill::new(Ink::Text), None);
+        Ok(())
+    }
+
+    /// How far the body goes along this direction from its centre of mass, as drawn.
+    fn support(&self, axis: &Vector3<f64>) -> f64 {
+        let along = self.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.dot(axis)).fold(0.0, f64::max);
+        along * REACH / self.reach
+    }
+
+    /// The path of the spin's tip between two shares of the film.
+    fn trace(&self, from: f64, to: f64, steps: u32) -> Result<Vec<P>, Box<dyn Error>> {
+        let tip = |i: u32| {
+            let [x, y] =
+                self.projection().tip(&self.spin_seen(from + (to - from) * f64::from(i) / f64::from(steps))?);
+            Ok((x, y))
+        };
+        (0..=steps).map(tip).collect()
+    }
+
+    /// The ellipsoid of equal energy with the path of the spin on it.
+    fn polhode(&self, canvas: &Canvas, share: f64) -> Result<(), Box<dyn Error>> {
+        let on_it = |share: f64| -> Result<Vector3<f64>, Box<dyn Error>> {
+            let omega = self.motion.omega(share * self.length.motion)?;
+            Ok(self.frame.tr_mul(&omega) / self.first_reach)
+        };
+        let (ellipsoid, view) = (&self.ellipsoid, view(ELLIPSOID, HALF_AXIS, 58.0));
+        ellipsoid.surface(canvas, &view, Pen::new(Ink::Faint, 1.2));
+        let moments = &ellipsoid.moments;
+        if moments[0] < moments[1] && moments[1] < moments[2] {
+            for sign in [1.0, -1.0] {
+                let faint = Some(Pen::new(Ink::Separatrix, 0.8).opacity(0.35));
+                let pen = Pen::new(Ink::Separatrix, 1.4);
+                ellipsoid.curve(canvas, &view, &ellipsoid.separatrix(sign), pen, faint);
+            }
+        }
+        for axis in Axis::ALL {
+            for sign in [1.0, -1.0] {
+                let mut end = Vector3::zeros();
+                end[place(axis)] = sign * ellipsoid.reach[place(axis)];
+                if end.dot(&view.toward()) > 0.0 {
+                    canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
+                }
+            }
+        }
+        let path: Vec<_> = (0..=240).map(|i| on_it(f64::from(i) / 240.0)).collect::<Result<_, _>>()?;
+        let behind = Some(Pen::new(Ink::Omega, 1.2).opacity(0.4));
+        ellipsoid.curve(canvas, &view, &path, Pen::new(Ink::Omega, 2.0), behind);
+        let here = on_it(share)?;
+        let seen = ellipsoid.moments.component_mul(&here).dot(&view.toward()) > 0.0;
+        let opacity = if seen { 1.0 } else { 0.4 };
+        canvas.disc(view.at(&here), 6.0, Fill::new(Ink::Omega).opacity(opacity), None);
+        Ok(())
+    }
+
+    fn words(&self, canvas: &Canvas, share: f64) {
+        let small = |text: String| Label::new(text).size(15.0);
+        let from = match self.length.camera {
+            Camera::Room => "seen in the room",
+            Camera::Body => "seen from the body",
+            Camera::Momentum => "seen turning with it",
+        };
+        canvas.label((BODY.0 + 20.0, 22.0), &small(from.into()));
+        canvas.label((ELLIPSOID.0, 22.0), &small("the spin's path in the body".into()).middle());
+        canvas.label((14.0, 22.0), &small("spin $!ω$".into()).ink(Ink::Omega));
+        canvas.label((14.0, 42.0), &small("momentum $!L$".into()).ink(Ink::Momentum));
+        let name: String = self.name.chars().take(36).collect();
+        let spin = spin_in_words(self.request.spin, self.request.axis);
+        let words = format!("{name}, {spin}, push {}", share_in_words(self.push));
+        canvas.label((14.0, 346.0), &small(words));
+        let time = share * self.length.motion;
+        canvas.label((626.0, 346.0), &small(format!("t = {} s", clock(time, self.length.motion))).end());
+    }
+}
+
+/// As in "1 turn/s about its middle axis".
+pub(super) fn spin_in_words(spin: f64, axis: Axis) -> String {
+    let about = match axis {
+        Axis::Smallest => "its easiest axis",
+        Axis::Middle => "its middle axis",
+        Axis::Largest => "its hardest axis",
+    };
+    let turns = spin / TAU;
+    let speed = match (turns * 1e6).round() / 1e6 {
+        1.0 => "1 turn/s".into(),
+        whole if (turns - whole).abs() < 1e-12 && whole.fract() == 0.0 => format!("{whole} turns/s"),
+        _ if (1e-3..1e5).contains(&spin.abs()) => format!("{} rad/s", (spin * 1e6).round() / 1e6),
+        _ => with_powers(&format!("{spin:.3e}")) + " rad/s",
+    };
+    format!("{speed} about {about}")
+}
+
+/// A time with as many decimals as frames differ by, of a motion this long, s.
+fn clock(time: f64, whole: f64) -> String {
+    let decimals = (1.0 - (whole / 30.0).log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{time:.decimals$}")
+}

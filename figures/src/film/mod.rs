@@ -1,0 +1,225 @@
+//! Films of a free body: the exact motion, drawn at any instant.
+
+mod frame;
+mod length;
+
+pub use frame::{Projection, SHEET};
+
+use crate::figures::polhode::Ellipsoid;
+use length::Length;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use std::error::Error;
+use std::f64::consts::{PI, TAU};
+use tumbling::exact::FreeMotion;
+use tumbling::{Axis, Body};
+use tumbling_bodies::{BodyModel, Surface};
+
+/// From where a film is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Camera {
+    /// At rest in the room.
+    Room,
+    /// Fixed to the body.
+    Body,
+    /// Turning steadily about the momentum, by as much as is missing for the film to close.
+    Momentum,
+}
+
+/// What a film is to show.
+#[derive(Debug, Clone, Copy)]
+pub struct Request {
+    /// The axis of the spin.
+    pub axis: Axis,
+    /// The spin about it, rad/s.
+    pub spin: f64,
+    /// The spin across it, as a share of the spin about it: along the axis with the largest moment, or with
+    /// the smallest where the body spins about that. None lets the film choose.
+    pub push: Option<f64>,
+    /// Seconds that the film takes. None lets it end where the motion starts again.
+    pub seconds: Option<f64>,
+    /// None lets the film choose.
+    pub camera: Option<Camera>,
+}
+
+impl Default for Request {
+    /// A turn a second about the middle axis.
+    fn default() -> Self {
+        Self { axis: Axis::Middle, spin: TAU, push: None, seconds: None, camera: None }
+    }
+}
+
+/// A film of a free body, ready to be drawn.
+#[derive(Debug)]
+pub struct Film {
+    name: String,
+    request: Request,
+    push: f64,
+    motion: FreeMotion,
+    momentum: Vector3<f64>,
+    surfaces: Vec<Surface>,
+    reach: f64,
+    length: Length,
+    /// Principal axes as columns, in the body's.
+    frame: Matrix3<f64>,
+    ellipsoid: Ellipsoid,
+    /// The longest spin of the film, rad/s, and the length of the ellipsoid's first half axis, rad/s.
+    fastest: f64,
+    first_reach: f64,
+}
+
+impl Film {
+    /// Computes the motion and how long the film is.
+    ///
+    /// # Errors
+    /// A spin of zero, a spin, a push or a length out of range, or a motion that the library refuses.
+    pub fn new(model: &BodyModel, request: &Request) -> Result<Self, Box<dyn Error>> {
+        if request.spin == 0.0 {
+            return Err("a spin of 0 rad/s: nothing would move".into());
+        }
+        if !(1e-12..=1e12).contains(&request.spin.abs()) {
+            return Err(format!("a spin of {:e} rad/s: films go from 1e-12 to 1e12", request.spin).into());
+        }
+        if let Some(push) = request.push.filter(|push| !(-100.0..=100.0).contains(push)) {
+            return Err(format!("a push of {push:e}: a share of the spin, from -100 to 100").into());
+        }
+        if let Some(seconds) = request.seconds.filter(|&s| !(s > 0.0 && s <= 600.0)) {
+            return Err(format!("{seconds} seconds: a film takes more than 0 and at most 600").into());
+        }
+        let (push, length) = length::choose(model, request)?;
+        let body = thrown(model, request, push)?;
+        let motion = FreeMotion::of(&body)?;
+        let (omega, momentum) = (body.omega_body(), body.momentum_world());
+        let moments = model.principal().moments();
+        let fastest = (0..=400).try_fold(0.0, |most: f64, i| {
+            Ok::<_, Box<dyn Error>>(most.max(motion.omega(length.motion * f64::from(i) / 400.0)?.norm()))
+        })?;
+        let energy = omega.dot(&model.inertia.momentum(&omega));
+        let surfaces = model.drawn();
+        Ok(Self {
+            name: model.name.clone(),
+            request: *request,
+            push,
+            motion,
+            momentum,
+            reach: model.reach(),
+            surfaces,
+            length,
+            frame: model.principal().frame(),
+            ellipsoid: Ellipsoid::new((moments / moments[0]).into())?,
+            fastest,
+            first_reach: (energy / moments[0]).sqrt(),
+        })
+    }
+
+    /// How long it takes to watch, s: a turn of the first spin takes a second.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        self.length.film
+    }
+
+    /// How much of the motion it shows, s.
+    #[must_use]
+    pub fn shows(&self) -> f64 {
+        self.length.motion
+    }
+
+    /// The camera that was requested or chosen.
+    #[must_use]
+    pub fn camera(&self) -> Camera {
+        self.length.camera
+    }
+
+    /// The exact motion that it shows, from an attitude with the momentum upwards.
+    #[must_use]
+    pub fn motion(&self) -> &FreeMotion {
+        &self.motion
+    }
+
+    /// In one line: what is shown, for how long, and how far its end is from its start.
+    ///
+    /// # Errors
+    /// None for a film that was made.
+    pub fn explained(&self) -> Result<String, Box<dyn Error>> {
+        let apart = self.rotation(0.0)?.angle_to(&self.rotation(1.0)?);
+        let spins = [0.0, 1.0].map(|share| self.motion.omega(share * self.length.motion));
+        let [first, last] = spins;
+        let of_spin = (last? - first?).norm() / self.fastest;
+        let closes = if apart < 2e-3 && of_spin < 2e-3 {
+            "it starts again without a seam"
+        } else {
+            "it does not close"
+        };
+        Ok(format!(
+            "{}: {}, push {}; {}; {closes} (its ends are {} of the attitude and {} of the spin apart)",
+            self.name,
+            frame::spin_in_words(self.request.spin, self.request.axis),
+            share_in_words(self.push),
+            self.length.why,
+            angle_in_words(apart),
+            share_in_words(of_spin),
+        ))
+    }
+
+    /// The body's attitude as the camera sees it, at this share of the film.
+    fn rotation(&self, share: f64) -> Result<UnitQuaternion<f64>, Box<dyn Error>> {
+        let attitude = self.motion.attitude(share * self.length.motion)?;
+        Ok(self.seen_from(share, &attitude) * attitude)
+    }
+
+    /// The turn from the room to what the camera sees.
+    fn seen_from(&self, share: f64, attitude: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+        match self.length.camera {
+            Camera::Room => UnitQuaternion::identity(),
+            Camera::Momentum => {
+                UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -self.length.missing * share)
+            }
+            // Seen along the same direction as at the start, when the spin's axis points upwards.
+            Camera::Body => self.upright() * attitude.inverse(),
+        }
+    }
+
+    /// The attitude in which the axis of the spin points upwards.
+    fn upright(&self) -> UnitQuaternion<f64> {
+        let axis = self.frame.column(place(self.request.axis)).into_owned();
+        upwards(&axis)
+    }
+}
+
+/// The place of an axis among the moments in rising order.
+fn place(axis: Axis) -> usize {
+    Axis::ALL.iter().position(|&other| other == axis).unwrap_or(1)
+}
+
+/// The turn that takes this vector to the world's z by the shortest way.
+fn upwards(v: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let half_turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI);
+    Rotation3::rotation_between(v, &Vector3::z()).map_or(half_turn, |turn| turn.into())
+}
+
+/// The body at the start: its momentum points upwards.
+fn thrown(model: &BodyModel, request: &Request, push: f64) -> Result<Body, Box<dyn Error>> {
+    let principal = model.principal();
+    let across = if request.axis == Axis::Largest { Axis::Smallest } else { Axis::Largest };
+    let omega = (principal.axis(request.axis) + push * principal.axis(across)) * request.spin;
+    let attitude = upwards(&model.inertia.momentum(&omega));
+    Ok(Body::spinning(model.inertia, attitude, &omega)?)
+}
+
+/// A share in percent.
+fn share_in_words(share: f64) -> String {
+    let percent = 100.0 * share;
+    match percent.abs() {
+        0.0 => "0 %".into(),
+        x if x < 1e-9 => "10⁻⁹ %".into(),
+        x if x < 0.01 => crate::figures::with_powers(&format!("{percent:.0e}")) + " %",
+        x if x < 10.0 => format!("{percent:.2} %"),
+        _ => format!("{percent:.0} %"),
+    }
+}
+
+fn angle_in_words(angle: f64) -> String {
+    match angle.to_degrees() {
+        x if x < 1e-6 => "less than 10⁻⁶ degrees".into(),
+        x => format!("{x:.2} degrees"),
+    }
+}

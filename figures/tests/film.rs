@@ -1,0 +1,175 @@
+//! Films, read back: what is drawn at an instant is the motion at that instant.
+
+use nalgebra::{Rotation3, Vector3};
+use std::f64::consts::TAU;
+use tumbling::step::Engine;
+use tumbling::{Axis, Body};
+use tumbling_bodies::BodyModel;
+use tumbling_figures::film::{Camera, Film, Request};
+
+/// Without symmetry: a hammer, as the book has it.
+fn hammer() -> BodyModel {
+    BodyModel::load("hammer").unwrap()
+}
+
+/// The point of the first filled head in this ink: an arrow's tip, in points of the sheet.
+fn tip(svg: &str, ink: &str) -> [f64; 2] {
+    let head = svg.lines().find(|line| line.contains(&format!("style=\"fill:var(--fig-{ink},"))).unwrap();
+    let point = head.strip_prefix("<path d=\"M").unwrap().split('l').next().unwrap();
+    let (x, y) = point.split_once(' ').unwrap();
+    [x, y].map(|number| number.parse::<f64>().unwrap() / 10.0)
+}
+
+fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+#[test]
+fn the_drawn_arrow_is_the_spin_of_a_body_stepped_through_time() {
+    let (model, push) = (hammer(), 0.05);
+    let request =
+        Request { push: Some(push), camera: Some(Camera::Room), seconds: Some(3.0), ..Request::default() };
+    let film = Film::new(&model, &request).unwrap();
+    let principal = model.principal();
+    let omega = (principal.axis(Axis::Middle) + push * principal.axis(Axis::Largest)) * TAU;
+    let start = film.motion().attitude(0.0).unwrap();
+    let momentum = start * model.inertia.momentum(&omega);
+    assert!((momentum / momentum.norm() - Vector3::z()).norm() < 1e-12, "the momentum points upwards");
+    let body = Body::spinning(model.inertia, start, &omega).unwrap();
+    // Stepped, not by the closed form that the film uses: 2400 steps, a frame each eighth of them.
+    let steps = 2400;
+    let run = Engine::Turned.run(&body, film.shows() / f64::from(steps), steps as usize).unwrap();
+    let mut seen = Vec::new();
+    for i in (0..=steps).step_by(300) {
+        let svg = film.frame(f64::from(i) / f64::from(steps)).unwrap();
+        let drawn = tip(&svg, "omega");
+        let expected = film.projection().tip(&run[i as usize].omega_world());
+        assert!(apart(drawn, expected) < 1.0, "at step {i}: {drawn:?}, not {expected:?}");
+        seen.push(drawn);
+        let up = tip(&svg, "momentum");
+        assert!(apart(up, tip(&film.frame(0.0).unwrap(), "momentum")) < 0.2, "the momentum moved");
+    }
+    assert!(seen.iter().any(|&at| apart(at, seen[0]) > 20.0), "the spin never moved");
+}
+
+#[test]
+fn seen_from_the_body_the_spin_keeps_to_body_axes() {
+    let model = hammer();
+    let request = Request { camera: Some(Camera::Body), ..Request::default() };
+    let film = Film::new(&model, &request).unwrap();
+    let up = Rotation3::rotation_between(&model.principal().axis(Axis::Middle), &Vector3::z()).unwrap();
+    for share in [0.0, 0.21, 0.5, 0.83] {
+        let omega = film.motion().omega(share * film.shows()).unwrap();
+        let expected = film.projection().tip(&(up * omega));
+        assert!(apart(tip(&film.frame(share).unwrap(), "omega"), expected) < 1.0, "{share}");
+    }
+}
+
+#[test]
+fn arrows_are_projected_from_infinitely_far_with_z_upwards() {
+    let film = Film::new(&hammer(), &Request::default()).unwrap();
+    let centre = film.projection().tip(&Vector3::zeros());
+    let seen = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| {
+        let at = film.projection().tip(&axis);
+        [at[0] - centre[0], at[1] - centre[1]]
+    });
+    // Three perpendicular arrows of one length: their shadows' squares add up to twice its square, and
+    // right and up are perpendicular and equally long.
+    let sum = |i: usize, j: usize| seen.iter().map(|at| at[i] * at[j]).sum::<f64>();
+    assert!((sum(0, 0) / sum(1, 1) - 1.0).abs() < 1e-12);
+    assert!(sum(0, 1).abs() < 1e-12 * sum(0, 0));
+    assert!(seen[2][0].abs() < 1e-12 && seen[2][1] < 0.0);
+}
+
+/// A drawing but for its clock.
+fn timeless(svg: &str) -> Vec<&str> {
+    svg.lines().filter(|line| !line.contains(">t = ")).collect()
+}
+
+#[test]
+fn a_film_that_closes_starts_again_with_its_first_drawing() {
+    for camera in [None, Some(Camera::Body), Some(Camera::Momentum)] {
+        for (body, axis) in [("book", Axis::Middle), ("hammer", Axis::Middle), ("hammer", Axis::Smallest)] {
+            let model = BodyModel::load(body).unwrap();
+            let film = Film::new(&model, &Request { camera, axis, ..Request::default() }).unwrap();
+            let (first, again) = (film.frame(0.0).unwrap(), film.frame(1.0).unwrap());
+            assert_eq!(timeless(&first), timeless(&again), "{body} {axis:?} {camera:?}");
+            assert_ne!(timeless(&first), timeless(&film.frame(0.5).unwrap()), "{body} {axis:?} {camera:?}");
+            assert!(film.explained().unwrap().contains("without a seam"), "{}", film.explained().unwrap());
+        }
+    }
+}
+
+#[test]
+fn left_to_itself_a_film_takes_the_push_with_which_the_body_comes_back_in_the_room() {
+    let film = Film::new(&hammer(), &Request::default()).unwrap();
+    assert_eq!(film.camera(), Camera::Room);
+    let apart = |share: f64| {
+        let attitude = film.motion().attitude(share * film.shows()).unwrap();
+        attitude.angle_to(&film.motion().attitude(0.0).unwrap())
+    };
+    assert!(apart(1.0) < 1e-9 && apart(0.5) > 1.0, "{} {}", apart(1.0), apart(0.5));
+}
+
+#[test]
+fn bodies_with_equal_moments_and_steady_spins_are_filmed_too() {
+    let model = |text: &str| BodyModel::from_toml(text, "".as_ref()).unwrap();
+    for (body, push, turns) in [
+        ("shape = 'cylinder'\nradius = 0.012\nheight = 0.002\nmass = 0.007", Some(0.3), None),
+        ("shape = 'ball'\nradius = 1\nmass = 2", Some(0.3), Some((1.0_f64 + 0.09).sqrt())),
+        ("sides = [1, 2, 3]\nmass = 1e15", Some(0.0), Some(1.0)),
+    ] {
+        for axis in Axis::ALL {
+            let film = Film::new(&model(body), &Request { axis, push, ..Request::default() }).unwrap();
+            let (first, again) = (film.frame(0.0).unwrap(), film.frame(1.0).unwrap());
+            assert_eq!(timeless(&first), timeless(&again), "{body} {axis:?}");
+            assert!(!first.contains("NaN"), "{body} {axis:?}");
+            if let Some(turns) = turns {
+                assert!((film.shows() * turns - 1.0).abs() < 1e-9, "{body} {axis:?}: {} s", film.shows());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_push_that_leaves_a_gap_is_seen_turning_along_unless_the_room_was_requested() {
+    let model = hammer();
+    let request = Request { push: Some(0.05), ..Request::default() };
+    assert_eq!(Film::new(&model, &request).unwrap().camera(), Camera::Momentum);
+    let room = Film::new(&model, &Request { camera: Some(Camera::Room), ..request }).unwrap();
+    assert_eq!(room.camera(), Camera::Room);
+    assert!(room.explained().unwrap().contains("does not close"), "{}", room.explained().unwrap());
+}
+
+#[test]
+fn a_turn_takes_a_second_of_the_film_at_any_spin() {
+    let model = hammer();
+    for spin in [1e-3, TAU, 500.0] {
+        let film = Film::new(&model, &Request { spin, push: Some(0.03), ..Request::default() }).unwrap();
+        let usual = Film::new(&model, &Request { push: Some(0.03), ..Request::default() }).unwrap();
+        assert!((film.seconds() / usual.seconds() - 1.0).abs() < 1e-9);
+        assert!((film.shows() * spin / (usual.shows() * TAU) - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn what_cannot_be_filmed_is_refused_in_a_sentence() {
+    let model = hammer();
+    let refused = |request: Request| Film::new(&model, &request).unwrap_err().to_string();
+    assert_eq!(refused(Request { spin: 0.0, ..Request::default() }), "a spin of 0 rad/s: nothing would move");
+    let seconds = Some(-1.0);
+    assert_eq!(
+        refused(Request { seconds, ..Request::default() }),
+        "-1 seconds: a film takes more than 0 and at most 600"
+    );
+    let spin = 1e300;
+    assert_eq!(
+        refused(Request { spin, ..Request::default() }),
+        "a spin of 1e300 rad/s: films go from 1e-12 to 1e12"
+    );
+    let push = Some(f64::NAN);
+    assert_eq!(
+        refused(Request { push, ..Request::default() }),
+        "a push of NaN: a share of the spin, from -100 to 100"
+    );
+}
