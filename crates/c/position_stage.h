@@ -105,6 +105,36 @@ static inline int tumbling_prepare(tumbling_body *body, const tumbling_real mome
     return valid;
 }
 
+/* The principal moments of a symmetric tensor, and the turn from the principal axes to those of the tensor: for engines
+   that keep the tensor alone. Jacobi's rotations, in double precision. */
+static inline void tumbling_principal(const tumbling_real tensor[3][3], tumbling_real moments[3], tumbling_real frame[4]) {
+    double m[3][3], q[4] = {1, 0, 0, 0};
+    int i, j, k, n;
+    for (i = 0; i < 3; i++) {
+        for (j = 0; j < 3; j++) m[i][j] = (double)tensor[i][j];
+    }
+    for (n = 0; n < 24; n++) {
+        double apart, t, c, s, half, p[4];
+        i = (n + 1) % 3, j = (n + 2) % 3, k = n % 3;
+        if (m[i][j] == 0) continue;
+        apart = (m[j][j] - m[i][i]) / (2 * m[i][j]);
+        t = (apart < 0 ? -1 : 1) / (fabs(apart) + sqrt(apart * apart + 1));
+        c = 1 / sqrt(t * t + 1), s = t * c;
+        m[i][i] -= t * m[i][j], m[j][j] += t * m[i][j], m[i][j] = m[j][i] = 0;
+        apart = m[i][k];
+        m[i][k] = m[k][i] = c * apart - s * m[j][k];
+        m[j][k] = m[k][j] = s * apart + c * m[j][k];
+        half = sqrt((1 + c) / 2), s = -s / (2 * half);
+        p[0] = q[0] * half - q[1 + k] * s;
+        p[1 + k] = q[1 + k] * half + q[0] * s;
+        p[1 + i] = q[1 + i] * half + q[1 + j] * s;
+        p[1 + j] = q[1 + j] * half - q[1 + i] * s;
+        for (i = 0; i < 4; i++) q[i] = p[i];
+    }
+    for (i = 0; i < 3; i++) moments[i] = (tumbling_real)m[i][i];
+    for (i = 0; i < 4; i++) frame[i] = (tumbling_real)q[i];
+}
+
 /* The spin along the principal axes; the rotation matrix from these to the world; the bound of the turn's square. */
 static inline tumbling_real tumbling_spin(const tumbling_body *body, const tumbling_state *from, tumbling_real h,
                                    tumbling_real r[3][3], tumbling_real omega[3], tumbling_real squares[3]) {
@@ -158,22 +188,23 @@ static inline int tumbling_part(const tumbling_body *body, const tumbling_state 
     for (i = 0; i < 3; i++) {
         sum[i] = omega[i] * (pace + root[(i + 1) % 3] * root[(i + 2) % 3]) + bend[i] * omega[(i + 2) % 3] * root[i];
     }
-    below = pace * ((root[0] + root[1]) + root[2]) + (root[0] * product + bend[0] * bend[1] * bend[2]);
-    over = h / (below * pace);
-    for (i = 0; i < 3; i++) scaled[i] = sum[i] * over;
+    below = pace * (pace * ((root[0] + root[1]) + root[2]) + (root[0] * product + bend[0] * bend[1] * bend[2]));
+    for (i = 0; i < 3; i++) scaled[i] = sum[i] * h;
     for (i = 0; i < 3; i++) {
         c[i] = k[i] * (scaled[i] * pace);
         b[i] = k[i] * (a[i] * (scaled[(i + 1) % 3] * sum[(i + 2) % 3]));
     }
     along = (c[0] * b[0] + c[1] * b[1]) + c[2] * b[2];
-    over = 1 / tumbling_sqrt((1 + (c[0] * c[0] + (c[1] * c[1] + c[2] * c[2]))) * length);
-    scale = over * over;
+    scale = (below * below + c[0] * c[0]) + (c[1] * c[1] + c[2] * c[2]);
+    scale = 1 / (below * tumbling_sqrt(scale * length));
+    over = scale * below;
+    scale = scale * over;
     for (i = 0; i < 3; i++) {
         int j = (i + 1) % 3, l = (i + 2) % 3;
-        change[i] = (b[i] + ((c[j] * b[l] - c[l] * b[j]) + c[i] * along)) * scale;
+        change[i] = below * (below * b[i] + (c[j] * b[l] - c[l] * b[j])) + c[i] * along;
     }
     for (i = 0; i < 3; i++) {
-        n[i] = from->omega[i] + ((r[i][0] * change[0] + r[i][1] * change[1]) + r[i][2] * change[2]);
+        n[i] = from->omega[i] + ((r[i][0] * change[0] + r[i][1] * change[1]) + r[i][2] * change[2]) * scale;
     }
     if (body->framed) {
         const tumbling_real *f = body->frame;
@@ -188,11 +219,11 @@ static inline int tumbling_part(const tumbling_body *body, const tumbling_state 
     check = n[0] + n[1] + n[2] + over;
     if (check - check != 0) return 0;
     {
-        tumbling_real w = q[0], x = q[1], y = q[2], z = q[3];
-        to->attitude[0] = (w - (x * c[0] + y * c[1] + z * c[2])) * over;
-        to->attitude[1] = (x + (w * c[0] + (y * c[2] - z * c[1]))) * over;
-        to->attitude[2] = (y + (w * c[1] + (z * c[0] - x * c[2]))) * over;
-        to->attitude[3] = (z + (w * c[2] + (x * c[1] - y * c[0]))) * over;
+        tumbling_real w = q[0], x = q[1], y = q[2], z = q[3], d = below;
+        to->attitude[0] = (w * d - (x * c[0] + y * c[1] + z * c[2])) * over;
+        to->attitude[1] = (x * d + (w * c[0] + (y * c[2] - z * c[1]))) * over;
+        to->attitude[2] = (y * d + (w * c[1] + (z * c[0] - x * c[2]))) * over;
+        to->attitude[3] = (z * d + (w * c[2] + (x * c[1] - y * c[0]))) * over;
     }
     for (i = 0; i < 3; i++) to->omega[i] = n[i];
     return 1;

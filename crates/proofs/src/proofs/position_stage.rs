@@ -8,7 +8,7 @@ use nalgebra::Quaternion;
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe;
-use tumbling::step::{change_of_spin, conserving_turn};
+use tumbling::step::{Turn, conserving_turn};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -48,10 +48,10 @@ pub(super) const PROOFS: &[Proof] = &[
         name: "position-stage-spin-belongs-to-its-momentum",
         part: "step",
         statement: "The change of the spin that the position stage adds in the world is that of the body's own spin, turned with it.",
-        check: || spin(change_of_spin),
+        check: || spin(Turn::change_of_spin),
         mutants: &[Mutant {
             change: "the change left as the slip",
-            check: || spin(|[_, slip]| slip.clone()),
+            check: || spin(|turn| turn.slip.clone()),
         }],
     },
     Proof {
@@ -84,7 +84,7 @@ struct Claim {
 struct Turned {
     moments: Vector,
     omega: Vector,
-    /// What the turn's numbers are multiplied by here to leave no quotient.
+    /// What the turn's numbers are to be divided by.
     below: Fraction,
     /// The change of the spin from the axes before to those after, times `below`.
     change: Vector,
@@ -109,7 +109,7 @@ impl Claim {
         weights[0] = &weights[0] + Fraction::from(self.uneven);
         let names = ["Q1", "Q2", "Q3"];
         let mut squares = Vec::new();
-        let [turned, slip] = conserving_turn(&coupling, &weights, omega.as_ref(), &h, &pace, |square| {
+        let turn = conserving_turn(&coupling, &weights, omega.as_ref(), &h, &pace, |square| {
             let name = names[squares.len() % 3];
             let square = if squares.is_empty() { square + Fraction::from(self.faster) } else { square };
             squares.push((name.into(), square.numerator().clone()));
@@ -118,12 +118,8 @@ impl Claim {
         let Ok(roots) = Relations::new(squares) else {
             return Err(Residue::Missing { claim: "roots of what holds no root".to_owned() });
         };
-        let q = variables(names);
-        let corner = (0..3).fold(Fraction::one(), |all, i| all * &coupling[i] * &omega[i] * &h);
-        let sum = &q[0] + &q[1] + &q[2];
-        let below = &pace * (&pace * sum + &q[0] * &q[1] * &q[2] + corner);
-        let change = Vector::from_fn(|i, _| &slip[i] * &below / &weights[i]);
-        let tangents = Vector::from_fn(|i, _| &turned[i] * &below);
+        let change = Vector::from_fn(|i, _| &turn.slip[i] / &weights[i]);
+        let (below, tangents) = (turn.below, turn.tangents.into());
         Ok(Turned { moments, omega, below, change, tangents, roots })
     }
 
@@ -150,14 +146,17 @@ impl Claim {
     }
 }
 
-fn spin(change: impl Fn(&[[Fraction; 3]; 2]) -> [Fraction; 3]) -> Outcome {
+fn spin(change: impl Fn(&Turn<Fraction>) -> [Fraction; 3]) -> Outcome {
     let (c, before, after) = (vector("c"), vector("w"), vector("v"));
-    let slip = (&after + c.cross(&after)) - (&before - c.cross(&before));
-    let stretched = Fraction::one() + c.dot(&c);
+    let below = Fraction::variable("d");
+    let scaled = |v: &Vector| v.map(|x| x * &below);
+    let slip = (scaled(&after) + c.cross(&after)) - (scaled(&before) - c.cross(&before));
+    let stretched = &below * &below + c.dot(&c);
     let [x, y, z] = c.clone().into();
-    let turned = rotation_matrix(&Quaternion::new(Fraction::one(), x, y, z)) * &after;
-    let expected = turned - scalar(&stretched) * &before;
-    same_vectors("the change of the spin", &Vector::from(change(&[c.into(), slip.into()])), &expected)
+    let turned = rotation_matrix(&Quaternion::new(below.clone(), x, y, z)) * &after;
+    let expected = scaled(&(turned - scalar(&stretched) * &before));
+    let turn = Turn { below, tangents: c.into(), slip: slip.into() };
+    same_vectors("the change of the spin", &Vector::from(change(&turn)), &expected)
 }
 
 fn work(of_impulse: impl Fn(&Vector, &Vector, &Vector) -> Fraction) -> Outcome {
