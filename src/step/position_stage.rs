@@ -10,7 +10,7 @@ use coefficients::Coefficients;
 use nalgebra::{Quaternion, Scalar, Vector3};
 use num_traits::Float;
 use turn::three;
-pub use turn::{Turn, conserving_turn};
+pub use turn::{change_of_spin, conserving_turn};
 
 /// The longest turn of one part of a step, radians.
 const LONGEST: f32 = 0.5;
@@ -185,25 +185,25 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         }
         let (pace, weights) = self.coefficients.pace(&omega, h);
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &pace, |x| x.sqrt());
-        let [a, b, c] = turn.tangents;
-        let stretched = (turn.below * turn.below + a * a) + (b * b + c * c);
+        let (below, [tangents, _]) = turn;
+        let [a, b, c] = tangents;
+        let stretched = (below * below + a * a) + (b * b + c * c);
         // What rounding left of the attitude's length is divided out.
         let root = (stretched * length).sqrt();
-        let once = T::one() / (turn.below * root);
-        let over = once * turn.below;
+        let once = T::one() / (below * root);
+        let over = once * below;
         let scale = once * over;
         // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
         // digits, which turning the spin to the body and back would not.
-        let [u, v, t] = turn.change_of_spin();
+        let [u, v, t] = change_of_spin(&turn);
         let back = |i: usize| ((rotation[i][0] * u + rotation[i][1] * v) + rotation[i][2] * t) * scale;
         let omega = Vector3::new(start.omega.x + back(0), start.omega.y + back(1), start.omega.z + back(2));
-        let [a, b, c] = self.in_body(turn.tangents);
-        let d = turn.below;
+        let [a, b, c] = self.in_body(tangents);
         let attitude = Quaternion::new(
-            (w * d - (x * a + y * b + z * c)) * over,
-            (x * d + (w * a + (y * c - z * b))) * over,
-            (y * d + (w * b + (z * a - x * c))) * over,
-            (z * d + (w * c + (x * b - y * a))) * over,
+            (w * below - (x * a + y * b + z * c)) * over,
+            (x * below + (w * a + (y * c - z * b))) * over,
+            (y * below + (w * b + (z * a - x * c))) * over,
+            (z * below + (w * c + (x * b - y * a))) * over,
         );
         let finite = (omega.x + omega.y + omega.z + over).is_finite();
         Stepped { attitude, omega, parts: u32::from(finite) }

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use tumbling::exact::{Batch, FreeMotion};
-use tumbling::step::{Method, System, Torque, adaptive, fixed_rate};
+use tumbling::step::{Method, PositionStage, System, Torque, adaptive, fixed_rate};
 use tumbling::{Body, Inertia, PrincipalMoments, State, body::named::NamedBody};
 
 /// Hashes numbers: FNV-1a over their bits.
@@ -144,6 +144,7 @@ pub fn hash(rounds: u32) -> Hash {
         batch(&mut hash, &mut random);
         stepped(&mut hash, &mut random);
         tensor(&mut hash, &mut random);
+        in_an_engine(&mut hash, &mut random);
     }
     hash
 }
@@ -222,6 +223,23 @@ fn stepped(hash: &mut Hash, random: &mut Random) {
             hash.state(&end)
         });
         singles(hash, &system, &start);
+    });
+}
+
+/// The position stage, in both precisions, in one part and in several.
+fn in_an_engine(hash: &mut Hash, random: &mut Random) {
+    let (moments, attitude, frame) = (random.moments().moments(), random.attitude(), random.attitude());
+    let (omega, h) = (random.vector() * 8.0, 0.1 * random.size(6));
+    let body = PositionStage::new(&moments).map(|body| body.in_frame(frame));
+    hash.answer(body, |hash, body| {
+        let end = body.step(&attitude, &omega, h);
+        hash.all(end.attitude.coords.iter().chain(&end.omega));
+    });
+    let [attitude, frame] = [attitude, frame].map(|q| Quaternion::from_vector(q.coords.cast::<f32>()));
+    let body = PositionStage::new(&moments.cast::<f32>()).map(|body| body.in_frame(frame));
+    hash.answer(body, |hash, body| {
+        let end = body.step(&attitude, &omega.cast(), h as f32);
+        hash.all(end.attitude.coords.cast::<f64>().iter().chain(&end.omega.cast::<f64>()));
     });
 }
 

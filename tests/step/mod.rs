@@ -10,6 +10,7 @@ mod order;
 mod pitfalls;
 mod position_stage;
 mod position_stage_in_c;
+mod position_stage_in_one_file;
 mod rk4;
 mod stepper;
 mod torque;

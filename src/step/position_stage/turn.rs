@@ -2,31 +2,17 @@
 
 use crate::number::Field;
 
-/// A turn and the change of the spin with it, along the principal axes before the turn, as numerators over one
-/// denominator.
-pub struct Turn<T> {
-    /// What the others are to be divided by.
-    pub below: T,
-    /// Divided by `below`: the turn's axis times the tangent of half its angle, `c`.
-    pub tangents: [T; 3],
-    /// Divided by `below`, rad/s: `(1 + c x) omega_after - (1 - c x) omega`, with `omega_after` the spin after
-    /// the turn along the axes after it.
-    pub slip: [T; 3],
-}
-
-impl<T: Field> Turn<T> {
-    /// The change of the spin, rad/s, along the axes before the turn, times `below (below^2 + |tangents|^2)`.
-    #[inline(always)]
-    pub fn change_of_spin(&self) -> [T; 3] {
-        let (below, tangents, slip) = (&self.below, &self.tangents, &self.slip);
-        let p = |i: usize, j: usize| tangents[i].clone() * slip[j].clone();
-        let along = (p(0, 0) + p(1, 1)) + p(2, 2);
-        three(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            let across = below.clone() * slip[i].clone() + (p(j, k) - p(k, j));
-            below.clone() * across + tangents[i].clone() * along.clone()
-        })
-    }
+/// The change of the spin in a [`conserving_turn`], rad/s, along the axes before the turn, times `below (below^2 +
+/// |tangents|^2)`, from what the turn gives.
+#[inline(always)]
+pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) -> [T; 3] {
+    let p = |i: usize, j: usize| tangents[i].clone() * slip[j].clone();
+    let along = (p(0, 0) + p(1, 1)) + p(2, 2);
+    three(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let across = below.clone() * slip[i].clone() + (p(j, k) - p(k, j));
+        below.clone() * across + tangents[i].clone() * along.clone()
+    })
 }
 
 /// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
@@ -41,6 +27,10 @@ impl<T: Field> Turn<T> {
 ///   of the turn.
 /// - `root`: the square root.
 ///
+/// Returns a number `below` and two vectors along the principal axes before the turn, both to be divided by it: the
+/// tangents `c`, the turn's axis times the tangent of half its angle; and the slip `(1 + c x) omega_after - (1 - c x)
+/// omega`, with `omega_after` the spin after the turn along the axes after it.
+///
 /// With `Q_i^2 = pace + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
 /// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / pace`.
 #[inline(always)]
@@ -51,7 +41,7 @@ pub fn conserving_turn<T: Field>(
     h: &T,
     pace: &T,
     mut root: impl FnMut(T) -> T,
-) -> Turn<T> {
+) -> (T, [[T; 3]; 2]) {
     let of = |x: &[T; 3], i: usize| x[i % 3].clone();
     let theta = three(|i| of(omega, i) * h.clone());
     let roots = three(|i| {
@@ -71,7 +61,7 @@ pub fn conserving_turn<T: Field>(
     let scaled = three(|i| of(&sum, i) * h.clone());
     let tangents = three(|i| of(weights, i) * (of(&scaled, i) * pace.clone()));
     let slip = three(|i| of(weights, i) * (of(coupling, i) * (of(&scaled, i + 1) * of(&sum, i + 2))));
-    Turn { below, tangents, slip }
+    (below, [tangents, slip])
 }
 
 /// Along each axis.

@@ -8,7 +8,7 @@ use nalgebra::Quaternion;
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe;
-use tumbling::step::{Turn, conserving_turn};
+use tumbling::step::{change_of_spin, conserving_turn};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
@@ -48,10 +48,10 @@ pub(super) const PROOFS: &[Proof] = &[
         name: "position-stage-spin-belongs-to-its-momentum",
         part: "step",
         statement: "The change of the spin that the position stage adds in the world is that of the body's own spin, turned with it.",
-        check: || spin(Turn::change_of_spin),
+        check: || spin(change_of_spin),
         mutants: &[Mutant {
             change: "the change left as the slip",
-            check: || spin(|turn| turn.slip.clone()),
+            check: || spin(|(_, [_, slip])| slip.clone()),
         }],
     },
     Proof {
@@ -109,17 +109,18 @@ impl Claim {
         weights[0] = &weights[0] + Fraction::from(self.uneven);
         let names = ["Q1", "Q2", "Q3"];
         let mut squares = Vec::new();
-        let turn = conserving_turn(&coupling, &weights, omega.as_ref(), &h, &pace, |square| {
-            let name = names[squares.len() % 3];
-            let square = if squares.is_empty() { square + Fraction::from(self.faster) } else { square };
-            squares.push((name.into(), square.numerator().clone()));
-            Fraction::variable(name)
-        });
+        let (below, [tangents, slip]) =
+            conserving_turn(&coupling, &weights, omega.as_ref(), &h, &pace, |square| {
+                let name = names[squares.len() % 3];
+                let square = if squares.is_empty() { square + Fraction::from(self.faster) } else { square };
+                squares.push((name.into(), square.numerator().clone()));
+                Fraction::variable(name)
+            });
         let Ok(roots) = Relations::new(squares) else {
             return Err(Residue::Missing { claim: "roots of what holds no root".to_owned() });
         };
-        let change = Vector::from_fn(|i, _| &turn.slip[i] / &weights[i]);
-        let (below, tangents) = (turn.below, turn.tangents.into());
+        let change = Vector::from_fn(|i, _| &slip[i] / &weights[i]);
+        let tangents = tangents.into();
         Ok(Turned { moments, omega, below, change, tangents, roots })
     }
 
@@ -146,7 +147,7 @@ impl Claim {
     }
 }
 
-fn spin(change: impl Fn(&Turn<Fraction>) -> [Fraction; 3]) -> Outcome {
+fn spin(change: impl Fn(&(Fraction, [[Fraction; 3]; 2])) -> [Fraction; 3]) -> Outcome {
     let (c, before, after) = (vector("c"), vector("w"), vector("v"));
     let below = Fraction::variable("d");
     let scaled = |v: &Vector| v.map(|x| x * &below);
@@ -155,7 +156,7 @@ fn spin(change: impl Fn(&Turn<Fraction>) -> [Fraction; 3]) -> Outcome {
     let [x, y, z] = c.clone().into();
     let turned = rotation_matrix(&Quaternion::new(below.clone(), x, y, z)) * &after;
     let expected = scaled(&(turned - scalar(&stretched) * &before));
-    let turn = Turn { below, tangents: c.into(), slip: slip.into() };
+    let turn = (below, [c.into(), slip.into()]);
     same_vectors("the change of the spin", &Vector::from(change(&turn)), &expected)
 }
 

@@ -1,0 +1,50 @@
+//! The position stage in one file, as engines in Rust take it, has the bits of the library's.
+
+mod double;
+mod single;
+
+use nalgebra::{Quaternion, Vector3};
+use tumbling::step::PositionStage;
+
+macro_rules! compared {
+    ($name:ident, $real:ident, $file:ident, $of_bits:expr) => {
+        #[test]
+        fn $name() {
+            let mut seed = 1_u64;
+            let mut number = || {
+                seed ^= seed << 13;
+                seed ^= seed >> 7;
+                seed ^= seed << 17;
+                (seed >> 40) as $real / 16_777_216.0
+            };
+            for round in 0..2_000 {
+                let mut inverse = [0; 3].map(|_| number() + 0.0625);
+                inverse[round % 3] =
+                    if round % 7 == 0 { inverse[(round + 1) % 3] } else { inverse[round % 3] };
+                inverse[round % 2] = if round % 11 == 0 { 0.0 } else { inverse[round % 2] };
+                let frame =
+                    if round % 2 == 0 { [1.0, 0.0, 0.0, 0.0] } else { [0; 4].map(|_| number() - 0.5) };
+                let [w, x, y, z] = frame;
+                let mut body = PositionStage::of_inverse(&Vector3::from(inverse)).unwrap();
+                if round % 2 == 1 {
+                    body = body.in_frame(Quaternion::new(w, x, y, z));
+                }
+                let one_file = $file::PositionStage::new(inverse, frame);
+                let (mut q, mut w) =
+                    ([0; 4].map(|_| number() + 0.0625), [0; 3].map(|_| 16.0 * number() - 8.0));
+                for _ in 0..8 {
+                    let size = number();
+                    let h = size * size * size * size / 4.0 - 0.0078125;
+                    let end = body.step(&Quaternion::new(q[0], q[1], q[2], q[3]), &Vector3::from(w), h);
+                    let parts = one_file.step(&mut q, &mut w, h);
+                    let [x, y, z, s] = end.attitude.coords.into();
+                    assert_eq!((parts, q.map($of_bits)), (end.parts, [s, x, y, z].map($of_bits)), "{round}");
+                    assert_eq!(w.map($of_bits), <[$real; 3]>::from(end.omega).map($of_bits), "{round}");
+                }
+            }
+        }
+    };
+}
+
+compared!(in_single_precision, f32, single, f32::to_bits);
+compared!(in_double_precision, f64, double, f64::to_bits);
