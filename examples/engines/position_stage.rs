@@ -27,7 +27,7 @@ pub struct PositionStage {
 
 impl PositionStage {
     /// From the inverse moments along the principal axes, and the turn (w, x, y, z) from these to the body's
-    /// axes. With one of zero (a locked axis), or one that is negative or not finite, the spin stays constant.
+    /// axes. With one of zero (a locked axis), negative or not finite, the spin stays constant.
     pub fn new(inverse: Triple, frame: [Real; 4]) -> Self {
         let moments = inverse.map(|x| 1.0 / x);
         let free = inverse.iter().chain(&moments).all(|x| *x > 0.0 && x.is_finite());
@@ -108,7 +108,7 @@ impl PositionStage {
         parts as u32
     }
 
-    /// The rotation matrix from the principal axes to the world, the spin along these, the square of the turn.
+    /// The rotation matrix from the principal axes to the world, the spin along these, the turn's square.
     #[inline(always)]
     fn spin(&self, q: &[Real; 4], v: &Triple, h: Real) -> ([Triple; 3], Triple, Real) {
         let mut u = *q;

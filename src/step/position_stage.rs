@@ -85,7 +85,9 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     ///
     /// With one or more locked axes the spin stays constant over the step and the attitude turns about it:
     /// that is the exact motion of a body whose locked axes are fixed in it and have no spin about them, and
-    /// of a body moved by a script.
+    /// of a body moved by a script. An engine that locks axes of the world gives zeros while any is locked.
+    /// With two locked the constant spin is exact. With one it keeps the energy, but not the momentum about
+    /// the two free axes.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};

@@ -6,7 +6,7 @@ mod driver;
 use avian3d::prelude::*;
 use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
-use driver::{Body, Engine, H, Seen};
+use driver::{Body, Engine, Seen};
 use std::time::Duration;
 
 struct Avian {
@@ -113,8 +113,6 @@ impl Engine for Avian {
         }
     }
 }
-
-const _: f32 = H;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     driver::run::<Avian>()

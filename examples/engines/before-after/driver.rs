@@ -1,5 +1,5 @@
-//! What the programs in Rust share: a scene a line on standard input, a record a scene into the folder that the
-//! command line names. The lines are those of `before_after.py`.
+//! What the programs in Rust share: a scene a line on standard input, a record a scene into the folder that
+//! the command line names. The lines are those of `before_after.py`.
 
 use std::fmt::Write as _;
 use std::io::BufRead as _;
@@ -120,7 +120,8 @@ pub fn run<E: Engine>() -> Result<(), Box<dyn std::error::Error>> {
             }
             "wheel" => {
                 let (one, two) = (body(&numbers[3..20]), body(&numbers[20..]));
-                record(&mut E::bodies(&[one, two], Some([numbers[0], numbers[1], numbers[2]])), 2, steps, every)
+                let axle = [numbers[0], numbers[1], numbers[2]];
+                record(&mut E::bodies(&[one, two], Some(axle)), 2, steps, every)
             }
             "top" => {
                 let mut world = E::top(body(&numbers[4..]), [numbers[0], numbers[1], numbers[2]], numbers[3]);

@@ -30,7 +30,6 @@ fn world(gravity: f32) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::new(0.0, -gravity, 0.0);
     world.integration_parameters.dt = H;
-    if std::env::var("SUB").is_ok() { world.integration_parameters.dt = H / 4.0; world.integration_parameters.num_solver_iterations = 1; }
     world
 }
 

@@ -2,8 +2,8 @@
 
 use crate::number::Field;
 
-/// The change of the spin in a [`conserving_turn`], rad/s, along the axes before the turn, times `below (below^2 +
-/// |tangents|^2)`, from what the turn gives.
+/// The change of the spin in a [`conserving_turn`], rad/s, along the axes before the turn, times
+/// `below (below^2 + |tangents|^2)`, from what the turn gives.
 #[inline(always)]
 pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) -> [T; 3] {
     let p = |i: usize, j: usize| tangents[i].clone() * slip[j].clone();
@@ -27,9 +27,10 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 ///   of the turn.
 /// - `root`: the square root.
 ///
-/// Returns a number `below` and two vectors along the principal axes before the turn, both to be divided by it: the
-/// tangents `c`, the turn's axis times the tangent of half its angle; and the slip `(1 + c x) omega_after - (1 - c x)
-/// omega`, with `omega_after` the spin after the turn along the axes after it.
+/// Returns a number `below` and two vectors along the principal axes before the turn, both to be divided by
+/// it: the tangents `c`, the turn's axis times the tangent of half its angle; and the slip
+/// `(1 + c x) omega_after - (1 - c x) omega`, with `omega_after` the spin after the turn along the axes after
+/// it.
 ///
 /// With `Q_i^2 = pace + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
 /// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / pace`.
