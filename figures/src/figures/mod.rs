@@ -17,6 +17,7 @@ mod exact_errors;
 mod flip_time;
 mod flip_time_deep;
 mod four_steps;
+mod frame;
 mod gap_curve;
 mod hammer;
 mod jacobi;
@@ -47,7 +48,7 @@ pub(crate) struct Picture {
 pub(crate) type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 38] = [
+pub(crate) static ALL: [Figure; 39] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -333,6 +334,12 @@ pub(crate) static ALL: [Figure; 38] = [
         chapter: "test-your-engine",
         draw: judged::grades,
         of_body: Err("it shows a record of runs that were made of other bodies"),
+    },
+    Figure {
+        name: "frame",
+        shows: "A frame of an engine: forces, solver, positions, and what each changes",
+        chapter: "put-it-into-your-engine",
+        draw: frame::draw,
     },
     Figure {
         name: "judged-energy",
