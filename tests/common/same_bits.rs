@@ -228,7 +228,7 @@ fn stepped(hash: &mut Hash, random: &mut Random) {
 
 /// The position stage, in both precisions, in one part and in several.
 fn in_an_engine(hash: &mut Hash, random: &mut Random) {
-    let (moments, attitude, frame) = (random.moments().moments(), random.attitude(), random.attitude());
+    let (moments, attitude, frame) = (random.moments().vector(), random.attitude(), random.attitude());
     let (omega, h) = (random.vector() * 8.0, 0.1 * random.size(6));
     let body = PositionStage::new(&moments).map(|body| body.in_frame(frame));
     hash.answer(body, |hash, body| {
