@@ -340,6 +340,7 @@ pub(crate) static ALL: [Figure; 39] = [
         shows: "A frame of an engine: forces, solver, positions, and what each changes",
         chapter: "put-it-into-your-engine",
         draw: frame::draw,
+        of_body: Err("it shows the stages of an engine's step, for any body"),
     },
     Figure {
         name: "judged-energy",
