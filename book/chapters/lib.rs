@@ -81,6 +81,14 @@ mod put_it_into_your_engine {}
 mod proofs {}
 
 #[cfg(doctest)]
+#[doc = include_str!("problems.md")]
+mod problems {}
+
+#[cfg(doctest)]
+#[doc = include_str!("for-teachers.md")]
+mod for_teachers {}
+
+#[cfg(doctest)]
 #[doc = include_str!("where-next.md")]
 mod where_next {}
 

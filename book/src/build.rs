@@ -56,7 +56,7 @@ fn index_without_programs(pages: &Path) -> Result<(), String> {
 }
 
 /// What mdBook makes of the chapters by this preprocessor, and where.
-fn rendered(
+pub(crate) fn rendered(
     destination: Option<&Path>,
     preprocessor: impl Preprocessor + 'static,
 ) -> Result<PathBuf, String> {

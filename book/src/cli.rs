@@ -2,8 +2,8 @@
 
 use crate::share::Site;
 use crate::{
-    build, complain, docs, draw, exercises, export, film, guard, judge, measure, paths, preprocess, report,
-    say,
+    build, complain, docs, draw, exercises, export, film, guard, judge, measure, paper, paths, preprocess,
+    report, say,
 };
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory as _, Parser, Subcommand};
@@ -63,6 +63,8 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         #[arg(long, value_name = "URL", value_parser = Site::parse)]
         site: Option<Site>,
     },
+    /// Make the book for paper and readers: EPUB, PDF, handouts, sheets of problems
+    Print(paper::Arguments),
     /// Name the numbers and equations of the chapters that nothing holds
     #[command(
         after_help = "Exit code: 0 if there are none, 1 if there are some, 2 if something cannot be read."
@@ -142,6 +144,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         }
         Command::Film(arguments) => film::run(&arguments)?,
         Command::Build { site } => build::build(site.as_ref())?,
+        Command::Print(arguments) => paper::run(&arguments)?,
         Command::Check { folder, list, mutants } => {
             let folder = folder.unwrap_or_else(paths::chapters);
             return Ok(checked(&folder, list, mutants));
@@ -304,6 +307,10 @@ mod tests {
                 "800",
             ],
             &["figures", "polhodes", "--body", "hammer"],
+            &["print", "epub"],
+            &["print", "pdf", "--paper", "letter", "--out", "folder"],
+            &["print", "handout", "two-arrows", "coin"],
+            &["print", "problems", "--out", "folder"],
             &["check"],
             &["check", "folder", "--list"],
             &["check", "--mutants"],
@@ -356,6 +363,9 @@ mod tests {
             &["build", "--quick"],
             &["build", "--json"],
             &["list", "--check"],
+            &["print"],
+            &["print", "epub", "coin"],
+            &["print", "pdf", "--paper", "a0"],
             &["figures", "--mutants"],
             &["film"],
             &["film", "book", "--format", "mp4"],

@@ -14,11 +14,13 @@ mod ink;
 mod motion;
 mod of_body;
 mod report;
+mod stills;
 mod theme;
 mod units;
 mod verdict;
 
 pub use report::report;
+pub use stills::still;
 pub use theme::Theme;
 use tumbling_bodies::BodyModel;
 pub use verdict::verdict;

@@ -20,6 +20,7 @@ mod theme;
 mod turning;
 mod widget;
 
+use crate::goals;
 use edits::Edits;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::errors::{Error, Result};
@@ -113,7 +114,9 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
             return;
         };
         let written = Source { path: &path, text: &chapter.content };
-        let text = exercises::replace(&written, &exercises).and_then(|text| atlas::replace(&text));
+        let text = exercises::replace(&written, &exercises)
+            .and_then(|text| atlas::replace(&text))
+            .and_then(|text| goals::replace(&text));
         let text = match text {
             Ok(text) => text,
             Err(fault) => return faults.push(fault),

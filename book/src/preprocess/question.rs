@@ -3,7 +3,8 @@
 //!
 //! Such a quote is a paragraph with the question, perhaps a list of answers to choose from, and a paragraph
 //! that begins with the right one in italics and goes on with the reason. Without a list the right one is a
-//! number with its unit, and the reader sets a slider. `../../theme/questions.js` does the rest.
+//! number with its unit, and the reader sets a slider. `../../theme/questions.js` does the rest. The box has
+//! the id `CHAPTER-question-NUMBER`.
 
 use super::edits::Edits;
 use super::{Piece, Source};
@@ -17,13 +18,18 @@ const OPENING: &str = "> **Predict.**";
 pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edits) -> Vec<String> {
     let mut faults = Vec::new();
     let mut depth = 0_usize;
+    let mut number = 0_usize;
+    let page = source.path.with_extension("");
     for (at, (event, range)) in pieces.iter().enumerate() {
         if let Event::Start(Tag::BlockQuote(_)) = event
             && source.text[range.clone()].starts_with(OPENING)
         {
             match wrong(source.text, &pieces[at..], range, depth) {
                 None => {
-                    edits.replace(range.start..range.start, "<div class=\"question\">\n\n".to_owned());
+                    number += 1;
+                    let start =
+                        format!("<div class=\"question\" id=\"{}-question-{number}\">\n\n", page.display());
+                    edits.replace(range.start..range.start, start);
                     edits.replace(range.end..range.end, "\n</div>\n\n".to_owned());
                 }
                 Some(what) => faults.push(source.fault(range.start, what)),
@@ -91,7 +97,7 @@ mod tests {
     #[test]
     fn a_question_is_put_into_a_box() {
         let boxed = CHOICE
-            .replace("> **Pre", "<div class=\"question\">\n\n> **Pre")
+            .replace("> **Pre", "<div class=\"question\" id=\"x-question-1\">\n\n> **Pre")
             .replace("must.\n", "must.\n\n</div>\n\n");
         assert_eq!(shown(CHOICE).unwrap(), boxed);
         assert!(shown("> **Predict.** How long?\n>\n> *0.64 s*, well before.\n").is_ok());

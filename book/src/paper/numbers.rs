@@ -1,0 +1,48 @@
+//! On which page of a PDF each named place is, as a browser writes it: objects in plain text, pages in order.
+
+use std::collections::BTreeMap;
+
+/// The number of the page, from one, of each named place.
+pub(super) fn of(pdf: &[u8]) -> BTreeMap<String, usize> {
+    let text = String::from_utf8_lossy(pdf);
+    let mut objects = BTreeMap::new();
+    for part in text.split("endobj") {
+        // `12 0 obj <<...`
+        if let Some((head, body)) = part.rsplit_once(" 0 obj") {
+            let digits = head.len() - head.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+            if let Ok(number) = head[head.len() - digits..].parse::<usize>() {
+                objects.insert(number, body);
+            }
+        }
+    }
+    let mut order = Vec::new();
+    let is_root = |body: &str| body.contains("/Type /Pages") && !body.contains("/Parent");
+    if let Some((root, _)) = objects.iter().find(|(_, body)| is_root(body)) {
+        pages(*root, &objects, &mut order);
+    }
+    let page = |object: usize| order.iter().position(|at| *at == object).map(|at| at + 1);
+    let mut found = BTreeMap::new();
+    for body in objects.values().filter(|body| body.contains("/XYZ")) {
+        // `/name [12 0 R /XYZ 0 800 0]` or `(name) [...]`
+        for (at, _) in body.match_indices(" 0 R /XYZ") {
+            let Some((name, object)) = body[..at].rsplit_once('[') else { continue };
+            let name = name.trim_end();
+            let name = name.strip_suffix(')').unwrap_or(name);
+            let name = name.rsplit(['/', '(', ' ', '\n']).next().unwrap_or_default();
+            if let Some(number) = object.trim().parse().ok().and_then(page) {
+                found.insert(name.to_owned(), number);
+            }
+        }
+    }
+    found
+}
+
+/// The pages under this object, in order.
+fn pages(object: usize, objects: &BTreeMap<usize, &str>, order: &mut Vec<usize>) {
+    let Some(body) = objects.get(&object) else { return };
+    let Some((_, kids)) = body.split_once("/Kids [") else { return order.push(object) };
+    let kids = kids.split(']').next().unwrap_or_default();
+    for kid in kids.split(" 0 R").filter_map(|kid| kid.trim().parse().ok()) {
+        pages(kid, objects, order);
+    }
+}

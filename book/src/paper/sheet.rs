@@ -1,0 +1,181 @@
+//! Pages of the book as one HTML document to be printed, with all that it needs inside.
+
+use super::mend;
+use super::pages::{Page, Paper, sections};
+use super::tree::{Element, Node, xml};
+use crate::paths;
+use crate::places::escaped;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use std::fmt::Write as _;
+
+/// The size of the paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub(crate) enum Size {
+    #[default]
+    A4,
+    Letter,
+}
+
+/// The whole book: title page, contents, every page.
+///
+/// # Errors
+/// A font that cannot be read.
+pub(super) fn book(
+    paper: &Paper,
+    size: Size,
+    numbers: &dyn Fn(&str) -> Option<usize>,
+) -> Result<String, String> {
+    let mut body = super::title::page(paper);
+    body.push_str(&contents(paper, numbers));
+    let mut rules = String::new();
+    for page in &paper.pages {
+        // The name of the chapter at the head of its pages.
+        let _ = write!(
+            rules,
+            "@page {0} {{ @top-left {{ content: \"{1}\"; }} }}\n#{0}--page {{ page: {0}; }}\n",
+            page.name,
+            page.title.replace('"', "")
+        );
+        let number = page
+            .number
+            .as_ref()
+            .map_or(String::new(), |number| format!("<p class=\"chapter-number\">Chapter {number}</p>\n"));
+        let _ = write!(
+            body,
+            "<section id=\"{}--page\" class=\"chapter\">\n{number}{}\n</section>\n",
+            page.name,
+            xml(&within(&page.body, &page.name))
+        );
+    }
+    document(paper, &paper.about.title, "book", size, &rules, &body)
+}
+
+fn contents(paper: &Paper, numbers: &dyn Fn(&str) -> Option<usize>) -> String {
+    let line = |place: &str, words: &str| {
+        let number = numbers(place).map_or(String::new(), |number| number.to_string());
+        format!("<a href=\"#{place}\"><span>{words}</span><span class=\"at-page\">{number}</span></a>")
+    };
+    let mut out = String::from("<nav class=\"contents\" aria-label=\"Contents\">\n<h1>Contents</h1>\n<ol>\n");
+    for page in &paper.pages {
+        let number = page.number.as_ref().map_or(String::new(), |number| format!("{number}. "));
+        let words = format!("{number}{}", escaped(&page.title));
+        let _ = write!(out, "<li><div>{}", line(&format!("{}--page", page.name), &words));
+        if page.number.is_some() {
+            let items = sections(page)
+                .into_iter()
+                .map(|(id, title)| format!("<li>{}</li>\n", line(&format!("{}--{id}", page.name), &title)));
+            let items: String = items.collect();
+            if !items.is_empty() {
+                let _ = write!(out, "\n<ol>\n{items}</ol>\n");
+            }
+        }
+        out.push_str("</div></li>\n");
+    }
+    out + "</ol>\n</nav>\n"
+}
+
+/// The nodes of a page with names and links that hold within one document. Drawings have names of their own.
+pub(super) fn within(nodes: &[Node], page: &str) -> Vec<Node> {
+    let mut out = nodes.to_vec();
+    for node in &mut out {
+        let Node::Element(element) = node else { continue };
+        printable(element);
+        if element.name == "svg" {
+            continue;
+        }
+        if let Some(id) = element.get("id").map(|id| format!("{page}--{id}")) {
+            element.set("id", &id);
+        }
+        if let Some(target) = element.get("href").filter(|target| !target.starts_with("http")) {
+            let (file, place) = target.split_once(".html#").unwrap_or((target, "page"));
+            let target = format!("#{}--{place}", file.trim_end_matches(".html"));
+            element.set("href", &target);
+        }
+        element.children = within(&element.children, page);
+    }
+    out
+}
+
+/// Chromium gives the words of a drawing or formula to those who do not see it where it is an image with a
+/// label; a `<figure>` around it would be a second image, without words.
+fn printable(element: &mut Element) {
+    match element.name.as_str() {
+        "figure" => {
+            element.name = "div".into();
+            element.set("class", "figure");
+        }
+        "figcaption" => {
+            element.name = "div".into();
+            element.set("class", "figcaption");
+        }
+        "math" => {
+            let words = element.get("alttext").unwrap_or_default().to_owned();
+            element.set("role", "img");
+            element.set("aria-label", &format!("{}{words}", mend::FORMULA));
+        }
+        // An empty cell, or one of blanks, would be no cell of the tagged table.
+        "td" | "th" if element.children.is_empty() => element.children.push(Node::Text("–".into())),
+        _ => {}
+    }
+}
+
+/// A document of this class of sheets, see `book/paper/print.css`.
+///
+/// # Errors
+/// A font that cannot be read.
+pub(super) fn document(
+    paper: &Paper,
+    title: &str,
+    class: &str,
+    size: Size,
+    rules: &str,
+    body: &str,
+) -> Result<String, String> {
+    let mut fonts = String::new();
+    for (family, style, file) in [
+        ("Literata", "normal", "literata.woff2"),
+        ("Literata", "italic", "literata-italic.woff2"),
+        ("Tumbling Math", "normal", "tumbling-math.woff2"),
+    ] {
+        let path = paths::book().join("theme/fonts").join(file);
+        let font = std::fs::read(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+        let _ = writeln!(
+            fonts,
+            "@font-face {{ font-family: \"{family}\"; font-style: {style}; font-weight: 200 900; \
+             src: url(\"data:font/woff2;base64,{}\") format(\"woff2\"); }}",
+            BASE64_STANDARD.encode(font)
+        );
+    }
+    let paper_size = if size == Size::A4 { "A4" } else { "letter" };
+    Ok(format!(
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<meta name=\"author\" \
+         content=\"{}\">\n<style>\n{}\n@page {{ size: {paper_size}; }}\n{rules}{fonts}</style>\n</head>\n<body class=\"{class}\">\n\
+         <main>\n{body}\n</main>\n</body>\n</html>\n",
+        paper.about.language,
+        escaped(title),
+        escaped(&paper.about.authors.join(", ")),
+        include_str!("../../paper/print.css"),
+    ))
+}
+
+/// The element that stands next after the one with this id, among these nodes.
+pub(super) fn after<'a>(nodes: &'a [Node], id: &str) -> Option<&'a Element> {
+    let mut elements = nodes.iter().filter_map(|node| match node {
+        Node::Element(element) => Some(element),
+        Node::Text(_) => None,
+    });
+    elements.by_ref().find(|element| element.get("id") == Some(id))?;
+    elements.next()
+}
+
+/// The page of this name among those with a number.
+///
+/// # Errors
+/// There is none; names those that there are.
+pub(super) fn chapter<'a>(paper: &'a Paper, name: &str) -> Result<&'a Page, String> {
+    let numbered = || paper.pages.iter().filter(|page| page.number.is_some());
+    numbered().find(|page| page.name == name).ok_or_else(|| {
+        let names: Vec<&str> = numbered().map(|page| page.name.as_str()).collect();
+        format!("there is no chapter `{name}`; the chapters are {}", names.join(", "))
+    })
+}

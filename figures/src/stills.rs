@@ -1,0 +1,120 @@
+//! Stills of what moves in the pages, for paper: a body in flight, at equal instants.
+
+use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
+use crate::ink::Ink;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use std::error::Error;
+use std::f64::consts::TAU;
+use tumbling::body::named::{BOOK, NamedBody, PHONE};
+use tumbling::{Axis, Body, exact::FreeMotion};
+
+/// A toss about the middle axis of a flat body: its width along x, its thickness along y, its height along z.
+struct Toss {
+    body: NamedBody,
+    sizes: [f64; 3],
+    /// What it is called.
+    words: &'static str,
+    /// Turns a second.
+    turns: f64,
+    /// The spin about each of the other axes, as a part of the one about the middle axis.
+    push: f64,
+    /// Seconds from one picture to the next.
+    step: f64,
+    /// Points to the metre.
+    scale: f64,
+}
+
+const ROWS: usize = 2;
+const COLUMNS: usize = 6;
+
+/// The still for this widget, as a complete SVG document, if it has one of its own.
+///
+/// # Errors
+/// What the library or the drawing reported.
+#[must_use]
+pub fn still(widget: &str) -> Option<Result<String, Box<dyn Error>>> {
+    let toss = match widget {
+        "toss" => Toss {
+            body: NamedBody::Book,
+            sizes: BOOK.sizes,
+            words: "a book",
+            turns: 2.0,
+            push: 0.05,
+            step: 0.1,
+            scale: 280.0,
+        },
+        "tumble" => Toss {
+            body: NamedBody::Phone,
+            sizes: PHONE.sizes,
+            words: "a phone",
+            turns: 2.0,
+            push: 0.01,
+            step: 0.15,
+            scale: 400.0,
+        },
+        _ => return None,
+    };
+    Some(flight(widget, &toss))
+}
+
+fn flight(widget: &str, toss: &Toss) -> Result<String, Box<dyn Error>> {
+    let inertia = toss.body.properties()?.inertia();
+    let axes = inertia.principal();
+    let [easy, middle, hard] = Axis::ALL.map(|axis| axes.axis(axis));
+    let omega = (middle + (easy + hard) * toss.push) * (toss.turns * TAU);
+    // The momentum lies level, to the right.
+    let level = UnitQuaternion::rotation_between(&inertia.momentum(&omega), &Vector3::x());
+    let start = Body::spinning(inertia, level.ok_or("a momentum to the left")?, &omega)?;
+    let motion = FreeMotion::of(&start)?;
+    let flip = motion.next_flip(0.0)?.ok_or("a toss without a flip")?;
+    let canvas = Canvas::sized(500, 300);
+    for row in 0..ROWS {
+        for column in 0..COLUMNS {
+            let time = toss.step * (row * COLUMNS + column) as f64;
+            let state = motion.at(time)?;
+            let centre: P = (44.0 + 82.0 * column as f64, 62.0 + 132.0 * row as f64);
+            let view = View::new(centre, toss.scale, -90.0 + 22.0, 18.0);
+            slab(&canvas, &view, &toss.sizes.into(), state.attitude.to_rotation_matrix().into_inner());
+            let tip = |v: Vector3<f64>| view.at(&(v.normalize() * (44.0 / toss.scale)));
+            canvas.arrow(centre, tip(Vector3::x()), Pen::new(Ink::Momentum, 3.4));
+            canvas.arrow(centre, tip(state.attitude * state.omega), Pen::new(Ink::Omega, 1.8));
+            canvas.label((centre.0, centre.1 + 66.0), &Label::new(format!("{time:.2} s")).middle());
+        }
+    }
+    canvas.label((14.0, 290.0), &Label::new("spin $!ω$").ink(Ink::Omega));
+    canvas.label((100.0, 290.0), &Label::new("momentum $!L$").ink(Ink::Momentum));
+    canvas.label((486.0, 290.0), &Label::new(format!("first flip after {flip:.2} s")).end());
+    let words = toss.words;
+    Ok(canvas.finish(
+        &format!("still-{widget}"),
+        &format!("{words} tossed about its middle axis, at equal instants"),
+        &format!(
+            "{words} with {:.0} turns a second about its middle axis and {} of that about each other axis, drawn every {} s. The \
+             momentum, an orange arrow, stays; the spin, a blue one, sways about it. After {flip:.2} s the other face is up.",
+            toss.turns, toss.push, toss.step
+        ),
+    ))
+}
+
+/// A flat box whose front is dark, its title a light stripe.
+fn slab(canvas: &Canvas, view: &View, edges: &Vector3<f64>, rotation: Matrix3<f64>) {
+    let solid = Cuboid { rotation, half: edges * 0.5 };
+    let edge = Pen::new(Ink::Text, 1.2);
+    for axis in 0..3 {
+        for sign in [-1.0, 1.0] {
+            if !solid.faces(view, axis, sign) {
+                continue;
+            }
+            let corners = solid.face(axis, sign).map(|p| view.at(&p));
+            canvas.area(&corners, Fill::new(Ink::Paper), None);
+            let front = axis == 1 && sign < 0.0;
+            let fill = if front { Fill::new(Ink::Text).opacity(0.78) } else { Fill::new(Ink::Surface) };
+            canvas.area(&corners, fill, Some(edge));
+            if front {
+                let stripe = [(-0.6, 0.3), (0.6, 0.3), (0.6, 0.6), (-0.6, 0.6)];
+                let stripe = stripe.map(|(x, z)| view.at(&solid.point(x, -1.0, z)));
+                canvas.area(&stripe, Fill::new(Ink::Paper), None);
+            }
+        }
+    }
+}
