@@ -16,7 +16,7 @@ struct Still {
     live: &'static str,
 }
 
-const STILLS: [Still; 9] = [
+const STILLS: [Still; 10] = [
     Still {
         widget: "toss",
         figure: "three-tosses",
@@ -24,6 +24,11 @@ const STILLS: [Still; 9] = [
     },
     Still { widget: "two-arrows", figure: "two-arrows", live: "turn the spin yourself, for six bodies" },
     Still { widget: "your-box", figure: "box-arrows", live: "choose the edges and the spin of the box" },
+    Still {
+        widget: "your-body",
+        figure: "box-moments",
+        live: "give the sides, moments or solid of a body of yours and read its report",
+    },
     Still { widget: "turning", figure: "turning-tensor", live: "turn the box and read its tensor" },
     Still { widget: "pitfalls", figure: "engines-paths", live: "watch the four engines side by side" },
     Still {
