@@ -95,7 +95,7 @@ impl PositionStage {
         let length = square(attitude).sqrt();
         let (mut q, mut w) = (attitude.map(|x| x / length), *omega);
         let turn = self.spin(&q, &w, h).2.sqrt() / 0.5;
-        if !(turn <= 4096.0) {
+        if turn.is_nan() || turn > 4096.0 {
             return 0;
         }
         let parts = turn.ceil().max(1.0);

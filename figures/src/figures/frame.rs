@@ -19,7 +19,7 @@ pub(super) fn draw() -> Drawing {
         canvas.area(&corners, Fill::new(fill), Some(Pen::new(Ink::Text, pen)));
         canvas.label((left + 14.0, top + 28.0), &Label::new(name).bold());
         canvas.label((left + 14.0, top + 53.0), &Label::new(acts));
-        canvas.label((left + 14.0, top + 78.0), &Label::new(&format!("changes {changes}")).ink(Ink::Omega));
+        canvas.label((left + 14.0, top + 78.0), &Label::new(format!("changes {changes}")).ink(Ink::Omega));
         if i < 2 {
             let middle = (left + right) / 2.0;
             canvas.arrow(
