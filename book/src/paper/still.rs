@@ -26,8 +26,8 @@ const STILLS: [Still; 10] = [
     Still { widget: "your-box", figure: "box-arrows", live: "choose the edges and the spin of the box" },
     Still {
         widget: "your-body",
-        figure: "box-moments",
-        live: "give the sides, moments or solid of a body of yours and read its report",
+        figure: "polhodes",
+        live: "describe a body of your own; the command `cargo run -- report FILE.toml` does the same",
     },
     Still { widget: "turning", figure: "turning-tensor", live: "turn the box and read its tensor" },
     Still { widget: "pitfalls", figure: "engines-paths", live: "watch the four engines side by side" },
