@@ -21,8 +21,13 @@ impl Pair {
         Self { omega: s.atan2(c), momentum: (m[plane[1] as usize] * s).atan2(m[plane[0] as usize] * c) }
     }
 
+    /// The angle between the two, rad; never −0.
+    fn width(&self) -> f64 {
+        (self.momentum - self.omega).abs()
+    }
+
     fn gap(&self) -> String {
-        format!("{:.1}°", (self.momentum - self.omega).to_degrees())
+        format!("{:.1}°", self.width().to_degrees())
     }
 }
 
@@ -79,10 +84,22 @@ fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64)
         places.map(|(right, down)| (tip.0 + right, tip.1 + down))
     };
     canvas.label_at_first(&near(tips[0]), &Label::new("spin $!ω$").ink(Ink::Omega));
-    canvas.label_at_first(&near(tips[1]), &Label::new("momentum $!L$").ink(Ink::Momentum));
+    let momentum = Label::new("momentum $!L$").ink(Ink::Momentum).halo(Ink::Paper);
+    // Where the arrows are close, on the side of the momentum that the spin is not on.
+    let aside = (tips[1].0 - momentum.width() - 10.0, tips[1].1 + 6.0);
+    let places = near(tips[1]);
+    let close = arrows.width() < 0.3;
+    if close {
+        canvas.label_at_first(&[&[aside], &places[..]].concat(), &momentum);
+    } else {
+        canvas.label_at_first(&places, &momentum);
+    }
     let by_the_arc = polar(centre, 140.0, 0.5 * (arrows.omega + arrows.momentum));
     let gap = Label::new(format!("gap {}", arrows.gap())).bold().halo(Ink::Paper);
-    let places = [(-6.0, 6.0), (-100.0, -8.0), (10.0, 30.0), (-120.0, 30.0), (20.0, 60.0)];
+    let mut places = [(-6.0, 6.0), (-100.0, -8.0), (10.0, 30.0), (-120.0, 30.0), (20.0, 60.0)];
+    if close {
+        places[0] = (14.0, 24.0);
+    }
     canvas.label_at_first(&places.map(|(right, down)| (by_the_arc.0 + right, by_the_arc.1 + down)), &gap);
     arrows
 }

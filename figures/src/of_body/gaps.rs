@@ -40,7 +40,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     let pens =
         [Pen::new(Ink::Text, 2.6), Pen::new(Ink::Text, 2.2).dashed(), Pen::new(Ink::Text, 2.2).dotted()];
     let mut said = Vec::new();
-    for (&plane, pen) in planes.iter().zip(pens) {
+    for (row, (&plane, pen)) in planes.iter().zip(pens).enumerate() {
         let ratio = m[plane.1] / m[plane.0];
         let (at, widest) = widest(plane);
         let between = format!("{} to {}", NAMES[plane.0], NAMES[plane.1]);
@@ -50,13 +50,12 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         }
         let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
         plot.curve(directions.map(|d| (d, gap(ratio, d))), pen)?;
-        let p = plot.at(at, widest);
         plot.dots([(at, widest)], 4.0, Ink::Text)?;
-        let words =
-            Label::new(format!("{between}: {}°", units::number(widest, 3))).size(15.5).halo(Ink::Paper);
-        let places = [-12.0, 24.0, -32.0, 44.0, 64.0].map(|down| (p.0 + 8.0, p.1 + down));
-        let left = places.map(|(_, y)| (p.0.min(484.0 - words.width()).max(66.0), y));
-        canvas.label_at_first(&[places, left].concat(), &words);
+        // At the top right, where no curve comes: each has its maximum in the left half, below this height.
+        let y = 96.0 + 22.0 * row as f64;
+        canvas.line((246.0, y - 5.0), (280.0, y - 5.0), pen);
+        let words = Label::new(format!("{between}: {}°", units::number(widest, 3))).size(15.5);
+        canvas.label((288.0, y), &words.halo(Ink::Paper));
     }
     if subject.kind == Kind::Ball {
         let at = plot.at(45.0, 0.0);

@@ -86,16 +86,16 @@ pub(crate) fn three(subject: &Subject<'_>) -> Drawing {
         let mut start = Vector3::repeat(PUSH);
         start[k] = 1.0;
         let run = panel.curves(subject, &subject.motion(&start)?, [(k + 1) % 3, (k + 2) % 3, k])?;
-        let lone = match subject.kind {
-            Kind::Three => NAMES[k],
-            Kind::Round(axis) if axis as usize == k => "lone",
-            Kind::Round(_) => "one of two equal",
-            Kind::Ball => "one of three equal",
+        let which = match subject.kind {
+            Kind::Three => format!("the {} moment", NAMES[k]),
+            Kind::Round(axis) if axis as usize == k => "the moment that differs".into(),
+            Kind::Round(_) => "one of two equal moments".into(),
+            Kind::Ball => "one of three equal moments".into(),
         };
-        let title = format!("the {lone} moment, $I_{}$ = {} {unit}", k + 1, written[k]);
+        let title = format!("{which}, $I_{}$ = {} {unit}", k + 1, written[k]);
         canvas.label((14.0, top - 12.0), &Label::new(title).ink(pens()[k].ink()).size(15.5));
         let least = run.iter().map(|w| w[k]).fold(1.0, f64::min);
-        said.push(format!("about the axis of {lone} moment it falls to {least:.2} of what it was"));
+        said.push(format!("about the axis of {which} it falls to {least:.2} of what it was"));
     }
     Ok(Picture {
         canvas,
