@@ -57,6 +57,10 @@ fn on_sheet(element: Element) -> Vec<Node> {
     match element.name.as_str() {
         _ if dropped => Vec::new(),
         "h1" => Vec::new(),
+        // The list of references stays in the book.
+        "a" if element.get("href").is_some_and(|to| to.contains("references")) => {
+            [vec![Node::Text("[".into())], element.children, vec![Node::Text("]".into())]].concat()
+        }
         "a" => element.children,
         _ => vec![element.into()],
     }
