@@ -51,11 +51,11 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
         plot.curve(directions.map(|d| (d, gap(ratio, d))), pen)?;
         plot.dots([(at, widest)], 4.0, Ink::Text)?;
-        // At the top right, where no curve comes: each has its maximum in the left half, below this height.
+        // Above the curves, or right of those that leave no room above.
         let y = 96.0 + 22.0 * row as f64;
-        canvas.line((246.0, y - 5.0), (280.0, y - 5.0), pen);
+        canvas.line((206.0, y - 5.0), (240.0, y - 5.0), pen);
         let words = Label::new(format!("{between}: {}°", units::number(widest, 3))).size(15.5);
-        canvas.label((288.0, y), &words.halo(Ink::Paper));
+        canvas.label((248.0, y), &words.halo(Ink::Paper));
     }
     if subject.kind == Kind::Ball {
         let at = plot.at(45.0, 0.0);
