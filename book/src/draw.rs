@@ -69,7 +69,8 @@ pub(crate) fn draw_for(body: &BodyModel, figures: &[&Figure], all: bool) -> Resu
 pub(crate) fn folder_name(name: &str) -> String {
     let plain = name.trim_start_matches("the ").to_lowercase();
     let words = plain.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    words.collect::<Vec<_>>().join("-")
+    let words = words.collect::<Vec<_>>().join("-");
+    if words.is_empty() { "body".into() } else { words }
 }
 
 /// Compares these figures with their committed files.

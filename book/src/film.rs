@@ -135,6 +135,8 @@ impl Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     own_folder_refused(&arguments.out)?;
     let model = BodyModel::load(&arguments.body)?;
+    let folder = &arguments.out;
+    std::fs::create_dir_all(folder).map_err(|e| format!("cannot write {}: {e}", folder.display()))?;
     let film = Film::new(&model, &arguments.request(&model))?;
     say!("{}", film.explained()?);
     let count = (film.seconds() * RATE).round().clamp(2.0, 12_000.0) as u32;

@@ -5,9 +5,16 @@ use crate::figures::raised;
 /// Units of one kind by their size, smallest first, and from which value on each is taken.
 struct Units(&'static [(f64, &'static str, f64)]);
 
-const LENGTH: Units = Units(&[(1e-6, "µm", 0.0), (1e-3, "mm", 1e-3), (1.0, "m", 1.0), (1e3, "km", 1e3)]);
-const MASS: Units =
-    Units(&[(1e-6, "mg", 0.0), (1e-3, "g", 1e-3), (1.0, "kg", 1.0), (1e3, "t", 1e4), (1.0, "kg", 1e8)]);
+const LENGTH: Units =
+    Units(&[(1e-9, "nm", 0.0), (1e-6, "µm", 1e-6), (1e-3, "mm", 1e-3), (1.0, "m", 1.0), (1e3, "km", 1e3)]);
+const MASS: Units = Units(&[
+    (1e-9, "µg", 0.0),
+    (1e-6, "mg", 1e-6),
+    (1e-3, "g", 1e-3),
+    (1.0, "kg", 1.0),
+    (1e3, "t", 1e4),
+    (1.0, "kg", 1e8),
+]);
 const TIME: Units = Units(&[
     (1e-6, "µs", 0.0),
     (1e-3, "ms", 1e-3),
@@ -129,6 +136,7 @@ mod tests {
         assert_eq!(length(0.0078), "7.8 mm");
         assert_eq!(length(1240.0), "1.24 km");
         assert_eq!([mass(0.001), mass(0.9995), mass(4.0)], ["1 g", "1000 g", "4 kg"]);
+        assert_eq!([mass(1e-9), mass(2e-6), length(2e-9)], ["1 µg", "2 mg", "2 nm"]);
         assert_eq!([mass(2.5e4), mass(1e12)], ["25 t", "10¹² kg"]);
         assert_eq!([time(0.004), time(90.0), time(1e5), time(4e5)], ["4 ms", "90 s", "27.8 h", "4.63 days"]);
         assert_eq!(moments(&[10.0 / 12.0, 13.0 / 12.0, -5.0 / 12.0]).0, ["0.833", "1.083", "−0.417"]);

@@ -32,6 +32,7 @@ tumblingLive.widget("your-body", async (stage) => {
         const known = kind.value === "moments" ? values.slice(1) : values;
         const empty = known.find(([, value]) => value === "");
         if (empty) return `Type a number for ${field(empty[0]).getAttribute("aria-label") ?? empty[0]}.`;
+        if (Number(field("m").value) < 0) return "The mass must be above zero, or left out where it is not known.";
         const answer = body.answer(0, Object.keys(KINDS).indexOf(kind.value), ...values.map(([, value]) => Number(value)));
         if (!answer) return `${body.words()}.`;
         const part = (from, count) => Array.from(answer.slice(from, from + count));
@@ -191,7 +192,7 @@ tumblingLive.widget("your-body", async (stage) => {
     function fromAddress() {
         if (!location.hash.startsWith(MARK)) return;
         const said = new URLSearchParams(location.hash.slice(MARK.length));
-        if (said.get("kind") in KINDS) kind.value = said.get("kind");
+        if (Object.hasOwn(KINDS, said.get("kind") ?? "")) kind.value = said.get("kind");
         for (const name of ["m", ...SIZES, ...TENSOR]) {
             const value = said.get(name);
             if (value !== null && (value === "" || Number.isFinite(Number(value)))) field(name).value = value;
@@ -253,6 +254,7 @@ tumblingLive.widget("your-body", async (stage) => {
         const mass = number("mass", "value");
         const turned = (inertial.querySelector("origin")?.getAttribute("rpy") ?? "0 0 0").trim().split(/\s+/).map(Number);
         if (![...tensor, mass, ...turned].every(Number.isFinite) || turned.length !== 3) return "A number is missing: mass, the six of inertia, and the angles of origin where there are any.";
+        if (!(mass > 0)) return "The mass must be above zero.";
         const answer = body.answer(3, ...tensor, ...turned);
         if (!answer) return `${body.words()}.`;
         kind.value = "moments";

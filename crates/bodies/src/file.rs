@@ -18,7 +18,7 @@ use tumbling::{Inertia, MassProperties};
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Table {
-    name: Option<String>,
+    name: Option<Spanned<String>>,
     shape: Option<Spanned<String>>,
     sides: Option<Spanned<Vec<f64>>>,
     radius: Option<Spanned<f64>>,
@@ -55,6 +55,9 @@ const GIVEN_BY: [(&str, &[&str]); 8] = [
     ("urdf", &["link", "tolerance"]),
     ("body", &[]),
 ];
+
+/// The farthest place of a body whose shape is still drawn to a millionth, relative to its size.
+const FARTHEST: f64 = 1e9;
 
 /// Where a table stands, and what it names.
 struct Reader<'a> {
@@ -165,7 +168,8 @@ impl Reader<'_> {
             "body" => self.named(table, &by),
             _ => self.shape(table, &by),
         }?;
-        let name = table.name.clone().unwrap_or_else(|| found.name.clone());
+        let name = table.name.as_ref().map(|name| self.name(name)).transpose()?;
+        let name = name.unwrap_or_else(|| found.name.clone());
         let spin = table.spin.as_ref().map(|spin| self.spin(spin)).transpose()?;
         self.placed(table, BodyModel { name, spin, ..found })
     }
@@ -214,6 +218,15 @@ impl Reader<'_> {
             shaped(name, &sizes, self.weight(table, by)?).map_err(|error| self.refused(table, by, &error))?;
         let sides = (name == "box").then(|| <[f64; 3]>::try_from(sizes.sides).ok()).flatten();
         Ok(BodyModel { sides, ..model(properties, vec![surface]) })
+    }
+
+    /// What it is called: one line, as drawings and pages can write it.
+    fn name(&self, given: &Spanned<String>) -> Result<String, Error> {
+        let name = given.get_ref();
+        match name.chars().find(|c| c.is_control()) {
+            Some(c) => Err(self.wrong(&given.span(), "name", format!("{c:?} is not a character to write"))),
+            None => Ok(name.clone()),
+        }
     }
 
     /// How fast it spins, rad/s.
@@ -358,6 +371,10 @@ impl Reader<'_> {
             if !found.centre.iter().all(|x| x.is_finite()) {
                 return Err(self.wrong(&at.span(), "at", "the place must be finite"));
             }
+            let reach = found.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.amax()).fold(0.0, f64::max);
+            if place.amax() > FARTHEST * reach && !found.surfaces.is_empty() {
+                return Err(self.wrong(&at.span(), "at", "so far away that rounding would change its shape"));
+            }
             for surface in &mut found.surfaces {
                 *surface = surface.mapped(|p| p + place);
             }
@@ -419,6 +436,8 @@ mod tests {
             ("spin = 0\nmoments = [1, 2, 2]", "line 1, `spin`: 0 rad/s is not above zero"),
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
             ("points = [[1, 0, 0, 0]]", "line 1, `points`"),
+            ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
+            ("sides = [1, 2, 3]\nmass = 1\nat = [1e300, 0, 0]", "line 3, `at`: so far away that rounding"),
         ] {
             let error = body(text).unwrap_err().to_string();
             assert!(error.contains(words), "{text}\n{error}");

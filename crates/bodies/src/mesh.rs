@@ -10,6 +10,9 @@ pub(crate) type Triangles = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
 
 /// The triangles of a file; those of an STL are welded where coordinates are equal.
 pub(crate) fn read(path: &Path) -> Result<Triangles, Error> {
+    if path.exists() && !path.is_file() {
+        return Err(Error::new("it is not a file").in_file(path));
+    }
     let bytes = std::fs::read(path)
         .map_err(|error| Error::new(format!("it cannot be read ({error})")).in_file(path))?;
     let found = match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
@@ -59,6 +62,10 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
             corners.push(vertex(rest, number)?);
         }
     }
+    if corners.len() % 3 != 0 {
+        let count = corners.len();
+        return Err(Error::new(format!("{count} vertices are not three for each triangle")));
+    }
     Ok(welded(corners.chunks_exact(3).map(|three| [three[0], three[1], three[2]])))
 }
 
@@ -73,9 +80,10 @@ fn obj(text: &str) -> Result<Triangles, Error> {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
-        if let Some(rest) = line.strip_prefix("v ") {
+        let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+        if word == "v" {
             vertices.push(vertex(rest, number)?);
-        } else if let Some(rest) = line.strip_prefix("f ") {
+        } else if word == "f" {
             let wrong = || Error {
                 line: Some(number + 1),
                 ..Error::new("a face names three or more vertices from 1")
@@ -131,5 +139,10 @@ mod tests {
         }
         assert_eq!(obj("v 1 2 3\nf 1 2\n").unwrap_err().line, Some(2));
         assert!(stl(b"PK").is_err());
+        // A triangle of two corners is not left out, and a tab is as good as a space.
+        let short = text.replacen("vertex 0 0 0\n", "", 1);
+        assert!(stl(short.as_bytes()).unwrap_err().why.starts_with("11 vertices are not three"));
+        assert_eq!(obj("v\t1 2 3\nf\t1 2\n").unwrap_err().line, Some(2));
+        assert!(read(Path::new("/")).unwrap_err().why.contains("not a file"));
     }
 }

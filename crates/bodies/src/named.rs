@@ -38,6 +38,9 @@ impl BodyModel {
         };
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let read = || {
+            if path.exists() && !path.is_file() {
+                return Err(Error::new("it is not a file"));
+            }
             std::fs::read_to_string(path)
                 .map_err(|error| Error::new(format!("it cannot be read ({error})")).in_file(path))
         };

@@ -145,6 +145,20 @@ mod tests {
     }
 
     #[test]
+    fn roll_pitch_and_yaw_turn_the_tensor_about_the_fixed_axes_in_that_order() {
+        let text = ARM
+            .replace("0 0 1.5707963267948966", "0.3 -0.7 1.9")
+            .replace("ixz='0'", "ixz='-0.002'")
+            .replace("iyz='0'", "iyz='0.003'");
+        // R T Rᵀ with R = Rz(yaw) Ry(pitch) Rx(roll), computed apart.
+        let (xy, xz, yz) = (-0.001_434_614_362_436_823, 0.002_713_912_808_715_325, -0.010_203_923_007_750_93);
+        let [xx, yy, zz] = [0.030_149_988_952_210_27, 0.029_261_950_748_379_87, 0.030_588_060_299_409_86];
+        let turned = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        let found = read(&text, None, 0.0).unwrap().inertia.matrix();
+        assert!((found - turned).amax() < 1e-16, "{found}");
+    }
+
+    #[test]
     fn what_is_wrong_is_named_with_its_line() {
         for (from, to, line, words) in [
             ("'0.04'", "'0.06'", 7, "the triangle inequality"),

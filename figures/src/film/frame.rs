@@ -198,7 +198,9 @@ pub(super) fn spin_in_words(spin: f64, axis: Axis) -> String {
     let turns = spin / TAU;
     let speed = match (turns * 1e6).round() / 1e6 {
         1.0 => "1 turn/s".into(),
-        whole if (turns - whole).abs() < 1e-12 && whole.fract() == 0.0 => format!("{whole} turns/s"),
+        whole if whole != 0.0 && (turns - whole).abs() < 1e-12 && whole.fract() == 0.0 => {
+            format!("{whole} turns/s")
+        }
         _ if (1e-3..1e5).contains(&spin.abs()) => format!("{} rad/s", (spin * 1e6).round() / 1e6),
         _ => with_powers(&format!("{spin:.3e}")) + " rad/s",
     };

@@ -82,8 +82,8 @@ impl Film {
         if let Some(push) = request.push.filter(|push| !(-100.0..=100.0).contains(push)) {
             return Err(format!("a push of {push:e}: a share of the spin, from -100 to 100").into());
         }
-        if let Some(seconds) = request.seconds.filter(|&s| !(s > 0.0 && s <= 600.0)) {
-            return Err(format!("{seconds} seconds: a film takes more than 0 and at most 600").into());
+        if let Some(seconds) = request.seconds.filter(|s| !(0.1..=600.0).contains(s)) {
+            return Err(format!("{seconds} seconds: a film takes from 0.1 to 600").into());
         }
         let (push, length) = length::choose(model, request)?;
         let body = thrown(model, request, push)?;
@@ -210,7 +210,7 @@ fn share_in_words(share: f64) -> String {
     let percent = 100.0 * share;
     match percent.abs() {
         0.0 => "0 %".into(),
-        x if x < 1e-9 => "10⁻⁹ %".into(),
+        x if x < 1e-9 => "less than 10⁻⁹ %".into(),
         x if x < 0.01 => crate::figures::with_powers(&format!("{percent:.0e}")) + " %",
         x if x < 10.0 => format!("{percent:.2} %"),
         _ => format!("{percent:.0} %"),

@@ -6,6 +6,8 @@ use crate::units;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::error::Error;
 use std::f64::consts::TAU;
+use tumbling::PrincipalMoments;
+use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, PositionStage, State, System};
 
 /// How long the body is followed, turns.
@@ -57,13 +59,16 @@ fn start(subject: &Subject<'_>) -> Vector3<f64> {
 
 /// None where the rule breaks down.
 fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>, Box<dyn Error>> {
-    let motion = subject.motion(&start(subject))?;
-    let system = System::free(subject.moments)?;
-    let omega = start(subject) * subject.spin;
+    // In units of the largest moment and of the spin: errors know of neither, and none overflows.
+    let moments = subject.moments.vector();
+    let moments = PrincipalMoments::try_from(moments / moments.z)?;
+    let omega = start(subject);
+    let motion = FreeMotion::new(moments, &omega)?;
+    let system = System::free(moments)?;
     let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
     let (energy, momentum) = (system.energy(&state), state.momentum);
-    let h = TAU / subject.spin / f64::from(frames);
-    let stage = PositionStage::new(&subject.moments.vector())?;
+    let h = TAU / f64::from(frames);
+    let stage = PositionStage::new(&moments.vector())?;
     let mut errors = Errors::default();
     let mut spin = omega; // in world axes
     for _ in 0..TURNS * frames {
@@ -87,7 +92,7 @@ fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>
             return Ok(None);
         }
     }
-    let exact = motion.attitude(f64::from(TURNS) * TAU / subject.spin)?;
+    let exact = motion.attitude(f64::from(TURNS) * TAU)?;
     errors.attitude = UnitQuaternion::new_normalize(state.attitude).angle_to(&exact);
     Ok(Some(errors))
 }
@@ -150,6 +155,20 @@ pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
 mod tests {
     use super::*;
     use tumbling_bodies::BodyModel;
+
+    #[test]
+    fn neither_the_unit_of_moments_nor_that_of_time_changes_an_error() {
+        let section = |text: &str| {
+            let body = BodyModel::from_toml(text, "".as_ref()).unwrap();
+            let page = section(&Subject::new(&body).unwrap()).unwrap();
+            page.split_once("<table>").unwrap().1.to_owned()
+        };
+        let page = section("moments = [1, 2, 2.5]");
+        assert!(!page.contains("breaks down"));
+        for far in ["moments = [1e300, 2e300, 2.5e300]", "moments = [1, 2, 2.5]\nspin = 1e200"] {
+            assert_eq!(section(far), page);
+        }
+    }
 
     #[test]
     fn the_position_stage_keeps_both_laws_and_a_constant_spin_does_not() {
