@@ -42,7 +42,7 @@ static inline tumbling_real tumbling_square(const tumbling_real q[4]) {
 
 /* Moments (any unit) along the principal axes, and the turn from these to the body axes or NULL. A moment of infinity,
    or three of zero, mean locked axes: the spin then stays constant. One zero moment is a thin rod. Returns 0, and a body
-   of constant spin, for moments that are negative or NaN, or one zero beside two different ones. */
+   of constant spin, for moments that are negative or NaN, or one zero with two different ones. */
 static inline int tumbling_prepare(tumbling_body *body, const tumbling_real moments[3], const tumbling_real frame[4]) {
     static const int pair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     tumbling_real m[3], a[3], first[6], y, z, yz, lo, mid, hi, most = 1;

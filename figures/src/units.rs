@@ -87,7 +87,7 @@ fn with_minus(text: String) -> String {
     if zero { text.replace('-', "") } else { text.replace('-', "−") }
 }
 
-/// A number with at most so many significant digits: plain, or with a power of ten where that is long.
+/// A number with at most this number of significant digits: plain, or with a power of ten where that is long.
 pub(crate) fn number(x: f64, digits: usize) -> String {
     if x == 0.0 || !x.is_finite() {
         return if x == 0.0 { "0".into() } else { "none".into() };

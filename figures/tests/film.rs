@@ -81,6 +81,51 @@ fn arrows_are_projected_from_infinitely_far_with_z_upwards() {
     assert!(seen[2][0].abs() < 1e-12 && seen[2][1] < 0.0);
 }
 
+/// Numbers of the attributes or paths of a line.
+fn numbers(line: &str) -> Vec<f64> {
+    let plain = line.split("style").next().unwrap().replace('-', " -");
+    let words = plain.split(|c: char| !c.is_ascii_digit() && c != '-' && c != '.');
+    words.filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn the_spin_is_seen_from_where_the_body_is() {
+    let (model, axis) = (hammer(), Axis::Smallest);
+    let request = Request { axis, push: Some(0.3), camera: Some(Camera::Room), ..Request::default() };
+    let film = Film::new(&model, &request).unwrap();
+    let centre = film.projection().tip(&Vector3::zeros());
+    for share in [0.1, 0.37, 0.8] {
+        let attitude = film.motion().attitude(share * film.shows()).unwrap();
+        let at = film.projection().tip(&(attitude * model.principal().axis(axis)));
+        let svg = film.frame(share).unwrap();
+        let pin =
+            |line: &&str| line.contains("stroke:var(--fig-axis-min") && line.contains("stroke-width:50");
+        let pin = numbers(svg.lines().find(pin).unwrap());
+        let (x, y) = (at[0] - centre[0], at[1] - centre[1]);
+        let aside = (x * pin[3] - y * pin[2]) / x.hypot(y) / pin[2].hypot(pin[3]);
+        assert!(aside.abs() < 0.02, "{share}: {aside}");
+    }
+}
+
+#[test]
+fn a_steady_spin_is_a_point_of_the_ellipsoid_at_its_axis() {
+    // Its principal axes are y, z and x.
+    let model = BodyModel::from_toml("sides = [1, 3, 2]\nmass = 1", "".as_ref()).unwrap();
+    for (axis, ink) in Axis::ALL.into_iter().zip(["min", "mid", "max"]) {
+        let film = Film::new(&model, &Request { axis, push: Some(0.0), ..Request::default() }).unwrap();
+        let svg = film.frame(0.3).unwrap();
+        let circle = |ink: &str| {
+            let mark = |line: &&str| line.starts_with("<circle") && line.contains(ink);
+            let at = numbers(svg.lines().filter(mark).next_back().unwrap());
+            [at[0] / 10.0, at[1] / 10.0]
+        };
+        let (spin, end) = (circle("--fig-omega"), circle(&format!("--fig-axis-{ink}")));
+        // The mark is at the end of the axis that is seen.
+        let other = [2.0 * 482.0 - end[0], 2.0 * 184.0 - end[1]];
+        assert!(apart(spin, end).min(apart(spin, other)) < 1.0, "{axis:?}: {spin:?}, not {end:?}");
+    }
+}
+
 /// A drawing but for its clock.
 fn timeless(svg: &str) -> Vec<&str> {
     svg.lines().filter(|line| !line.contains(">t = ")).collect()
@@ -160,7 +205,7 @@ fn what_cannot_be_filmed_is_refused_in_a_sentence() {
     let seconds = Some(-1.0);
     assert_eq!(
         refused(Request { seconds, ..Request::default() }),
-        "-1 seconds: a film takes more than 0 and at most 600"
+        "-1 seconds: a film takes from 0.1 to 600"
     );
     let spin = 1e300;
     assert_eq!(

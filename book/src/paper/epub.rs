@@ -216,9 +216,9 @@ fn metadata(paper: &Paper, modified: &str) -> String {
 
 /// The time that the publication says it was made at, in UTC: that of `SOURCE_DATE_EPOCH` if it is set.
 fn modified() -> String {
-    let told = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.parse().ok());
+    let given = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.parse().ok());
     let now = || SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or(Duration::ZERO).as_secs();
-    at(told.unwrap_or_else(now))
+    at(given.unwrap_or_else(now))
 }
 
 /// Seconds since 1970 as a date, by the days of a year that begins in March.

@@ -154,9 +154,26 @@ fn with_body(item: usize, kids: Vec<(usize, String)>, objects: &mut Objects) {
     objects.insert(item, held.into_bytes());
 }
 
+/// What stands in a string up to the parenthesis that ends it, escaped as it is.
+fn literal(text: &str) -> Option<&str> {
+    let (mut escaped, mut depth) = (false, 0_usize);
+    let end = text.char_indices().find(|&(_, c)| {
+        let ends = c == ')' && !escaped && depth == 0;
+        match c {
+            _ if escaped => {}
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        escaped = c == '\\' && !escaped;
+        ends
+    });
+    end.map(|(at, _)| &text[..at])
+}
+
 /// Where a link leads, in words.
 fn target(link: &str, pages: &BTreeMap<String, usize>) -> String {
-    if let Some((address, _)) = after(link, "/URI (").and_then(|rest| rest.split_once(')')) {
+    if let Some(address) = after(link, "/URI (").and_then(literal) {
         return address.to_owned();
     }
     let place = after(link, "/Dest /").and_then(|rest| rest.split(['\n', '>']).next()).unwrap_or_default();
@@ -196,7 +213,8 @@ fn marked(stream: &[u8]) -> Option<Vec<u8>> {
 /// The title of the document, as the browser has written it in plain letters.
 fn title(objects: &Objects) -> Option<String> {
     let titled = |body: &Vec<u8>| {
-        text(body).strip_prefix("<</Title (").and_then(|rest| Some(rest.split_once(')')?.0.to_owned()))
+        let title = text(body).strip_prefix("<</Title (").and_then(literal).map(str::to_owned)?;
+        Some(title.replace("\\(", "(").replace("\\)", ")"))
     };
     objects.values().find_map(titled)
 }
@@ -295,6 +313,14 @@ mod tests {
         ZlibDecoder::new(&body[begin..]).read_to_string(&mut plain).unwrap();
         let marked = "/Artifact BMC\nBT\n(1) Tj\nET\nEMC\n/P <</MCID 0 >>BDC\nBT\n(a) Tj\nET\nEMC\n";
         assert_eq!(plain.trim_end(), marked.trim_end());
+    }
+
+    #[test]
+    fn a_parenthesis_in_an_address_or_a_title_does_not_end_it() {
+        let link = "<</A <</URI (https://a.org/b_\\(c\\)_(d)?e)>>";
+        assert_eq!(target(link, &BTreeMap::new()), "https://a.org/b_\\(c\\)_(d)?e");
+        let objects = Objects::from([(1, b"<</Title (A \\(b\\) c)\n/Creator (d)>>".to_vec())]);
+        assert_eq!(title(&objects).unwrap(), "A (b) c");
     }
 
     #[test]

@@ -18,6 +18,8 @@ fn every_page_of_the_epub_is_well_formed_and_its_links_lead_somewhere() {
     let texts = documents();
     let mut ids: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     let mut links = Vec::new();
+    let files: BTreeSet<String> =
+        epub::entries(&PAPER).unwrap().into_iter().map(|entry| entry.name).collect();
     for (name, text) in &texts {
         let read = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
         let document = roxmltree::Document::parse_with_options(text, read);
@@ -27,6 +29,9 @@ fn every_page_of_the_epub_is_well_formed_and_its_links_lead_somewhere() {
                 assert!(ids.entry(name).or_default().insert(id.to_owned()), "{name} has {id} twice");
             }
             links.extend(node.attribute("href").map(|target| (name, target.to_owned())));
+            if let Some(picture) = node.attribute("src") {
+                assert!(files.contains(picture), "{name}: {picture}");
+            }
         }
         for unwanted in ["var(", "currentColor", "{{#", "<script", "JavaScript"] {
             assert!(!text.contains(unwanted), "{name} has {unwanted}");

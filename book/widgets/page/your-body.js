@@ -77,7 +77,7 @@ tumblingLive.widget("your-body", async (stage) => {
         });
     }
 
-    /** Places in the middle of a drawing, where a length of one is so many pixels. */
+    /** Places in the middle of a drawing; `scale` is the number of pixels of a length of one. */
     const looking = (width, height, scale) => {
         const [right, up] = eye();
         return (p) => [width / 2 + scale * dot(right, p), height / 2 - scale * dot(up, p)];

@@ -22,7 +22,7 @@ pub(super) struct Length {
     pub(super) why: String,
 }
 
-/// The longest film that nobody requested, s.
+/// The longest film whose length was not requested, s.
 const LONGEST: f64 = 30.0;
 
 /// What counts as closed, rad: nobody sees it.
