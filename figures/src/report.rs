@@ -199,6 +199,36 @@ mod tests {
         assert!(!page.contains("NaN"));
     }
 
+    /// The numbers were computed apart, from Legendre's integral by the arithmetic-geometric mean.
+    #[test]
+    fn a_phone_and_a_satellite_have_the_numbers_of_another_computation() {
+        let phone = page("sides = [0.077, 0.0078, 0.16]\nmass = 0.2");
+        for held in [
+            "grows e-fold in 0.204 turns (204 ms), by a factor of 136",
+            "circles the axis once in 1.27 turns (1.27 s)",
+            "circles the axis once in 1.01 turns (1.01 s)",
+            "10⁻¹</th><td>1.4 s</td><td>1.4</td>",
+            "10⁻²</th><td>2.34 s</td><td>2.34</td>",
+            "10⁻⁹</th><td>8.91 s</td><td>8.91</td>",
+            "smallest to largest: 42.90° at 23.6°",
+            "smallest to middle: 38.43° at 25.8°",
+            "middle to largest: 5.89° at 42.1°",
+        ] {
+            assert!(phone.contains(held), "{held}");
+        }
+        let satellite =
+            page("moments = [0.0421, 0.0418, 0.0067]\nproducts = [2.1e-4, -3.4e-4, 1.3e-4]\nspin = 0.5");
+        for held in [
+            "<td>0.00670</td><td>0.010</td>",
+            "<td>0.04169</td><td>−0.454</td>",
+            "grows e-fold in 0.63 turns (7.91 s), by a factor of 4.89",
+            "once in 3.9 turns (49.1 s)",
+            "10⁻⁹</th><td>5.83 min</td><td>27.8</td>",
+        ] {
+            assert!(satellite.contains(held), "{held}");
+        }
+    }
+
     #[test]
     fn a_coin_and_a_ball_never_flip_and_a_body_of_numbers_alone_has_its_page() {
         for text in [
