@@ -247,8 +247,10 @@ tumblingLive.widget("your-body", async (stage) => {
 
     /** The tensor of a link as URDF has it, or what is wrong with it. */
     function link(text) {
-        const inertial = new DOMParser().parseFromString(text, "text/xml").querySelector("inertial") ?? new DOMParser().parseFromString(text, "text/html").querySelector("inertial");
-        if (!inertial) return "There is no inertial element in it.";
+        const found = ["text/xml", "text/html"].map((kind) => new DOMParser().parseFromString(text, kind).querySelectorAll("inertial")).find((all) => all.length > 0);
+        if (!found) return "There is no inertial element in it.";
+        if (found.length > 1) return `There are ${found.length} inertial elements in it: paste one link alone.`;
+        const [inertial] = found;
         const number = (selector, name) => Number(inertial.querySelector(selector)?.getAttribute(name) ?? NaN);
         const tensor = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map((name) => number("inertia", name));
         const mass = number("mass", "value");
