@@ -28,7 +28,7 @@ impl Drawing {
         let scale = f64::from(width) / w;
         let height = (h * scale).round() as u32;
         let too_many = || Error(format!("{width} × {height} pixels are no picture, or too large a one"));
-        // A picture of a tenth of a gigapixel has nobody to look at it, and no memory.
+        // A limit on memory: 700 megabytes for the pixmap and its copy.
         if u64::from(width) * u64::from(height) > 100_000_000 {
             return Err(too_many());
         }

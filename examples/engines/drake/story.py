@@ -53,7 +53,7 @@ def main():
     parser.add_argument("step", help="as a fraction of a second: 1/60")
     parser.add_argument("stories", nargs="*")
     parser.add_argument("--integrator", default="runge_kutta3")
-    parser.add_argument("--accuracy", type=float, default=1e-3, help="asked of integrators that control their error")
+    parser.add_argument("--accuracy", type=float, default=1e-3, help="the accuracy of integrators that control their error")
     args = parser.parse_intermixed_args()
     (HERE / "records").mkdir(exist_ok=True)
     for story in json.loads(KIT.read_text())["stories"]:
