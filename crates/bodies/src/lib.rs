@@ -27,10 +27,10 @@
 //! # Ok::<(), tumbling_bodies::Error>(())
 //! ```
 //!
-//! Other fields are `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for one in millimetres) with
+//! Other fields are `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for millimetres) with
 //! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for one of the
-//! book's. `sides` with `moments` say what is drawn. `spin` (rad/s) is how fast it turns in figures and films;
-//! without it, the speed follows from the size.
+//! book's. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in figures and films;
+//! without it, that follows from the size.
 
 mod error;
 mod file;
