@@ -116,7 +116,7 @@ fn a_steady_spin_is_a_point_of_the_ellipsoid_at_its_axis() {
         let svg = film.frame(0.3).unwrap();
         let circle = |ink: &str| {
             let mark = |line: &&str| line.starts_with("<circle") && line.contains(ink);
-            let at = numbers(svg.lines().filter(mark).next_back().unwrap());
+            let at = numbers(svg.lines().rfind(mark).unwrap());
             [at[0] / 10.0, at[1] / 10.0]
         };
         let (spin, end) = (circle("--fig-omega"), circle(&format!("--fig-axis-{ink}")));
