@@ -13,6 +13,7 @@ pub mod film;
 mod ink;
 mod motion;
 mod of_body;
+mod picture;
 mod report;
 mod stills;
 mod theme;
@@ -34,7 +35,7 @@ pub struct Figure {
     pub shows: &'static str,
     /// The chapter's file name without its ending, for instance `two-arrows`.
     pub chapter: &'static str,
-    draw: fn() -> Result<figures::Picture, Box<dyn std::error::Error>>,
+    draw: fn() -> Result<picture::Picture, Box<dyn std::error::Error>>,
     /// How it is drawn for another body, or why it is not.
     of_body: Result<Follows, &'static str>,
 }
@@ -44,7 +45,7 @@ pub struct Figure {
 struct Follows {
     /// What it shows of the body, in one line.
     shows: &'static str,
-    draw: fn(&of_body::Subject<'_>) -> figures::Drawing,
+    draw: fn(&of_body::Subject<'_>) -> picture::Drawing,
 }
 
 impl Figure {
@@ -53,8 +54,8 @@ impl Figure {
     /// # Errors
     /// What the library or the drawing backend reported.
     pub fn draw(&self) -> Result<String, Box<dyn std::error::Error>> {
-        let figures::Picture { canvas, description } = (self.draw)()?;
-        Ok(canvas.finish(self.name, self.shows, &figures::with_powers(&description)))
+        let picture::Picture { canvas, description } = (self.draw)()?;
+        Ok(canvas.finish(self.name, self.shows, &picture::with_powers(&description)))
     }
 
     /// The same for another body: its numbers, its shape, with units and ticks that suit them.
@@ -63,13 +64,13 @@ impl Figure {
     /// That this figure is about no one body, or that the body has nothing of what it shows, in a sentence;
     /// or what the library reported.
     pub fn draw_for(&self, body: &BodyModel) -> Result<String, Box<dyn std::error::Error>> {
-        let figures::Picture { canvas, description } = self.picture_of(body)??;
+        let picture::Picture { canvas, description } = self.picture_of(body)??;
         let shows = self.of_body.map_or(self.shows, |follows| follows.shows);
         let title = format!("{}: {shows}", body.name);
-        Ok(canvas.finish(self.name, &title, &figures::with_powers(&description)))
+        Ok(canvas.finish(self.name, &title, &picture::with_powers(&description)))
     }
 
-    fn picture_of(&self, body: &BodyModel) -> Result<figures::Drawing, String> {
+    fn picture_of(&self, body: &BodyModel) -> Result<picture::Drawing, String> {
         let follows = self.of_body.map_err(|why| format!("it follows no other body: {why}"))?;
         let subject = of_body::Subject::new(body).map_err(|error| error.to_string())?;
         Ok((follows.draw)(&subject))

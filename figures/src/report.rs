@@ -3,10 +3,10 @@
 mod engine;
 mod style;
 
-use crate::figures::{raised, with_powers};
 use crate::of_body::{Kind, NAMES, Subject, gaps, moments, polhodes};
+use crate::picture::{raised, with_powers};
 use crate::units;
-use crate::{figures, ink};
+use crate::{ink, picture};
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -55,7 +55,7 @@ pub fn report(body: &BodyModel) -> Result<String, Box<dyn Error>> {
         "The gap between spin and momentum",
     ];
     let mut drawn = pictures.into_iter().zip(titles).map(|((name, picture), title)| {
-        let figures::Picture { canvas, description } = picture;
+        let picture::Picture { canvas, description } = picture;
         format!("<figure>{}</figure>\n", canvas.finish(name, title, &with_powers(&description)))
     });
     page.extend(drawn.by_ref().take(2));

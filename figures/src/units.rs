@@ -1,6 +1,6 @@
 //! Numbers with the unit that suits them.
 
-use crate::figures::raised;
+use crate::picture::raised;
 
 /// Units of one kind by their size, smallest first, and from which value on each is taken.
 struct Units(&'static [(f64, &'static str, f64)]);

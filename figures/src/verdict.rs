@@ -2,8 +2,8 @@
 //! kept.
 
 use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
-use crate::figures::power_of_ten;
 use crate::ink::Ink;
+use crate::picture::power_of_ten;
 use std::fmt::Write as _;
 use tumbling_judge::{Law, LawName, Outcome, Point, Verdict, plain_number};
 

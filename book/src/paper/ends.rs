@@ -1,6 +1,6 @@
 //! What stands at the end of a book on paper: answers to questions, hints and solutions.
 
-use super::pages::{Page, opened};
+use super::page::{Page, opened};
 use super::tree::{Element, Node, text};
 
 /// The folds that move to the end, by how their words begin.

@@ -1,6 +1,7 @@
 //! The book as an EPUB 3 publication.
 
-use super::pages::{Page, Paper, sections};
+use super::page::Page;
+use super::pages::{Paper, sections};
 use super::tree::{Node, each, rewritten, xml};
 use crate::paths;
 use crate::places::escaped;

@@ -7,6 +7,7 @@ mod handout;
 mod ink;
 mod mend;
 mod numbers;
+mod page;
 mod pages;
 mod problems;
 pub(crate) mod sheet;

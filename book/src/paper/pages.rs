@@ -5,6 +5,7 @@
 
 use super::ends::Ends;
 use super::ink;
+use super::page::{Page, opened};
 use super::still;
 use super::tree::{self, Element, Node, each, parse, rewritten};
 use crate::preprocess::Preprocess;
@@ -13,17 +14,6 @@ use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::BookItem;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-
-/// A page of the book.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Page {
-    /// The name of its file without the ending; links lead to `NAME.html`.
-    pub(super) name: String,
-    pub(super) title: String,
-    /// The number of a chapter.
-    pub(super) number: Option<String>,
-    pub(super) body: Vec<Node>,
-}
 
 /// What the book says of itself.
 #[derive(Debug, Clone)]
@@ -119,19 +109,6 @@ fn on_paper(mut element: Element, page: &str, shown: &BTreeSet<String>) -> Resul
         }
         _ => vec![element.into()],
     })
-}
-
-/// A fold as it is when open, under its own words.
-pub(super) fn opened(fold: Element, class: &str) -> Node {
-    let mut children = fold.children;
-    for child in &mut children {
-        if let Node::Element(summary) = child
-            && summary.name == "summary"
-        {
-            *summary = Element::new("p", &[("class", "summary")], std::mem::take(&mut summary.children));
-        }
-    }
-    Element::new("div", &[("class", class)], children).into()
 }
 
 /// A part of a formula, with the style that MathML 3, which EPUB takes, does not know there around it.

@@ -1,6 +1,7 @@
 //! The problems of a chapter for paper and pencil: its questions, and its section of the page of problems.
 
-use super::pages::{Page, Paper};
+use super::page::Page;
+use super::pages::Paper;
 use super::sheet::{self, Size, after};
 use super::tree::{Element, Node, rewritten, xml};
 use crate::places::escaped;

@@ -1,7 +1,8 @@
 //! Pages of the book as one HTML document to be printed, with all that it needs inside.
 
 use super::mend;
-use super::pages::{Page, Paper, sections};
+use super::page::Page;
+use super::pages::{Paper, sections};
 use super::tree::{Element, Node, xml};
 use crate::paths;
 use crate::places::escaped;

@@ -337,7 +337,7 @@ impl Reader<'_> {
 
     fn named(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
         let name = table.body.as_ref().map_or("", |name| name.get_ref());
-        let body = NamedBody::ALL.into_iter().find(|&body| crate::named::word(body) == name);
+        let body = NamedBody::ALL.into_iter().find(|&body| crate::model::word(body) == name);
         let body =
             body.ok_or_else(|| self.wrong(&by.1, by.0, format!("no body of the book is called `{name}`")))?;
         BodyModel::named(body)

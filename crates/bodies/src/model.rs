@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::surface::Surface;
 use nalgebra::{Matrix3, Vector3};
+use tumbling::body::named::NamedBody;
 use tumbling::{Inertia, PrincipalAxes, PrincipalMoments};
 
 /// A body with a name, ready to be spun and drawn.
@@ -87,4 +88,9 @@ impl BodyModel {
     pub fn has_size(&self) -> bool {
         !self.surfaces.is_empty() || self.mass.is_some()
     }
+}
+
+/// A body's name on a command line.
+pub(crate) fn word(body: NamedBody) -> String {
+    body.to_string().trim_start_matches("the ").to_lowercase().replace(' ', "-")
 }

@@ -1,17 +1,12 @@
 //! A body by its name or by its file.
 
 use crate::error::Error;
-use crate::model::BodyModel;
+use crate::model::{BodyModel, word};
 use crate::surface::Surface;
 use crate::{file, urdf};
 use nalgebra::{Rotation3, Vector3};
 use std::path::Path;
 use tumbling::body::named::{NamedBody, Part, Section};
-
-/// A body's name on a command line.
-pub(crate) fn word(body: NamedBody) -> String {
-    body.to_string().trim_start_matches("the ").to_lowercase().replace(' ', "-")
-}
 
 impl BodyModel {
     /// A body of the library by its name (`box`, `book`, `phone`, `remote-control`, `hammer`,

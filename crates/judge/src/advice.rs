@@ -1,7 +1,6 @@
 //! What to do about a finding, as a value and in words.
 
 use crate::confidence::Confidence;
-use crate::diagnosis::Diagnosis;
 use crate::rules::{Alteration, Base, Rule, Spin};
 use tumbling::step::Method;
 
@@ -70,17 +69,18 @@ pub enum Advice {
 }
 
 impl Advice {
-    /// What follows from a diagnosis; `kept` says whether every law is kept.
-    pub(crate) fn of(diagnosis: &Diagnosis, kept: bool) -> Self {
-        match diagnosis.confidence {
+    /// What follows from the rule that fits best and how well it fits; `single` says whether the record is in
+    /// single precision, `kept` whether every law is kept.
+    pub(crate) fn of(confidence: &Confidence, rule: &Rule, single: bool, kept: bool) -> Self {
+        match confidence {
             Confidence::NoneFits => Self::Unknown,
             Confidence::Accurate => Self::Accurate,
             Confidence::FewSteps => Self::EveryStep,
             Confidence::SmallErrors => Self::LongerSteps,
             Confidence::FewDigits => Self::MoreDigits,
             Confidence::MostSteps => Self::OddSteps,
-            Confidence::ToRounding | Confidence::Near => match Self::of_rule(&diagnosis.best.rule) {
-                Self::NothingToDo if diagnosis.single => Self::SinglePrecision,
+            Confidence::ToRounding | Confidence::Near => match Self::of_rule(rule) {
+                Self::NothingToDo if single => Self::SinglePrecision,
                 Self::NothingToDo if !kept => Self::BelowRounding,
                 advice => advice,
             },

@@ -2,7 +2,7 @@
 
 use crate::findings::Note;
 use crate::reading::Reading;
-use crate::rows::Raw;
+use crate::source::Raw;
 use crate::thresholds::{EVEN_TIMES, PRINTED_HALVES};
 use nalgebra::Vector3;
 

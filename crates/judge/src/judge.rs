@@ -10,7 +10,8 @@ use crate::fit::{self, Fit};
 use crate::grid::Grid;
 use crate::reading::Reading;
 use crate::rounding::rounding;
-use crate::rows::{Raw, Rows};
+use crate::rows::Rows;
+use crate::source::{Raw, Source};
 use crate::state::{Row, angle_between, in_world, median};
 use crate::thresholds::{FAR_FROM_ONE, FEW_DIGITS, PROBE_ROWS, SPIN_FROM_TURN, VECTORS_APART};
 use crate::trial::{Conditions, Trial};
@@ -58,15 +59,6 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
     verdict.record.engine = rows.header.engine;
     verdict.record.ignored = rows.columns.ignored();
     Ok(verdict)
-}
-
-/// Where rows come from.
-pub(crate) trait Source {
-    /// The next row; `None` after the last, or where the numbers end.
-    fn next(&mut self) -> Result<Option<Raw>, Error>;
-
-    /// Where the numbers end before the rows do.
-    fn ended(&mut self) -> Option<Error>;
 }
 
 /// What is known of a record besides its rows.

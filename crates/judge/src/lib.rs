@@ -47,6 +47,7 @@ mod rounding;
 mod rows;
 mod rules;
 mod sample;
+mod source;
 mod state;
 mod text;
 mod thresholds;

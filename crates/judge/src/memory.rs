@@ -2,8 +2,8 @@
 
 use crate::columns::Kind;
 use crate::error::Error;
-use crate::judge::{About, Source, judge_rows};
-use crate::rows::{Printed, Raw};
+use crate::judge::{About, judge_rows};
+use crate::source::{Printed, Raw, Source};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
 use crate::verdict::{Options, Verdict};
 use nalgebra::{Quaternion, Vector3};

@@ -4,7 +4,7 @@
 //! numbers were read another way, the file is what is wrong.
 
 use crate::columns::Kind;
-use crate::rows::Raw;
+use crate::source::Raw;
 use crate::state::{Pair, Row, median};
 use crate::thresholds::{
     LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, RARE_MISTAKE, TURNS_AGREE, TURNS_EQUAL,

@@ -2,7 +2,8 @@
 
 use crate::error::Error;
 use crate::law::LawName;
-use crate::rows::{Raw, Rows};
+use crate::rows::Rows;
+use crate::source::Raw;
 use nalgebra::{Quaternion, Vector3};
 
 /// A recorded run of an engine.

@@ -1,6 +1,6 @@
 //! How exact the numbers of a record are.
 
-use crate::rows::Raw;
+use crate::source::Raw;
 use crate::state::median;
 use crate::thresholds::{DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE, FEWEST_DIGITS, MOST_DIGITS};
 

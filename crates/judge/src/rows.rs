@@ -1,45 +1,13 @@
 //! A record, row by row: one line in memory at a time.
 
-use crate::columns::{Clock, Columns, Kind};
+use crate::columns::{Clock, Columns};
 use crate::comment::Header;
 use crate::digits::{last_place, significant};
 use crate::error::Error;
-use crate::judge::Source;
+use crate::source::{Printed, Raw, Source};
 use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
-
-/// How a time is printed. Nothing of it is known of a count of steps.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Printed {
-    /// Half a unit of its last digit, s.
-    pub half: f64,
-    /// Its significant digits.
-    pub digits: u32,
-    /// The power of ten next above it, s.
-    pub above: f64,
-}
-
-/// A row as it stands in the file.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Raw {
-    pub line: usize,
-    /// Seconds, or a count of steps times the step.
-    pub t: f64,
-    pub attitude: Option<Quaternion<f64>>,
-    /// As [`Kind`] says; in radians.
-    pub vector: Vector3<f64>,
-    /// Another vector than that one; zero where there is none.
-    pub second: Vector3<f64>,
-    /// How its time is printed.
-    pub printed: Printed,
-    /// The most significant digits that any of its numbers has.
-    pub digits: u32,
-    /// Whether all but the time fit single precision.
-    pub single: bool,
-    /// What a one is worth in the last place of the number that is written most finely.
-    pub place: f64,
-}
 
 /// Reads a record.
 pub(crate) struct Rows<R> {
@@ -319,19 +287,4 @@ fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {
         return Err(wrong("there are carriage returns within the line: end lines by a line feed"));
     }
     Ok(text)
-}
-
-impl Raw {
-    /// The spin in body axes for a file that is right.
-    pub(crate) fn omega(&self, kind: Kind, moments: &Vector3<f64>) -> Vector3<f64> {
-        let mut vector = self.vector;
-        if kind.in_world()
-            && let Some(attitude) = self.attitude
-        {
-            let square = attitude.coords.norm_squared();
-            let rotation = tumbling::attitude::rotation_matrix(&attitude);
-            vector = if square > 0.0 { rotation.tr_mul(&vector) / square } else { vector };
-        }
-        if kind.is_momentum() { vector.component_div(moments) } else { vector }
-    }
 }

@@ -138,7 +138,8 @@ impl Trial {
         let outcome = self.outcome(&found, !file_mistakes.is_empty(), complaints.is_empty());
         let kept = outcome == Outcome::Passed && found.laws.iter().all(|law| law.growth.rank() == 0);
         if let Some(diagnosis) = &mut found.diagnosis {
-            diagnosis.advice = Advice::of(diagnosis, kept);
+            let Diagnosis { confidence, best, single, .. } = diagnosis;
+            diagnosis.advice = Advice::of(confidence, &best.rule, *single, kept);
         }
         let Conditions { kind, clock, floor, .. } = self.conditions;
         let has_attitude = self.first.attitude.is_some();

@@ -1,7 +1,7 @@
 //! How wrong a run was: each kind of error by itself, for energy hides phase.
 
 use crate::ended::{Ended, Failure};
-use crate::record::row;
+use crate::fields::row;
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;

@@ -20,6 +20,7 @@ pub mod campaign;
 pub mod contestant;
 pub mod ended;
 pub mod errors;
+mod fields;
 pub mod instructions;
 pub mod long;
 pub mod measure;

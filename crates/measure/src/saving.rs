@@ -1,6 +1,7 @@
 //! A row of the record of what scenes cost.
 
-use crate::record::{Fields, Record, Wrong, next};
+use crate::fields::next;
+use crate::record::{Fields, Record, Wrong};
 
 /// One number of one table.
 #[derive(Debug, Clone, PartialEq)]

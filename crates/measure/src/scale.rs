@@ -3,7 +3,8 @@
 
 pub mod crowd;
 
-use crate::record::{Record, Wrong, row};
+use crate::fields::row;
+use crate::record::{Record, Wrong};
 use crate::setup;
 use crowd::Effort;
 

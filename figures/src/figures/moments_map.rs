@@ -1,8 +1,8 @@
 //! Every body's place among all bodies: its two smaller moments relative to its largest.
 
-use super::{Drawing, Picture};
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
+use crate::picture::{Drawing, Picture};
 use tumbling::body::named::NamedBody;
 use tumbling::dynamics::stability::rate_squared;
 

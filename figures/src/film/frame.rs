@@ -2,8 +2,8 @@
 
 use super::{Camera, Film, place, share_in_words};
 use crate::draw::{Canvas, Fill, Label, P, Pen, View, solid};
-use crate::figures::{ink_of, with_powers};
 use crate::ink::Ink;
+use crate::picture::{ink_of, with_powers};
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::TAU;

@@ -211,7 +211,7 @@ fn share_in_words(share: f64) -> String {
     match percent.abs() {
         0.0 => "0 %".into(),
         x if x < 1e-9 => "less than 10⁻⁹ %".into(),
-        x if x < 0.01 => crate::figures::with_powers(&format!("{percent:.0e}")) + " %",
+        x if x < 0.01 => crate::picture::with_powers(&format!("{percent:.0e}")) + " %",
         x if x < 10.0 => format!("{percent:.2} %"),
         _ => format!("{percent:.0} %"),
     }

@@ -2,8 +2,8 @@
 
 use super::{NAMES, Subject};
 use crate::draw::{Canvas, Fill, Label, P, Pen, hull, polar};
-use crate::figures::{Drawing, Picture, ink_of};
 use crate::ink::Ink;
+use crate::picture::{Drawing, Picture, ink_of};
 use crate::units;
 use nalgebra::Vector3;
 use tumbling::Axis;

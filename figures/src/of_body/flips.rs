@@ -2,8 +2,8 @@
 
 use super::Subject;
 use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
-use crate::figures::{Drawing, Picture, power_of_ten};
 use crate::ink::Ink;
+use crate::picture::{Drawing, Picture, power_of_ten};
 use crate::units;
 use nalgebra::Vector3;
 

@@ -2,8 +2,8 @@
 
 use super::{Kind, NAMES, Subject};
 use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::figures::{Drawing, Picture};
 use crate::ink::Ink;
+use crate::picture::{Drawing, Picture};
 use crate::units;
 
 /// The gap, degrees, for moments of this ratio: `tan(angle of momentum) = ratio tan(angle of spin)`.

@@ -3,8 +3,8 @@
 use super::{NAMES, Subject, beyond};
 use crate::draw::{Canvas, Fill, Label, Pen, View, solid};
 use crate::figures::moments_map::{edges, growth_lines, map};
-use crate::figures::{Drawing, Picture, ink_of};
 use crate::ink::Ink;
+use crate::picture::{Drawing, Picture, ink_of};
 use crate::units;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::Axis;

@@ -2,8 +2,8 @@
 
 use super::{Kind, NAMES, Subject, beyond};
 use crate::draw::{Canvas, Fill, Label, P, Pen, View, hull};
-use crate::figures::{Drawing, Picture, ink_of};
 use crate::ink::Ink;
+use crate::picture::{Drawing, Picture, ink_of};
 use crate::units;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;

@@ -2,7 +2,7 @@
 
 use super::{Kind, NAMES, Subject};
 use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::figures::{Drawing, Picture, ink_of};
+use crate::picture::{Drawing, Picture, ink_of};
 use crate::units;
 use nalgebra::Vector3;
 use std::error::Error;

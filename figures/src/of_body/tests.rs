@@ -21,7 +21,7 @@ const BODIES: [(&str, &str); 13] = [
     ("a body with a name that is far too long for any line", "sides = [1, 2, 3]\nmass = 1e5"),
 ];
 
-fn drawn(figure: &Figure, model: &BodyModel) -> Option<crate::figures::Picture> {
+fn drawn(figure: &Figure, model: &BodyModel) -> Option<crate::picture::Picture> {
     figure.picture_of(model).ok().and_then(Result::ok)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Kind, NAMES, Subject};
 use crate::draw::{Canvas, Label, P, View, solid};
-use crate::figures::{Drawing, Picture, ink_of};
+use crate::picture::{Drawing, Picture, ink_of};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
