@@ -339,13 +339,13 @@ export async function tumblePlayed(page, wants, set) {
   wants(`and half of one at half the pace: ${await page.textContent(time)}`, (await page.textContent(time)) === "1.50 s");
   await page.click(play);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.waitForFunction((play) => document.querySelector(play).textContent === "Step", play, { polling: 50, timeout: 5000 })
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Step", play, { polling: 50, timeout: 60000 })
     .catch(() => wants("asked for less motion it goes by steps", false));
   wants("and waits for no frame", (await waiting(page)) === 0);
   await page.emulateMedia({ reducedMotion: "no-preference" });
   await page.click(play);
   await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
-  await page.waitForFunction((play) => document.querySelector(play).textContent === "Play", play, { polling: 50, timeout: 5000 })
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Play", play, { polling: 50, timeout: 60000 })
     .catch(() => wants("out of sight it rests", false));
   await page.evaluate(() => window.byHand.end());
   await page.emulateMedia({ reducedMotion: before });
@@ -500,11 +500,11 @@ export async function pitfallsDrawn(page, wants, set) {
   await page.click(play);
   await pass(page, 4, 50);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.waitForFunction((play) => document.querySelector(play).textContent === "Step", play, { polling: 50, timeout: 5000 })
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Step", play, { polling: 50, timeout: 60000 })
     .catch(() => wants("asked for less motion while it runs it goes by steps", false));
   wants("and waits for no frame", (await waiting(page)) === 0);
   await page.emulateMedia({ reducedMotion: "no-preference" });
-  await page.waitForFunction((play) => document.querySelector(play).textContent === "Play", play, { polling: 50, timeout: 5000 })
+  await page.waitForFunction((play) => document.querySelector(play).textContent === "Play", play, { polling: 50, timeout: 60000 })
     .catch(() => wants("motion allowed again it plays", false));
   await page.evaluate(() => window.byHand.end());
   await page.emulateMedia({ reducedMotion: before });

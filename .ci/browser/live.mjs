@@ -30,7 +30,7 @@ const set = (page, selector, value) =>
 const said = async (page, widget, pattern) => {
   const place = page.locator(`#live-${widget} .live-said`);
   const holds = await page.waitForFunction(([w, p]) => new RegExp(p).test(document.querySelector(`#live-${w} .live-said`).textContent),
-    [widget, pattern.source], { timeout: 20000 }).then(() => true, () => false);
+    [widget, pattern.source], { timeout: 60000 }).then(() => true, () => false);
   return [`it says ${pattern}, not "${await place.textContent()}"`, holds];
 };
 const shown = (page, widget, what) => page.locator(`#live-${widget} [data-shows=${what}]`).textContent();
@@ -236,7 +236,7 @@ async function judge(page, wants) {
       await page.waitForFunction(([s, p]) => {
         const e = document.querySelector(s);
         return !e.hidden && new RegExp(p).test(e.textContent);
-      }, [selector, pattern], { timeout: 30000 });
+      }, [selector, pattern], { timeout: 60000 });
     } catch {
       wants(`${selector} says ${pattern}, not "${(await page.textContent(selector)).slice(0, 200)}"`, false);
     }
@@ -293,7 +293,7 @@ async function judge(page, wants) {
     await told(verdict, pattern);
     if ((await page.locator(picture).count()) !== 1) return wants(`${name} has one picture`, false);
     try {
-      await page.waitForFunction((s) => document.querySelectorAll(`${s} path`).length > 0, picture, { timeout: 5000 });
+      await page.waitForFunction((s) => document.querySelectorAll(`${s} path`).length > 0, picture, { timeout: 60000 });
     } catch {
       return wants(`${name} is drawn`, false);
     }
@@ -500,9 +500,9 @@ async function judge(page, wants) {
       const edge = place.getBoundingClientRect().right + 0.5;
       return document.getAnimations().length === 0 && [...place.querySelectorAll("table, th, td"), place].every((part) =>
         part.scrollWidth <= part.clientWidth && part.getBoundingClientRect().right <= edge);
-    }, verdict, { timeout: 5000 }).catch(() => wants(`the table fits at ${width} px`, false));
+    }, verdict, { timeout: 60000 }).catch(() => wants(`the table fits at ${width} px`, false));
   }
-  await page.waitForFunction((s) => document.querySelectorAll(`${s} [data-shows]`).length > 3, picture, { timeout: 5000 })
+  await page.waitForFunction((s) => document.querySelectorAll(`${s} [data-shows]`).length > 3, picture, { timeout: 60000 })
     .catch(() => wants("the example is drawn", false));
   wants("the example has its lines in view", /qw/.test(await page.inputValue("#judge-text")));
 }
@@ -1071,7 +1071,7 @@ async function yourBody(page, wants) {
   const ratio = 13 / 5;
   const gap = (Math.atan((ratio - 1) / 2 / Math.sqrt(ratio)) * 180) / Math.PI;
   wants(`the widest gap is ${gap}: ${await tell("gap")}`, Math.abs(parseFloat(await tell("gap")) - gap) < 0.06);
-  await page.waitForFunction(() => location.hash.startsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"), null, { timeout: 3000 }).catch(() => {});
+  await page.waitForFunction(() => location.hash.startsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"), null, { timeout: 60000 }).catch(() => {});
   wants(`the address keeps the box: ${page.url()}`, page.url().endsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"));
 
   // All paths lie inside the outline of their ellipsoid.
@@ -1105,7 +1105,7 @@ async function yourBody(page, wants) {
 
   // Another's link is taken over, and by finger and keyboard the view goes round.
   await page.evaluate(() => { location.hash = "#your-body?kind=ellipsoid&m=1e12&a=620&b=500&c=384"; });
-  await page.waitForFunction(() => document.querySelector("#your-body-kind").value === "ellipsoid", null, { timeout: 3000 }).catch(() => {});
+  await page.waitForFunction(() => document.querySelector("#your-body-kind").value === "ellipsoid", null, { timeout: 60000 }).catch(() => {});
   wants(`a link in the address is taken over: ${await tell("axis-1")}`, (await tell("axis-1")).includes("10¹⁶"));
   const svg = page.locator("#live-your-body [data-drawing=body]");
   await svg.scrollIntoViewIfNeeded();
@@ -1153,7 +1153,7 @@ async function damaged(page, address, widget, wants) {
   await page.goto(address);
   const box = page.locator(`#live-${widget}`);
   await box.scrollIntoViewIfNeeded();
-  await page.waitForFunction((w) => document.querySelector(`#live-${w}`).dataset.state, widget, { timeout: 20000 }).catch(() => {});
+  await page.waitForFunction((w) => document.querySelector(`#live-${w}`).dataset.state, widget, { timeout: 60000 }).catch(() => {});
   const state = await box.getAttribute("data-state");
   wants(`damaged, it does not come to life: ${state}`, /^failed/.test(state));
   const says = await box.innerText();

@@ -86,7 +86,7 @@ export async function search(page, base, fault) {
     await page.locator("#mdbook-searchbar").pressSequentially(typed); // it listens to keys
     const hits = page.locator("#mdbook-searchresults li a");
     try {
-      await hits.first().waitFor({ timeout: 10000 });
+      await hits.first().waitFor({ timeout: 60000 });
       const words = await page.textContent("#mdbook-searchresults");
       if (/With JavaScript|A table of squares|Small plots, one for each|assert|use tumbling|Checked by/.test(words)) fault(where, `for \`${typed}\` it shows what no page shows`);
       await hits.first().click();
