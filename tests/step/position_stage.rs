@@ -176,16 +176,18 @@ fn event() -> impl Strategy<Value = Event> {
 }
 
 /// The energy gained beyond the work done, in units of rounding and of the number of parts: what the stages
-/// of an engine do to the spin is work, all else comes from nowhere.
+/// of an engine do to the spin is work, all else comes from nowhere. A spin rounded by a share of its length
+/// changes the energy by that share of `|omega| |L|`.
 fn from_nowhere<T: Real>(moments: [f64; 3], events: &[Event]) -> f64 {
     let moments = Vector3::from(moments);
     let body = body::<T>(&moments);
     let mut motion = start::<T>([2.0, -7.0, 3.0]);
     let (from, mut work, mut most, mut parts) = (energy(&moments, &motion), 0.0, 0.0_f64, 0);
+    let unit = |now: &Seen| now.omega.norm() * now.momentum.norm() / 2.0;
     for event in events {
         let before = energy(&moments, &motion);
-        most = most.max(before);
         let now = seen(&moments, &motion);
+        most = most.max(unit(&now));
         let kicked =
             |momentum: Vector3<f64>| (now.attitude * momentum.component_div(&moments)).map(real::<T>);
         let size = now.momentum.norm() / 4.0;
@@ -205,6 +207,7 @@ fn from_nowhere<T: Real>(moments: [f64; 3], events: &[Event]) -> f64 {
         }
         work += energy(&moments, &motion) - before;
     }
+    most = most.max(unit(&seen(&moments, &motion)));
     let rounding: f64 = T::epsilon().into();
     (energy(&moments, &motion) - from - work) / (most * rounding * f64::from(parts.max(1)))
 }
