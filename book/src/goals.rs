@@ -38,7 +38,7 @@ fn listed() -> Result<String, String> {
     let all = read()?;
     let mut out = String::new();
     for (chapter, title) in chapters()? {
-        out.push_str(&format!("\n### [{title}]({chapter}.md)\n\n"));
+        out.push_str(&format!("\n### {title}\n\nFrom [{title}]({chapter}.md):\n\n"));
         for goal in all.get(&chapter).into_iter().flatten() {
             let place = match goal.shown.strip_prefix("question ") {
                 Some(number) => format!("{chapter}-question-{number}"),
