@@ -2,8 +2,8 @@
 
 use crate::share::Site;
 use crate::{
-    build, complain, docs, draw, exercises, export, film, guard, judge, measure, paper, paths, preprocess,
-    report, say,
+    build, certificates, complain, docs, draw, exercises, export, film, guard, judge, measure, paper, paths,
+    preprocess, report, say,
 };
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory as _, Parser, Subcommand};
@@ -80,6 +80,8 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         #[arg(long, conflicts_with = "list")]
         mutants: bool,
     },
+    /// Write what the proofs claim as theorems for Coq, into crates/proofs/coq/certificates/
+    Certificates(certificates::Arguments),
     /// List which exercises are done, begun and open, by chapter; runs those that you have changed
     #[command(after_help = "`cargo exercise NAME` runs one exercise.")]
     Exercises {
@@ -150,6 +152,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
             return Ok(checked(&folder, list, mutants));
         }
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
+        Command::Certificates(arguments) => certificates::run(&arguments)?,
         Command::Report(arguments) => report::run(&arguments)?,
         Command::Judge(arguments) => return Ok(judge::run(&arguments)),
         Command::Measure(arguments) => measure::run(&arguments)?,
@@ -314,6 +317,7 @@ mod tests {
             &["check"],
             &["check", "folder", "--list"],
             &["check", "--mutants"],
+            &["certificates", "--check"],
             &["exercises"],
             &["exercises", "next"],
             &["exercises", "untouched"],

@@ -1,6 +1,7 @@
 //! Draws the figures and builds the book; `--help` lists the commands.
 
 mod build;
+mod certificates;
 mod chapters;
 mod cli;
 mod docs;

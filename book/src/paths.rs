@@ -23,6 +23,11 @@ pub(crate) fn figures() -> PathBuf {
     repository().join("figures")
 }
 
+/// The folder of the theorems for Coq that are made from the proofs.
+pub(crate) fn certificates() -> PathBuf {
+    repository().join("crates/proofs/coq/certificates")
+}
+
 /// The folder the pages are built into.
 pub(crate) fn pages() -> PathBuf {
     book().join("html")

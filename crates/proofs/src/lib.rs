@@ -19,8 +19,10 @@
 //! rounding, of overflow, or of what is computed with branches and roots, which other tests must watch.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod certificates;
 mod number;
 mod proofs;
+mod record;
 mod region;
 
 pub mod counted;
@@ -29,6 +31,7 @@ pub mod proof;
 pub mod symbols;
 pub mod tex;
 
+pub use certificates::{Certificate, certificates};
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use number::{

@@ -1,6 +1,7 @@
 //! Numbers that are more than numbers: exact fractions, polynomials, power series.
 
 mod calculus;
+pub(crate) mod expression;
 mod fraction;
 mod functions;
 mod monomial;

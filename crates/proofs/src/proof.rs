@@ -1,6 +1,7 @@
 //! What a proof is: a claim that is computed, and altered claims that must fail.
 
 use crate::number::{Fraction, Relations, Tex};
+use crate::record::{self, Entry};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use std::fmt;
@@ -104,13 +105,7 @@ impl Residue {
 /// # Errors
 /// What is left.
 pub fn vanishes(claim: &str, x: &Fraction, relations: &Relations) -> Outcome {
-    let claim = claim.to_owned();
-    let left = relations.reduce_fraction(x);
-    match (left.is_undefined(), left.is_zero()) {
-        (true, _) => Err(Residue::Undefined { claim }),
-        (_, true) => Ok(()),
-        (_, false) => Err(Residue::NotZero { claim, left }),
-    }
+    same_under(relations, claim, x, &Fraction::zero())
 }
 
 /// That two expressions are the same for all values of their variables.
@@ -126,7 +121,14 @@ pub fn same(claim: &str, a: &Fraction, b: &Fraction) -> Outcome {
 /// # Errors
 /// Their difference, reduced.
 pub fn same_under(relations: &Relations, claim: &str, a: &Fraction, b: &Fraction) -> Outcome {
-    vanishes(claim, &(a - b), relations)
+    let left = relations.reduce_fraction(&(a - b));
+    record::equal(claim, a, b, relations, left.is_zero());
+    let claim = claim.to_owned();
+    match (left.is_undefined(), left.is_zero()) {
+        (true, _) => Err(Residue::Undefined { claim }),
+        (_, true) => Ok(()),
+        (_, false) => Err(Residue::NotZero { claim, left }),
+    }
 }
 
 /// That two vectors are the same for all values of their variables.
@@ -185,11 +187,13 @@ pub fn same_matrices(claim: &str, a: &Matrix3<Fraction>, b: &Matrix3<Fraction>) 
 /// A coefficient of the wrong sign, or zero.
 pub fn positive(claim: &str, x: &Fraction) -> Outcome {
     let signs = (x.numerator().common_sign(), x.denominator().common_sign());
+    let one_sign = signs == (Some(1), Some(1));
+    record::above_zero(claim, x, one_sign);
     let claim = claim.to_owned();
-    match signs {
+    match one_sign {
         _ if x.is_undefined() => Err(Residue::Undefined { claim }),
-        (Some(1), Some(1)) => Ok(()),
-        _ => Err(Residue::NotOneSign { claim, quantity: x.clone() }),
+        true => Ok(()),
+        false => Err(Residue::NotOneSign { claim, quantity: x.clone() }),
     }
 }
 
@@ -206,6 +210,7 @@ pub fn not_negative(claim: &str, x: &Fraction) -> Outcome {
 /// # Errors
 /// The claim, if nothing is left over or a division by zero was.
 pub fn breaks(claim: &str, outcome: Outcome) -> Outcome {
+    record::record(|| Entry::Broken(outcome.is_err()));
     match outcome {
         Err(Residue::NotZero { .. } | Residue::NotOneSign { .. }) => Ok(()),
         Ok(()) | Err(_) => Err(Residue::Missing { claim: claim.to_owned() }),

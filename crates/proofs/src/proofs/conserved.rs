@@ -1,7 +1,7 @@
 //! What stays while a body tumbles, and what does not.
 
 use crate::number::{Derivation, Fraction, Rational};
-use crate::proof::{Mutant, Outcome, Proof, Residue, same};
+use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
 use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
 use num_traits::Zero;
 use tumbling::dynamics::euler::{angular_acceleration, momentum_rate};
@@ -123,6 +123,7 @@ fn spin(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Outcome {
     let (moments, omega) = (vector("I"), vector("omega"));
     let free = time("omega", &law(&moments, &omega, &Vector::zeros()));
     let rate = free.of(&omega.dot(&omega));
+    breaks("|w|² stays", same("the rate of |w|²", &rate, &Fraction::zero()))?;
     search(&rate)?;
     let [a, b, c] = variables(["I1", "I2", "I3"]);
     let product = (&a - &b) * (&b - &c) * (&c - &a) / (a * b * c);

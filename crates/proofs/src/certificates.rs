@@ -1,0 +1,166 @@
+//! The proofs as theorems of Coq, whose kernel shares no code with this crate.
+//!
+//! A theorem states what a check claims, with both sides as the library's functions computed them: variables
+//! are real numbers, relations and divisors other than zero are hypotheses. Where a claim must fail, the
+//! theorem gives numbers for which it does.
+
+mod print;
+mod statement;
+mod theorem;
+mod witness;
+
+use crate::proof::{Outcome, Proof, Residue};
+use crate::proofs::proofs;
+use crate::record::{Claim, Entry, recorded};
+use std::fmt::Write as _;
+use theorem::{Theorem, Without};
+
+/// One file of theorems: those of the proofs of one part of the library.
+#[derive(Debug, Clone)]
+pub struct Certificate {
+    /// The part of the library.
+    pub part: &'static str,
+    /// The text for Coq.
+    pub text: String,
+    /// The names of its proofs that have theorems.
+    pub proofs: Vec<&'static str>,
+    /// The names of its proofs that make claims of numbers alone, and have no theorem.
+    pub without: Vec<&'static str>,
+    /// The number of theorems that hold for all numbers.
+    pub theorems: usize,
+    /// The number of theorems that give a counterexample to a claim that must fail, mutants apart.
+    pub counterexamples: usize,
+    /// The number of mutants whose claim a theorem refutes.
+    pub mutants: usize,
+    /// Claims whose proof would take too long, each with the name of its proof.
+    pub long: Vec<(&'static str, String)>,
+    /// Claims for which no theorem could be written, each with its proof.
+    pub missing: Vec<String>,
+}
+
+/// Every certificate, in the order of the library.
+#[must_use]
+pub fn certificates() -> Vec<Certificate> {
+    let mut all: Vec<Certificate> = Vec::new();
+    for proof in proofs() {
+        let place = all.iter().position(|c| c.part == proof.part).unwrap_or_else(|| {
+            all.push(Certificate::new(proof.part));
+            all.len() - 1
+        });
+        all[place].add(proof);
+    }
+    all.retain(|c| !c.proofs.is_empty() || !c.without.is_empty());
+    all
+}
+
+const HEADER: &str = "\
+(* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
+   compute them. *)
+Require Import Tumbling.tactics.
+";
+
+impl Certificate {
+    fn new(part: &'static str) -> Self {
+        Self {
+            part,
+            text: HEADER.to_owned(),
+            proofs: Vec::new(),
+            without: Vec::new(),
+            theorems: 0,
+            counterexamples: 0,
+            mutants: 0,
+            long: Vec::new(),
+            missing: Vec::new(),
+        }
+    }
+
+    /// Adds the theorems of a proof and of its mutants.
+    fn add(&mut self, proof: &Proof) {
+        let name = proof.name.replace('-', "_");
+        let (_, entries) = recorded(proof.check);
+        let mut claims = claims(&entries);
+        claims.dedup_by(|a, b| theorem::same_statement(a, b));
+        if claims.is_empty() {
+            self.without.push(proof.name);
+            return;
+        }
+        self.proofs.push(proof.name);
+        let _ = write!(self.text, "\n\n(** {}: {} *)\n", proof.name, plain(proof.statement));
+        for (k, claim) in claims.iter().enumerate() {
+            let name = format!("{name}_{}", k + 1);
+            if !claim.holds {
+                match Theorem::fails(&name, claim) {
+                    Some(theorem) => {
+                        self.counterexamples += 1;
+                        self.write(&theorem);
+                    }
+                    None => self.missing.push(format!("{}: {}", proof.name, claim.words)),
+                }
+                continue;
+            }
+            match Theorem::holds(&name, claim) {
+                Ok(theorem) => {
+                    self.theorems += 1;
+                    self.write(&theorem);
+                }
+                Err(Without::Long) => self.long.push((proof.name, claim.words.clone())),
+                Err(Without::Empty) => self.missing.push(format!("{}: {}", proof.name, claim.words)),
+            }
+        }
+        for (k, mutant) in proof.mutants.iter().enumerate() {
+            let (outcome, entries) = recorded(mutant.check);
+            let name = format!("{name}_mutant_{}", k + 1);
+            let _ = write!(self.text, "\n(* With {}. *)\n", plain(mutant.change));
+            match refutation(&name, &outcome, &entries) {
+                Ok(theorems) => {
+                    self.mutants += 1;
+                    theorems.iter().for_each(|theorem| self.write(theorem));
+                }
+                Err(Without::Long) => self.long.push((proof.name, mutant.change.to_owned())),
+                Err(Without::Empty) => self.missing.push(format!("{} with {}", proof.name, mutant.change)),
+            }
+        }
+    }
+
+    fn write(&mut self, theorem: &Theorem) {
+        let _ = write!(self.text, "\n{theorem}");
+    }
+}
+
+/// What refutes a mutant: numbers for which its last claim fails; or, if it claims that something fails, that
+/// it holds.
+fn refutation(name: &str, outcome: &Outcome, entries: &[Entry]) -> Result<Vec<Theorem>, Without> {
+    if let (Err(Residue::Missing { .. }), [before @ .., Entry::Broken(false)]) = (outcome, entries) {
+        let from = before.iter().rposition(|entry| matches!(entry, Entry::Broken(_))).map_or(0, |at| at + 1);
+        let held = claimed(&before[from..]);
+        let theorem = |(k, claim)| Theorem::holds(&format!("{name}_{}", k + 1), claim);
+        return held.iter().enumerate().map(theorem).collect();
+    }
+    match entries.last() {
+        Some(Entry::Claimed(claim)) if !claim.holds => {
+            Theorem::fails(name, claim).map(|theorem| vec![theorem]).ok_or(Without::Empty)
+        }
+        _ => Err(Without::Empty),
+    }
+}
+
+fn claimed(entries: &[Entry]) -> Vec<Claim> {
+    let claim = |entry: &Entry| match entry {
+        Entry::Claimed(claim) => Some(claim.clone()),
+        Entry::Broken(_) => None,
+    };
+    entries.iter().filter_map(claim).collect()
+}
+
+/// The claims that are about more than numbers.
+fn claims(entries: &[Entry]) -> Vec<Claim> {
+    let only_numbers = |claim: &Claim| {
+        [&claim.left, &claim.right].iter().all(|side| side.expression().as_number().is_some())
+    };
+    claimed(entries).into_iter().filter(|claim| !only_numbers(claim)).collect()
+}
+
+/// Text as a comment of Coq may hold it.
+fn plain(text: &str) -> String {
+    text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+}
