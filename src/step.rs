@@ -9,6 +9,7 @@
 mod adaptive;
 mod fixed_rate;
 mod info;
+mod leg;
 mod method;
 mod methods;
 mod pitfalls;
@@ -16,6 +17,7 @@ mod position_stage;
 mod stepper;
 mod system;
 mod torque;
+mod transition;
 
 pub use crate::body::{Rate, State};
 pub use adaptive::adaptive;

@@ -20,7 +20,7 @@ mod tests;
 
 pub(crate) use arc::atan2;
 pub(crate) use exponential::{cosh, exp, exp_and_exp_m1, sinh};
-pub(crate) use root::{fifth_root, hypot, powi};
+pub(crate) use root::{hypot, powi};
 pub(crate) use trigonometric::{cos_sinc_of_root, sin_cos};
 
 /// The coefficients `sign^k / (first + step k)!` of a Taylor series.

@@ -1,24 +1,39 @@
-//! A run whose steps are chosen by their error: the pair of Dormand and Prince, orders 5 and 4.
+//! A run whose steps are chosen by their error: Taylor series, or a pair of high order where a torque is a
+//! function.
 
-use super::methods::dormand_prince::Stages;
-use crate::body::{Rate, State};
+mod dop853_coefficients;
+mod flips;
+mod law;
+mod logarithm;
+mod pair;
+mod series;
+mod switching;
+mod taylor;
+
+use crate::body::State;
 use crate::error::{Error, Refusal, finite, positive};
 use crate::number::Analytic;
-use crate::number::functions::fifth_root;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
+use alloc::vec::Vec;
+use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use num_traits::FromPrimitive;
+use pair::Pair;
+use taylor::Taylor;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
 ///
+/// A step is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose error is how
+/// far the series is from the law of motion at its end; where a torque is a function, it is a step of DOP853,
+/// the pair of Dormand and Prince of order 8.
+///
 /// After each step the attitude is brought back to length 1, and the momentum of a free body to the length
 /// that it had at the start; what they were off by counts as an error of the step.
 ///
-/// The first step follows from how fast the body turns; each of the others from the error of the one before.
 /// The tolerance is of a step, not of the run: errors add up. A body of any tensor goes by
 /// [`Stepper::adaptive`](crate::step::Stepper::adaptive).
 ///
@@ -50,20 +65,65 @@ pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
     tolerance: f64,
     budget: &mut usize,
 ) -> Result<State<T>, Error> {
+    go(system, start, duration, tolerance, budget, &mut None)
+}
+
+/// The same, and the times (s after the start) at which the spin about the principal axis of the middle
+/// moment changes its sign.
+pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
+    system: &System<T>,
+    start: &State<T>,
+    duration: f64,
+    tolerance: f64,
+    budget: &mut usize,
+) -> Result<(State<T>, Vec<f64>), Error> {
+    let mut flips = Some(Flips::new(system, start));
+    let end = go(system, start, duration, tolerance, budget, &mut flips)?;
+    Ok((end, flips.map(Flips::found).unwrap_or_default()))
+}
+
+fn go<T: Analytic + Copy + FromPrimitive>(
+    system: &System<T>,
+    start: &State<T>,
+    duration: f64,
+    tolerance: f64,
+    budget: &mut usize,
+    flips: &mut Option<Flips>,
+) -> Result<State<T>, Error> {
     finite("the duration", duration)?;
     check_tolerance::<T>(tolerance)?;
     (*start).checked()?;
+    switching::through(system, start, duration, |system, start, duration| {
+        between(system, start, duration, tolerance, budget, flips)
+    })
+}
+
+/// The same where no torque begins or ends on the way.
+fn between<T: Analytic + Copy + FromPrimitive>(
+    system: &System<T>,
+    start: &State<T>,
+    duration: f64,
+    tolerance: f64,
+    budget: &mut usize,
+    flips: &mut Option<Flips>,
+) -> Result<State<T>, Error> {
     let mut run = Run::new(system, start, duration, tolerance)?;
-    while run.time != duration {
-        if *budget == 0 {
-            return Err(run.unfinished("all its steps are taken"));
+    run.flips = flips.take();
+    match Taylor::new(system, tolerance) {
+        Some(mut taylor) => run.through(&mut taylor, budget)?,
+        None if run.flips.is_some() => {
+            return Err(Refusal::Undefined {
+                what: "the times of flips under a torque that is a function",
+                why: "its steps have no series: give the torque by its name, or look for changes of sign",
+            }
+            .into());
         }
-        *budget -= 1;
-        run.advance()?;
-        if run.stiff == STIFF_STEPS && (duration - run.time).abs() / run.h.abs() > *budget as f64 {
-            return Err(run.unfinished("losses far faster than the motion keep its steps short"));
+        None => {
+            let mut pair = Pair::new(&run)?;
+            run.through(&mut pair, budget)?;
         }
     }
+    *flips = run.flips.take().map(|seen| seen.later(duration));
     run.state.checked()
 }
 
@@ -78,12 +138,18 @@ pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> 
     Err(Refusal::Order { smaller, small: least, larger, large: tolerance }.into())
 }
 
-/// A step of more than this many decay times is held back by stability, not by its error: the bound of
-/// [HW96](crate::references), IV.2, for this pair.
+/// A step of more than this number of decay times is held back by stability, not by its error: about the
+/// bound of [HW96](crate::references), IV.2, for explicit steps of low order.
 const STIFF: f64 = 3.25;
 
 /// After this number of such steps in a row the law is taken to be stiff.
 const STIFF_STEPS: u32 = 15;
+
+/// What takes a step of a length of its own choice.
+trait Engine<T: Analytic> {
+    /// One step tried, and taken if its error is below the tolerance.
+    fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error>;
+}
 
 /// A run on its way.
 struct Run<'a, T: Analytic> {
@@ -93,18 +159,18 @@ struct Run<'a, T: Analytic> {
     /// Seconds since the start.
     time: f64,
     state: State<T>,
+    /// The last step taken, s.
+    last: f64,
     /// The length of the momentum of a free body, which does not change; zero with torques.
     momentum: T,
-    /// The rates at `state`.
-    slope: Rate<T>,
-    /// The next step, s.
-    h: f64,
     steps: usize,
     rejected: usize,
     /// The number of stiff steps without six others between them.
     stiff: u32,
     /// The number of steps since that were not.
     mild: u32,
+    /// Where flips are looked for.
+    flips: Option<Flips>,
 }
 
 impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
@@ -112,46 +178,51 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
         let mut state = *start;
         positive("the length of the attitude quaternion", normalize(&mut state.attitude))?;
-        let slope = system.rate(&state);
-        let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
-        if !size.is_finite() {
-            return Err(Refusal::OutOfRange { what: "the rate at the start", value: size }.into());
-        }
-        // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
-        // error will say so.
-        let torque = largest(system.torque(&state).as_slice());
-        let turning =
-            over(largest(slope.attitude.coords.as_slice()), largest(state.attitude.coords.as_slice()));
-        let pace = (2.0 * turning).max((torque * largest(system.inverse().as_slice())).sqrt());
-        let guess = fifth_root(tolerance) / pace;
-        let h = if guess < duration.abs() { guess.copysign(duration) } else { duration };
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
-        let (time, steps, rejected, stiff, mild) = (0.0, 0, 0, 0, 0);
+        let (time, last, steps, rejected, stiff, mild, flips) = (0.0, duration, 0, 0, 0, 0, None);
         Ok(Self {
             system,
             duration,
             tolerance,
             time,
             state,
+            last,
             momentum,
-            slope,
-            h,
             steps,
             rejected,
             stiff,
             mild,
+            flips,
         })
+    }
+
+    /// To the end.
+    fn through(&mut self, engine: &mut impl Engine<T>, budget: &mut usize) -> Result<(), Error> {
+        while self.time != self.duration {
+            if *budget == 0 {
+                return Err(self.unfinished("all its steps are taken"));
+            }
+            *budget -= 1;
+            engine.advance(self)?;
+            let left = (self.duration - self.time).abs() / self.last.abs();
+            if self.stiff == STIFF_STEPS && left > *budget as f64 {
+                return Err(self.unfinished("losses far faster than the motion keep its steps short"));
+            }
+        }
+        Ok(())
     }
 
     fn number(x: f64) -> T {
         T::from_f64(x).unwrap_or_else(T::zero)
     }
 
-    /// One step tried, and taken if its error is below the tolerance.
-    fn advance(&mut self) -> Result<(), Error> {
-        let last = (self.duration - self.time).abs() <= self.h.abs();
-        let h = if last { self.duration - self.time } else { self.h };
-        if !last && self.time + h == self.time {
+    /// A step of about `h` seconds that ends no later than the run, and whether it ends it.
+    fn fitted(&self, h: f64) -> Result<(f64, bool), Error> {
+        let remaining = self.duration - self.time;
+        if remaining.abs() <= h.abs() {
+            return Ok((remaining, true));
+        }
+        if self.time + h == self.time || h.is_nan() {
             return Err(Refusal::NotConverged {
                 what: "the step whose error meets the tolerance",
                 iterations: self.steps + self.rejected,
@@ -159,26 +230,14 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
             }
             .into());
         }
-        let (step, end_time) = (Self::number(h), Self::number(self.time + h));
-        let mut stages = Stages::new(self.system, &self.state, self.slope, &Self::number(self.time), &step);
-        let stretched = self.project(&mut stages.end);
-        let end_slope = self.system.rate_after(&stages.end, &end_time);
-        let error = self.error(&stages.error(&end_slope, &step), &stages.end, h);
-        let error = largest(&[error, stretched]) / self.tolerance;
-        // A stage that left the range: the step was far too long.
-        let error = if error.is_nan() { f64::INFINITY } else { error };
-        // As usual: aim a little below the tolerance, and change the step by no more than tenfold.
-        let factor = (0.9 / fifth_root(error)).clamp(0.1, 10.0);
-        if error <= 1.0 {
-            self.watch(&stages, &end_slope, h);
-            (self.state, self.slope) = (stages.end, end_slope);
-            self.steps += 1;
-            self.time = if last { self.duration } else { self.time + h };
-        } else {
-            self.rejected += 1;
-        }
-        self.h = h * factor;
-        Ok(())
+        Ok((h, false))
+    }
+
+    /// Takes a step of `h` seconds.
+    fn take(&mut self, end: State<T>, h: f64, last: bool) {
+        (self.state, self.last) = (end, h);
+        self.steps += 1;
+        self.time = if last { self.duration } else { self.time + h };
     }
 
     /// Brings attitude and momentum back to the lengths that do not change; returns how far off they were,
@@ -203,37 +262,8 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         size * part.dot(&part).sqrt()
     }
 
-    /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
-    fn error(&self, off: &State<T>, end: &State<T>, h: f64) -> f64 {
-        // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will
-        // do.
-        let gained = largest(self.slope.momentum.as_slice()) * h.abs();
-        // Nor does one that drag brought to rest: below this its momentum has no digits to the tolerance.
-        let least = f64::MIN_POSITIVE / self.tolerance;
-        let held = largest(self.state.momentum.as_slice()) + gained;
-        let mut whole = held.max(least);
-        if held == 0.0 {
-            // At rest, and the torque is still to come: what it has given by the end, and no less than a turn
-            // of a radian in the whole time asks for.
-            let slow = over(1.0, largest(self.system.inverse().as_slice()) * self.duration.abs());
-            whole = whole.max(largest(end.momentum.as_slice())).max(slow);
-        }
-        let attitude =
-            over(largest(off.attitude.coords.as_slice()), largest(self.state.attitude.coords.as_slice()));
-        let momentum = over(largest(off.momentum.as_slice()), whole);
-        largest(&[attitude, momentum])
-    }
-
-    /// Counts steps that are long relative to the fastest decay: of two states near the end of the step, how
-    /// much faster the rates differ than the states.
-    fn watch(&mut self, stages: &Stages<T>, end_slope: &Rate<T>, h: f64) {
-        let apart = |a: &Vector3<T>, b: &Vector3<T>| largest((a - b).as_slice());
-        let [.., near_slope] = &stages.slopes;
-        let decay = h.abs()
-            * over(
-                apart(&end_slope.momentum, &near_slope.momentum),
-                apart(&stages.end.momentum, &stages.near.momentum),
-            );
+    /// Counts steps that are long relative to the fastest decay, given the number of decay times of a step.
+    fn count_losses(&mut self, decay: f64) {
         if decay > STIFF {
             (self.stiff, self.mild) = ((self.stiff + 1).min(STIFF_STEPS), 0);
         } else {
@@ -273,32 +303,4 @@ fn largest<T: Analytic>(parts: &[T]) -> f64 {
 /// A share, of which zero is zero of anything.
 fn over(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::inertia::PrincipalMoments;
-    use crate::step::torque::Torque;
-
-    #[test]
-    fn a_controlled_run_takes_back_steps_that_were_too_long() {
-        // A needle let go a thousandth of a radian from standing against the field: it hardly moves for long,
-        // then swings through. Energy, of motion and of place, must be the same wherever the run ends.
-        let pull = 3.0;
-        let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * -pull };
-        let system = System::with(PrincipalMoments::new(1.0, 1.5, 2.0).unwrap(), vec![aligning]).unwrap();
-        let (sine, cosine) = 5e-4_f64.sin_cos();
-        let from = State { attitude: Quaternion::new(cosine, 0.0, 0.0, sine), momentum: Vector3::zeros() };
-        let energy = |state: &State<f64>| {
-            crate::dynamics::observe::energy(&system.omega(&state.momentum), &state.momentum)
-                + pull * crate::attitude::rotation_matrix(&state.attitude)[(0, 0)]
-        };
-        let mut run = Run::new(&system, &from, 40.0, 1e-9).unwrap();
-        while run.time != 40.0 {
-            run.advance().unwrap();
-        }
-        assert!(run.rejected > 0, "{}", run.steps);
-        assert!((energy(&run.state) - energy(&from)).abs() < 1e-6, "{:?}", run.state);
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::adaptive::{adaptive, check_tolerance};
 use super::fixed_rate::fixed_rate;
+use super::leg::Leg;
 use crate::attitude;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, finite};
@@ -40,19 +41,21 @@ use num_traits::{FromPrimitive, ToPrimitive};
 pub struct Stepper<T: nalgebra::Scalar = f64> {
     /// The body at the start.
     body: Body,
-    rule: Rule,
+    pub(super) rule: Rule,
     /// Along the principal axes.
-    system: System<T>,
+    pub(super) system: System<T>,
     /// Along the principal axes.
-    state: State<T>,
+    pub(super) state: State<T>,
     /// Takes coordinates along the principal axes to those along the body's; none where they are the same.
-    frame: Option<Quaternion<T>>,
+    pub(super) frame: Option<Quaternion<T>>,
     /// Seconds since the start.
-    time: f64,
+    pub(super) time: f64,
+    /// Where the last step began.
+    pub(super) leg: Leg<T>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Rule {
+pub(super) enum Rule {
     Method(Method),
     FixedRate,
     Adaptive { tolerance: f64, budget: usize },
@@ -114,7 +117,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             State { attitude: quaternion(&start.attitude), momentum: cast("the momentum", &start.momentum)? };
         let frame = frame.map(|frame| quaternion(&frame));
         let system = System::of_numbers(moments, Vec::new());
-        let stepper = Self { body: *body, rule, system, state, frame, time: 0.0 };
+        let leg = Leg { state, time: 0.0 };
+        let stepper = Self { body: *body, rule, system, state, frame, time: 0.0, leg };
         stepper.checked()?;
         Ok(stepper)
     }
@@ -160,6 +164,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let start = core::mem::replace(&mut self.state, end);
         match self.checked() {
             Ok(state) => {
+                self.leg = Leg { state: start, time: self.time };
                 self.set_time(after);
                 Ok(state)
             }
@@ -190,7 +195,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         })
     }
 
-    fn set_time(&mut self, time: f64) {
+    pub(super) fn set_time(&mut self, time: f64) {
         self.time = time;
         self.system.set_time(T::from_f64(time).unwrap_or_else(T::zero));
     }
@@ -276,8 +281,13 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// attitude's length shows it here.
     #[must_use]
     pub fn state(&self) -> State<T> {
-        let State { attitude, momentum } = &self.state;
-        let Some(frame) = &self.frame else { return self.state };
+        self.along_body(&self.state)
+    }
+
+    /// A state along the body's axes, from one along the principal axes.
+    pub(super) fn along_body(&self, state: &State<T>) -> State<T> {
+        let State { attitude, momentum } = state;
+        let Some(frame) = &self.frame else { return *state };
         let back = conjugate(frame);
         State {
             attitude: attitude::product(attitude, &back),
@@ -310,11 +320,11 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 }
 
-fn number<T: ToPrimitive>(x: T) -> f64 {
+pub(super) fn number<T: ToPrimitive>(x: T) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
 
-fn conjugate<T: Ring>(q: &Quaternion<T>) -> Quaternion<T> {
+pub(super) fn conjugate<T: Ring>(q: &Quaternion<T>) -> Quaternion<T> {
     Quaternion::new(q.coords.w.clone(), -q.coords.x.clone(), -q.coords.y.clone(), -q.coords.z.clone())
 }
 

@@ -86,6 +86,11 @@ impl<T: Field> System<T> {
         self.time = time;
     }
 
+    /// The time at which the next step begins, s.
+    pub(crate) fn time(&self) -> &T {
+        &self.time
+    }
+
     pub(crate) fn is_free(&self) -> bool {
         self.torques.is_empty()
     }
@@ -128,9 +133,9 @@ impl<T: Analytic> System<T> {
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let omega = self.omega(&motion.momentum);
         let then = self.time.clone() + time.clone();
-        self.torques
-            .iter()
-            .fold(none, |sum, torque| sum + torque.at(&then, &rotation, &motion.momentum, &omega))
+        self.torques.iter().fold(none, |sum, torque| {
+            sum + torque.at(&self.inverse, &then, &rotation, &motion.momentum, &omega)
+        })
     }
 
     /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.

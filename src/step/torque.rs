@@ -1,8 +1,13 @@
 //! Torques on a body: each with its value, and with its own exact flow while the attitude stands still.
 
+mod named;
+
+pub(in crate::step) use named::before_or_at;
+
 use crate::attitude;
 use crate::error::{Error, Refusal, finite_vector, not_negative};
-use crate::number::{Analytic, Field};
+use crate::number::Analytic;
+use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::fmt;
 use nalgebra::{Matrix3, Quaternion, Vector3};
@@ -30,6 +35,26 @@ pub enum Torque<T: nalgebra::Scalar> {
     /// `k L x (L x w)`, `k` in s/(kg m²): loss inside a body that is not quite rigid. It keeps `|L|` and
     /// takes energy, until the body turns about the axis of its largest moment [BKMR96](crate::references).
     Dissipation(T),
+    /// `strength n x I n`, with `n` the unit vector to a body that attracts: the gravity gradient of one that
+    /// is far away, as [`Torque::gravity_gradient`] gives it.
+    GravityGradient {
+        /// `3 mu / r^3`, 1/s²: of a circular orbit three times the square of its rate.
+        strength: T,
+        /// `n` at time zero, in world axes.
+        direction: Vector3<T>,
+        /// How fast `n` turns, in world axes, rad/s: the rate of the orbit about its normal; zero where `n`
+        /// stands still.
+        orbit: Vector3<T>,
+    },
+    /// A torque from one time to another, from [`Torque::during`].
+    During {
+        /// s.
+        start: T,
+        /// s.
+        end: T,
+        /// What acts from the start to the end, and nowhere else.
+        torque: Box<Torque<T>>,
+    },
     /// A function of time, attitude and spin, from [`Torque::function`].
     Function(TorqueFunction<T>),
 }
@@ -80,41 +105,14 @@ impl<T: nalgebra::Scalar> Torque<T> {
     }
 }
 
-impl<T: Field> Torque<T> {
-    /// Gravity on a top whose centre of mass is at `arm` (m) from the fixed point, in body axes, and whose
-    /// weight (mass times gravitational acceleration, N) pulls along the world's -z. The top's inertia tensor
-    /// must be that about the fixed point.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::Body;
-    /// use tumbling::solid::{Ellipsoid, Solid};
-    /// use tumbling::step::{Method, Stepper, Torque};
-    /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as
-    /// // work.
-    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?;
-    /// let (arm, weight) = (Vector3::new(0.0, 0.0, 0.03), egg.mass() * 9.81);
-    /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);
-    /// let body = Body::spinning(egg.about(&-arm)?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
-    /// let mut stepper = Stepper::new(&body, Method::Gauss6)?.with_torques([Torque::gravity(&arm, weight)])?;
-    /// stepper.run(1e-3, 1000).try_for_each(|state| state.map(drop))?;
-    /// let height = |body: &Body| (body.attitude() * arm).z;
-    /// let end = stepper.body()?;
-    /// let work = weight * (height(&body) - height(&end));
-    /// assert!((end.energy() - body.energy() - work).abs() < 1e-12 * body.energy());
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    #[must_use]
-    pub fn gravity(arm: &Vector3<T>, weight: T) -> Self {
-        Self::Aligning { arm: arm.clone(), field: Vector3::new(T::zero(), T::zero(), -weight) }
-    }
-
+impl<T: Analytic> Torque<T> {
     /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to
-    /// world), with the momentum and spin in body axes.
+    /// world), with the momentum and spin in body axes, of a body with these inverse moments.
     // Always: into a kick, which looks at one kind of torque alone.
     #[inline(always)]
     pub(crate) fn at(
         &self,
+        inverse: &Vector3<T>,
         time: &T,
         rotation: &Matrix3<T>,
         momentum: &Vector3<T>,
@@ -128,12 +126,28 @@ impl<T: Field> Torque<T> {
             Self::Dissipation(strength) => {
                 momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
             }
+            Self::GravityGradient { .. } => self.gradient(inverse, time, rotation),
+            Self::During { torque, .. } if self.acts_at(time) => {
+                torque.inner(inverse, time, rotation, momentum, omega)
+            }
+            Self::During { .. } => momentum.map(|_| T::zero()),
             Self::Function(TorqueFunction(law)) => law(time.clone(), rotation, omega),
         }
     }
-}
 
-impl<T: Analytic> Torque<T> {
+    // Not inlined: a torque within a torque.
+    #[inline(never)]
+    fn inner(
+        &self,
+        inverse: &Vector3<T>,
+        time: &T,
+        rotation: &Matrix3<T>,
+        momentum: &Vector3<T>,
+        omega: &Vector3<T>,
+    ) -> Vector3<T> {
+        self.at(inverse, time, rotation, momentum, omega)
+    }
+
     /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments
     /// at a standing attitude and time. Damping decays and dissipation turns by their own exact laws, so that
     /// neither overshoots however long the step; a function acts by the explicit midpoint rule.
@@ -146,10 +160,14 @@ impl<T: Analytic> Torque<T> {
         h: T,
     ) -> Vector3<T> {
         match self {
-            Self::InBody(_) | Self::InWorld(_) | Self::Aligning { .. } => {
-                // None of the three looks at the spin.
-                momentum + self.at(time, rotation, momentum, momentum).map(|x| x * h.clone())
+            Self::InBody(_) | Self::InWorld(_) | Self::Aligning { .. } | Self::GravityGradient { .. } => {
+                // None of the four looks at the spin.
+                momentum + self.at(inverse, time, rotation, momentum, momentum).map(|x| x * h.clone())
             }
+            Self::During { torque, .. } if self.acts_at(time) => {
+                torque.kick(inverse, time, rotation, momentum, h)
+            }
+            Self::During { .. } => momentum.clone(),
             Self::Function(law) => law.kick(inverse, time, rotation, momentum, h),
             Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
                 momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
@@ -216,6 +234,19 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
             Self::Dissipation(strength) => {
                 not_negative("the strength of the dissipation", number(strength)).map(drop)
             }
+            Self::GravityGradient { strength, direction, orbit } => {
+                not_negative("the strength of the gravity gradient", number(strength))?;
+                finite_vector("the rate of the orbit", &vector(orbit))?;
+                finite_vector("the direction of the gravity gradient", &vector(direction))
+            }
+            Self::During { start, end, torque } => {
+                let [start, end] = [start, end].map(number);
+                if start.is_nan() || end.is_nan() || start > end {
+                    let (smaller, larger) = ("the start of a torque", "its end");
+                    return Err(Refusal::Order { smaller, small: start, larger, large: end }.into());
+                }
+                torque.validate()
+            }
             Self::Function(_) => Ok(()),
         }
     }
@@ -245,7 +276,14 @@ impl<T: Analytic + Send + Sync> Torque<T> {
                     old.tr_mul(&law(time, &(rotation * old.transpose()), &(&old * omega)))
                 })
             }
-            Self::InWorld(_) | Self::Damping(_) | Self::Dissipation(_) => self.clone(),
+            Self::During { start, end, torque } => Self::During {
+                start: start.clone(),
+                end: end.clone(),
+                torque: Box::new(torque.along(frame)?),
+            },
+            Self::InWorld(_) | Self::Damping(_) | Self::Dissipation(_) | Self::GravityGradient { .. } => {
+                self.clone()
+            }
         })
     }
 }

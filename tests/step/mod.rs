@@ -1,6 +1,7 @@
 //! Stepping through time.
 
 mod adaptive;
+mod driven;
 mod engine_rules;
 mod fixed_rate;
 mod geometric;

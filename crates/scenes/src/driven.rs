@@ -184,8 +184,8 @@ fn first_tolerance(accuracy: f64) -> f64 {
     (0.03 * accuracy).max(8.0 * LEAST_TOLERANCE)
 }
 
-/// By the known errors and costs: the error of kicks goes with the square of the step, times the push; the
-/// pair's with the fifth power.
+/// By the known errors and costs: the error of kicks goes with the square of the step, times the push; a
+/// series takes steps of one length whatever the tolerance.
 fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     let (accuracy, turned) = (scene.accuracy(), (spin * end).max(1.0));
     let least = scene.times().count() as f64;
@@ -194,7 +194,7 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     let turn = radians.min(0.25);
     let step = |radians: f64| (radians / spin).min(end / INNER);
     let tolerance = first_tolerance(accuracy);
-    let by_pair = price(prices::PAIR, 2.0 * prices::fifth_root(tolerance), prices::RESTART * least);
+    let by_pair = price(prices::series(tolerance), prices::RADIANS, prices::RESTART * least);
     let by_steps = price(prices::KICKED, turn, least);
     let by_drift = price(prices::DRIFT, radians, least);
     if by_steps <= by_pair && by_steps <= by_drift {

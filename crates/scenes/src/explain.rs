@@ -78,10 +78,7 @@ impl Plan<'_> {
                 format!("the exact free motion between kicks, in steps of up to {}", step(driven.step()))
             }
             Strategy::Adaptive(driven) => {
-                format!(
-                    "Dormand and Prince's pair, {:.1e} allowed to each step",
-                    driven.tolerance().unwrap_or_default()
-                )
+                format!("Taylor series, {:.1e} allowed to each step", driven.tolerance().unwrap_or_default())
             }
         }
     }

@@ -15,7 +15,7 @@ pub(crate) enum StepControl {
     Fixed(Method, f64),
     /// With the exact drift between kicks, in steps of at most this many seconds.
     ExactDrift(f64),
-    /// With Dormand and Prince's pair and this tolerance of a step.
+    /// With Taylor series and this tolerance of a step.
     Tolerance(f64),
 }
 
@@ -99,7 +99,7 @@ impl StepControl {
             Self::Fixed(Method::LinearisedImplicit, _) => prices::LINEARISED,
             Self::Fixed(..) => prices::KICKED,
             Self::ExactDrift(_) => prices::DRIFT,
-            Self::Tolerance(_) => prices::PAIR,
+            Self::Tolerance(tolerance) => prices::series(tolerance),
         }
     }
 

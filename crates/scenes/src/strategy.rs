@@ -35,7 +35,7 @@ pub enum Strategy {
     FixedStep(Driven),
     /// The exact free motion between kicks of the torques.
     ExactDrift(Driven),
-    /// Dormand and Prince's pair with its error controlled.
+    /// Taylor series with their error controlled.
     Adaptive(Driven),
     /// Damping much faster than the motion: steps of a method that it does not limit.
     Stiff(Driven),

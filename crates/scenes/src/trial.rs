@@ -44,9 +44,7 @@ impl Trial<'_> {
     fn steps(&self, control: StepControl) -> f64 {
         match control {
             StepControl::Fixed(_, step) | StepControl::ExactDrift(step) => self.end / step,
-            StepControl::Tolerance(tolerance) => {
-                0.3 * (self.turned / prices::fifth_root(tolerance)).max(self.lost)
-            }
+            StepControl::Tolerance(_) => (self.turned / prices::RADIANS).max(0.3 * self.lost),
         }
     }
 

@@ -1,9 +1,8 @@
-//! The embedded pair of Dormand and Prince, orders 5 and 4 [DP80](crate::references).
+//! The step of order 5 of the pair of Dormand and Prince of orders 5 and 4 [DP80](crate::references).
 
 use crate::body::{Rate, State};
 use crate::number::Analytic;
 use crate::step::system::System;
-use nalgebra::{Quaternion, Vector3};
 
 /// An integer over another.
 type Ratio = (i32, u32);
@@ -17,10 +16,6 @@ const STAGES: [&[Ratio]; 6] = [
     &[(9017, 3168), (-355, 33), (46_732, 5247), (49, 176), (-5103, 18_656)],
     &[(35, 384), (0, 1), (500, 1113), (125, 192), (-2187, 6784), (11, 84)],
 ];
-
-/// Weights of the seven slopes in the difference of the two orders: the estimate of the error.
-const ERROR: [Ratio; 7] =
-    [(71, 57_600), (0, 1), (-71, 16_695), (71, 1920), (-17_253, 339_200), (22, 525), (-1, 40)];
 
 fn number<T: Analytic>((n, d): Ratio) -> T {
     let size = T::integer(n.unsigned_abs()) / T::integer(d);
@@ -38,43 +33,15 @@ fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio]
 /// The times of the stages after the first as fractions of the step: the sums of their weights.
 const NODES: [Ratio; 6] = [(1, 5), (3, 10), (4, 5), (8, 9), (1, 1), (1, 1)];
 
-/// A step with its first six slopes.
-pub(crate) struct Stages<T: nalgebra::Scalar> {
-    pub(crate) end: State<T>,
-    /// The state of which the last slope was taken: the end too, by weights of a lower order.
-    pub(crate) near: State<T>,
-    pub(crate) slopes: [Rate<T>; 6],
-}
-
-impl<T: Analytic> Stages<T> {
-    /// The step from `start` to `h` seconds later, given the slope at `start`; `time` seconds have gone by
-    /// since the system's time.
-    pub(crate) fn new(system: &System<T>, start: &State<T>, first: Rate<T>, time: &T, h: &T) -> Self {
-        let mut slopes: [Rate<T>; 6] = core::array::from_fn(|_| first.clone());
-        let mut near = start.clone();
-        let [inner @ .., last] = &STAGES;
-        for (k, weights) in inner.iter().enumerate() {
-            near = combined(start, &slopes, weights, h);
-            let then = time.clone() + number::<T>(NODES[k]) * h.clone();
-            slopes[k + 1] = system.rate_after(&near, &then);
-        }
-        Self { end: combined(start, &slopes, last, h), near, slopes }
-    }
-
-    /// The estimated errors of attitude and momentum, given the slope at the end.
-    pub(crate) fn error(&self, end_slope: &Rate<T>, h: &T) -> State<T> {
-        let zero = T::zero;
-        let nothing = State {
-            attitude: Quaternion::new(zero(), zero(), zero(), zero()),
-            momentum: Vector3::from_fn(|_, _| zero()),
-        };
-        let [inner @ .., last] = &ERROR;
-        combined(&nothing, &self.slopes, inner, h).plus(end_slope, h.clone() * number::<T>(*last))
-    }
-}
-
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    Stages::new(system, start, system.rate(start), &T::zero(), h).end
+    let first = system.rate(start);
+    let mut slopes: [Rate<T>; 6] = core::array::from_fn(|_| first.clone());
+    let [inner @ .., last] = &STAGES;
+    for (k, weights) in inner.iter().enumerate() {
+        let near = combined(start, &slopes, weights, h);
+        slopes[k + 1] = system.rate_after(&near, &(number::<T>(NODES[k]) * h.clone()));
+    }
+    combined(start, &slopes, last, h)
 }
 
 #[cfg(test)]
@@ -82,12 +49,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_stage_stands_at_the_sum_of_its_weights_and_the_errors_weights_cancel() {
+    fn each_stage_stands_at_the_sum_of_its_weights() {
         let value = |&(n, d): &Ratio| f64::from(n) / f64::from(d);
         for (weights, node) in STAGES.iter().zip(&NODES) {
             let sum: f64 = weights.iter().map(value).sum();
             assert!((sum - value(node)).abs() < 1e-14, "{weights:?}");
         }
-        assert!(ERROR.iter().map(value).sum::<f64>().abs() < 1e-15);
     }
 }

@@ -62,8 +62,11 @@ fn stiff_damping_takes_few_steps_and_is_right() {
     let torque = Torque::Damping(Vector3::new(1e4, 2e4, 2e4));
     let scene = one(body, vec![torque], Times::Given(vec![1e-4, 1.0]), BOTH, 1e-4);
     let plan = scene.plan(0).unwrap();
-    let Strategy::Stiff(driven) = plan.strategy() else { panic!("{}", plan.explain()) };
-    assert!(driven.steps() < 100_000, "{}", plan.explain());
+    // It is over so soon that a series, whose steps it keeps short, has few of them too.
+    let (Strategy::Stiff(driven) | Strategy::Adaptive(driven)) = plan.strategy() else {
+        panic!("{}", plan.explain())
+    };
+    assert!(driven.steps() < 1000, "{}", plan.explain());
     let states = states(&plan);
     assert!((states[0].spin.unwrap().y - (-1.0_f64).exp()).abs() < 1e-4);
     assert!(states[1].spin.unwrap().norm() < 1e-6);

@@ -1,0 +1,181 @@
+//! Changes of sign of the spin about the middle axis, from the series of each step.
+
+use super::series::MOST;
+use super::switching::signed;
+use crate::body::State;
+use crate::inertia::ascending;
+use crate::number::Analytic;
+use crate::step::system::System;
+use alloc::vec::Vec;
+
+/// A polynomial from 0 to 1 in Bernstein's form: its roots there are at most the changes of sign of its
+/// coefficients, and as many or fewer by an even number.
+type Bernstein = [f64; MOST + 1];
+
+/// How often an interval is halved to part two roots: what is left is below the rounding of its ends.
+const HALVINGS: u32 = 48;
+
+/// What was seen of a component of the spin.
+#[derive(Debug, Clone)]
+pub(super) struct Flips {
+    axis: usize,
+    /// Its last sign, or zero before it has one.
+    sign: f64,
+    /// The start of the run's piece, s.
+    from: f64,
+    found: Vec<f64>,
+}
+
+impl Flips {
+    pub(super) fn new<T: Analytic + Copy>(system: &System<T>, start: &State<T>) -> Self {
+        let [_, axis, _] = ascending(&system.moments().map(|x| x.size()));
+        Self { axis, sign: sign(signed(start.momentum[axis])), from: 0.0, found: Vec::new() }
+    }
+
+    pub(super) fn axis(&self) -> usize {
+        self.axis
+    }
+
+    /// Their times, s after the start of the run.
+    pub(super) fn found(self) -> Vec<f64> {
+        self.found
+    }
+
+    /// The next piece of the run begins so much later.
+    pub(super) fn later(mut self, duration: f64) -> Self {
+        self.from += duration;
+        self
+    }
+
+    /// Looks at a step of `length` units from `time`, where the spin has these coefficients.
+    pub(super) fn see(&mut self, coefficients: &[f64], length: f64, time: f64, unit: f64) {
+        let start = self.from + time;
+        let mut scaled = [0.0; MOST + 1];
+        let mut power = 1.0;
+        for (term, c) in scaled.iter_mut().zip(coefficients) {
+            *term = c * power;
+            power *= length;
+        }
+        let scaled = &scaled[..coefficients.len()];
+        let [first, rest @ ..] = scaled else { return };
+        let whole = length * unit;
+        // Where the sign is another than after the step before: a change that both steps missed, or that
+        // both would count.
+        if first * self.sign < 0.0 {
+            let again = self.found.last().is_some_and(|last| (last - start).abs() < 1e-6 * whole.abs());
+            if again {
+                self.found.pop();
+            } else {
+                self.found.push(start);
+            }
+        }
+        if *first != 0.0 {
+            self.sign = sign(*first);
+        }
+        if rest.iter().map(|x| x.abs()).sum::<f64>() < first.abs() {
+            return;
+        }
+        let mut shares = Vec::new();
+        roots(&bernstein(scaled), scaled.len(), (0.0, 1.0), HALVINGS, &mut shares);
+        if self.sign == 0.0 {
+            self.sign = sign(scaled.iter().rev().sum());
+            return;
+        }
+        for share in shares {
+            self.found.push(start + sharpened(scaled, share) * whole);
+            self.sign = -self.sign;
+        }
+    }
+}
+
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { 1.0_f64.copysign(x) }
+}
+
+/// Of the coefficients of powers: `b[i]` is the sum of `C(i, k) / C(n, k) c[k]`.
+fn bernstein(coefficients: &[f64]) -> Bernstein {
+    let mut out = [0.0; MOST + 1];
+    let n = coefficients.len().saturating_sub(1);
+    for (i, b) in out.iter_mut().enumerate().take(n + 1) {
+        let mut share = 1.0;
+        for (k, c) in coefficients.iter().enumerate().take(i + 1) {
+            *b += share * c;
+            share *= (i - k) as f64 / (n - k).max(1) as f64;
+        }
+    }
+    out
+}
+
+/// The roots in an interval, by halving until each has one of its own, and then until it is found.
+fn roots(b: &Bernstein, count: usize, (low, high): (f64, f64), left: u32, found: &mut Vec<f64>) {
+    let signs = b[..count].iter().filter(|x| **x != 0.0).map(|x| x.is_sign_negative());
+    let (mut changes, mut before) = (0, None);
+    for negative in signs {
+        changes += u32::from(before.is_some_and(|other| other != negative));
+        before = Some(negative);
+    }
+    let middle = 0.5 * (low + high);
+    if changes == 0 {
+        return;
+    }
+    if left == 0 {
+        // Two that touch are none: the sign is the same after as before.
+        if changes % 2 == 1 {
+            found.push(middle);
+        }
+        return;
+    }
+    let (mut lower, mut upper) = (*b, *b);
+    for round in 1..count {
+        for i in (round..count).rev() {
+            lower[i] = 0.5 * (lower[i - 1] + lower[i]);
+        }
+        for i in 0..count - round {
+            upper[i] = 0.5 * (upper[i] + upper[i + 1]);
+        }
+    }
+    roots(&lower, count, (low, middle), left - 1, found);
+    roots(&upper, count, (middle, high), left - 1, found);
+}
+
+/// A root to rounding, from one to many digits, by Newton's rule.
+fn sharpened(coefficients: &[f64], root: f64) -> f64 {
+    let (mut value, mut slope) = (0.0, 0.0);
+    for c in coefficients.iter().rev() {
+        slope = slope * root + value;
+        value = value * root + c;
+    }
+    let better = root - value / slope;
+    if (better - root).abs() < 1e-10 { better } else { root }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `(x - 0.2)(x - 0.2000001)(x - 0.7)(x + 1)`, and `(x - 0.5)² + 1e-9`, which only comes near.
+    #[test]
+    fn near_roots_are_told_apart_and_a_near_miss_is_none() {
+        let product = |roots: &[f64]| {
+            roots.iter().fold(vec![1.0], |sum: Vec<f64>, root| {
+                let mut next = vec![0.0; sum.len() + 1];
+                for (k, c) in sum.iter().enumerate() {
+                    next[k] -= root * c;
+                    next[k + 1] += c;
+                }
+                next
+            })
+        };
+        let found = |c: &[f64]| {
+            let mut all = Vec::new();
+            roots(&bernstein(c), c.len(), (0.0, 1.0), HALVINGS, &mut all);
+            all.iter().map(|&x| sharpened(c, x)).collect::<Vec<f64>>()
+        };
+        let three = found(&product(&[0.2, 0.200_000_1, 0.7, -1.0]));
+        assert_eq!(three.len(), 3, "{three:?}");
+        for (x, expected) in three.iter().zip([0.2, 0.200_000_1, 0.7]) {
+            assert!((x - expected).abs() < 1e-8, "{x}");
+        }
+        assert!(found(&[0.25 + 1e-9, -1.0, 1.0]).is_empty());
+    }
+}

@@ -1,0 +1,68 @@
+//! Torques that begin and end: a run is made of pieces without a switch on the way.
+
+use crate::body::State;
+use crate::error::Error;
+use crate::number::Analytic;
+use crate::step::system::System;
+use crate::step::torque::{Torque, before_or_at};
+use alloc::vec::Vec;
+use num_traits::FromPrimitive;
+
+/// Goes `duration` seconds from `start` in pieces, each by `go` under the torques that act in all of it.
+pub(super) fn through<T: Analytic + Copy + FromPrimitive>(
+    system: &System<T>,
+    start: &State<T>,
+    duration: f64,
+    mut go: impl FnMut(&System<T>, &State<T>, f64) -> Result<State<T>, Error>,
+) -> Result<State<T>, Error> {
+    if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
+        return go(system, start, duration);
+    }
+    let (mut from, mut state) = (0.0, *start);
+    loop {
+        let until = next_switch(system, from, duration);
+        state = go(&acting(system, from, until), &state, until - from)?;
+        if until == duration {
+            return Ok(state);
+        }
+        from = until;
+    }
+}
+
+/// The number with its sign.
+pub(super) fn signed<T: Analytic + Copy>(x: T) -> f64 {
+    if before_or_at(&T::zero(), &x) { x.size() } else { -x.size() }
+}
+
+/// The times at which a torque begins and ends, s after the system's time.
+fn ends<T: Analytic + Copy>(system: &System<T>, torque: &Torque<T>) -> Option<[f64; 2]> {
+    let Torque::During { start, end, .. } = torque else { return None };
+    Some([*start, *end].map(|time| signed(time - *system.time())))
+}
+
+/// The first switch after `from` on the way to `duration`, or this.
+fn next_switch<T: Analytic + Copy>(system: &System<T>, from: f64, duration: f64) -> f64 {
+    let ahead = |time: &f64| {
+        if duration < 0.0 { *time < from && *time > duration } else { *time > from && *time < duration }
+    };
+    let switches = system.torques().iter().filter_map(|torque| ends(system, torque)).flatten().filter(ahead);
+    switches.fold(duration, |next, time| if (time - from).abs() < (next - from).abs() { time } else { next })
+}
+
+/// The system under the torques that act all the way from one time to the other.
+fn acting<T: Analytic + Copy + FromPrimitive>(system: &System<T>, from: f64, until: f64) -> System<T> {
+    let (first, last) = if from < until { (from, until) } else { (until, from) };
+    let torques: Vec<_> = system
+        .torques()
+        .iter()
+        .filter_map(|torque| match (torque, ends(system, torque)) {
+            (Torque::During { torque, .. }, Some([start, end])) => {
+                (start <= first && last <= end).then(|| (**torque).clone())
+            }
+            _ => Some(torque.clone()),
+        })
+        .collect();
+    let mut piece = System::of_numbers(*system.moments(), torques);
+    piece.set_time(*system.time() + T::from_f64(from).unwrap_or_else(T::zero));
+    piece
+}

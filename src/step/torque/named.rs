@@ -1,0 +1,150 @@
+//! Torques by what makes them, with their units.
+
+use super::Torque;
+use crate::attitude;
+use crate::number::{Analytic, Field};
+use alloc::boxed::Box;
+use nalgebra::{Matrix3, Vector3};
+
+impl<T: Field> Torque<T> {
+    /// Gravity on a top whose centre of mass is at `arm` (m) from the fixed point, in body axes, and whose
+    /// weight (mass times gravitational acceleration, N) pulls along the world's -z. The top's inertia tensor
+    /// must be that about the fixed point.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::Body;
+    /// use tumbling::solid::{Ellipsoid, Solid};
+    /// use tumbling::step::{Method, Stepper, Torque};
+    /// // An egg of 60 g on its tip, leaning by 0.3 rad: what it gains in kinetic energy, gravity has done as
+    /// // work.
+    /// let egg = Ellipsoid::new(0.02, 0.021, 0.03)?.with_mass(0.06)?;
+    /// let (arm, weight) = (Vector3::new(0.0, 0.0, 0.03), egg.mass() * 9.81);
+    /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);
+    /// let body = Body::spinning(egg.about(&-arm)?, leaning, &Vector3::new(0.0, 0.0, 150.0))?;
+    /// let mut stepper = Stepper::new(&body, Method::Gauss6)?.with_torques([Torque::gravity(&arm, weight)])?;
+    /// stepper.run(1e-3, 1000).try_for_each(|state| state.map(drop))?;
+    /// let height = |body: &Body| (body.attitude() * arm).z;
+    /// let end = stepper.body()?;
+    /// let work = weight * (height(&body) - height(&end));
+    /// assert!((end.energy() - body.energy() - work).abs() < 1e-12 * body.energy());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn gravity(arm: &Vector3<T>, weight: T) -> Self {
+        Self::Aligning { arm: arm.clone(), field: Vector3::new(T::zero(), T::zero(), -weight) }
+    }
+
+    /// A spring that turns the body back to where its axis `arm` (of length 1, body axes) lies along `rest`
+    /// (of length 1, world axes): `stiffness` (N m) times the sine of the angle between the two, so near rest
+    /// the stiffness in N m/rad.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // A hundredth of a radian off, 2 kg m² at 8 N m/rad: half a swing in pi/2 s.
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.01);
+    /// let body = Body::spinning(inertia, leaning, &Vector3::zeros())?;
+    /// let spring = Torque::spring(&Vector3::x(), &Vector3::x(), 8.0);
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-10, 1000)?.with_torques([spring])?;
+    /// let end = stepper.step(std::f64::consts::FRAC_PI_2)?;
+    /// assert!((2.0 * end.attitude.j + 0.01).abs() < 1e-6);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn spring(arm: &Vector3<T>, rest: &Vector3<T>, stiffness: T) -> Self {
+        Self::Aligning { arm: arm.clone(), field: rest.map(|x| x * stiffness.clone()) }
+    }
+
+    /// The torque of a magnetic moment (A m², body axes) in a field (T, world axes).
+    #[must_use]
+    pub fn magnetic(moment: &Vector3<T>, field: &Vector3<T>) -> Self {
+        Self::Aligning { arm: moment.clone(), field: field.clone() }
+    }
+
+    /// The gravity gradient on a satellite in a circular orbit, seen along the world's axes: `toward` (of
+    /// length 1) points to the attracting body at time zero, and turns with the `orbit`, whose rate (rad/s)
+    /// stands along its normal. Of a body that is held fixed relative to the attracting one see
+    /// [`Torque::GravityGradient`].
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // A satellite as it should be: its long axis x toward the earth, the axis z of its largest moment
+    /// // normal to the orbit of 90 minutes, turning with it. After a quarter of an orbit it still points
+    /// // there.
+    /// let rate = std::f64::consts::TAU / 5400.0;
+    /// let inertia = Inertia::from_moments(10.0, 40.0, 45.0)?;
+    /// let spin = Vector3::new(0.0, 0.0, rate);
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &spin)?;
+    /// let gradient = Torque::gravity_gradient(&Vector3::x(), &spin);
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([gradient])?;
+    /// stepper.step(1350.0)?;
+    /// let pointing = stepper.body()?.attitude() * Vector3::x();
+    /// assert!((pointing - Vector3::y()).norm() < 1e-10);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn gravity_gradient(toward: &Vector3<T>, orbit: &Vector3<T>) -> Self {
+        let square = orbit.dot(orbit);
+        Self::GravityGradient {
+            strength: square * T::integer(3),
+            direction: toward.clone(),
+            orbit: orbit.clone(),
+        }
+    }
+
+    /// `torque` from the time `start` to the time `end` (s), and none before and after: a thruster that
+    /// fires. The time is that of the [`Stepper`](crate::step::Stepper).
+    ///
+    /// An adaptive run ends a step where a torque begins and where it ends. Methods of a fixed step, and
+    /// kicks, take it or leave it by the time at which they ask.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // 2 N m for 0.3 s on 4 kg m², from rest.
+    /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
+    /// let fired = Torque::during(0.5, 0.8, Torque::InBody(Vector3::z() * 2.0));
+    /// let mut stepper = Stepper::adaptive(&body, 1e-10, 1000)?.with_torques([fired])?;
+    /// stepper.step(10.0)?;
+    /// assert!((stepper.omega().z - 0.15).abs() < 1e-14);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn during(start: T, end: T, torque: Self) -> Self {
+        Self::During { start, end, torque: Box::new(torque) }
+    }
+}
+
+impl<T: Analytic> Torque<T> {
+    /// Whether a torque from one time to another acts at this one.
+    pub(super) fn acts_at(&self, time: &T) -> bool {
+        let Self::During { start, end, .. } = self else { return true };
+        before_or_at(start, time) && !before_or_at(end, time)
+    }
+
+    /// The gravity gradient.
+    pub(super) fn gradient(&self, inverse: &Vector3<T>, time: &T, rotation: &Matrix3<T>) -> Vector3<T> {
+        let Self::GravityGradient { strength, direction, orbit } = self else {
+            return Vector3::from_fn(|_, _| T::zero());
+        };
+        let mut here = direction.clone();
+        if !time.is_zero() && orbit.iter().any(|x| !x.is_zero()) {
+            let back = attitude::turn(&orbit.map(|x| -(x * time.clone())));
+            here = attitude::rotate_inverse(&back, direction);
+        }
+        let n = rotation.tr_mul(&here);
+        n.cross(&n.component_div(inverse)).map(|x| x * strength.clone())
+    }
+}
+
+/// Whether `a <= b`: a number type has no order, but a square root of what is not below zero.
+pub(in crate::step) fn before_or_at<T: Analytic>(a: &T, b: &T) -> bool {
+    !(b.clone() - a.clone()).sqrt().size().is_nan()
+}

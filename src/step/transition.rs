@@ -1,0 +1,147 @@
+//! The state transition of a step: the step itself on numbers that carry their derivatives.
+
+mod dual;
+
+use super::adaptive::adaptive;
+use super::stepper::{Rule, Stepper, conjugate};
+use super::system::System;
+use super::torque::Torque;
+use crate::attitude;
+use crate::body::State;
+use crate::error::{Error, Refusal};
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use dual::Dual;
+use nalgebra::{Matrix3, Matrix6, Quaternion, Vector3};
+
+impl Stepper<f64> {
+    /// One step of `h` seconds of an [adaptive](Self::adaptive) stepper, as [`step`](Self::step), and its
+    /// state transition matrix: of attitude error (rad) and spin error (rad/s) along the body's axes, in the
+    /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
+    /// matrix of several steps is the product, the last on the left.
+    ///
+    /// The series of the step run on numbers that carry six derivatives, so that each is as accurate as the
+    /// step, relative to its own growth.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3, Vector6};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let run = |e: Vector3<f64>, w: Vector3<f64>| {
+    ///     let spin = Vector3::new(0.1, 2.0, 0.3) + w;
+    ///     let body = Body::spinning(inertia, UnitQuaternion::from_scaled_axis(e), &spin)?;
+    ///     let top = Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 4.0);
+    ///     let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000)?.with_torques([top])?;
+    ///     let transition = stepper.step_with_transition(3.0)?;
+    ///     Ok::<_, tumbling::Error>((stepper.body()?, transition))
+    /// };
+    /// let (e, w) = (Vector3::new(3e-7, -1e-7, 2e-7), Vector3::new(1e-7, 2e-7, -1e-7));
+    /// let (one, f) = run(Vector3::zeros(), Vector3::zeros())?;
+    /// let (other, _) = run(e, w)?;
+    /// let expected = f * Vector6::new(e.x, e.y, e.z, w.x, w.y, w.z);
+    /// let turned = (one.attitude().inverse() * other.attitude()).scaled_axis();
+    /// assert!((turned - expected.fixed_rows::<3>(0)).norm() < 1e-5 * turned.norm());
+    /// let faster = other.omega_body() - one.omega_body();
+    /// assert!((faster - expected.fixed_rows::<3>(3)).norm() < 1e-5 * faster.norm());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stepper by a method of fixed steps, a torque that is a function, or as [`step`](Self::step); the
+    /// body then stays where it was.
+    pub fn step_with_transition(&mut self, h: f64) -> Result<Matrix6<f64>, Error> {
+        let Rule::Adaptive { tolerance, mut budget } = self.rule else {
+            return Err(Refusal::Undefined {
+                what: "the state transition of a step",
+                why: "it is carried by an adaptive stepper: make it by `Stepper::adaptive`",
+            }
+            .into());
+        };
+        let torques = self.system.torques().iter().map(carried).collect::<Result<Vec<_>, _>>()?;
+        let moments = *self.system.moments();
+        let mut system = System::of_numbers(moments.map(Dual::from), torques);
+        system.set_time(Dual::from(*self.system.time()));
+        let start = varied(&self.state, &moments);
+        let end = adaptive(&system, &start, h, tolerance, &mut budget)?;
+        let transition = self.turned(&read(&end, self.system.inverse()));
+        if transition.iter().all(|x| x.is_finite()) {
+            self.step(h).map(|_| transition)
+        } else {
+            let value = transition.sum();
+            Err(Refusal::OutOfRange { what: "the state transition", value }.into())
+        }
+    }
+
+    /// A matrix along the body's axes, from one along the principal axes.
+    fn turned(&self, along: &Matrix6<f64>) -> Matrix6<f64> {
+        let Some(frame) = &self.frame else { return *along };
+        let back: Matrix3<f64> = attitude::rotation_matrix(&conjugate(frame));
+        let mut both = Matrix6::zeros();
+        both.fixed_view_mut::<3, 3>(0, 0).copy_from(&back);
+        both.fixed_view_mut::<3, 3>(3, 3).copy_from(&back);
+        both.transpose() * along * both
+    }
+}
+
+/// The torque on numbers that carry derivatives.
+fn carried(torque: &Torque<f64>) -> Result<Torque<Dual>, Error> {
+    let vector = |v: &Vector3<f64>| v.map(Dual::from);
+    Ok(match torque {
+        Torque::InBody(torque) => Torque::InBody(vector(torque)),
+        Torque::InWorld(torque) => Torque::InWorld(vector(torque)),
+        Torque::Aligning { arm, field } => Torque::Aligning { arm: vector(arm), field: vector(field) },
+        Torque::Damping(coefficients) => Torque::Damping(vector(coefficients)),
+        Torque::Dissipation(strength) => Torque::Dissipation(Dual::from(*strength)),
+        Torque::GravityGradient { strength, direction, orbit } => Torque::GravityGradient {
+            strength: Dual::from(*strength),
+            direction: vector(direction),
+            orbit: vector(orbit),
+        },
+        Torque::During { start, end, torque } => Torque::During {
+            start: Dual::from(*start),
+            end: Dual::from(*end),
+            torque: Box::new(carried(torque)?),
+        },
+        Torque::Function(_) => {
+            return Err(Refusal::Undefined {
+                what: "the state transition under a torque that is a function",
+                why: "a function gives no derivatives: give the torque by its name",
+            }
+            .into());
+        }
+    })
+}
+
+/// A state with its derivatives by an error of the attitude and by one of the spin.
+fn varied(state: &State<f64>, moments: &Vector3<f64>) -> State<Dual> {
+    let mut varied = State {
+        attitude: Quaternion::from_vector(state.attitude.coords.map(Dual::from)),
+        momentum: state.momentum.map(Dual::from),
+    };
+    for axis in 0..3 {
+        let mut unit = Vector3::zeros();
+        unit[axis] = 1.0;
+        let turn = attitude::rate(&state.attitude, &unit);
+        for i in 0..4 {
+            varied.attitude.coords[i].slopes[axis] = turn.coords[i];
+        }
+        varied.momentum[axis].slopes[3 + axis] = moments[axis];
+    }
+    varied
+}
+
+/// The errors of attitude and spin, by those at the start.
+fn read(end: &State<Dual>, inverse: &Vector3<f64>) -> Matrix6<f64> {
+    let back = conjugate(&Quaternion::from_vector(end.attitude.coords.map(|x| x.value)));
+    let mut matrix = Matrix6::zeros();
+    for column in 0..6 {
+        let moved = Quaternion::from_vector(end.attitude.coords.map(|x| x.slopes[column]));
+        let turn = attitude::product(&back, &moved).coords;
+        for i in 0..3 {
+            matrix[(i, column)] = 2.0 * turn[i];
+            matrix[(3 + i, column)] = end.momentum[i].slopes[column] * inverse[i];
+        }
+    }
+    matrix
+}

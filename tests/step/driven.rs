@@ -1,0 +1,265 @@
+//! Adaptive runs under torques: against a table of many digits, another engine, and what is conserved.
+
+use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
+use serde_json::Value;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, State, Stepper, System, Torque, adaptive};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+
+const TABLE: &str = include_str!("../../crates/measure/data/truth.json");
+
+fn off(a: &State<f64>, b: &State<f64>) -> f64 {
+    let turned =
+        (a.attitude.coords - b.attitude.coords).norm().min((a.attitude.coords + b.attitude.coords).norm());
+    turned + (a.momentum - b.momentum).norm() / b.momentum.norm()
+}
+
+fn digits<const N: usize>(list: &Value) -> [f64; N] {
+    std::array::from_fn(|i| list[i].as_f64().unwrap_or_else(|| list[i].as_str().unwrap().parse().unwrap()))
+}
+
+#[test]
+fn a_heavy_top_and_a_damped_spin_end_where_sixty_digits_say() {
+    let table: Value = serde_json::from_str(TABLE).unwrap();
+    for name in ["heavy top", "damped spin"] {
+        let stories = table["stories"].as_array().unwrap();
+        let story = stories.iter().find(|story| story["name"] == name).unwrap();
+        let vector = |key: &str| Vector3::from(digits::<3>(&story[key]));
+        let torques = vec![
+            Torque::gravity(&vector("arm"), story["weight"].as_f64().unwrap()),
+            Torque::Damping(vector("damping")),
+        ];
+        let system = System::with(vector("moments").try_into().unwrap(), torques).unwrap();
+        let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&vector("omega")) };
+        let [w, x, y, z] = digits(&story["attitude"]);
+        let truth = State { attitude: Quaternion::new(w, x, y, z), momentum: vector("momentum") };
+        for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
+            let mut left = 1000;
+            let end = adaptive(&system, &start, story["t"].as_f64().unwrap(), tolerance, &mut left).unwrap();
+            assert!(off(&end, &truth) < 100.0 * tolerance, "{name} {tolerance:e}: {:e}", off(&end, &truth));
+            assert!(left > 850, "{name} {tolerance:e}: {left}");
+        }
+    }
+}
+
+/// All kinds at once, with four world vectors; and the same written out as a function, which goes by another
+/// engine.
+fn all_torques(moments: Vector3<f64>) -> [Vec<Torque<f64>>; 2] {
+    let (body, world) = (Vector3::new(0.1, -0.2, 0.15), Vector3::new(0.05, 0.1, -0.2));
+    let arms = [Vector3::new(0.1, 0.3, -0.2), Vector3::new(-0.3, 0.1, 0.1), Vector3::new(0.2, 0.1, 0.4)];
+    let fields = [Vector3::new(0.0, 0.5, 1.0), Vector3::new(1.0, 0.2, 0.0), Vector3::new(-0.4, 0.0, 0.8)];
+    let (drag, loss) = (Vector3::new(0.05, 0.02, 0.08), 0.01);
+    let (toward, orbit) = (Vector3::new(0.6, 0.8, 0.0), Vector3::new(0.0, 0.0, 0.7));
+    let mut named = vec![
+        Torque::InBody(body),
+        Torque::InWorld(world),
+        Torque::Damping(drag),
+        Torque::Dissipation(loss),
+        Torque::gravity_gradient(&toward, &orbit),
+    ];
+    named.extend((0..3).map(|k| Torque::Aligning { arm: arms[k], field: fields[k] }));
+    let law = move |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
+        let momentum = moments.component_mul(omega);
+        let (sine, cosine) = (orbit.z * time).sin_cos();
+        let n = rotation.transpose()
+            * Vector3::new(cosine * toward.x - sine * toward.y, sine * toward.x + cosine * toward.y, 0.0);
+        let aligning = (0..3).map(|k| arms[k].cross(&(rotation.transpose() * fields[k]))).sum::<Vector3<_>>();
+        body + rotation.transpose() * world - drag.component_mul(omega)
+            + momentum.cross(&momentum.cross(omega)) * loss
+            + n.cross(&moments.component_mul(&n)) * (3.0 * orbit.z * orbit.z)
+            + aligning
+    };
+    [named, vec![Torque::function(law)]]
+}
+
+#[test]
+fn every_named_torque_together_moves_a_body_as_the_function_that_says_the_same() {
+    let moments = Vector3::new(1.0, 1.7, 2.4);
+    let start = State {
+        attitude: UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1).into_inner(),
+        momentum: Vector3::new(0.5, 3.0, -0.4),
+    };
+    let [series, pair] = all_torques(moments).map(|torques| {
+        let system = System::with(moments.try_into().unwrap(), torques).unwrap();
+        [12.0, -3.0].map(|t| {
+            [1e-6, 1e-9, 1e-12]
+                .map(|tolerance| adaptive(&system, &start, t, tolerance, &mut 100_000).unwrap())
+        })
+    });
+    for (series, pair) in series.iter().zip(&pair) {
+        assert!(off(&series[2], &pair[2]) < 1e-10, "{:e}", off(&series[2], &pair[2]));
+        for (k, tolerance) in [1e-6, 1e-9].into_iter().enumerate() {
+            for one in [&series[k], &pair[k]] {
+                assert!(
+                    off(one, &series[2]) < 300.0 * tolerance,
+                    "{tolerance:e}: {:e}",
+                    off(one, &series[2])
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_run_forth_and_back_under_lossless_torques_returns_to_its_start() {
+    let torques = vec![
+        Torque::gravity(&Vector3::new(0.1, 0.0, 0.5), 4.0),
+        Torque::InWorld(Vector3::new(0.1, 0.2, 0.0)),
+        Torque::gravity_gradient(&Vector3::x(), &Vector3::new(0.0, 0.1, 0.5)),
+        Torque::during(1.3, 2.1, Torque::InBody(Vector3::new(0.5, -1.0, 0.3))),
+    ];
+    let system = System::with(PrincipalMoments::new(1.0, 1.5, 0.75).unwrap(), torques).unwrap();
+    let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.25, 0.75, 6.0) };
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 1.5, 0.75).unwrap(),
+        UnitQuaternion::identity(),
+        &system.omega(&start.momentum),
+    )
+    .unwrap();
+    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000).unwrap();
+    stepper = stepper.with_torques(system.torques().to_vec()).unwrap();
+    let there = stepper.step(4.0).unwrap();
+    let back = stepper.step(-4.0).unwrap();
+    assert!(off(&there, &start) > 0.1 && off(&back, &start) < 1e-11, "{:e}", off(&back, &start));
+}
+
+#[test]
+fn in_a_circular_orbit_the_energy_seen_in_the_turning_frame_stays() {
+    // T + 3/2 n² e.Ie - n.L, with e the direction to the earth and n the rate of the orbit.
+    let (moments, orbit) = (Vector3::new(10.0, 14.0, 20.0), Vector3::new(0.0, 0.0, 0.5));
+    let torque = Torque::gravity_gradient(&Vector3::x(), &orbit);
+    let system = System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
+    let start = State {
+        attitude: UnitQuaternion::from_euler_angles(0.1, 0.3, -0.2).into_inner(),
+        momentum: system.momentum(&Vector3::new(0.1, -0.2, 0.6)),
+    };
+    let jacobi = |state: &State<f64>, time: f64| {
+        let rotation = UnitQuaternion::from_quaternion(state.attitude);
+        let e = rotation.inverse() * Vector3::new((orbit.z * time).cos(), (orbit.z * time).sin(), 0.0);
+        let potential = 1.5 * orbit.norm_squared() * e.dot(&moments.component_mul(&e));
+        system.energy(state) + potential - orbit.dot(&(rotation * state.momentum))
+    };
+    let before = jacobi(&start, 0.0);
+    for time in [1.0, 30.0, -30.0] {
+        let end = adaptive(&system, &start, time, 1e-13, &mut 1000).unwrap();
+        assert!((jacobi(&end, time) / before - 1.0).abs() < 1e-11, "{time}");
+        assert!((system.energy(&end) / system.energy(&start) - 1.0).abs() > 1e-2);
+    }
+}
+
+#[test]
+fn a_thruster_acts_for_the_whole_of_its_time_and_no_longer() {
+    // Along the world's z on a sphere: the momentum in the world grows by torque times time, wherever the
+    // run begins and ends. A step over the switch by any smooth method misses it by a share of the step.
+    let push = Torque::during(0.1, 0.7, Torque::InWorld(Vector3::new(0.0, 0.0, 2.0)));
+    let system = System::with(PrincipalMoments::new(1.0, 1.7, 2.4).unwrap(), vec![push]).unwrap();
+    let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.5, 2.0, -0.4) };
+    let world = |state: &State<f64>| UnitQuaternion::from_quaternion(state.attitude) * state.momentum;
+    for (end, time) in [(0.05, 0.0), (0.3, 0.2), (0.7, 0.6), (5.0, 0.6), (-2.0, 0.0)] {
+        let there = adaptive(&system, &start, end, 1e-13, &mut 1000).unwrap();
+        let gained = world(&there) - start.momentum;
+        assert!((gained - Vector3::new(0.0, 0.0, 2.0 * time)).norm() < 1e-11, "{end}: {gained}");
+    }
+    let refused = System::with(
+        PrincipalMoments::new(1.0, 1.7, 2.4).unwrap(),
+        vec![Torque::during(2.0, 1.0, Torque::InBody(Vector3::x()))],
+    );
+    assert_eq!(refused.unwrap_err().kind(), ErrorKind::OutOfBounds);
+}
+
+fn tilted() -> Body {
+    let inertia = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let inertia = inertia.turned(UnitQuaternion::from_euler_angles(0.2, 0.1, -0.3)).unwrap();
+    let attitude = UnitQuaternion::from_euler_angles(1.0, 0.3, 0.2);
+    Body::spinning(inertia, attitude, &Vector3::new(0.4, 1.8, -0.3)).unwrap()
+}
+
+#[test]
+fn flips_of_a_free_body_in_steps_are_those_of_the_closed_form_forth_and_back() {
+    let body = tilted();
+    let exact = FreeMotion::of(&body).unwrap();
+    for end in [40.0, -40.0] {
+        let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 10_000).unwrap();
+        let flips = stepper.flips(end).unwrap();
+        let mut expected: Vec<f64> = exact.flips(f64::min(end, 0.0), f64::max(end, 0.0)).unwrap().collect();
+        if end < 0.0 {
+            expected.reverse();
+        }
+        assert!(expected.len() > 4 && flips.len() == expected.len(), "{flips:?} {expected:?}");
+        for (flip, expected) in flips.iter().zip(&expected) {
+            assert!((flip - expected).abs() < 1e-10, "{flip} {expected}");
+        }
+        assert_eq!(stepper.time(), end);
+    }
+    let mut by_function = Stepper::<f64>::adaptive(&body, 1e-9, 1000).unwrap();
+    by_function = by_function.with_torques([Torque::function(|_, _, w| -w)]).unwrap();
+    assert_eq!(by_function.flips(1.0).unwrap_err().kind(), ErrorKind::Undefined);
+    let mut fixed = Stepper::<f64>::new(&body, Method::Gauss6).unwrap();
+    assert_eq!(fixed.flips(1.0).unwrap_err().kind(), ErrorKind::Undefined);
+    assert_eq!(fixed.at(0.0).unwrap_err().kind(), ErrorKind::Undefined);
+}
+
+#[test]
+fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still() {
+    // A compass needle with its field and its moment along x swings about z, the middle axis: the spin
+    // changes its sign where the pendulum turns back, every half period from the first quarter on.
+    let (moment, pull, angle) = (2.0_f64, 3.0_f64, 1.2_f64);
+    let inertia = Inertia::from_moments(1.5, 2.6, moment).unwrap();
+    let attitude = UnitQuaternion::identity();
+    // Through the bottom with the spin that just reaches the angle.
+    let spin = 2.0 * (pull / moment).sqrt() * (0.5 * angle).sin();
+    let body = Body::spinning(inertia, attitude, &Vector3::new(0.0, 0.0, spin)).unwrap();
+    let (mut a, mut g) = (1.0_f64, (0.5 * angle).cos());
+    for _ in 0..6 {
+        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+    }
+    let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
+    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-14, 1000).unwrap();
+    stepper = stepper.with_torques([Torque::magnetic(&Vector3::x(), &(Vector3::x() * pull))]).unwrap();
+    let flips = stepper.flips(2.0 * period).unwrap();
+    let expected = [0.25, 0.75, 1.25, 1.75].map(|share| share * period);
+    assert_eq!(flips.len(), 4, "{flips:?}");
+    for (flip, expected) in flips.iter().zip(expected) {
+        assert!((flip - expected).abs() < 1e-12, "{flip} {expected}");
+    }
+}
+
+#[test]
+fn the_state_transition_of_a_free_body_in_steps_is_that_of_the_closed_form() {
+    let body = tilted();
+    let exact = FreeMotion::of(&body).unwrap();
+    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 10_000).unwrap();
+    let mut whole = Matrix6::identity();
+    for h in [1.7, 6.3, 4.0] {
+        whole = stepper.step_with_transition(h).unwrap() * whole;
+    }
+    let truth = exact.state_transition(12.0).unwrap();
+    assert!((whole - truth).norm() < 1e-10 * truth.norm(), "{:e}", (whole - truth).norm() / truth.norm());
+}
+
+#[test]
+fn the_state_transition_under_torques_is_the_limit_of_differences() {
+    let moments = Vector3::new(1.0, 1.7, 2.4);
+    let [named, _] = all_torques(moments);
+    let inertia = Inertia::from_moments(moments.x, moments.y, moments.z).unwrap();
+    let run = |v: Vector6<f64>| {
+        let attitude = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1)
+            * UnitQuaternion::from_scaled_axis(v.fixed_rows::<3>(0).into_owned());
+        let omega = Vector3::new(0.5, 1.9, -0.2) + v.fixed_rows::<3>(3);
+        let body = Body::spinning(inertia, attitude, &omega).unwrap();
+        let stepper = Stepper::<f64>::adaptive(&body, 1e-14, 10_000).unwrap();
+        let mut stepper = stepper.with_torques(named.clone()).unwrap();
+        (stepper.step_with_transition(2.0).unwrap(), stepper.body().unwrap())
+    };
+    let (transition, _) = run(Vector6::zeros());
+    for axis in 0..6 {
+        let mut by = Vector6::zeros();
+        by[axis] = 1e-4;
+        let ((_, ahead), (_, behind)) = (run(by), run(-by));
+        let turned = (behind.attitude().inverse() * ahead.attitude()).scaled_axis() / 2e-4;
+        let faster = (ahead.omega_body() - behind.omega_body()) / 2e-4;
+        let column = transition.column(axis);
+        let off = (turned - column.fixed_rows::<3>(0)).norm() + (faster - column.fixed_rows::<3>(3)).norm();
+        assert!(off < 1e-6 * column.norm(), "{axis}: {off:e}");
+    }
+}
