@@ -113,6 +113,10 @@ mod records {}
 mod notation {}
 
 #[cfg(doctest)]
+#[doc = include_str!("errata.md")]
+mod errata {}
+
+#[cfg(doctest)]
 #[doc = include_str!("references.md")]
 mod references {}
 

@@ -200,8 +200,8 @@ fn checked(folder: &Path, list: bool, mutants: bool) -> ExitCode {
 fn offences(folder: &Path, list: bool) -> Result<bool, String> {
     let report = guard::check(folder)?;
     if list {
-        for held in &report.held {
-            say!("{held}");
+        for line in report.held.iter().chain(&report.certainties) {
+            say!("{line}");
         }
     }
     for offence in &report.offences {

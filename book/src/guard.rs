@@ -15,6 +15,10 @@
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
+//! How certain a number is, the calls in its assertion show: `proven(x)` is exact, `enclosed(x)` an interval,
+//! all else is computed in floats. Where an assertion says a string again that the section's code asserts
+//! already, but of an exact number or an interval, the better one counts: see `certainty`.
+//!
 //! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so
 //! that no unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`,
 //! and a phrase may begin a sentence.
@@ -27,6 +31,7 @@
 //! factor, a matrix's zero) are a part of the formula, and counted. Quantities in words (`a twentieth`,
 //! `twice`, `ten radians a second`) are held like numbers; words that count are counted: see `words`.
 
+mod certainty;
 mod chapter;
 mod code;
 mod counts;
@@ -40,6 +45,7 @@ mod laws;
 mod mutants;
 mod offence;
 mod passage;
+mod phrase;
 mod spelled;
 
 use crate::{paths, preprocess};
@@ -59,6 +65,8 @@ pub(crate) struct Report {
     pub(crate) offences: Vec<Offence>,
     pub(crate) counts: Counts,
     pub(crate) equations: equations::Counts,
+    /// What the numbers of each chapter rest on.
+    pub(crate) certainties: Vec<String>,
     /// Each number, and each equation, with what holds it.
     pub(crate) held: Vec<String>,
 }
@@ -75,6 +83,7 @@ impl fmt::Display for Report {
             "held by: assertions {}, notes {}, facts {}, drawings {}; headings in order {}",
             c.by_assertion, c.by_note, c.by_fact, c.by_drawing, c.ordinals
         )?;
+        writeln!(f, "resting on: {}", c.by_certainty())?;
         writeln!(f, "not held: {} counting words, {} numbers inside formulas", c.counting, c.structural)?;
         let e = &self.equations;
         writeln!(
@@ -110,6 +119,7 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         offences: dropped.collect(),
         counts: Counts::default(),
         equations: equations::Counts::default(),
+        certainties: Vec::new(),
         held: Vec::new(),
     };
     for chapter in &book.chapters {
@@ -118,6 +128,9 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         report.held.extend(found.held);
         report.offences.extend(equations::offences(chapter, &mut report.equations, &mut report.held));
         report.counts.add(&found.counts);
+        if found.counts.all() > 0 {
+            report.certainties.push(format!("{}: {}", chapter.path, found.counts.by_certainty()));
+        }
     }
     Ok(report)
 }

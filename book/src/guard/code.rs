@@ -1,9 +1,11 @@
 //! Reads the Rust of a block: which phrases it holds, and which literals its assertions stand on.
 
+use super::certainty::{Certainty, laundering, rests_on};
 use super::digits;
 use super::hollow::{is_literal, prints_own_digits, wraps};
 use super::spelled;
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
+use std::collections::HashMap;
 use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
 use syn::visit::Visit;
@@ -30,16 +32,18 @@ pub(crate) struct Phrase {
     /// end.
     pub(crate) asserted: bool,
     pub(crate) line: usize,
+    /// What the assertion rests on; of an input's note, that it is given.
+    pub(crate) certainty: Certainty,
 }
 
 impl Phrase {
-    fn new(text: &str, asserted: bool, line: usize) -> Self {
+    fn new(text: &str, asserted: bool, line: usize, certainty: Certainty) -> Self {
         let text = text.replace('\u{2212}', "-");
         let mut first = text.clone();
         if let Some(letter) = first.get_mut(..1) {
             letter.make_ascii_uppercase();
         }
-        Self { text, first, asserted, line }
+        Self { text, first, asserted, line, certainty }
     }
 }
 
@@ -82,14 +86,21 @@ pub(crate) fn read(text: &str) -> Result<Code, Fault> {
     shallow(text)?;
     let statements = syn::Block::parse_within.parse_str(text).map_err(|e| fault(&e))?;
     let tokens: TokenStream = text.parse().map_err(|e: proc_macro2::LexError| fault(&e.into()))?;
-    let mut reader =
-        Reader { lines: text.lines().collect(), code: Code::default(), fault: None, branches: 0 };
+    let mut reader = Reader {
+        lines: text.lines().collect(),
+        code: Code::default(),
+        fault: None,
+        branches: 0,
+        claimed: HashMap::new(),
+    };
     for statement in &statements {
         reader.visit_stmt(statement);
     }
     if let Some(e) = reader.fault {
         return Err(fault(&e));
     }
+    let floats = laundering(&statements).into_iter();
+    reader.code.hollow.extend(floats.map(|(line, found)| (line, found, EXACT)));
     let mut literals = Vec::new();
     reader.literals(tokens, &mut literals);
     let comments = comments(text, &literals);
@@ -157,6 +168,8 @@ struct Reader<'a> {
     fault: Option<syn::Error>,
     /// How many branches surround this, which may never be taken.
     branches: usize,
+    /// The lines of assertions, and what they rest on.
+    claimed: HashMap<usize, Certainty>,
 }
 
 impl<'a> Reader<'a> {
@@ -212,7 +225,8 @@ impl<'a> Reader<'a> {
                     let found = format!("`{wrong}` in a note");
                     self.code.hollow.push((at.line, found, "a literal of its line of code"));
                 } else if !(numbers.is_empty() && words.is_empty()) {
-                    self.code.phrases.push(Phrase::new(phrase, false, at.line));
+                    let certainty = self.claimed.get(&at.line).copied().unwrap_or(Certainty::Given);
+                    self.code.phrases.push(Phrase::new(phrase, false, at.line, certainty));
                 }
             }
         }
@@ -234,15 +248,15 @@ impl<'a> Reader<'a> {
     }
 
     /// One side of `assert_eq!`: strings with numbers are what the text must repeat.
-    fn expected(&mut self, expr: &Expr) {
+    fn expected(&mut self, expr: &Expr, certainty: Certainty) {
         match expr {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
-                let phrase = Phrase::new(&text.value(), true, at.line);
+                let phrase = Phrase::new(&text.value(), true, at.line, certainty);
                 self.code.phrases.extend(Some(phrase).filter(|p| !digits::plain(&p.text).is_empty()));
             }
-            Expr::Array(array) => array.elems.iter().for_each(|e| self.expected(e)),
-            Expr::Reference(inner) => self.expected(&inner.expr),
+            Expr::Array(array) => array.elems.iter().for_each(|e| self.expected(e, certainty)),
+            Expr::Reference(inner) => self.expected(&inner.expr, certainty),
             _ => {}
         }
     }
@@ -309,6 +323,8 @@ impl<'a> Reader<'a> {
 
 /// What an assertion should be.
 const COMPUTED: &str = "a computed value compared with what it must be";
+/// Where a number may come from that is called exact.
+const EXACT: &str = "the proofs' own `enclosed`, `proven` and `given!`, and no float that becomes exact";
 
 impl<'ast> Visit<'ast> for Reader<'_> {
     fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
@@ -334,10 +350,19 @@ impl<'ast> Visit<'ast> for Reader<'_> {
             }
         };
         let line = mac.path.segments.first().map_or(0, |s| s.ident.span().start().line.saturating_sub(1));
-        let mut hollow = |why: &str| self.code.hollow.push((line, why.to_owned(), COMPUTED));
         if name.starts_with("assert") && self.branches > 0 {
-            hollow("an assertion inside a branch, which may never be taken");
+            let why = "an assertion inside a branch, which may never be taken";
+            self.code.hollow.push((line, why.to_owned(), COMPUTED));
         }
+        // Of literals alone nothing is claimed.
+        let sides = arguments.iter().take(if name == "assert" { 1 } else { 2 });
+        let weakest = sides.map(rests_on).min().filter(|c| *c != Certainty::Given);
+        let certainty = weakest.unwrap_or(Certainty::Asserted);
+        if name.starts_with("assert") {
+            let end = mac.delimiter.span().close().end().line.saturating_sub(1);
+            self.claimed.extend((line..=end).map(|line| (line, certainty)));
+        }
+        let mut hollow = |why: &str| self.code.hollow.push((line, why.to_owned(), COMPUTED));
         let mut rest = arguments.iter();
         match name.as_str() {
             "assert_eq" => {
@@ -349,7 +374,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
                     hollow("digits in the pattern of a format, which nothing computes");
                 }
                 for side in sides {
-                    self.expected(side);
+                    self.expected(side, certainty);
                     self.compared(side, Role::Expected);
                 }
             }

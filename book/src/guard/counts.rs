@@ -1,5 +1,6 @@
 //! How many numbers a chapter has.
 
+use super::certainty::Certainty;
 use std::collections::HashMap;
 
 /// How many numbers there are, by where they stand and by what holds them.
@@ -7,6 +8,8 @@ use std::collections::HashMap;
 pub(crate) struct Counts {
     /// By the kind of place.
     pub(crate) places: HashMap<&'static str, usize>,
+    /// By what they rest on.
+    pub(crate) certainty: HashMap<Certainty, usize>,
     pub(crate) by_assertion: usize,
     /// By the note of a literal.
     pub(crate) by_note: usize,
@@ -25,6 +28,9 @@ impl Counts {
         for (place, count) in &other.places {
             *self.places.entry(place).or_default() += count;
         }
+        for (certainty, count) in &other.certainty {
+            *self.certainty.entry(*certainty).or_default() += count;
+        }
         for (mine, others) in [
             (&mut self.by_assertion, other.by_assertion),
             (&mut self.by_note, other.by_note),
@@ -36,6 +42,12 @@ impl Counts {
         ] {
             *mine += others;
         }
+    }
+
+    /// How many rest on each, the most certain first.
+    pub(crate) fn by_certainty(&self) -> String {
+        let count = |c: Certainty| format!("{c} {}", self.certainty.get(&c).copied().unwrap_or(0));
+        Certainty::ALL.map(count).join(", ")
     }
 
     /// All numbers and quantities in words that must be held.

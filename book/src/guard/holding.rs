@@ -1,5 +1,6 @@
 //! Holds each number of a chapter to a phrase that stands in its section's code.
 
+use super::certainty::Certainty;
 use super::chapter::{Chapter, Section};
 use super::code::Role;
 use super::counts::Counts;
@@ -7,6 +8,7 @@ use super::digits::{self, Numeral};
 use super::facts::Fact;
 use super::offence::Offence;
 use super::passage::{Kind, Passage};
+use super::phrase::{Phrase, nearest, strengthened};
 use super::spelled;
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -49,38 +51,11 @@ pub(crate) struct Findings {
     pub(crate) held: Vec<String>,
 }
 
-/// Words with numbers in a section's code.
-struct Phrase<'a> {
-    text: &'a str,
-    /// The same as a sentence begins.
-    first: &'a str,
-    asserted: bool,
-    /// Its line in the chapter's file.
-    line: usize,
-    /// Where the text says it first.
-    said: Cell<Option<usize>>,
-}
-
-impl Phrase<'_> {
-    fn is_row(&self) -> bool {
-        self.text.starts_with('|')
-    }
-
-    /// Where the passage says it: a row as a whole, other phrases anywhere.
-    fn quotations<'b>(&'b self, text: &'b str) -> impl Iterator<Item = Range<usize>> + 'b {
-        let row = (self.is_row() && text.trim() == self.text).then_some(0..text.len());
-        let phrase = (!self.is_row()).then_some(self.text);
-        let first = phrase.and(Some(self.first).filter(|first| *first != self.text));
-        let words = phrase.into_iter().chain(first);
-        row.into_iter().chain(words.flat_map(|words| digits::quotations(text, words)))
-    }
-}
-
 /// What holds a number.
 #[derive(Debug, Clone, Copy)]
 enum Holder {
-    Assertion(usize),
-    Note(usize),
+    Assertion(usize, Certainty),
+    Note(usize, Certainty),
     Fact,
     Drawing,
 }
@@ -135,6 +110,7 @@ impl Checker<'_> {
                 text: &phrase.text,
                 first: &phrase.first,
                 asserted: phrase.asserted,
+                certainty: phrase.certainty,
                 line: self.chapter.line(block.source(phrase.line, 0)),
                 said: Cell::new(None),
             }));
@@ -147,6 +123,7 @@ impl Checker<'_> {
             });
             self.found.claims.extend(claims);
         }
+        let phrases = strengthened(phrases);
         for passage in &section.passages {
             self.passage(passage, &phrases);
         }
@@ -204,7 +181,12 @@ impl Checker<'_> {
             self.place(WORDS, passage, &word.at);
         }
         if passage.kind == Kind::Note {
-            self.found.counts.by_note += numbers.len() + words.len(); // the code's reader holds them
+            // The code's reader holds them.
+            let line = self.chapter.line(passage.source(0));
+            let own = phrases.iter().find(|p| p.line == line && !p.asserted);
+            let certainty = own.map_or(Certainty::Given, |p| p.certainty);
+            self.found.counts.by_note += numbers.len() + words.len();
+            *self.found.counts.certainty.entry(certainty).or_default() += numbers.len() + words.len();
             return;
         }
         if numbers.is_empty() && words.is_empty() {
@@ -264,7 +246,8 @@ impl Checker<'_> {
                     phrase.said.set(Some(passage.source(at.start)));
                 }
                 let line = phrase.line;
-                found.push((at, if phrase.asserted { Holder::Assertion(line) } else { Holder::Note(line) }));
+                let holder = if phrase.asserted { Holder::Assertion } else { Holder::Note };
+                found.push((at, holder(line, phrase.certainty)));
             }
         }
         found
@@ -279,15 +262,21 @@ impl Checker<'_> {
         holder: Option<Holder>,
         phrases: &[Phrase<'_>],
     ) {
+        // What a drawing says, an assertion of the section may say too.
+        let says = |p: &&Phrase<'_>| digits::quotations(p.text, own).next().is_some();
+        let also = phrases.iter().filter(says).map(|p| p.certainty).reduce(Certainty::with);
+        let also = also.unwrap_or(Certainty::Drawn);
         let counts = &mut self.found.counts;
         let place = passage.source(at.start);
-        let (count, name) = match holder {
-            Some(Holder::Assertion(line)) => {
-                (&mut counts.by_assertion, format!("the assertion in line {line}"))
+        let (count, name, certainty) = match holder {
+            Some(Holder::Assertion(line, certainty)) => {
+                (&mut counts.by_assertion, format!("the assertion in line {line}"), certainty)
             }
-            Some(Holder::Note(line)) => (&mut counts.by_note, format!("the note in line {line}")),
-            Some(Holder::Fact) => (&mut counts.by_fact, "a fact".into()),
-            Some(Holder::Drawing) => (&mut counts.by_drawing, "the drawing".into()),
+            Some(Holder::Note(line, certainty)) => {
+                (&mut counts.by_note, format!("the note in line {line}"), certainty)
+            }
+            Some(Holder::Fact) => (&mut counts.by_fact, "a fact".into(), Certainty::Fact),
+            Some(Holder::Drawing) => (&mut counts.by_drawing, "the drawing".into(), also),
             None if passage.kind == Kind::Alt => {
                 let figure = passage.figure.as_deref().unwrap_or("?");
                 let expected = format!("it in the description inside the drawing `{figure}`, in this order");
@@ -300,8 +289,9 @@ impl Checker<'_> {
             }
         };
         *count += 1;
+        *counts.certainty.entry(certainty).or_default() += 1;
         let (file, line) = (&self.chapter.path, self.chapter.line(place));
-        self.found.held.push(format!("{file}:{line}: `{own}`: {name}"));
+        self.found.held.push(format!("{file}:{line}: `{own}`: {name}: {certainty}"));
     }
 
     /// `1. The first` and so on: the numbers before headings of one level count up from one.
@@ -357,21 +347,4 @@ fn name(kind: Kind) -> &'static str {
         Kind::Comment | Kind::Note => "comment",
         Kind::Prose | Kind::Heading(_) => "prose",
     }
-}
-
-/// The phrase that is most like these words: that begins and ends as they do.
-fn nearest(phrases: &[Phrase<'_>], own: &str) -> String {
-    let alike = |phrase: &&Phrase<'_>| {
-        let (a, b) = (own.bytes(), phrase.text.bytes());
-        let begin = a.clone().zip(b.clone()).take_while(|(a, b)| a == b).count();
-        let end = a.rev().zip(b.rev()).take_while(|(a, b)| a == b).count();
-        (begin + end, std::cmp::Reverse(phrase.text.len()))
-    };
-    phrases.iter().max_by_key(alike).map_or_else(
-        || "a Rust block in this section that asserts it".into(),
-        |near| {
-            let (text, line) = (near.text, near.line);
-            format!("words that the section's code asserts or notes; nearest is `{text}` in line {line}")
-        },
-    )
 }

@@ -46,6 +46,9 @@ pub(super) fn is_literal(expr: &Expr) -> bool {
 /// Whether the pattern of this format has digits of its own, which nothing computes.
 pub(super) fn prints_own_digits(expr: &Expr) -> bool {
     let Expr::Macro(inner) = expr else { return false };
+    if inner.mac.path.is_ident("given") {
+        return false; // a number, and no pattern
+    }
     let Some(TokenTree::Literal(pattern)) = inner.mac.tokens.clone().into_iter().next() else { return false };
     let pattern = pattern.to_string().replace("{{", "").replace("}}", "");
     let outside = pattern.split('}').map(|piece| piece.split('{').next().unwrap_or_default());

@@ -20,6 +20,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod certificates;
+mod certain;
 mod number;
 mod proofs;
 mod record;
@@ -27,11 +28,14 @@ mod region;
 
 pub mod counted;
 pub mod equations;
+pub mod interval;
 pub mod proof;
 pub mod symbols;
 pub mod tex;
 
 pub use certificates::{Certificate, certificates};
+pub use certain::{Exact, enclosed, proven};
+pub use interval::Interval;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use number::{

@@ -3,6 +3,7 @@
 pub(crate) mod closed_forms;
 mod conserved;
 pub mod engines;
+mod errata;
 mod euler;
 mod gap;
 mod inertia;
@@ -18,7 +19,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 12] = [
+    let parts: [&[Proof]; 13] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -31,6 +32,7 @@ pub fn proofs() -> Vec<&'static Proof> {
         order::PROOFS,
         methods::PROOFS,
         position_stage::PROOFS,
+        errata::PROOFS,
     ];
     parts.into_iter().flatten().collect()
 }

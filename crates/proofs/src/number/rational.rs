@@ -78,6 +78,14 @@ impl Rational {
         Some(value.into())
     }
 
+    /// A literal of Rust, for [`given!`](crate::given): undefined if it is no decimal.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_literal(text: &str) -> Self {
+        let plain: String = text.chars().filter(|c| !matches!(c, '_' | ' ')).collect();
+        Self::of_decimal(plain.trim_end_matches('.')).unwrap_or(Self(None))
+    }
+
     /// Whether a division by zero stands behind it.
     #[must_use]
     pub fn is_undefined(&self) -> bool {
@@ -182,13 +190,30 @@ impl PartialOrd for Rational {
     }
 }
 
+/// As a fraction, `3/23`; with a precision as a decimal, `0.1304`, rounded to the nearest, half to even.
 impl fmt::Display for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.value() {
-            Some(value) => write!(f, "{value}"),
-            None => f.write_str("undefined"),
+        match (self.value(), f.precision()) {
+            (Some(value), Some(digits)) => f.write_str(&decimal(value, digits)),
+            (Some(value), None) => write!(f, "{value}"),
+            (None, _) => f.write_str("undefined"),
         }
     }
+}
+
+/// With this many decimals; zero has no sign.
+fn decimal(value: &BigRational, digits: usize) -> String {
+    let scale = (0..digits).fold(BigInt::one(), |power, _| power * 10);
+    let (numerator, denominator) = (value.numer().abs() * scale, value.denom());
+    let (mut whole, left) = (&numerator / denominator, &numerator % denominator);
+    let twice = left * 2;
+    if twice > *denominator || (twice == *denominator && (&whole % 2) == BigInt::one()) {
+        whole += 1;
+    }
+    let sign = if value.is_negative() && !whole.is_zero() { "-" } else { "" };
+    let all = format!("{whole:0>width$}", width = digits + 1, whole = whole.to_string());
+    let (before, after) = all.split_at(all.len() - digits);
+    if digits == 0 { format!("{sign}{before}") } else { format!("{sign}{before}.{after}") }
 }
 
 impl Tex for Rational {

@@ -1,0 +1,191 @@
+//! Intervals with floats for ends, rounded outward: what they are asked about a real number is a theorem.
+//!
+//! An [`Interval`] stands for one real number that lies in it. Every operation gives an interval in which its
+//! exact result lies, whatever the numbers in the operands are. So the library's generic laws, run on
+//! intervals, enclose what they would give in exact arithmetic; square roots, sines and elliptic functions
+//! are enclosed by series with a bound of their rest.
+//!
+//! A float does not become an interval: a number enters as a literal ([`given!`](crate::given)) or as an
+//! exact fraction, so that no rounded result can pass for a real number. Printed to some digits, an interval
+//! gives the digits of the number if they are certain, and otherwise its two ends.
+//!
+//! ```
+//! use tumbling_proofs::{Interval, given};
+//! let root = given!(Interval: 2).sqrt();
+//! assert_eq!(format!("{root:.10}"), "1.4142135624");
+//! let coarse = given!(Interval: 0.14).hull(given!(0.16));
+//! assert_eq!(format!("{coarse:.1}"), "[0.1, 0.2]");
+//! ```
+
+mod arithmetic;
+pub mod elliptic;
+mod functions;
+pub mod geometry;
+pub mod motion;
+#[cfg(test)]
+mod tests;
+
+use crate::Rational;
+use std::cmp::Ordering;
+use std::fmt;
+
+/// A closed interval of real numbers, see [`interval`](self). Where nothing is known, all of them.
+#[derive(Debug, Clone, Copy)]
+pub struct Interval {
+    low: f64,
+    high: f64,
+}
+
+impl Interval {
+    /// All real numbers: what is known of a quotient by an interval with zero in it.
+    pub const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
+
+    /// The ratio of a circle to its diameter, between two neighbouring floats.
+    ///
+    /// ```
+    /// use tumbling_proofs::Interval;
+    /// // Machin: pi/4 = 4 arctan(1/5) - arctan(1/239).
+    /// use tumbling_proofs::given;
+    /// let [a, b]: [Interval; 2] = [given!(0.2), Interval::from(tumbling_proofs::Rational::new(1, 239))];
+    /// let four = given!(Interval: 4);
+    /// assert!((four * (four * a.atan() - b.atan()) - Interval::PI).has_zero());
+    /// ```
+    pub const PI: Self = Self { low: std::f64::consts::PI, high: std::f64::consts::PI.next_up() };
+
+    /// The lower end.
+    #[must_use]
+    pub const fn low(self) -> f64 {
+        self.low
+    }
+
+    /// The upper end.
+    #[must_use]
+    pub const fn high(self) -> f64 {
+        self.high
+    }
+
+    /// How far the ends are apart.
+    #[must_use]
+    pub fn width(self) -> f64 {
+        self.high - self.low
+    }
+
+    /// Whether zero lies in it.
+    #[must_use]
+    pub fn has_zero(self) -> bool {
+        self.low <= 0.0 && self.high >= 0.0
+    }
+
+    /// Whether this exact number lies in it.
+    #[must_use]
+    pub fn contains(self, number: &Rational) -> bool {
+        let above = self.low == f64::NEG_INFINITY || Rational::of_f64(self.low) <= *number;
+        above && (self.high == f64::INFINITY || Rational::of_f64(self.high) >= *number)
+    }
+
+    /// The smallest interval that contains both.
+    #[must_use]
+    pub fn hull(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The part between these bounds, of a number that is known to lie there; the bounds where none is left.
+    fn clamped(self, low: f64, high: f64) -> Self {
+        if self.high < low || self.low > high {
+            return Self { low, high };
+        }
+        Self { low: self.low.max(low), high: self.high.min(high) }
+    }
+
+    /// The part that is not below zero, of a number that is known not to be.
+    #[must_use]
+    pub fn not_negative(self) -> Self {
+        self.clamped(0.0, f64::INFINITY)
+    }
+
+    /// Without its sign.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        if self.low >= 0.0 {
+            self
+        } else if self.high <= 0.0 {
+            -self
+        } else {
+            Self { low: 0.0, high: self.high.max(-self.low) }
+        }
+    }
+
+    /// The float in it, if there is only one number in it.
+    fn point(self) -> Option<f64> {
+        (self.low == self.high).then_some(self.low)
+    }
+}
+
+/// The exact fraction if a float has its value, and otherwise the two floats around it.
+impl From<Rational> for Interval {
+    fn from(number: Rational) -> Self {
+        let near = number.to_f64();
+        if !near.is_finite() {
+            return Self::ALL;
+        }
+        let (mut low, mut high) = (near, near);
+        while low > f64::NEG_INFINITY && Rational::of_f64(low) > number {
+            low = low.next_down();
+        }
+        while high < f64::INFINITY && Rational::of_f64(high) < number {
+            high = high.next_up();
+        }
+        Self { low, high }
+    }
+}
+
+/// Whether it is certain: two intervals are equal if each has one number in it, and the same.
+impl PartialEq for Interval {
+    fn eq(&self, other: &Self) -> bool {
+        self.point().is_some() && self.point() == other.point()
+    }
+}
+
+/// What is certain of any two numbers in them; nothing where they overlap.
+impl PartialOrd for Interval {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        if self.high < other.low {
+            Some(Ordering::Less)
+        } else if self.low > other.high {
+            Some(Ordering::Greater)
+        } else {
+            (self == other).then_some(Ordering::Equal)
+        }
+    }
+}
+
+/// The digits that all numbers in it round to, or the two ends.
+fn certain(f: &mut fmt::Formatter<'_>, low: &str, high: &str) -> fmt::Result {
+    // Zero has no sign, from whichever side it is rounded.
+    let plain = |end: &str| {
+        let zero = end.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+        end.trim_start_matches(|c| zero && c == '-').to_owned()
+    };
+    let (low, high) = (plain(low), plain(high));
+    if low == high { f.write_str(&low) } else { write!(f, "[{low}, {high}]") }
+}
+
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let print = |end: f64| match f.precision() {
+            Some(digits) => format!("{end:.digits$}"),
+            None => end.to_string(),
+        };
+        certain(f, &print(self.low), &print(self.high))
+    }
+}
+
+impl fmt::LowerExp for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let print = |end: f64| match f.precision() {
+            Some(digits) => format!("{end:.digits$e}"),
+            None => format!("{end:e}"),
+        };
+        certain(f, &print(self.low), &print(self.high))
+    }
+}

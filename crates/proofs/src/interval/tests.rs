@@ -1,0 +1,207 @@
+//! Intervals against exact fractions, identities and the library's closed form.
+
+use super::elliptic::jacobi;
+use super::geometry::{about_z, angle, axis_of, smallest_moment};
+use super::motion::FreeMotion;
+use super::*;
+use crate::given;
+use nalgebra::{Matrix3, Vector3};
+use num_traits::{One, Zero};
+use proptest::prelude::*;
+use tumbling::PrincipalMoments;
+use tumbling::number::Ring;
+
+fn exact(x: f64) -> Rational {
+    Rational::of_f64(x)
+}
+
+fn point(x: f64) -> Interval {
+    exact(x).into()
+}
+
+/// Floats of every size, subnormal ones too, and whole numbers.
+fn float() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        (-1.0..1.0_f64, -40..40_i32).prop_map(|(x, power)| x * 2_f64.powi(power)),
+        (-1.0..1.0_f64, -1070..1000_i32).prop_map(|(x, power)| x * 2_f64.powi(power)),
+        (-9..9_i32).prop_map(f64::from),
+    ]
+}
+
+/// Two ends in order.
+fn interval() -> impl Strategy<Value = Interval> {
+    (float(), float()).prop_map(|(a, b)| point(a).hull(point(b)))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn sums_products_and_quotients_contain_the_exact_fraction(a in float(), b in float()) {
+        let (x, y) = (point(a), point(b));
+        prop_assert!((x + y).contains(&(exact(a) + exact(b))));
+        prop_assert!((x - y).contains(&(exact(a) - exact(b))));
+        prop_assert!((x * y).contains(&(exact(a) * exact(b))));
+        prop_assert!(x.square().contains(&(exact(a) * exact(a))) && x.square().low() >= 0.0);
+        if b != 0.0 {
+            prop_assert!((x / y).contains(&(exact(a) / exact(b))));
+        }
+    }
+
+    #[test]
+    fn an_operation_on_floats_is_off_by_one_float_at_most(a in 0.1..1e9_f64, b in -1e9..-0.1_f64) {
+        for result in [point(a) + point(b), point(a) * point(b), point(a) / point(b), point(a).sqrt()] {
+            prop_assert!(result.high() <= result.low().next_up());
+        }
+    }
+
+    #[test]
+    fn what_lies_in_the_operands_lies_in_the_result(a in interval(), b in interval(), s in 0.0..1.0, t in 0.0..1.0) {
+        let within = |x: Interval, share: f64| (x.low() + share * (x.high() - x.low())).clamp(x.low(), x.high());
+        let (p, q) = (within(a, s), within(b, t));
+        prop_assert!((a + b).contains(&(exact(p) + exact(q))));
+        prop_assert!((a * b).contains(&(exact(p) * exact(q))));
+        if !b.has_zero() {
+            prop_assert!((a / b).contains(&(exact(p) / exact(q))));
+        }
+        prop_assert!(a.abs().contains(&exact(p.abs())) && a.square().contains(&(exact(p) * exact(p))));
+    }
+
+    #[test]
+    fn a_root_lies_between_floats_whose_squares_surround_it(x in 0.0..1e300_f64) {
+        let root = point(x).sqrt();
+        prop_assert!(exact(root.low()) * exact(root.low()) <= exact(x));
+        prop_assert!(exact(root.high()) * exact(root.high()) >= exact(x));
+    }
+
+    #[test]
+    fn functions_obey_their_addition_theorems_narrowly(a in -30.0..30.0_f64, b in 0.01..30.0_f64) {
+        let (x, y) = (point(a), point(b));
+        let ((s, c), (t, d)) = (x.sin_cos(), y.sin_cos());
+        let (sine, cosine) = (x + y).sin_cos();
+        prop_assert!((sine - (s * d + c * t)).has_zero() && (cosine - (c * d - s * t)).has_zero());
+        prop_assert!((s.square() + c.square() - Interval::one()).has_zero() && s.width() < 1e-13);
+        let logarithm = y.ln() + (y.square() + Interval::one()).ln();
+        let both = (y * (y.square() + Interval::one())).ln();
+        prop_assert!((logarithm - both).has_zero() && both.width() < 1e-13);
+        // arctan(b) + arctan(1/b) is a right angle; the arctangent of a quotient is the angle.
+        let right = y.atan() + (Interval::one() / y).atan();
+        prop_assert!((right * given!(2) - Interval::PI).has_zero() && right.width() < 1e-13);
+        prop_assert!((t.atan2(d) - y).has_zero() || b > 3.0);
+        prop_assert!((d.acos() - y).has_zero() || b > 3.0);
+    }
+
+    #[test]
+    fn jacobis_functions_obey_their_identities(u in -9.0..9.0_f64, k in 0.01..0.999_f64) {
+        let complement = (Interval::one() - point(k).square()).sqrt();
+        let (sn, cn, dn) = jacobi(point(u), complement);
+        let one = Interval::one();
+        prop_assert!((sn.square() + cn.square() - one).has_zero());
+        prop_assert!((dn.square() + point(k).square() * sn.square() - one).has_zero());
+        prop_assert!(sn.width() < 1e-10);
+        // At the quarter period and at the half one.
+        let quarter = super::elliptic::quarter_period(complement, complement.ln());
+        let (at_quarter, zero, least) = jacobi(quarter, complement);
+        prop_assert!((at_quarter - one).has_zero() && zero.has_zero() && (least - complement).has_zero());
+        // The argument doubled, by the addition theorem.
+        let (double, ..) = jacobi(point(u) + point(u), complement);
+        let below = one - point(k).square() * sn.square().square();
+        prop_assert!((double * below - sn * cn * dn * given!(2)).has_zero());
+    }
+}
+
+/// A body, a spin and a time, without symmetry.
+fn tumble() -> impl Strategy<Value = ([f64; 3], [f64; 3], f64)> {
+    let moments = (1.0..1.6_f64, 1.7..2.2_f64, 2.3..2.6_f64, 0..3_usize).prop_map(|(a, b, c, turn)| {
+        let mut moments = [a, b, c];
+        moments.rotate_left(turn);
+        moments
+    });
+    (moments, prop::array::uniform3(-4.0..4.0_f64), 0.0..9.0_f64)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
+
+    /// Two ways that share nothing: theta functions in floats, and Gauss's transformation in intervals.
+    #[test]
+    fn the_librarys_closed_form_lies_in_the_enclosure((moments, omega, t) in tumble()) {
+        let enclosed = FreeMotion::new(&moments.map(point).into(), &omega.map(point).into());
+        prop_assume!(enclosed.is_some());
+        let enclosed = enclosed.unwrap();
+        let moments = PrincipalMoments::new(moments[0], moments[1], moments[2]).unwrap();
+        let ours = tumbling::exact::FreeMotion::new(moments, &omega.into()).unwrap();
+        let near = |x: Interval, y: f64, bound: f64| {
+            let off = (x - point(y)).abs();
+            off.low() <= bound && x.width() <= 1e-6
+        };
+        let (spin, seen) = (ours.omega(t).unwrap(), enclosed.omega(point(t)));
+        prop_assert!((0..3).all(|i| near(seen[i], spin[i], 1e-12)), "{spin} {seen:?}");
+        let flips: Vec<f64> = ours.flips(0.0, 1e3).unwrap().take(3).collect();
+        for (number, flip) in flips.iter().enumerate() {
+            let seen = enclosed.flip(u32::try_from(number).unwrap());
+            prop_assert!(near(seen, *flip, 1e-11 * (1.0 + flip)), "{number}: {flip} {seen:?}");
+        }
+    }
+}
+
+#[test]
+fn a_motion_on_the_border_is_left_open() {
+    let moments = Vector3::new(given!(5), given!(10), given!(13));
+    let spin = |x, y, z| FreeMotion::new(&moments, &Vector3::new(x, y, z));
+    assert!(spin(given!(0), given!(1), given!(0)).is_none(), "steady");
+    let even = Vector3::new(given!(5), given!(5), given!(9));
+    assert!(FreeMotion::new(&even, &Vector3::new(given!(1), given!(2), given!(3))).is_none());
+    assert!(spin(Interval::ALL, given!(1), given!(0)).is_none());
+}
+
+#[test]
+fn numbers_are_printed_only_as_far_as_they_are_certain() {
+    let [a, b]: [Interval; 2] = [given!(0.6449), given!(0.6451)];
+    assert_eq!(format!("{:.2}", a), "0.64");
+    assert_eq!(format!("{:.2}", a.hull(b)), "[0.64, 0.65]");
+    assert_eq!(format!("{:.1}", given!(Interval: -0.01).hull(given!(0.01))), "0.0");
+    assert_eq!(format!("{:.0e}", given!(Interval: 3.0000001e-13)), "3e-13");
+    assert_eq!(format!("{:.1}", Interval::ALL), "[-inf, inf]");
+    assert!(a < b && a.hull(b).partial_cmp(&b).is_none() && a != a.hull(b));
+}
+
+#[test]
+fn fractions_are_printed_as_decimals_to_the_nearest() {
+    let printed = |n: i64, d: i64, digits: usize| format!("{:.digits$}", Rational::new(n, d));
+    assert_eq!(printed(10, 12, 3), "0.833");
+    assert_eq!(printed(-1, 8, 3), "-0.125");
+    assert_eq!(printed(-1, 8, 2), "-0.12");
+    assert_eq!(printed(3, 8, 2), "0.38");
+    assert_eq!(printed(-1, 1000, 2), "0.00");
+    assert_eq!(printed(5000, 3, 0), "1667");
+    assert_eq!(printed(1, 0, 1), "undefined");
+    assert_eq!(Rational::new(3, 23).to_string(), "3/23");
+}
+
+#[test]
+fn the_easiest_axis_of_a_turned_tensor_is_turned_with_it() {
+    let turn = about_z(given!(Interval: 20).to_radians());
+    let moments: Vector3<Interval> = Vector3::new(given!(2), given!(3), given!(4));
+    let tensor = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
+    let least = smallest_moment(&tensor);
+    assert!(least.contains(&Rational::from(2)) && least.width() < 1e-12);
+    let tilted = Matrix3::new(4, 1, 0, 1, 5, 1, 0, 1, 7).map(|n: i64| Interval::from(Rational::from(n)));
+    let axis = axis_of(&tilted, smallest_moment(&tilted));
+    assert!(angle(&axis, &(tilted * axis)).high() < 1e-9, "it is an eigenvector");
+    assert_eq!(smallest_moment(&tensor.map(|_| Interval::ALL)).width(), f64::INFINITY);
+}
+
+#[test]
+fn the_smallest_float_has_a_logarithm() {
+    let powers = given!(Interval: 2).ln() * given!(-1074);
+    let least = point(f64::from_bits(1)).ln();
+    assert!((least - powers).has_zero() && least.width() < 1e-11, "{least:?}");
+}
+
+#[test]
+fn whole_numbers_stay_points() {
+    assert_eq!(Interval::integer(12), given!(12));
+    assert_eq!(Interval::zero() * Interval::ALL.clamped(-1.0, 1.0), Interval::zero());
+    assert_eq!(given!(Interval: 7) * given!(6) / given!(21), given!(2));
+}
