@@ -7,21 +7,31 @@ use tumbling_measure::atlas::{Fate, Precision, Row, recorded};
 const DIRECTIVE: &str = "{{#atlas}}";
 
 /// Each chart of the record, what it is called, and what its columns are.
-const CHARTS: [(&str, &str, &str); 6] = [
+const CHARTS: [(&str, &str, &str); 13] = [
     ("steady spin", "a stable spin", "turn in a step, rad"),
     ("flipping", "a body that flips", "turn in a step, rad"),
     ("needles", "needles", "largest over smallest moment"),
     ("pushes", "three flips after a push", "push, rad/s, on a spin of 10 rad/s"),
     ("damping", "damping", "damping times step over inertia"),
     ("named", "odd bodies and far scales", "case"),
+    ("drag", "uneven drag", "loss a second, on the third axis half as much again"),
+    ("one axis", "drag on one axis", "loss a second of the spin about it"),
+    ("weight", "a weight", "its energy over the spin's"),
+    ("shapes", "needles, strips and plates with a weight", "case"),
+    ("stop", "brought to rest, and from rest", "case"),
+    ("resonance", "a push to and fro", "frequency over that of the wobble"),
+    ("blow", "a blow of the same impulse", "how long it lasts, s"),
 ];
 
 /// What each fate means, in a sentence that follows a method's name.
 const fn meaning(fate: Fate) -> &'static str {
     match fate {
-        Fate::Right => "is right: energy and momentum to a hundredth, and every flip at its time",
+        Fate::Right => {
+            "is right: energy and momentum to a hundredth, and every flip, or the attitude at the end, to a tenth"
+        }
         Fate::Late => {
-            "counts the flips right, but the last is early or late by more than a tenth of the time between two"
+            "runs early or late: the last flip by more than a tenth of the time between two, or the attitude at the end by more than a \
+             tenth of a radian"
         }
         Fate::Worn => "gains or loses more than a hundredth of energy or momentum, and at most a tenth",
         Fate::WrongFlips => "miscounts the flips",

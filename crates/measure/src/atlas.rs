@@ -1,16 +1,19 @@
 //! The atlas: every method on every hard case, and what became of it.
 //!
 //! A [`Chart`] sweeps one difficulty (a turn per step, a needle's thinness, a push, a damping, or a list of
-//! named cases); each of its [`Place`]s is one run of one method, judged against the exact motion with the
-//! rules of [`Fate`]. No time is measured, so the same machine always draws the same atlas.
+//! named cases); each of its [`Place`]s is one run of one method, judged with the rules of [`Fate`]: against
+//! the exact motion, or, under torques, against a table of many digits. No time is measured, so the same
+//! machine always draws the same atlas.
 
 mod cases;
+mod driven;
 mod run;
 
 pub use cases::{Case, Chart, charts};
+pub use driven::DRIVEN;
 
+use crate::story::Wrong;
 use std::fmt;
-use tumbling::Error;
 use tumbling::step::Method;
 
 /// What became of a run.
@@ -20,7 +23,8 @@ pub enum Fate {
     /// attitude to a tenth.
     Right,
     /// The flips are counted right, but the last comes more than a tenth of the time between flips too early
-    /// or late; of a motion without flips, the attitude is off by more than a tenth of a radian.
+    /// or late; of a motion without flips, or under torques, the attitude is off by more than a tenth of a
+    /// radian, or the momentum's direction by as much.
     Late,
     /// Energy or momentum is off by more than a hundredth, and no more than a tenth.
     Worn,
@@ -91,14 +95,17 @@ impl fmt::Display for Fate {
 pub enum Runner {
     /// The closed form: the whole way at once, or between kicks where a torque acts.
     Exact,
+    /// The run within a tolerance, which chooses its steps.
+    Adaptive,
     /// A stepper.
     Stepper(Method),
 }
 
 impl Runner {
-    /// The exact motion, then every method.
+    /// The exact motion, the run within a tolerance, then every method.
     pub fn all() -> impl Iterator<Item = Self> {
-        std::iter::once(Self::Exact).chain(Method::ALL.iter().map(|&method| Self::Stepper(method)))
+        let methods = Method::ALL.iter().map(|&method| Self::Stepper(method));
+        [Self::Exact, Self::Adaptive].into_iter().chain(methods)
     }
 
     /// What it is called.
@@ -106,6 +113,7 @@ impl Runner {
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact motion",
+            Self::Adaptive => "adaptive",
             Self::Stepper(method) => method.info().name,
         }
     }
@@ -169,11 +177,13 @@ pub fn recorded() -> Result<Vec<Row>, String> {
 /// Runs everything, some seconds, on as many threads as there are charts.
 ///
 /// # Errors
-/// None, unless the exact motion refuses one of the cases.
-pub fn atlas() -> Result<Vec<Place>, Error> {
-    let charts = charts()?;
+/// A table that cannot be read, or a case that the exact motion refuses.
+pub fn atlas() -> Result<Vec<Place>, Wrong> {
+    let (free, driven) = (charts()?, driven::charts()?);
     Ok(std::thread::scope(|scope| {
-        let runs: Vec<_> = charts.iter().map(|chart| scope.spawn(|| filled(chart))).collect();
+        let free = free.iter().map(|chart| scope.spawn(|| filled(chart.name, &chart.cases)));
+        let mut runs: Vec<_> = free.collect();
+        runs.extend(driven.iter().map(|(name, cases)| scope.spawn(|| filled(name, cases))));
         runs.into_iter().flat_map(|run| run.join().unwrap_or_default()).collect()
     }))
 }
@@ -182,7 +192,8 @@ pub fn atlas() -> Result<Vec<Place>, Error> {
 #[must_use]
 pub fn written(places: &[Place]) -> String {
     let mut text = String::from(
-        "# What becomes of each method of the library on each hard case, judged against the exact motion.\n\
+        "# What becomes of each method of the library on each hard case, judged against the exact motion, and under \
+         torques against data/atlas.json.\n\
          # Made by: cargo run --release -- atlas. No time is measured.\n\
          chart\tcase\trunner\tprecision\tfate\n",
     );
@@ -218,17 +229,27 @@ pub fn table(places: &[Place]) -> String {
     text.trim().to_owned()
 }
 
-fn filled(chart: &Chart) -> Vec<Place> {
+/// The error that a run with a chosen step may make in a step, as a share, in `f64` and in `f32`.
+const TOLERANCES: [f64; 2] = [1e-10, 1e-5];
+
+/// Steps that such a run may take.
+const BUDGET: usize = 100_000;
+
+/// A case that a run can be judged on.
+trait Judged {
+    fn name(&self) -> &str;
+
+    /// `None` where there is no such run: the closed form is of `f64` and of free bodies alone.
+    fn judged(&self, runner: Runner, precision: Precision) -> Option<Fate>;
+}
+
+fn filled(chart: &'static str, cases: &[impl Judged]) -> Vec<Place> {
     let mut places = Vec::new();
     for precision in [Precision::Double, Precision::Single] {
         for runner in Runner::all() {
-            // The closed form is of f64 alone.
-            if runner == Runner::Exact && precision == Precision::Single {
-                continue;
-            }
-            for case in &chart.cases {
-                let fate = case.judged(runner, precision);
-                let (chart, case, runner) = (chart.name, case.name.clone(), runner.name());
+            for case in cases {
+                let Some(fate) = case.judged(runner, precision) else { continue };
+                let (case, runner) = (case.name().to_owned(), runner.name());
                 places.push(Place { chart, case, runner, precision, fate });
             }
         }

@@ -7,7 +7,7 @@ use crate::story::Story;
 use std::cell::RefCell;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, MethodInfo, State};
+use tumbling::step::{Method, MethodInfo, State, Stepper, adaptive};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -103,7 +103,7 @@ pub trait Contestant {
 
     /// Whether it can take this story on at all: the exact motion is of free bodies.
     fn takes(&self, story: &Story) -> bool {
-        !self.about().free_only || story.system.torques().is_empty()
+        !self.about().free_only || story.is_free()
     }
 
     /// From start to end, showing the watch each step where there is one.
@@ -148,15 +148,24 @@ impl Contestant for Ours {
         let Setting::Steps(steps) = setting else {
             return Err(Failure::Refused("it is set by its steps".into()));
         };
-        let h = black_box(step_of(story, steps));
-        let mut motion = story.start;
-        for k in 1..=steps {
-            motion = self.0.step(&story.system, &motion, h)?;
-            if let Some(watch) = watch.as_deref_mut() {
-                watch.see(time_of(k, steps, story.end), &motion);
-            }
+        if story.drive.timed() {
+            return counting_time(self.0, story, steps, watch);
         }
-        Ok(Ended { motion, steps, evaluations: None })
+        let (mut motion, mut done, mut before) = (story.start, 0, 0.0);
+        for phase in &story.phases {
+            // Each phase has its share of the steps, and a step ends where the torques change.
+            let count = (steps as f64 * phase.seconds / story.end).round().max(1.0) as u64;
+            let h = black_box(phase.seconds / count as f64);
+            for k in 1..=count {
+                motion = self.0.step(&phase.system, &motion, h)?;
+                if let Some(watch) = watch.as_deref_mut() {
+                    watch.see(before + time_of(k, count, phase.seconds), &motion);
+                }
+            }
+            done += count;
+            before += phase.seconds;
+        }
+        Ok(Ended { motion, steps: done, evaluations: None, seconds: None })
     }
 
     fn evaluations_of_step(&self, story: &Story, step: f64) -> Option<f64> {
@@ -165,6 +174,64 @@ impl Contestant for Ours {
 
     fn method(&self) -> Option<Method> {
         Some(self.0)
+    }
+}
+
+/// By a stepper, which counts the time: for torques that depend on it.
+fn counting_time(
+    method: Method,
+    story: &Story,
+    steps: u64,
+    mut watch: Option<&mut Watch<'_>>,
+) -> Result<Ended, Failure> {
+    let h = black_box(step_of(story, steps));
+    let mut stepper = story.stepper(|body| Stepper::new(body, method))?;
+    let mut motion = story.start;
+    for k in 1..=steps {
+        motion = stepper.step(h)?;
+        if let Some(watch) = watch.as_deref_mut() {
+            watch.see(time_of(k, steps, story.end), &motion);
+        }
+    }
+    Ok(Ended { motion, steps, evaluations: None, seconds: None })
+}
+
+/// The library's run within a tolerance.
+#[derive(Debug, Clone, Copy)]
+pub struct Adaptive;
+
+/// Steps that it may take.
+const BUDGET: usize = 10_000_000;
+
+impl Contestant for Adaptive {
+    fn about(&self) -> About {
+        About { name: "adaptive", group: Group::Neither, order: 0, knob: Knob::Tolerance, free_only: false }
+    }
+
+    // Its steps are not to be seen, and so neither are the flips of a free body.
+    fn takes(&self, story: &Story) -> bool {
+        !story.is_free()
+    }
+
+    fn run(
+        &self,
+        story: &Story,
+        setting: Setting,
+        mut watch: Option<&mut Watch<'_>>,
+    ) -> Result<Ended, Failure> {
+        let Setting::Tolerance(tolerance) = setting else {
+            return Err(Failure::Refused("it is set by a tolerance".into()));
+        };
+        let (mut motion, mut budget, mut time) = (story.start, BUDGET, 0.0);
+        for phase in &story.phases {
+            motion = adaptive(&phase.system, &motion, black_box(phase.seconds), tolerance, &mut budget)?;
+            time += phase.seconds;
+            if let Some(watch) = watch.as_deref_mut() {
+                watch.see(time, &motion);
+            }
+        }
+        let steps = (BUDGET - budget) as u64;
+        Ok(Ended { motion, steps, evaluations: None, seconds: None })
     }
 }
 
@@ -186,7 +253,7 @@ fn at_the_end(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) 
     }
     let vector = story.system.moments().component_mul(&there.omega);
     let motion = State { attitude: there.attitude.into_inner(), momentum: vector };
-    Ok(Ended { motion, steps: 1, evaluations: None })
+    Ok(Ended { motion, steps: 1, evaluations: None, seconds: None })
 }
 
 /// The exact motion: prepared from moments and spin, evaluated once.
@@ -232,10 +299,11 @@ impl Contestant for Prepared {
     }
 }
 
-/// The exact motion and all methods of the library.
+/// The exact motion, the run within a tolerance, and all methods of the library.
 #[must_use]
 pub fn ours() -> Vec<Box<dyn Contestant>> {
     let exact: [Box<dyn Contestant>; 2] = [Box::new(Exact), Box::<Prepared>::default()];
     let methods = Method::ALL.iter().map(|&method| Box::new(Ours(method)) as Box<dyn Contestant>);
-    exact.into_iter().chain(methods).collect()
+    let adaptive: Box<dyn Contestant> = Box::new(Adaptive);
+    exact.into_iter().chain([adaptive]).chain(methods).collect()
 }

@@ -12,6 +12,8 @@ pub struct Ended {
     pub steps: u64,
     /// How often the law was evaluated, where that was counted.
     pub evaluations: Option<u64>,
+    /// The time it took by its own clock, s, where it runs in another process.
+    pub seconds: Option<f64>,
 }
 
 /// Why a run did not come to its end.

@@ -99,7 +99,7 @@ impl<'a> Watch<'a> {
             let off = relative(self.story.energy(motion), self.story.truth.energy);
             self.worst[0] = self.worst[0].max(off);
         }
-        if self.story.system.torques().is_empty() {
+        if self.story.is_free() {
             self.worst[1] = self.worst[1].max(relative(motion.momentum.norm(), self.world.norm()));
             let world = in_world(&motion.attitude, &motion.momentum);
             self.worst[2] = self.worst[2].max(angle(&world, &self.world));

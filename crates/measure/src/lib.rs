@@ -18,6 +18,7 @@
 pub mod atlas;
 pub mod campaign;
 pub mod contestant;
+pub mod drive;
 pub mod ended;
 pub mod errors;
 mod fields;

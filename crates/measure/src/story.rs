@@ -1,9 +1,11 @@
 //! The stories: bodies let go in some way, and where they truly are at the end.
 
-use nalgebra::{Quaternion, Vector3};
+use crate::drive::{Drive, Phase};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{State, System, Torque};
+use tumbling::step::{State, Stepper, System, Torque};
+use tumbling::{Body, Error, Inertia};
 
 /// What went wrong with a story, in words.
 pub type Wrong = Box<dyn std::error::Error>;
@@ -15,8 +17,12 @@ pub struct Story {
     pub name: &'static str,
     /// What it is, for the head of a figure.
     pub title: &'static str,
-    /// The body and its torques.
+    /// The body and the torques at the start.
     pub system: System<f64>,
+    /// One after another, in which the same torques act: one, but for thrusters that switch.
+    pub phases: Vec<Phase>,
+    /// The torques in numbers.
+    pub drive: Drive,
     /// Attitude, and momentum in body axes, at time 0.
     pub start: State<f64>,
     /// When it ends, s.
@@ -88,28 +94,45 @@ impl Story {
     /// Whether its energy stays what it was.
     #[must_use]
     pub fn keeps_energy(&self) -> bool {
-        self.system.torques().iter().all(|torque| matches!(torque, Torque::Aligning { .. }))
+        let stays =
+            |phase: &Phase| phase.system.torques().iter().all(|t| matches!(t, Torque::Aligning { .. }));
+        self.phases.iter().all(stays)
+    }
+
+    /// Whether no torque ever acts.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.phases.iter().all(|phase| phase.system.torques().is_empty())
+    }
+
+    /// The body at the start, for a stepper that counts the time.
+    ///
+    /// # Errors
+    /// A tensor or state that the library refuses.
+    pub fn stepper(&self, made: impl Fn(&Body) -> Result<Stepper, Error>) -> Result<Stepper, Error> {
+        let [a, b, c] = (*self.system.moments()).into();
+        let omega = self.system.omega(&self.start.momentum);
+        let body = Body::spinning(Inertia::from_moments(a, b, c)?, UnitQuaternion::identity(), &omega)?;
+        made(&body)?.with_torques(self.system.torques().iter().cloned())
     }
 
     /// From its entry in the table.
     fn read(entry: &Value, name: &'static str, title: &'static str) -> Result<Self, Wrong> {
         let moments = vector(&entry["moments"])?;
-        let mut torques = Vec::new();
-        if entry["weight"].as_f64().is_some_and(|weight| weight != 0.0) {
-            torques.push(Torque::gravity(&vector(&entry["arm"])?, number(&entry["weight"])?));
-        }
-        if entry["damping"].is_array() && vector(&entry["damping"])? != Vector3::zeros() {
-            torques.push(Torque::Damping(vector(&entry["damping"])?));
-        }
-        let system = System::with(moments.try_into()?, torques)?;
+        let drive = Drive::read(entry)?;
+        let phases = drive.systems(&moments)?;
+        let system = phases.first().ok_or("a story without a phase")?.system.clone();
         let start =
             State { attitude: Quaternion::identity(), momentum: system.momentum(&vector(&entry["omega"])?) };
         let [w, x, y, z] = numbers(&entry["attitude"])?;
         let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: vector(&entry["momentum"])? };
         let end = number(&entry["t"])?;
-        let flips = if system.torques().is_empty() { Some(flips(&system, &start, end)?) } else { None };
-        let truth = Truth { motion, energy: number(&entry["energy"])?, flips };
-        Ok(Self { name, title, system, start, end, truth })
+        let truth = Truth { motion, energy: number(&entry["energy"])?, flips: None };
+        let mut story = Self { name, title, system, phases, drive, start, end, truth };
+        if story.is_free() {
+            story.truth.flips = Some(flips(&story.system, &start, end)?);
+        }
+        Ok(story)
     }
 }
 
@@ -122,14 +145,19 @@ fn flips(system: &System<f64>, start: &State<f64>, end: f64) -> Result<Flips, Wr
 }
 
 /// Names of the stories, as in the table, and what they are.
-const STORIES: [(&str, &str); 7] = [
+const STORIES: [(&str, &str); 12] = [
     ("box", "the box, 100 flips"),
     ("wobble", "a stable wobble"),
     ("racket", "a tennis racket"),
     ("needle", "a needle, 1000 to 1"),
     ("near sphere", "nearly a sphere"),
     ("heavy top", "a heavy top"),
+    ("sleeping top", "a sleeping top"),
     ("damped spin", "a damped spin"),
+    ("gravity gradient", "a satellite in orbit"),
+    ("thruster pulses", "thruster pulses"),
+    ("resonant push", "a push in resonance"),
+    ("stiff damping", "stiff, uneven damping"),
 ];
 
 /// All stories.
@@ -159,18 +187,18 @@ pub fn in_world(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     tumbling::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
 }
 
-fn number(value: &Value) -> Result<f64, Wrong> {
+pub(crate) fn number(value: &Value) -> Result<f64, Wrong> {
     match value {
         Value::String(digits) => Ok(digits.parse()?),
         other => other.as_f64().ok_or_else(|| format!("{other} is no number").into()),
     }
 }
 
-fn numbers<const N: usize>(value: &Value) -> Result<[f64; N], Wrong> {
+pub(crate) fn numbers<const N: usize>(value: &Value) -> Result<[f64; N], Wrong> {
     let list = value.as_array().ok_or("not a list")?.iter().map(number).collect::<Result<Vec<_>, _>>()?;
     <[f64; N]>::try_from(list).map_err(|list| format!("{} numbers instead of {N}", list.len()).into())
 }
 
-fn vector(value: &Value) -> Result<Vector3<f64>, Wrong> {
+pub(crate) fn vector(value: &Value) -> Result<Vector3<f64>, Wrong> {
     Ok(Vector3::from(numbers(value)?))
 }

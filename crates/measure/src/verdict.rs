@@ -86,6 +86,35 @@ pub fn contestants(rows: &[Work]) -> Vec<(&str, Group)> {
     names
 }
 
+/// The errors of the attitude at which the bodies under torques are compared, rad.
+pub const DIGITS: [f64; 3] = [1e-4, 1e-8, 1e-12];
+
+/// The bodies under torques as lines of a table: for each of [`DIGITS`], how many times as long as `adaptive`
+/// the fastest published program takes, and its name.
+#[must_use]
+pub fn driven(rows: &[Work]) -> Vec<String> {
+    let mut stories: Vec<&str> = rows.iter().filter(|r| r.contestant == OURS).map(|r| &*r.story).collect();
+    stories.dedup();
+    let cell = |story: &str, error: f64| {
+        let ranking = ranking(rows, story, kind("attitude")?, error);
+        let (_, _, ours) = ranking.iter().find(|(name, ..)| *name == OURS)?;
+        let Some((name, _, peer)) = ranking.iter().find(|(_, group, _)| *group == Group::Peer) else {
+            return Some("no other".to_owned());
+        };
+        // The name of the program, or else that of its method.
+        let program = ["heyoka", "DOP853", "diffsol"].into_iter().find(|word| name.contains(word));
+        Some(format!("{:.1}, {}", peer / ours, program.unwrap_or(name)))
+    };
+    let line = |story: &str| {
+        let cells = DIGITS.map(|error| cell(story, error).unwrap_or_else(|| "never".to_owned()));
+        format!("| {story} | {} |", cells.join(" | "))
+    };
+    stories.into_iter().map(line).collect()
+}
+
+/// The contestant of the library that the bodies under torques are compared by.
+const OURS: &str = "adaptive";
+
 /// The slope of the energy's error of a long run against time, in logarithms, from a thousand turns on. One
 /// half is a random walk, one a line.
 #[must_use]
@@ -112,6 +141,13 @@ pub fn text(work: &Record<Work>, long: &Record<Long>) -> String {
                 seconds / yardstick
             );
         }
+    }
+    let _ = writeln!(
+        out,
+        "How many times as long as adaptive the fastest published program takes, at {DIGITS:?} rad:"
+    );
+    for line in driven(&work.rows) {
+        let _ = writeln!(out, "{line}");
     }
     let mut seen: Vec<&str> = Vec::new();
     for row in &long.rows {

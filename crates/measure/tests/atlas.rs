@@ -1,6 +1,6 @@
 //! Regression test: the committed atlas is what the methods do. That they are right, `tests/step` shows.
 
-use tumbling_measure::atlas::{Fate, Place, Precision, atlas, recorded, written};
+use tumbling_measure::atlas::{DRIVEN, Fate, Place, Precision, atlas, recorded, written};
 
 fn places() -> Vec<Place> {
     atlas().unwrap()
@@ -32,6 +32,16 @@ fn the_committed_atlas_is_what_the_methods_do() {
     for (row, place) in rows.iter().zip(&places) {
         assert_eq!((row.chart, row.runner, row.precision), (place.chart, place.runner, place.precision));
         assert_eq!((row.case, row.fate), (place.case.as_str(), place.fate));
+    }
+
+    // Under torques the run within a tolerance is right, or refuses, wherever its numbers have digits enough.
+    let adaptive = |p: &&Place| DRIVEN.contains(&p.chart) && p.runner == "adaptive";
+    for place in places.iter().filter(adaptive).filter(|p| p.precision == Precision::Double) {
+        assert!(matches!(place.fate, Fate::Right | Fate::Refused), "{place:?}");
+    }
+    // Single precision has seven digits: those of a needle's moments end before a millionth.
+    for place in places.iter().filter(adaptive).filter(|p| p.chart != "shapes") {
+        assert!(matches!(place.fate, Fate::Right | Fate::Refused), "{place:?}");
     }
 
     // What does not hang on where a bound was drawn.

@@ -1,4 +1,4 @@
-//! Plans of scenes against the table of truth: 30 digits of a heavy top, a damped spin and five free bodies.
+//! Plans of scenes against the table of truth: 30 digits of bodies free and under torques.
 
 use tumbling_measure::story::{Story, all};
 use tumbling_scenes::{Answer, Error, InitialState, Outputs, Scene, Times};
@@ -14,7 +14,9 @@ fn off(story: &Story, last: &Answer) -> f64 {
 #[test]
 fn scenes_are_as_accurate_as_requested_against_the_truth() {
     let mut driven = 0;
-    for story in all().unwrap() {
+    // The torques of a scene act all the time, and are none that a function gives.
+    let planned = |story: &Story| story.phases.len() == 1 && !story.drive.timed();
+    for story in all().unwrap().into_iter().filter(planned) {
         let body = InitialState::spinning(*story.system.moments(), story.system.omega(&story.start.momentum));
         for accuracy in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
             let (times, torques) = (Times::every(0.5, story.end), story.system.torques().to_vec());
@@ -22,7 +24,7 @@ fn scenes_are_as_accurate_as_requested_against_the_truth() {
             let scene = Scene::new([body], torques, times, outputs, accuracy).unwrap();
             let plan = match scene.plan(0) {
                 // A hundred flips leave less than ten digits of the attitude.
-                Err(Error::Body { source, .. }) if story.system.torques().is_empty() => {
+                Err(Error::Body { source, .. }) if story.is_free() => {
                     assert!(matches!(*source, Error::Unattainable { requested: 1e-10, .. }), "{source}");
                     continue;
                 }
@@ -32,8 +34,8 @@ fn scenes_are_as_accurate_as_requested_against_the_truth() {
             assert_eq!(last.time, story.end);
             let off = off(&story, &last);
             assert!(off < accuracy, "{}: {off:.1e}, {accuracy:e} requested: {}", story.name, plan.explain());
-            driven += usize::from(!story.system.torques().is_empty());
+            driven += usize::from(!story.is_free());
         }
     }
-    assert_eq!(driven, 10);
+    assert_eq!(driven, 20);
 }

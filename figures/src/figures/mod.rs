@@ -37,9 +37,10 @@ mod turning_tensor;
 mod two_arrows;
 mod wobble_growth;
 mod work;
+mod work_torque;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 39] = [
+pub(crate) static ALL: [Figure; 40] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -257,8 +258,15 @@ pub(crate) static ALL: [Figure; 39] = [
         of_body: Err("it shows a record of runs that were made of other bodies"),
     },
     Figure {
+        name: "work-torque",
+        shows: "Error of a heavy top's attitude against run time, for every method and published programs",
+        chapter: "error-against-run-time",
+        draw: work_torque::draw,
+        of_body: Err("it shows a record of runs that were made of other bodies"),
+    },
+    Figure {
         name: "work-attitude",
-        shows: "Error of the attitude against run time, for seven bodies",
+        shows: "Error of the attitude against run time, for twelve bodies",
         chapter: "records",
         draw: work::draw_attitude,
         of_body: Err("it shows a record of runs that were made of other bodies"),
@@ -272,21 +280,21 @@ pub(crate) static ALL: [Figure; 39] = [
     },
     Figure {
         name: "work-energy",
-        shows: "Error of the energy against run time, for seven bodies",
+        shows: "Error of the energy against run time, for twelve bodies",
         chapter: "records",
         draw: work::draw_energy,
         of_body: Err("it shows a record of runs that were made of other bodies"),
     },
     Figure {
         name: "work-momentum",
-        shows: "Error of the momentum's length against run time, for seven bodies",
+        shows: "Error of the momentum's length against run time, for twelve bodies",
         chapter: "records",
         draw: work::draw_momentum,
         of_body: Err("it shows a record of runs that were made of other bodies"),
     },
     Figure {
         name: "work-direction",
-        shows: "Error of the momentum's direction against run time, for seven bodies",
+        shows: "Error of the momentum's direction against run time, for twelve bodies",
         chapter: "records",
         draw: work::draw_direction,
         of_body: Err("it shows a record of runs that were made of other bodies"),

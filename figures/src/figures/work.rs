@@ -42,11 +42,11 @@ const SHORTEST: f64 = 5e-8;
 const LONGEST: f64 = 1.0;
 
 /// One curve, and where it failed.
-struct Curve<'a> {
-    name: &'a str,
-    group: Group,
+pub(super) struct Curve<'a> {
+    pub(super) name: &'a str,
+    pub(super) group: Group,
     /// Seconds and error of the runs that came right.
-    right: Vec<(f64, f64)>,
+    pub(super) right: Vec<(f64, f64)>,
     /// The same of runs with a wrong number of flips, and of those that broke down: at the upper edge, where
     /// a run of so many steps would have ended.
     wrong: Vec<(f64, f64)>,
@@ -78,7 +78,7 @@ fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &
     Curve { name, group, right, wrong }
 }
 
-fn curves<'a>(rows: &'a [Work], story: &str, kind: &Kind) -> Vec<Curve<'a>> {
+pub(super) fn curves<'a>(rows: &'a [Work], story: &str, kind: &Kind) -> Vec<Curve<'a>> {
     contestants(rows).into_iter().map(|(name, group)| curve(rows, story, name, group, kind)).collect()
 }
 
@@ -114,7 +114,7 @@ fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Curve<'_>]) {
     canvas.crosses(places, 3.0, Pen::new(Ink::Wrong, 1.2).opacity(0.8));
 }
 
-fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
+pub(super) fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
     if let [only] = curve.right.as_slice() {
         plot.dots([*only], if curve.group == Group::Exact { 5.0 } else { 2.5 }, pen.ink())?;
     }
@@ -143,12 +143,12 @@ pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: V
     }
 }
 
-fn committed() -> Result<Record<Work>, Box<dyn std::error::Error>> {
+pub(super) fn committed() -> Result<Record<Work>, Box<dyn std::error::Error>> {
     Ok(record::work()?)
 }
 
 /// When and where, for the words.
-fn circumstances(record: &Record<Work>) -> String {
+pub(super) fn circumstances(record: &Record<Work>) -> String {
     let said = |key: &str| record.said(key).unwrap_or("unknown").to_owned();
     format!("Measured on {} ({}).", said("machine"), said("compiler"))
 }

@@ -12,8 +12,8 @@ use tumbling_measure::story::Story;
 pub struct Dop853;
 
 impl ODE<f64, Packed> for Law {
-    fn diff(&self, _t: f64, y: &Packed, dydt: &mut Packed) {
-        *dydt = self.rate(y);
+    fn diff(&self, t: f64, y: &Packed, dydt: &mut Packed) {
+        *dydt = self.rate(t, y);
     }
 }
 
@@ -56,22 +56,28 @@ impl Contestant for Dop853 {
         }
     }
 
-    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+    fn run(
+        &self,
+        story: &Story,
+        setting: Setting,
+        mut watch: Option<&mut Watch<'_>>,
+    ) -> Result<Ended, Failure> {
         let Setting::Tolerance(tolerance) = setting else {
             return Err(Failure::Refused("it is set by a tolerance".into()));
         };
-        let (law, start) = Law::of(story);
-        let last = Cell::new(start);
-        let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
-        let solution = IVP::ode(&law, 0.0, story.end, start)
-            .method(method)
-            .solout(Seen { law: &law, watch, last: &last })
-            .solve()
-            .map_err(|e| Failure::Refused(format!("{e:?}")))?;
-        Ok(Ended {
-            motion: law.motion(&last.get()),
-            steps: solution.steps.accepted as u64,
-            evaluations: Some(solution.evals.function as u64),
-        })
+        let (whole, start) = Law::of(story);
+        let (last, mut steps, mut evaluations) = (Cell::new(start), 0, 0);
+        for (law, begin, end) in whole.phases(story) {
+            let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
+            let solution = IVP::ode(&law, begin, end, last.get())
+                .method(method)
+                .solout(Seen { law: &law, watch: watch.as_deref_mut(), last: &last })
+                .solve()
+                .map_err(|e| Failure::Refused(format!("{e:?}")))?;
+            steps += solution.steps.accepted as u64;
+            evaluations += solution.evals.function as u64;
+        }
+        let motion = whole.motion(&last.get());
+        Ok(Ended { motion, steps, evaluations: Some(evaluations), seconds: None })
     }
 }

@@ -1,30 +1,61 @@
 //! The law as the solvers get it: seven numbers, lean, each of size one.
 
 use nalgebra::{Quaternion, Vector3};
-use tumbling::step::{State, System};
+use tumbling::step::State;
 use tumbling_measure::story::Story;
 
 /// Attitude (scalar first) and momentum in body axes over its size at the start, so that one tolerance fits
 /// all.
 pub type Packed = [f64; 7];
 
-/// A story as a solver of differential equations sees it.
+/// A story as a solver of differential equations sees it, through one of its phases.
 #[derive(Debug, Clone)]
 pub struct Law {
-    system: System<f64>,
+    moments: [f64; 3],
     /// Inverse moments times the size of the momentum: spin by scaled momentum.
     inverse: [f64; 3],
     size: f64,
+    /// The torques over the size of the momentum: weight times arm, damping over moments, gravity gradient, a
+    /// push and a pulse.
+    lever: Option<[f64; 3]>,
+    damping: [f64; 3],
+    gradient: f64,
+    orbit: f64,
+    push: Option<[f64; 3]>,
+    rate: f64,
+    pulse: [f64; 3],
 }
 
 impl Law {
     /// The law of a story, and the state at its start.
     pub fn of(story: &Story) -> (Self, Packed) {
         let size = story.start.momentum.norm();
-        let inverse = story.system.moments().map(|x| size / x).into();
-        let law = Self { system: story.system.clone(), inverse, size };
+        let (moments, drive) = (*story.system.moments(), &story.drive);
+        let some = |v: Vector3<f64>| (v != Vector3::zeros()).then(|| v.into());
+        let law = Self {
+            moments: moments.into(),
+            inverse: moments.map(|x| size / x).into(),
+            size,
+            lever: some(drive.arm * (drive.weight / size)),
+            damping: drive.damping.component_div(&moments).into(),
+            gradient: drive.gradient / size,
+            orbit: drive.orbit,
+            push: some(drive.push / size),
+            rate: drive.rate,
+            pulse: [0.0; 3],
+        };
         let start = law.state(&story.start);
         (law, start)
+    }
+
+    /// Through each of the phases: the law, when it begins and when it ends, s.
+    pub fn phases<'a>(&'a self, story: &'a Story) -> impl Iterator<Item = (Self, f64, f64)> + 'a {
+        let mut end = 0.0;
+        story.drive.phases.iter().map(move |(seconds, torque)| {
+            let begin = end;
+            end += seconds;
+            (Self { pulse: (torque / self.size).into(), ..self.clone() }, begin, end)
+        })
     }
 
     fn state(&self, motion: &State<f64>) -> Packed {
@@ -41,25 +72,44 @@ impl Law {
         }
     }
 
-    /// The rates of a state.
+    /// The rates of a state at a time.
     #[inline]
-    pub fn rate(&self, y: &Packed) -> Packed {
+    pub fn rate(&self, time: f64, y: &Packed) -> Packed {
         let [a, b, c, d, l, m, n] = *y;
         let (x, v, z) = (self.inverse[0] * l, self.inverse[1] * m, self.inverse[2] * n);
+        let ([e, f, g], [p, q, r]) = (self.damping, self.pulse);
         let mut rate = [
             0.5 * (-b * x - c * v - d * z),
             0.5 * (a * x + c * z - d * v),
             0.5 * (a * v - b * z + d * x),
             0.5 * (a * z + b * v - c * x),
-            m * z - n * v,
-            n * x - l * z,
-            l * v - m * x,
+            m * z - n * v - e * l + p,
+            n * x - l * z - f * m + q,
+            l * v - m * x - g * n + r,
         ];
-        if !self.system.torques().is_empty() {
-            let torque = self.system.torque(&self.motion(y)) / self.size;
-            rate[4] += torque.x;
-            rate[5] += torque.y;
-            rate[6] += torque.z;
+        if let Some([p, q, r]) = self.lever {
+            let up = [2.0 * (b * d - a * c), 2.0 * (c * d + a * b), 1.0 - 2.0 * (b * b + c * c)];
+            rate[4] -= q * up[2] - r * up[1];
+            rate[5] -= r * up[0] - p * up[2];
+            rate[6] -= p * up[1] - q * up[0];
+        }
+        if self.gradient != 0.0 {
+            let (sine, cosine) = (self.orbit * time).sin_cos();
+            let toward = [
+                cosine * (1.0 - 2.0 * (c * c + d * d)) + sine * 2.0 * (b * c + a * d),
+                cosine * 2.0 * (b * c - a * d) + sine * (1.0 - 2.0 * (b * b + d * d)),
+                cosine * 2.0 * (b * d + a * c) + sine * 2.0 * (c * d - a * b),
+            ];
+            for i in 0..3 {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                rate[4 + i] += self.gradient * (self.moments[k] - self.moments[j]) * toward[j] * toward[k];
+            }
+        }
+        if let Some(push) = self.push {
+            let swing = (self.rate * time).cos();
+            for i in 0..3 {
+                rate[4 + i] += push[i] * swing;
+            }
         }
         rate
     }

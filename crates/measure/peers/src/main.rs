@@ -2,14 +2,18 @@
 //!
 //! ```text
 //! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- [--quick] --into FOLDER
+//! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- trials COUNT SEED
 //! ```
 
 #[cfg(feature = "solvers")]
 mod dop853;
 #[cfg(feature = "solvers")]
 mod law;
+mod python;
 mod rapier;
 mod scale;
+#[cfg(feature = "solvers")]
+mod trials;
 #[cfg(feature = "solvers")]
 mod tsit45;
 
@@ -34,6 +38,11 @@ const PEERS: &[&str] = if cfg!(feature = "solvers") {
 fn version(package: &str) -> Option<&'static str> {
     let (_, after) = LOCKED.split_once(&format!("name = \"{package}\"\nversion = \""))?;
     after.split('"').next()
+}
+
+fn versions() -> Vec<String> {
+    let named = |name: &&str| format!("{name} {}", version(name).unwrap_or("of no known version"));
+    PEERS.iter().map(named).collect()
 }
 
 fn all() -> Vec<Box<dyn Contestant>> {
@@ -70,6 +79,14 @@ fn run() -> Result<(), Wrong> {
                 instructions::child(&all(), &story::all()?, &name, times)?;
                 return Ok(());
             }
+            // Random scenes under torques: how many, and from which seed.
+            #[cfg(feature = "solvers")]
+            "trials" => {
+                let mut number =
+                    || -> Result<u64, Wrong> { Ok(words.next().ok_or("a number is missing")?.parse()?) };
+                println!("{}", trials::run(number()?, number()?)?);
+                return Ok(());
+            }
             "--quick" => effort = Effort::QUICK,
             // Many bodies, by a build of this name, after what another build has written.
             "scale" => build = Some(words.next().ok_or("which build?")?),
@@ -79,10 +96,12 @@ fn run() -> Result<(), Wrong> {
         }
     }
     let folder = folder.ok_or("it needs `--into FOLDER`")?;
-    let versions: Vec<String> = PEERS
-        .iter()
-        .map(|name| format!("{name} {}", version(name).unwrap_or("of no known version")))
-        .collect();
+    let (mut contestants, mut versions) = (all(), versions());
+    if build.is_none() {
+        let (found, named) = python::found()?;
+        contestants.extend(found);
+        versions.extend(named);
+    }
     let head = [("peers".to_owned(), versions.join("; "))];
     let terminal = std::io::stderr().is_terminal();
     let mut tell = |what: &str| {
@@ -95,7 +114,6 @@ fn run() -> Result<(), Wrong> {
         println!("{}", scale::write(&build, effort, with.as_deref(), &folder, &head, &mut tell)?);
         return Ok(());
     }
-    let contestants = all();
     let campaign = Campaign {
         contestants: &contestants,
         effort,

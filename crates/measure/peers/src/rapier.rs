@@ -58,6 +58,6 @@ impl Contestant for Rapier {
                 watch.see(story.end * (k as f64 / steps as f64), &state(&world));
             }
         }
-        Ok(Ended { motion: state(&world), steps, evaluations: None })
+        Ok(Ended { motion: state(&world), steps, evaluations: None, seconds: None })
     }
 }

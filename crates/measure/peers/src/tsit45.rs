@@ -34,34 +34,38 @@ fn solve(
     tolerance: f64,
     mut watch: Option<&mut Watch<'_>>,
 ) -> Result<Ended, diffsol::error::DiffsolError> {
-    let (law, start) = Law::of(story);
-    let evaluations = Cell::new(0_u64);
-    let rate = |y: &[f64], _p: &[f64], _t: f64, dy: &mut [f64]| {
-        evaluations.set(evaluations.get() + 1);
-        let mut state = start;
-        state.copy_from_slice(y);
-        dy.copy_from_slice(&law.rate(&state));
-    };
-    let problem = OdeBuilder::<NalgebraMat<f64>>::new()
-        .rtol(tolerance)
-        .atol([tolerance])
-        .rhs(rate)
-        .init(move |_p: &[f64], _t: f64, y: &mut [f64]| y.copy_from_slice(&start), start.len())
-        .build()?;
-    let mut solver = problem.tsit45()?;
-    solver.set_stop_time(story.end)?;
-    let mut steps = 0;
-    loop {
-        let reason = solver.step()?;
-        steps += 1;
-        if let Some(watch) = watch.as_deref_mut() {
-            let state = solver.state();
-            watch.see(state.t, &law.motion(state.y.batch_as_slice(0)));
+    let (whole, mut state) = Law::of(story);
+    let (evaluations, mut steps) = (Cell::new(0_u64), 0);
+    for (law, begin, end) in whole.phases(story) {
+        let start = state;
+        let rate = |y: &[f64], _p: &[f64], t: f64, dy: &mut [f64]| {
+            evaluations.set(evaluations.get() + 1);
+            let mut state = start;
+            state.copy_from_slice(y);
+            dy.copy_from_slice(&law.rate(t, &state));
+        };
+        let problem = OdeBuilder::<NalgebraMat<f64>>::new()
+            .rtol(tolerance)
+            .atol([tolerance])
+            .t0(begin)
+            .rhs(rate)
+            .init(move |_p: &[f64], _t: f64, y: &mut [f64]| y.copy_from_slice(&start), start.len())
+            .build()?;
+        let mut solver = problem.tsit45()?;
+        solver.set_stop_time(end)?;
+        loop {
+            let reason = solver.step()?;
+            steps += 1;
+            if let Some(watch) = watch.as_deref_mut() {
+                let state = solver.state();
+                watch.see(state.t, &law.motion(state.y.batch_as_slice(0)));
+            }
+            if matches!(reason, OdeSolverStopReason::TstopReached) {
+                break;
+            }
         }
-        if matches!(reason, OdeSolverStopReason::TstopReached) {
-            break;
-        }
+        state.copy_from_slice(solver.state().y.batch_as_slice(0));
     }
-    let motion = law.motion(solver.state().y.batch_as_slice(0));
-    Ok(Ended { motion, steps, evaluations: Some(evaluations.get()) })
+    let motion = whole.motion(&state);
+    Ok(Ended { motion, steps, evaluations: Some(evaluations.get()), seconds: None })
 }

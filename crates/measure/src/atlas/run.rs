@@ -1,13 +1,13 @@
 //! One run of one method on one case, and what became of it.
 
 use super::cases::Case;
-use super::{Fate, Precision, Runner};
+use super::{BUDGET, Fate, Judged, Precision, Runner, TOLERANCES};
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 use tumbling::dynamics::observe;
 use tumbling::exact::FreeMotion;
 use tumbling::number::Analytic;
-use tumbling::step::{Method, State, System, Torque};
+use tumbling::step::{Method, State, System, Torque, adaptive};
 use tumbling_scenes::{Error, exact_drift};
 
 /// All that a judge needs of a run.
@@ -28,6 +28,30 @@ enum End {
     Seen(Seen),
     NotFinite,
     Refused,
+}
+
+impl Judged for Case {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn judged(&self, runner: Runner, precision: Precision) -> Option<Fate> {
+        let method = match runner {
+            Runner::Stepper(method) => Some(method),
+            Runner::Exact | Runner::Adaptive => None,
+        };
+        let end = match (runner, precision) {
+            (Runner::Exact, Precision::Single) => return None,
+            (Runner::Exact, Precision::Double) => self.exactly(),
+            (_, Precision::Double) => self.stepped::<f64>(method, TOLERANCES[0]),
+            (_, Precision::Single) => self.stepped::<f32>(method, TOLERANCES[1]),
+        };
+        Some(match end {
+            End::Refused => Fate::Refused,
+            End::NotFinite => Fate::NotFinite,
+            End::Seen(seen) => self.fate(&seen).unwrap_or(Fate::Refused),
+        })
+    }
 }
 
 impl Case {
@@ -52,21 +76,6 @@ impl Case {
         Ok((at.omega * left, at.attitude.into_inner()))
     }
 
-    /// Runs it and says what became of it.
-    #[must_use]
-    pub fn judged(&self, runner: Runner, precision: Precision) -> Fate {
-        let end = match (runner, precision) {
-            (Runner::Exact, _) => self.exactly(),
-            (Runner::Stepper(method), Precision::Double) => self.stepped::<f64>(method),
-            (Runner::Stepper(method), Precision::Single) => self.stepped::<f32>(method),
-        };
-        match end {
-            End::Refused => Fate::Refused,
-            End::NotFinite => Fate::NotFinite,
-            End::Seen(seen) => self.fate(&seen).unwrap_or(Fate::Refused),
-        }
-    }
-
     fn exactly(&self) -> End {
         let result = self.system().map_err(Error::from).and_then(|system| {
             let start =
@@ -86,7 +95,11 @@ impl Case {
         result.unwrap_or(End::Refused)
     }
 
-    fn stepped<T: Analytic + FromPrimitive + ToPrimitive>(&self, method: Method) -> End {
+    /// By a method, or, where there is none, within a tolerance from each of its steps to the next.
+    fn stepped<T>(&self, method: Option<Method>, tolerance: f64) -> End
+    where
+        T: Analytic + Copy + FromPrimitive + ToPrimitive,
+    {
         let number = |x: f64| T::from_f64(x).unwrap_or_else(T::zero);
         let back = |x: &T| x.to_f64().unwrap_or(f64::NAN);
         let vector = |x: [f64; 3]| Vector3::from(x.map(number));
@@ -104,9 +117,12 @@ impl Case {
             momentum: motion.momentum.map(|x| back(&x)),
         };
         let start = outside(&motion);
-        let h = number(self.step);
+        let (h, mut budget) = (number(self.step), BUDGET);
         self.watch(&checked, &start, |_| {
-            motion = method.step(&system, &motion, h.clone())?;
+            motion = match method {
+                Some(method) => method.step(&system, &motion, h)?,
+                None => adaptive(&system, &motion, self.step, tolerance, &mut budget)?,
+            };
             Ok(outside(&motion))
         })
         .unwrap_or(End::Refused)
@@ -157,7 +173,8 @@ impl Case {
                 seen.changes += 1;
                 seen.last_change = t + self.step * a / (a - b);
             }
-            if self.damping > 0.0 && before.momentum.dot(&motion.momentum) < 0.0 && k == 1 {
+            // By more than rounding leaves of a momentum that is gone.
+            if self.damping > 0.0 && unit(&before.momentum).dot(&unit(&motion.momentum)) < -1e-9 && k == 1 {
                 seen.reversed = true;
             }
             (seen.attitude, seen.left) = (motion.attitude, motion.momentum);
