@@ -36,12 +36,14 @@ mod period;
 mod polhode;
 mod regime;
 mod sensitivity;
+mod top;
 
 pub use batch::Batch;
 pub use flips::Flips;
 pub use period::time_between_flips;
 pub use polhode::Polhode;
 pub use regime::Regime;
+pub use top::{LagrangeTop, TopRegime};
 
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};

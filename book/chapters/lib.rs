@@ -53,6 +53,10 @@ mod coin {}
 mod exact_motion {}
 
 #[cfg(doctest)]
+#[doc = include_str!("a-top.md")]
+mod a_top {}
+
+#[cfg(doctest)]
 #[doc = include_str!("stepping-through-time.md")]
 mod stepping_through_time {}
 

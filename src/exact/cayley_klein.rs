@@ -28,7 +28,7 @@ pub(crate) struct Pair<T = f64> {
 gather_fields!(Pair { a, b });
 
 #[inline(always)]
-fn times<T: Lane>(x: [T; 2], y: [T; 2]) -> [T; 2] {
+pub(crate) fn times<T: Lane>(x: [T; 2], y: [T; 2]) -> [T; 2] {
     [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
 }
 

@@ -8,6 +8,8 @@ mod folded_argument;
 mod prepare;
 mod variations;
 
+pub(super) use folded_argument::{Ends, Fold};
+pub(super) use prepare::{argument_at_start, phase_at_start};
 pub(super) use {complementary::Attitude as ComplementaryAttitude, complementary::Spin as ComplementarySpin};
 pub(super) use {direct::Attitude as DirectAttitude, direct::Spin as DirectSpin};
 

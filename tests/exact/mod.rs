@@ -6,6 +6,7 @@ mod motion;
 mod polhode;
 mod regime;
 mod sensitivity;
+mod top;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;

@@ -14,6 +14,7 @@ mod position_stage_in_c;
 mod position_stage_in_one_file;
 mod rk4;
 mod stepper;
+mod top;
 mod torque;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};

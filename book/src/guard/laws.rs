@@ -161,6 +161,7 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
             notation: &[],
         },
     ),
+    ("a-top", Expected { laws: &[laws::STEADY_TOP, laws::SLEEPING_TOP], exemptions: &[], notation: &[] }),
     (
         "stepping-through-time",
         Expected {

@@ -5,6 +5,7 @@ use crate::{Figure, Follows, of_body};
 use tumbling::body::named;
 use tumbling::{Error, Inertia};
 
+mod a_top;
 mod box_arrows;
 mod box_moments;
 mod coin;
@@ -242,6 +243,13 @@ pub(crate) static ALL: [Figure; 40] = [
         chapter: "exact-motion",
         draw: exact_errors::draw,
         of_body: Err("it is about the errors of a function, not of one body"),
+    },
+    Figure {
+        name: "a-top",
+        shows: "The axis of a top that was let go: it nods and goes round",
+        chapter: "a-top",
+        draw: a_top::draw,
+        of_body: Err("it is about a top on its point"),
     },
     Figure {
         name: "four-steps",

@@ -11,7 +11,7 @@ pub(crate) struct Decay<T = f64> {
     /// `exp(-2x)`.
     square: T,
     /// `1 - exp(-2x)`, small where `x` is.
-    gap: T,
+    pub(crate) gap: T,
     /// The root of the complementary nome over `exp(-x)`: this exponential from the other end of the passage.
     pub(crate) rising: T,
 }

@@ -8,23 +8,25 @@ use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
 use crate::number::double_double::DoubleDouble;
 use crate::number::{Gather, Lane, gather_fields, splat};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fold<T = f64> {
     /// The argument at the start, from the nearest flip.
-    pub(super) start: DoubleDouble<T>,
+    pub(crate) start: DoubleDouble<T>,
     /// Half periods per unit of time; on the separatrix, which has none, the argument itself.
-    pub(super) rate: DoubleDouble<T>,
+    pub(crate) rate: DoubleDouble<T>,
     /// From flip to saddle, and from flip to flip: infinite on the separatrix.
-    pub(super) quarter: DoubleDouble<T>,
-    pub(super) half: DoubleDouble<T>,
+    pub(crate) quarter: DoubleDouble<T>,
+    pub(crate) half: DoubleDouble<T>,
     /// `pi/(2K')`.
-    pub(super) stretch: T,
+    pub(crate) stretch: T,
     /// The square root of the complementary nome: `exp(-x)` at the saddle.
-    pub(super) nome_root: T,
+    pub(crate) nome_root: T,
     /// The sign of `cn` at the start.
-    pub(super) turn: T,
+    pub(crate) turn: T,
 }
 
 gather_fields!(Fold { start, rate, quarter, half, stretch, nome_root, turn });
@@ -44,7 +46,7 @@ pub(crate) struct FoldedArgument<T: Lane = f64> {
 impl Fold {
     /// On the separatrix, where there is no half period to take off.
     #[inline(always)]
-    pub(super) fn without_return(&self, time: f64) -> FoldedArgument {
+    pub(crate) fn without_return(&self, time: f64) -> FoldedArgument {
         // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
         // large will do.
         let run = self.rate * time;
@@ -56,7 +58,7 @@ impl Fold {
 impl<T: Lane> Fold<T> {
     /// At a time, where the motion returns.
     #[inline(always)]
-    pub(super) fn at(&self, time: T) -> FoldedArgument<T> {
+    pub(crate) fn at(&self, time: T) -> FoldedArgument<T> {
         let (halves, left) = (self.rate * time).split();
         self.folded(halves, (self.half * left).plus(self.start))
     }
@@ -86,6 +88,48 @@ impl<T: Lane> Fold<T> {
             turn: T::select(odd, -self.turn, self.turn),
             halves,
         }
+    }
+}
+
+/// An argument by its exponentials from both ends of the passage.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ends {
+    /// `exp(-X)` of its distance `X` from the nearest flip, and of what is left to the saddle.
+    pub(crate) falling: f64,
+    pub(crate) rising: f64,
+    /// 1 less the square of each, small next to a flip and to a saddle.
+    pub(crate) gaps: [f64; 2],
+    /// The sign of the distance, and -1 after an odd number of half periods.
+    pub(crate) side: f64,
+    pub(crate) turn: f64,
+    /// Half periods since the start.
+    pub(crate) halves: f64,
+}
+
+impl Ends {
+    pub(crate) fn at_flip(nome: f64) -> Self {
+        let root = nome.sqrt();
+        Self { falling: 1.0, rising: root, gaps: [0.0, 1.0 - nome], side: 1.0, turn: 1.0, halves: 0.0 }
+    }
+
+    pub(crate) fn at_saddle(nome: f64) -> Self {
+        let root = nome.sqrt();
+        Self { falling: root, rising: 1.0, gaps: [1.0 - nome, 0.0], side: 1.0, turn: 1.0, halves: 0.0 }
+    }
+}
+
+impl FoldedArgument {
+    #[inline(always)]
+    pub(crate) fn ends(&self) -> Ends {
+        let Self { decay, near_saddle, side, turn, halves } = *self;
+        let (falling, rising) =
+            if near_saddle { (decay.rising, decay.root) } else { (decay.root, decay.rising) };
+        let gaps = if near_saddle {
+            [1.0 - falling * falling, decay.gap]
+        } else {
+            [decay.gap, 1.0 - rising * rising]
+        };
+        Ends { falling, rising, gaps, side, turn, halves }
     }
 }
 

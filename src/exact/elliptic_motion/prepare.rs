@@ -331,7 +331,7 @@ fn of_length_one(pair: Pair) -> Pair {
 
 /// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep
 /// their digits.
-fn phase_at_start([sn, cn, dn]: [f64; 3], complement: f64, quarter: f64) -> [f64; 2] {
+pub(crate) fn phase_at_start([sn, cn, dn]: [f64; 3], complement: f64, quarter: f64) -> [f64; 2] {
     let (sin, cos) = if sn.abs() <= cn.abs() {
         let u = sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, 1.0);
         sin_cos(FRAC_PI_2 * u / quarter)
@@ -345,7 +345,7 @@ fn phase_at_start([sn, cn, dn]: [f64; 3], complement: f64, quarter: f64) -> [f64
 
 /// Jacobi's argument at the start, between the saddles (`cn` taken as positive); `cn`, `dn` and the
 /// complement are times `2^shift`.
-fn argument_at_start(
+pub(crate) fn argument_at_start(
     [sn, cn, dn]: [f64; 3],
     complement: f64,
     quarter: DoubleDouble,

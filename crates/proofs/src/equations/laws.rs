@@ -141,6 +141,8 @@ laws! {
     COIN_SINE = law(r"\omega_2", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
     COIN_SPIN = law(r"\boldsymbol{\omega}", &[tops::coin], "the spin, with the rate by euler::angular_acceleration");
     COIN_AXIS = law(r"\dot{\mathbf{e}}", &[tops::coin], "the rate of the axis");
+    STEADY_TOP = law("Wh", &[tops::steady_top], "the torque that keeps a precessing momentum going round");
+    SLEEPING_TOP = law(r"I_3^2\omega_3^2", &[tops::sleeping_top], "where the two rates of an upright precession are one");
     JACOBI_SN = law(r"\operatorname{sn}'", &[tops::jacobi], "the rates with which the closed form satisfies euler::angular_acceleration");
     JACOBI_CN = law(r"\operatorname{cn}'", &[tops::jacobi], "the same");
     JACOBI_DN = law(r"\operatorname{dn}'", &[tops::jacobi], "the same");

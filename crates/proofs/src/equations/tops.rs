@@ -50,6 +50,38 @@ pub(super) fn coin_in_time() -> Scope {
         .under(Relations::circle("cos", "sin"))
 }
 
+/// A top whose axis goes round the vertical at a rate `Omega` and a constant lean: the weight is what its
+/// momentum's rate requires.
+pub(super) fn steady_top() -> Scope {
+    let [spin, sin, cos] = variables(["omega3", "sin", "cos"]);
+    precessing(spin, sin, cos)
+}
+
+/// The same nearly upright, where the two rates that one spin allows are one.
+pub(super) fn sleeping_top() -> Scope {
+    let [i1, i3, rate, sin] = variables(["I1", "I3", "Omega", "sin"]);
+    precessing(&i1 * &rate * Fraction::from(2_i64) / &i3, sin, Fraction::one())
+}
+
+fn precessing(spin: Fraction, sin: Fraction, cos: Fraction) -> Scope {
+    let [i1, i3, rate, length] = variables(["I1", "I3", "Omega", "h"]);
+    let up = Vector::new(Fraction::zero(), Fraction::zero(), Fraction::one());
+    let axis = Vector::new(sin, Fraction::zero(), cos.clone());
+    // With a lean whose cosine is `cos` this part of the spin is across the axis.
+    let across = (&up - &axis * cos.clone()) * rate.clone();
+    let momentum = across * i1.clone() + &axis * (&i3 * &spin);
+    let torque = up.cross(&momentum) * rate.clone();
+    let level = up.cross(&axis);
+    Scope::default()
+        .with("I_1", i1)
+        .with("I_3", i3)
+        .with(r"\Omega", rate)
+        .with(r"\omega_3", spin)
+        .with("h", length.clone())
+        .with("W", &torque.y / &(&level.y * &length))
+        .with(r"\cos(\theta)", cos)
+}
+
 /// Jacobi's functions and their rates.
 pub(super) fn jacobi() -> Scope {
     let time = Derivation::elliptic(&Fraction::one());

@@ -1,0 +1,357 @@
+//! Lagrange's top in closed form: a symmetric body that turns about a fixed point on its axis under its
+//! weight.
+
+mod cubic;
+mod factor;
+mod integrals;
+mod mounted;
+mod nutation;
+mod prepare;
+mod regime;
+
+pub use regime::TopRegime;
+
+use super::Instant;
+use super::elementary::Turn;
+use crate::attitude::{checked, product};
+use crate::body::Body;
+use crate::error::{Error, Refusal, finite, finite_vector, not_negative};
+use crate::inertia::PrincipalMoments;
+use crate::number::double_double::DoubleDouble;
+use crate::number::functions::{atan2, hypot};
+use crate::number::power_of_two::{exponent, times_power_of_two};
+use integrals::{Integrals, Start};
+use mounted::Mounted;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
+use nutation::{Form, Nutation};
+
+/// The motion of one top from one start, prepared for any instant.
+///
+/// A body with two equal moments is held at a point of its axis of symmetry, and its weight pulls along the
+/// world's -z: the case of [`Torque::gravity`](crate::step::Torque::gravity) that has a closed form, by
+/// Lagrange. Attitude and spin are quotients of theta functions ([KS97](crate::references)). Every start has
+/// its answer: a top that nutates, loops or rests in cusps, one asleep or falling from where it slept, a
+/// pendulum, and with no weight or no arm the free motion of the coin.
+///
+/// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the
+/// bit.
+///
+/// ```
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// use tumbling::PrincipalMoments;
+/// use tumbling::exact::LagrangeTop;
+/// // A top of 0.1 kg, 4 cm from its point to its centre, at 200 rad/s, let go at a lean of 0.5 rad.
+/// let moments = PrincipalMoments::new(2e-4, 2e-4, 5e-5)?;
+/// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.5);
+/// let (spin, arm) = (Vector3::new(0.0, 0.0, 200.0), Vector3::new(0.0, 0.0, 0.04));
+/// let top = LagrangeTop::new(moments, leaning, &spin, &arm, 0.1 * 9.81)?;
+/// let [highest, lowest] = top.lean();
+/// assert!((highest - 0.5).abs() < 1e-12 && (lowest - 0.5947).abs() < 1e-4);
+/// // It goes round at nearly weight x arm / (moment x spin) = 3.92 rad/s, and comes back up to its lean.
+/// assert!((top.precession_rate() - 4.219).abs() < 1e-3);
+/// let lean = |t: f64| top.attitude(t).map(|q| (q * Vector3::z()).z.acos());
+/// assert!((lean(top.period().unwrap())? - 0.5).abs() < 1e-12);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LagrangeTop {
+    mounted: Mounted,
+    start: Instant,
+    /// The top's own axes: spin along the third at the start, rad/s.
+    along: f64,
+    exponent: i32,
+    clock: f64,
+    law: Law,
+    constants: Constants,
+}
+
+/// In SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Constants {
+    energy: f64,
+    momentum_up: f64,
+    momentum_along: f64,
+    lean: [f64; 2],
+    regime: TopRegime,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a box would cost each instant a detour, and the motion its `Copy`"
+)]
+enum Law {
+    /// A turn about the top's axis, which does not move.
+    Steady(Turn),
+    Nutation(Nutation),
+}
+
+/// Below this part of the rates a small number, or its square, would lose digits.
+const SMALLEST: f64 = 1e-140;
+
+impl LagrangeTop {
+    /// From the principal moments about the fixed point (kg m²), the attitude (principal axes to world) and
+    /// the spin (rad/s, along the principal axes) at time 0, the way from the fixed point to the centre of
+    /// mass (m, along the principal axes) and the weight (N), which pulls along the world's -z.
+    ///
+    /// # Errors
+    /// Two moments across the arm that differ, or an arm off its principal axis, by more than rounding
+    /// (a relative 1e-14); a value that is not finite; a weight below zero; a tilt, a sideways spin or a
+    /// weight of less than about 1e-70 of what else moves the top but not zero, or a rate beyond `f64`.
+    pub fn new(
+        moments: PrincipalMoments,
+        attitude: UnitQuaternion<f64>,
+        omega: &Vector3<f64>,
+        arm: &Vector3<f64>,
+        weight: f64,
+    ) -> Result<Self, Error> {
+        finite_vector("the spin", omega)?;
+        finite_vector("the arm", arm)?;
+        not_negative("the weight", weight)?;
+        let attitude = checked(attitude)?;
+        let mounted = Mounted::new(moments, arm)?;
+        let torque = DoubleDouble::product(mounted.arm, weight).abs();
+        let q = mounted.to_own(attitude.into_inner());
+        let spin = mounted.in_own(omega);
+        let (across, polar) = (DoubleDouble::from(mounted.across), DoubleDouble::from(mounted.polar));
+        let along = polar * spin.z / across;
+        let pull = torque * 2.0 / across;
+        let rates = [spin.x, spin.y, along.hi(), spin.z, pull.hi().sqrt()];
+        let fastest = rates.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if !fastest.is_finite() || !pull.hi().is_finite() {
+            return Err(Refusal::OutOfRange { what: "the fastest rate of the top", value: fastest }.into());
+        }
+        let power = exponent(fastest).clamp(-1000, 1000);
+        let scaled = |x: f64| times_power_of_two(x, -power);
+        let start = Start {
+            alpha: [q.w, q.k],
+            beta: [q.i, q.j],
+            across: [scaled(spin.x), scaled(spin.y)],
+            along: along.scaled(-power),
+            pull: pull.scaled(-power).scaled(-power),
+        };
+        let integrals = Integrals::new(&start);
+        in_range(&integrals)?;
+        let still = integrals.across_squared.hi() == 0.0;
+        let upright = integrals.from_bottom.hi() == 0.0 || integrals.from_top.hi() == 0.0;
+        let law = if still && (upright || start.pull.hi() == 0.0) {
+            Law::Steady(Turn::along([0.0, 0.0, scaled(spin.z)].map(DoubleDouble::from)))
+        } else {
+            let ahead = DoubleDouble::from(scaled(spin.z)) - start.along;
+            Law::Nutation(integrals.nutation(&start, ahead))
+        };
+        let constants = Constants::new(&mounted, &integrals, &law, power);
+        let top = Self {
+            mounted,
+            start: Instant { omega: *omega, attitude },
+            along: spin.z,
+            exponent: power,
+            clock: times_power_of_two(1.0, power),
+            law,
+            constants,
+        };
+        top.checked()
+    }
+
+    /// The motion of `body`, whose tensor is that about its fixed point, from its attitude and momentum; the
+    /// arm in the axes of its tensor.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::exact::{LagrangeTop, TopRegime};
+    /// use tumbling::solid::{Cone, Solid};
+    /// use tumbling::Body;
+    /// // A cone on its tip, leaning by 0.3 rad.
+    /// let cone = Cone::new(0.02, 0.05)?.with_mass(0.1)?;
+    /// let arm = Vector3::new(0.0, 0.0, 0.0375);
+    /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.3);
+    /// let body = Body::spinning(cone.about(&-arm)?, leaning, &Vector3::new(0.0, 0.0, 300.0))?;
+    /// let top = LagrangeTop::of(&body, &arm, cone.mass() * 9.81)?;
+    /// assert_eq!(top.regime(), TopRegime::Cusped);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
+    pub fn of(body: &Body, arm: &Vector3<f64>, weight: f64) -> Result<Self, Error> {
+        finite_vector("the arm", arm)?;
+        let (moments, frame) = body.inertia().along_principal_axes()?;
+        let omega = body.omega_body();
+        let Some(frame) = frame else { return Self::new(moments, body.attitude(), &omega, arm, weight) };
+        let (turned, along, arm) = (body.attitude() * frame, frame.inverse() * omega, frame.inverse() * arm);
+        let top = Self::new(moments, turned, &along, &arm, weight)?;
+        let start = Instant { omega, attitude: body.attitude() };
+        Ok(Self { mounted: top.mounted.within(frame), start, ..top })
+    }
+
+    /// Spin (body axes, rad/s) and attitude (body to world) at time `t`.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn at(&self, t: f64) -> Result<Instant, Error> {
+        let time = finite("the time", t)? * self.clock;
+        if time == 0.0 {
+            return Ok(self.start);
+        }
+        Ok(match &self.law {
+            Law::Steady(turn) => {
+                let attitude = product(self.start.attitude.quaternion(), &self.mounted.turn(turn.at(time)));
+                Instant { omega: self.start.omega, attitude: UnitQuaternion::new_unchecked(attitude) }
+            }
+            Law::Nutation(nutation) => {
+                let ([[w, z], [x, y]], [first, second]) = nutation.at(time);
+                let q = Quaternion::new(w, x, y, z);
+                let over = 1.0 / q.norm();
+                let scaled = |x: f64| times_power_of_two(x, self.exponent);
+                let omega = Vector3::new(scaled(first), scaled(second), self.along);
+                let attitude = UnitQuaternion::new_unchecked(self.mounted.to_body(q * over));
+                Instant { omega: self.mounted.in_body(omega), attitude }
+            }
+        })
+    }
+
+    /// Attitude at time `t`, body to world.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
+        self.at(t).map(|at| at.attitude)
+    }
+
+    /// Angular velocity in body axes at time `t`, rad/s.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
+        self.at(t).map(|at| at.omega)
+    }
+
+    /// The body at time `t`, with its tensor about the fixed point.
+    ///
+    /// # Errors
+    /// A time that is not finite, or a momentum beyond `f64`.
+    pub fn body(&self, t: f64) -> Result<Body, Error> {
+        let Instant { omega, attitude } = self.at(t)?;
+        Body::spinning(self.mounted.inertia()?, attitude, &omega)
+    }
+
+    /// The time from one highest place of the axis to the next, s: the period of the nutation. `None` where
+    /// the lean does not change, and where it does not come back.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        let Law::Nutation(nutation) = &self.law else { return None };
+        let seconds = times_power_of_two(nutation.half_period.hi(), -self.exponent);
+        let steady = matches!(self.constants.regime, TopRegime::SteadyPrecession);
+        (seconds.is_finite() && !steady).then_some(seconds)
+    }
+
+    /// How fast the axis goes round the vertical in the mean over a period, rad/s; counter-clockwise seen
+    /// from above is positive. Where the axis stands still it is zero. Where the axis passes exactly through
+    /// the vertical and so leaps to the other side, as a plane pendulum's, the leaps do not count.
+    #[must_use]
+    pub fn precession_rate(&self) -> f64 {
+        match &self.law {
+            Law::Steady(_) => 0.0,
+            Law::Nutation(nutation) => times_power_of_two(nutation.precession(), self.exponent),
+        }
+    }
+
+    /// The least and the greatest angle between the vertical and the axis, taken from the fixed point to the
+    /// centre of mass, rad: 0 is upright.
+    #[must_use]
+    pub fn lean(&self) -> [f64; 2] {
+        self.constants.lean
+    }
+
+    /// What kind of motion it is.
+    #[must_use]
+    pub fn regime(&self) -> TopRegime {
+        self.constants.regime
+    }
+
+    /// Kinetic energy and that of the weight's height above the fixed point, J: constant.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.constants.energy
+    }
+
+    /// The momentum about the vertical, kg m²/s: constant.
+    #[must_use]
+    pub fn momentum_about_vertical(&self) -> f64 {
+        self.constants.momentum_up
+    }
+
+    /// The momentum about the top's axis, taken from the fixed point to the centre of mass, kg m²/s:
+    /// constant.
+    #[must_use]
+    pub fn momentum_about_axis(&self) -> f64 {
+        self.constants.momentum_along
+    }
+
+    /// That no constant has left the range of `f64`.
+    fn checked(self) -> Result<Self, Error> {
+        let Constants { energy, momentum_up, momentum_along, lean, .. } = self.constants;
+        let value = energy + momentum_up + momentum_along + lean[0] + lean[1] + self.precession_rate();
+        let numbers = match &self.law {
+            Law::Steady(_) => true,
+            Law::Nutation(nutation) => {
+                let room = times_power_of_two(4.0 * nutation.greatest_spin(), self.exponent);
+                nutation.is_finite() && room.is_finite()
+            }
+        };
+        if numbers && value.is_finite() && (self.along * 4.0).is_finite() {
+            return Ok(self);
+        }
+        Err(Refusal::OutOfRange { what: "a rate or an energy of the top", value }.into())
+    }
+}
+
+/// Refuses what is too small for its square to have all its digits, but is not zero.
+fn in_range(integrals: &Integrals) -> Result<(), Error> {
+    let Integrals { from_bottom, from_top, across_squared, pull, .. } = integrals;
+    for (what, square) in [
+        ("how close the axis is to hanging down, as a square,", from_bottom),
+        ("how close the axis is to upright, as a square,", from_top),
+        ("the sideways spin, as a square relative to the fastest rate,", across_squared),
+        ("the weight's torque relative to the fastest rate", pull),
+    ] {
+        let value = square.hi();
+        if value != 0.0 && !(value.abs() >= SMALLEST && value.is_finite()) {
+            return Err(Refusal::OutOfRange { what, value }.into());
+        }
+    }
+    Ok(())
+}
+
+impl Constants {
+    fn new(mounted: &Mounted, integrals: &Integrals, law: &Law, power: i32) -> Self {
+        let Integrals { along, pull, across_squared, at_bottom, .. } = integrals;
+        let scaled = |x: DoubleDouble, times: f64| times_power_of_two(x.hi() * times, power);
+        let polar_spin = mounted.across / mounted.polar * along.hi();
+        let twice = *across_squared + *pull * integrals.height() + *along * polar_spin;
+        let energy = times_power_of_two(0.5 * mounted.across * twice.hi(), power);
+        let root = |x: DoubleDouble| x.hi().max(0.0).sqrt();
+        let angle = |k: usize| 2.0 * atan2(root(integrals.tops[k]), root(integrals.bottoms[k]));
+        let steady = matches!(law, Law::Steady(_));
+        let here = 2.0 * atan2(root(integrals.from_top), root(integrals.from_bottom));
+        Self {
+            energy: times_power_of_two(energy, power),
+            momentum_up: scaled(*at_bottom - *along, mounted.across),
+            momentum_along: scaled(*along, mounted.across),
+            lean: if steady { [here; 2] } else { [angle(1), angle(0)] },
+            regime: TopRegime::new(integrals, steady),
+        }
+    }
+}
+
+impl Nutation {
+    fn greatest_spin(&self) -> f64 {
+        let factor = match &self.form {
+            Form::Direct { factors, .. } => factors[2].greatest,
+            Form::Complementary { factors, .. } => factors[2].greatest,
+        };
+        hypot(factor, self.rate)
+    }
+}

@@ -1,0 +1,270 @@
+//! The complex numbers of which a top's motion is made: each a theta function of the phase, turning evenly.
+//!
+//! With `alpha = w + i z` and `beta = x + i y` of the attitude's quaternion, `|alpha|² = (1 + u)/2` and
+//! `|beta|² = (1 - u)/2`, where `u` is the cosine of the lean, that has a period. So both are theta functions
+//! whose zeros lie where `u` is -1 and 1, over the one where `u` has its poles, times an exponential of the
+//! time ([KS97](crate::references)); so is the spin across the axis, whose square is linear in `u`:
+//!
+//! ```text
+//! alpha ~ theta_1(z - i B)/theta_4(z),   beta, omega ~ theta_2(z - i B)/theta_4(z)
+//! ```
+
+use crate::exact::cayley_klein::{phase_factor, times};
+use crate::exact::elliptic_motion::Ends;
+use crate::number::double_double::DoubleDouble;
+use crate::number::functions::{exp, exp_and_exp_m1, hypot, powi, sin_cos};
+use core::f64::consts::{FRAC_PI_2, PI};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
+
+/// What each of the three is made from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shape {
+    /// Whether it is largest where the axis stands highest: `theta_1`, not `theta_2`.
+    pub(super) first: bool,
+    /// Where the zero lies, as an imaginary argument of Jacobi's functions, and how far below the quarter
+    /// period.
+    pub(super) depths: [f64; 2],
+    /// 1 or -1: the way its argument turns as it passes the zero.
+    pub(super) sense: f64,
+    /// Its length, and how fast its argument turns (rad per unit of time), where it is largest.
+    pub(super) size: f64,
+    pub(super) rate: DoubleDouble,
+    /// At the start; where that is zero, its rate of change.
+    pub(super) start: [f64; 2],
+    pub(super) start_rate: [f64; 2],
+}
+
+impl Shape {
+    /// What turns `found`, the function at the start, to the direction of the start.
+    fn aligned(&self, found: [f64; 2]) -> [f64; 2] {
+        let unit = |x: [f64; 2]| {
+            let length = hypot(x[0], x[1]);
+            (length > 0.0).then(|| x.map(|x| x / length))
+        };
+        // The function grows through its zero, or falls.
+        let growing = [if self.first { 1.0 } else { -1.0 }, 0.0];
+        match (unit(self.start), unit(found)) {
+            (Some(start), Some([re, im])) => times(start, [re, -im]),
+            _ => unit(self.start_rate).map_or([1.0, 0.0], |rate| times(rate, growing)),
+        }
+    }
+}
+
+/// The form in the nome.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Direct {
+    first: bool,
+    /// Polynomials in `cos 2z`.
+    along_cos: [f64; 4],
+    along_sin: [f64; 4],
+    factor: [f64; 2],
+    pub(super) drift: DoubleDouble,
+    /// 1 or -1: the way its argument turns.
+    pub(super) sense: f64,
+    pub(super) greatest: f64,
+}
+
+/// `theta_4` in `cos 2z`.
+pub(super) fn denominator(q: f64) -> [f64; 4] {
+    let (q4, q9) = (powi(q, 4), powi(q, 9));
+    [1.0 - 2.0 * q4, -2.0 * q + 6.0 * q9, 4.0 * q4, -8.0 * q9]
+}
+
+/// A cubic polynomial.
+#[inline(always)]
+pub(super) fn cubic(p: &[f64; 4], x: f64) -> f64 {
+    (p[0] + p[1] * x) + (x * x) * (p[2] + p[3] * x)
+}
+
+impl Direct {
+    /// `q` is the nome, `quarter` the quarter period; the phase runs by `turns` per unit of time and starts
+    /// at the sine and cosine `start`.
+    pub(super) fn new(q: f64, quarter: f64, turns: DoubleDouble, start: [f64; 2], shape: &Shape) -> Self {
+        // exp(-2B) and q exp(2B), one from the other so that their product is q; and what the square of the
+        // second is short of 1.
+        let [depth, rest] = shape.depths.map(|depth| -PI * (depth / quarter));
+        let (fall, less, rise, left) = if depth >= rest || q == 0.0 {
+            let (fall, less) = exp_and_exp_m1(depth);
+            let rise = if q == 0.0 { 0.0 } else { (q / fall).min(1.0) };
+            (fall, less, rise, 1.0 - rise * rise)
+        } else {
+            let rise = exp(rest);
+            let fall = q / rise;
+            (fall, fall - 1.0, rise, -exp_and_exp_m1(2.0 * rest).1)
+        };
+        let size = [1.0, rise * q, rise * rise * powi(q, 4), powi(rise, 3) * powi(q, 9)];
+        let falls = [fall, powi(fall, 3), powi(fall, 5), powi(fall, 7)];
+        let c = [0, 1, 2, 3].map(|n| size[n] * (1.0 + falls[n]));
+        let mut s = [0, 1, 2, 3].map(|n| size[n] * (1.0 - falls[n]));
+        s[0] = -less;
+        // How fast the argument turns with the phase where it is largest, and what that is short of 1.
+        let odd = [1.0, 3.0, 5.0, 7.0];
+        let total = c[0] + c[1] + c[2] + c[3];
+        let turning = if fall > 0.5 {
+            DoubleDouble::from([0, 1, 2, 3].map(|n| odd[n] * s[n]).iter().sum::<f64>() / total)
+        } else {
+            // Sums of pairs that cancel where the zero is next to the pole.
+            let r2 = rise * rise;
+            let (once, twice) = (1.0 + r2, 1.0 + r2 + r2 * r2);
+            let [f2, f3] = [fall * fall, falls[1]];
+            let short = 2.0 * fall + 4.0 * (q * q) * f2 * once + 6.0 * powi(q, 6) * f3 * twice;
+            DoubleDouble::ONE - DoubleDouble::from(short * left / total)
+        };
+        let drift = shape.rate / (DoubleDouble::PI * 2.0) - turns * turning * shape.sense;
+        let mut direct = Self {
+            first: shape.first,
+            along_cos: [
+                c[0] - c[1] - c[2] + c[3],
+                2.0 * c[1] - 2.0 * c[2] - 4.0 * c[3],
+                4.0 * c[2] - 4.0 * c[3],
+                8.0 * c[3],
+            ],
+            along_sin: [
+                s[0] + s[1] - s[2] - s[3],
+                2.0 * s[1] + 2.0 * s[2] - 4.0 * s[3],
+                4.0 * s[2] + 4.0 * s[3],
+                8.0 * s[3],
+            ]
+            .map(|x| x * shape.sense),
+            factor: [1.0, 0.0],
+            drift,
+            sense: shape.sense,
+            greatest: shape.size,
+        };
+        let largest = if shape.first { [1.0, 0.0] } else { [0.0, 1.0] };
+        let [re, im] = direct.raw(largest);
+        let c = if shape.first { -1.0 } else { 1.0 };
+        let amplitude = shape.size * cubic(&denominator(q), c) / hypot(re, im);
+        direct.factor = shape.aligned(direct.raw(start)).map(|x| amplitude * x);
+        direct
+    }
+
+    /// From sine and cosine of the phase, without its factor.
+    #[inline(always)]
+    fn raw(&self, [sin, cos]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = if self.first { (-cos, sin) } else { (sin, cos) };
+        let c = (cos - sin) * (cos + sin);
+        [cos * cubic(&self.along_cos, c), sin * cubic(&self.along_sin, c)]
+    }
+
+    /// Times `theta_4`.
+    #[inline(always)]
+    pub(super) fn at(&self, phase: [f64; 2], time: f64) -> [f64; 2] {
+        let turned = times(self.factor, phase_factor(self.drift * time));
+        times(turned, self.raw(phase))
+    }
+}
+
+/// The form in the complementary nome.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Complementary {
+    first: bool,
+    /// Cosines and sines of the multiples of the zero's argument, with all that does not change.
+    cos: [f64; 4],
+    sin: [f64; 4],
+    /// `1 - cos 2Y`.
+    off_one: f64,
+    /// The complementary nome.
+    nome: f64,
+    factor: [f64; 2],
+    pub(super) drift: DoubleDouble,
+    /// Turns that each half period adds.
+    step: f64,
+    /// What the argument itself turns by in half a period.
+    pub(super) winding: f64,
+    pub(super) greatest: f64,
+}
+
+/// `theta_4` over `exp X`.
+#[inline(always)]
+pub(super) fn complementary_denominator(nome: f64, ends: &Ends) -> f64 {
+    let (e, r) = (ends.falling * ends.falling, ends.rising * ends.rising);
+    let (p, cube) = (nome, e * e * e);
+    let p3 = p * p * p;
+    (1.0 + e) + p * r * ((1.0 + cube) + p3 * r * ((1.0 + e * e * cube) + p3 * p * p * r))
+}
+
+impl Complementary {
+    /// `stretched = pi/(2K')`; the argument's own rate is `rate`.
+    pub(super) fn new(nome: f64, stretched: f64, rate: DoubleDouble, start: &Ends, shape: &Shape) -> Self {
+        let [depth, rest] = shape.depths.map(|depth| stretched * depth);
+        // The smaller has the smaller error.
+        let (depth, rest) = if depth <= rest { (depth, FRAC_PI_2 - depth) } else { (FRAC_PI_2 - rest, rest) };
+        let weights = if shape.first { [1.0, 3.0, 5.0, 7.0] } else { [0.0, 2.0, 4.0, 6.0] };
+        let signs = [1.0, -1.0, 1.0, -1.0];
+        let angles = weights.map(|m| sin_cos(m * depth));
+        let mut new = Self {
+            first: shape.first,
+            cos: [0, 1, 2, 3].map(|n| signs[n] * angles[n].1),
+            sin: [0, 1, 2, 3].map(|n| -shape.sense * signs[n] * angles[n].0),
+            off_one: 2.0 * sin_cos(depth).0 * sin_cos(depth).0,
+            nome,
+            factor: [1.0, 0.0],
+            drift: DoubleDouble::ZERO,
+            step: shape.sense * if shape.first { -depth } else { rest } / PI,
+            winding: shape.sense * 2.0 * rest,
+            greatest: shape.size,
+        };
+        let largest = if shape.first { Ends::at_saddle(nome) } else { Ends::at_flip(nome) };
+        let [re, im] = new.raw(&largest);
+        let turning = rate * (stretched * new.turning());
+        new.drift = (shape.rate - turning) / (DoubleDouble::PI * 2.0);
+        let amplitude = shape.size * complementary_denominator(nome, &largest) / hypot(re, im);
+        new.factor = shape.aligned(new.raw(start)).map(|x| amplitude * x);
+        new
+    }
+
+    /// How fast the argument turns with `X` where it is largest.
+    fn turning(&self) -> f64 {
+        let p = self.nome;
+        let powers = [1.0, p, powi(p, 4), powi(p, 9)];
+        let sum = |f: &dyn Fn(usize) -> f64| [0, 1, 2, 3].map(f).iter().sum::<f64>();
+        if self.first {
+            let odd = [1.0, 3.0, 5.0, 7.0];
+            let falls = [p, powi(p, 3), powi(p, 5), powi(p, 7)];
+            let re = sum(&|n| powers[n] * self.cos[n] * (1.0 - falls[n]));
+            let im = sum(&|n| powers[n] * self.sin[n] * (1.0 + falls[n]));
+            let re_change = sum(&|n| odd[n] * powers[n] * self.cos[n] * (1.0 + falls[n]));
+            let im_change = sum(&|n| odd[n] * powers[n] * self.sin[n] * (1.0 - falls[n]));
+            return (re * im_change - im * re_change) / (re * re + im * im);
+        }
+        let even = [0.0, 4.0, 8.0, 12.0];
+        let twice = [1.0, 2.0, 2.0, 2.0];
+        sum(&|n| even[n] * powers[n] * self.sin[n]) / sum(&|n| twice[n] * powers[n] * self.cos[n])
+    }
+
+    /// Over `exp X`, without its factor.
+    #[inline(always)]
+    fn raw(&self, ends: &Ends) -> [f64; 2] {
+        let p = self.nome;
+        let (e, r) = (ends.falling * ends.falling, ends.rising * ends.rising);
+        let [gap, from_saddle] = ends.gaps;
+        let (c, s) = (&self.cos, &self.sin);
+        let (e2, p3) = (e * e, p * p * p);
+        if self.first {
+            let (cube, fifth) = (e * e2, e2 * e2 * e);
+            let (first, second, third) = (p * r, p3 * r, p3 * p * p * r);
+            let less = gap * c[0]
+                + first * (gap * (1.0 + e + e2) * c[1] + second * ((1.0 - fifth) * c[2] + third * c[3]));
+            let more = (1.0 + e) * s[0]
+                + first * ((1.0 + cube) * s[1] + second * ((1.0 + fifth) * s[2] + third * s[3]));
+            return [ends.turn * ends.side * less, ends.turn * more];
+        }
+        // 1 - r cos 2Y, with all its digits where both are small.
+        let (pe, pe2) = (p * e, p * p * e2);
+        let near = from_saddle + r * self.off_one + pe * c[1];
+        let p2 = p * p;
+        let re = near + p2 * ((r * r + pe2) * c[2] + p2 * p2 * r * r * r * c[3]);
+        let im = (r - pe) * s[1] + p2 * ((r * r - pe2) * s[2] + p2 * p2 * r * r * r * s[3]);
+        [ends.falling * re, ends.side * ends.falling * im]
+    }
+
+    /// Times `theta_4` over `exp X`.
+    #[inline(always)]
+    pub(super) fn at(&self, ends: &Ends, time: f64) -> [f64; 2] {
+        let steps = DoubleDouble::product(ends.halves, self.step);
+        let turned = times(self.factor, phase_factor(self.drift * time + steps));
+        times(turned, self.raw(ends))
+    }
+}

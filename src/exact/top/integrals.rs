@@ -1,0 +1,154 @@
+//! What stays the same in a top's motion, and how high and low its axis goes.
+
+use super::cubic::Cubic;
+use crate::number::double_double::DoubleDouble;
+
+/// A start in units of one rate, with the body's axis of symmetry last, from the fixed point to the weight.
+pub(super) struct Start {
+    /// Its attitude's `alpha = w + i z` and `beta = x + i y`, and the square of its length.
+    pub(super) alpha: [f64; 2],
+    pub(super) beta: [f64; 2],
+    /// The spin across the axis.
+    pub(super) across: [f64; 2],
+    /// The momentum along the axis over the moment across it: the spin of a spherical top that moves alike.
+    pub(super) along: DoubleDouble,
+    /// Twice the torque of a level axis over the moment across it: 0 or above.
+    pub(super) pull: DoubleDouble,
+}
+
+/// All that the motion is prepared from, by the cosine `u` of the lean, whose rate has the square
+/// `(1 - u²)(e - pull u) - (l - along u)²`: two of its roots, `low` and `high`, bound the motion.
+pub(super) struct Integrals {
+    pub(super) along: DoubleDouble,
+    pub(super) pull: DoubleDouble,
+    /// `1 + u` and `1 - u` at the start, and the vertical across the axis.
+    pub(super) from_bottom: DoubleDouble,
+    pub(super) from_top: DoubleDouble,
+    pub(super) vertical: [DoubleDouble; 2],
+    /// The square of the spin across the axis; its part along the vertical; how fast `u` rises.
+    pub(super) across_squared: DoubleDouble,
+    pub(super) about: DoubleDouble,
+    pub(super) rising: DoubleDouble,
+    /// `l + along` and `l - along`: the momentum's parts at the bottom and the top.
+    pub(super) at_bottom: DoubleDouble,
+    pub(super) at_top: DoubleDouble,
+    /// How far the start is above `low` and below `high`.
+    pub(super) down: DoubleDouble,
+    pub(super) up: DoubleDouble,
+    /// `1 + u` at `low` and `high`, and `1 - u`.
+    pub(super) bottoms: [DoubleDouble; 2],
+    pub(super) tops: [DoubleDouble; 2],
+    /// `pull (u3 - 1)` of the third root.
+    pub(super) third: DoubleDouble,
+}
+
+fn not_negative(x: DoubleDouble) -> DoubleDouble {
+    if x.hi() > 0.0 { x } else { DoubleDouble::ZERO }
+}
+
+impl Start {
+    /// `1 + u`, `1 - u`, and the vertical's two components across the axis.
+    fn height(&self) -> ([DoubleDouble; 2], [DoubleDouble; 2]) {
+        let square = |[x, y]: [f64; 2]| DoubleDouble::product(x, x) + DoubleDouble::product(y, y);
+        let (a, b) = (square(self.alpha), square(self.beta));
+        let ([w, z], [x, y]) = (self.alpha, self.beta);
+        let two = |p: DoubleDouble| p * 2.0 / (a + b);
+        let first = DoubleDouble::product(z, x) - DoubleDouble::product(w, y);
+        let second = DoubleDouble::product(w, x) + DoubleDouble::product(z, y);
+        ([two(a), two(b)], [two(first), two(second)])
+    }
+}
+
+impl Integrals {
+    pub(super) fn new(start: &Start) -> Self {
+        let ([from_bottom, from_top], vertical) = start.height();
+        let ([v1, v2], [w1, w2], along, pull) = (vertical, start.across, start.along, start.pull);
+        let across_squared = DoubleDouble::product(w1, w1) + DoubleDouble::product(w2, w2);
+        let about = v1 * w1 + v2 * w2;
+        let mut new = Self {
+            along,
+            pull,
+            from_bottom,
+            from_top,
+            vertical,
+            across_squared,
+            about,
+            rising: v1 * w2 - v2 * w1,
+            at_bottom: about + along * from_bottom,
+            at_top: about - along * from_top,
+            down: DoubleDouble::ZERO,
+            up: DoubleDouble::ZERO,
+            bottoms: [DoubleDouble::ZERO; 2],
+            tops: [DoubleDouble::ZERO; 2],
+            third: DoubleDouble::ZERO,
+        };
+        new.find_bounds();
+        new
+    }
+
+    /// The cosine of the lean at the start.
+    pub(super) fn height(&self) -> DoubleDouble {
+        let one = DoubleDouble::ONE;
+        if self.from_top.hi() < 1.0 { one - self.from_top } else { self.from_bottom - one }
+    }
+
+    /// The roots, each from the start, the top or the bottom, whichever is near: so each has all its digits,
+    /// and what lies between two of them is a sum.
+    fn find_bounds(&mut self) {
+        let (b, pull, square) = (self.along, self.pull, self.across_squared);
+        let twice = |x: DoubleDouble| x * 2.0;
+        let curve = twice(pull * self.height()) - square - b * b;
+        let slope =
+            twice(b * self.about) - twice(self.height() * square) - pull * self.from_bottom * self.from_top;
+        let from_start = Cubic([self.rising * self.rising, slope, curve, pull]);
+        let (down, up) = (from_start.below(), from_start.above());
+
+        let at_top = square - pull * self.from_top;
+        let from_top = Cubic([
+            self.at_top * self.at_top,
+            twice(b * self.at_top - at_top),
+            at_top + b * b - twice(pull),
+            pull,
+        ]);
+        let at_bottom = square + pull * self.from_bottom;
+        let from_bottom = Cubic([
+            self.at_bottom * self.at_bottom,
+            -twice(at_bottom + b * self.at_bottom),
+            at_bottom + twice(pull) + b * b,
+            -pull,
+        ]);
+        let near = |part: DoubleDouble, whole: DoubleDouble| part.hi() <= 0.5 * whole.hi();
+        let low = if near(down, self.from_bottom) { self.from_bottom - down } else { from_bottom.above() };
+        self.down = if near(down, self.from_bottom) { down } else { not_negative(self.from_bottom - low) };
+        let high = if near(up, self.from_top) { self.from_top - up } else { from_top.above() };
+        self.up = if near(up, self.from_top) { up } else { not_negative(self.from_top - high) };
+        self.bottoms = [low, self.from_bottom + self.up];
+        self.tops = [self.from_top + self.down, high];
+        let two = DoubleDouble::from(2.0);
+        let third = pull * (self.tops[0] + self.tops[1] - two) + at_top + b * b;
+        self.third = if third.hi() > pull.hi() { third } else { pull * from_top.below() };
+    }
+
+    /// Where the spin across the axis would vanish: how far below it `high` is, above it the third root, each
+    /// times the pull; and the square of that spin at `low`.
+    pub(super) fn rest(&self) -> [DoubleDouble; 3] {
+        let highest = not_negative(self.across_squared - self.pull * self.up);
+        let lowest = self.across_squared + self.pull * self.down;
+        let sum = self.tops[0] + self.tops[1] - DoubleDouble::from(2.0);
+        // A product where it is one; next to a cusp a difference, of what is small where it is small.
+        let third = if highest.hi() > 1e-3 * self.across_squared.hi() {
+            let tie = self.tie();
+            tie * tie / (highest * lowest)
+        } else if self.third.hi() > self.pull.hi() || self.along.hi() == 0.0 {
+            not_negative(self.along * self.along + self.pull * sum)
+        } else {
+            not_negative(self.third + self.pull * self.from_top - self.across_squared)
+        };
+        [highest, third, lowest]
+    }
+
+    /// Whose sign is the way in which the spin across the axis would pass its zero.
+    pub(super) fn tie(&self) -> DoubleDouble {
+        self.along * self.across_squared - self.pull * self.about
+    }
+}

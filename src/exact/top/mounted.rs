@@ -1,0 +1,95 @@
+//! How a top's own axes, with its axis of symmetry last, are mounted in the body.
+
+use crate::attitude::{product, rotate_inverse};
+use crate::error::{Error, Refusal};
+use crate::exact::kernel::unit;
+use crate::inertia::{Inertia, PrincipalMoments};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
+
+/// How far two moments may differ, and an arm be off its axis, relative.
+const ROUNDING: f64 = 1e-14;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Mounted {
+    /// The moments across the axis of symmetry and about it, kg m².
+    pub(super) across: f64,
+    pub(super) polar: f64,
+    /// The arm along the principal axis; the top's own axis points along it.
+    pub(super) arm: f64,
+    /// The top's own axes to the body's, where they differ.
+    frame: Option<Quaternion<f64>>,
+}
+
+impl Mounted {
+    pub(super) fn new(moments: PrincipalMoments, arm: &Vector3<f64>) -> Result<Self, Error> {
+        let largest = arm.amax();
+        let axis = if largest > 0.0 { arm.iamax() } else { axis_of(moments) };
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        let off = arm[next].abs().max(arm[last].abs()) / largest.max(f64::MIN_POSITIVE);
+        let apart = (moments[next] - moments[last]).abs() / moments[next].max(moments[last]);
+        for (what, value) in [
+            ("the part of the arm across the principal axis next to it, relative to the arm,", off),
+            ("the difference of the two moments across the top's axis, relative to the larger,", apart),
+        ] {
+            if value > ROUNDING {
+                return Err(Refusal::NotBelow { what, value, limit: ROUNDING }.into());
+            }
+        }
+        let cyclic = match axis {
+            0 => Quaternion::new(0.5, 0.5, 0.5, 0.5),
+            1 => Quaternion::new(0.5, -0.5, -0.5, -0.5),
+            _ => Quaternion::identity(),
+        };
+        let frame =
+            if arm[axis] < 0.0 { product(&cyclic, &Quaternion::new(0.0, 1.0, 0.0, 0.0)) } else { cyclic };
+        Ok(Self {
+            across: 0.5 * moments[next] + 0.5 * moments[last],
+            polar: moments[axis],
+            arm: arm[axis],
+            frame: (frame != Quaternion::identity()).then_some(frame),
+        })
+    }
+
+    /// The same, where the body's axes are others: `outer` takes those of the principal axes to them.
+    pub(super) fn within(self, outer: UnitQuaternion<f64>) -> Self {
+        let frame = self.frame.unwrap_or_else(Quaternion::identity);
+        Self { frame: Some(unit(product(outer.quaternion(), &frame))), ..self }
+    }
+
+    /// An attitude of the body as one of the top's own axes, and back.
+    pub(super) fn to_own(&self, q: Quaternion<f64>) -> Quaternion<f64> {
+        self.frame.map_or(q, |frame| product(&q, &frame))
+    }
+
+    pub(super) fn to_body(&self, q: Quaternion<f64>) -> Quaternion<f64> {
+        unit(self.frame.map_or(q, |frame| product(&q, &frame.conjugate())))
+    }
+
+    /// A vector in the body's axes along the top's own, and back.
+    pub(super) fn in_own(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        self.frame.map_or(*v, |frame| rotate_inverse(&frame, v))
+    }
+
+    pub(super) fn in_body(&self, v: Vector3<f64>) -> Vector3<f64> {
+        self.frame.map_or(v, |frame| rotate_inverse(&frame.conjugate(), &v))
+    }
+
+    /// A turn along the top's own axes as one along the body's.
+    pub(super) fn turn(&self, q: Quaternion<f64>) -> Quaternion<f64> {
+        self.frame.map_or(q, |frame| unit(product(&product(&frame, &q), &frame.conjugate())))
+    }
+
+    /// The tensor in the body's axes.
+    pub(super) fn inertia(&self) -> Result<Inertia, Error> {
+        let inertia = Inertia::from_moments(self.across, self.across, self.polar)?;
+        self.frame.map_or(Ok(inertia), |frame| inertia.turned(UnitQuaternion::new_unchecked(frame)))
+    }
+}
+
+/// The axis of symmetry of a body without an arm: the one whose two others agree best.
+fn axis_of(moments: PrincipalMoments) -> usize {
+    let apart = |axis: usize| (moments[(axis + 1) % 3] - moments[(axis + 2) % 3]).abs();
+    (0..3).rev().min_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(2)
+}

@@ -1,0 +1,169 @@
+//! The constants of a top's motion in theta functions.
+
+use super::factor::{Complementary, Direct, Shape, denominator};
+use super::integrals::{Integrals, Start};
+use super::nutation::{Form, Nutation};
+use crate::exact::elliptic::{NOME_RATIO, quarter_period, quarter_period_from_root, rf_of_roots};
+use crate::exact::elliptic_motion::{Fold, argument_at_start, phase_at_start};
+use crate::number::double_double::DoubleDouble;
+use crate::number::functions::exp;
+use core::f64::consts::{FRAC_PI_2, PI};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
+
+/// `F = sqrt(a) R_F(x, y, z)` of squares, and what is left of it to its quarter period, where `square` is
+/// that of the other modulus: each with all its digits where it is small.
+fn depths(a: DoubleDouble, [x, y, z]: [DoubleDouble; 3], square: DoubleDouble) -> [f64; 2] {
+    let root = |x: DoubleDouble| x.hi().max(0.0).sqrt();
+    let product = |a: DoubleDouble, [x, y, z]: [DoubleDouble; 3]| {
+        if a.hi() > 0.0 { root(a) * rf_of_roots(root(x), root(y), root(z)) } else { 0.0 }
+    };
+    let rest = if square.hi() == 0.0 { f64::INFINITY } else { product(x, [square * a, square * z, y]) };
+    [product(a, [x, y, z]), rest]
+}
+
+fn sense(x: DoubleDouble) -> f64 {
+    if x.hi() < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// `x/y`, and zero where `y` is zero.
+fn ratio(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
+    if y.hi() == 0.0 { DoubleDouble::ZERO } else { x / y }
+}
+
+/// The differences of the roots times the pull: the third above the lowest and the one between, and these two
+/// apart.
+struct Spans {
+    long: DoubleDouble,
+    short: DoubleDouble,
+    swing: DoubleDouble,
+    /// The same, not times the pull.
+    swept: DoubleDouble,
+}
+
+impl Integrals {
+    fn spans(&self) -> Spans {
+        let swept = self.down + self.up;
+        Spans {
+            long: self.third + self.pull * self.tops[0],
+            short: self.third + self.pull * self.tops[1],
+            swing: self.pull * swept,
+            swept,
+        }
+    }
+
+    /// `alpha`, `beta` and the spin across the axis.
+    fn shapes(&self, start: &Start) -> [Shape; 3] {
+        let Spans { long, short, swing, swept } = self.spans();
+        let ([low, high], [lowest, highest]) = (self.bottoms, self.tops);
+        let [still, beyond, fastest] = self.rest();
+        let size = |square: DoubleDouble| square.hi().max(0.0).sqrt();
+        // Where all three lie at the top, the zeros are out of reach.
+        let saddle = short.hi() == 0.0;
+        let square = ratio(swing, long);
+        let zero = |a, of| if saddle { [0.0; 2] } else { depths(a, of, square) };
+        let ([w, z], [x, y], [p, q]) = (start.alpha, start.beta, start.across);
+        let b = self.along.hi();
+        let [v, u] = self.vertical.map(DoubleDouble::hi);
+        let alpha = Shape {
+            first: true,
+            depths: depths(
+                low * long,
+                [swept * long, swept * (self.pull * 2.0 + self.third), high * long],
+                square,
+            ),
+            sense: sense(self.at_bottom),
+            size: size(high * 0.5),
+            rate: ratio(self.at_bottom, high * 2.0),
+            start: start.alpha,
+            // q' = q w/2.
+            start_rate: [-p * x - q * y - b * z, p * y * -1.0 + q * x + b * w],
+        };
+        let beta = Shape {
+            first: false,
+            depths: zero(highest * long, [self.third * swept, swept * short, lowest * short]),
+            sense: sense(self.at_top),
+            size: size(lowest * 0.5),
+            rate: ratio(self.at_top, lowest * 2.0),
+            start: start.beta,
+            start_rate: [p * w - q * z + b * y, p * z + q * w - b * x],
+        };
+        let low_about = self.about + self.along * self.down;
+        let across = Shape {
+            first: false,
+            depths: zero(still * long, [beyond * swing, swing * short, fastest * short]),
+            sense: sense(self.tie()),
+            size: size(fastest),
+            rate: ratio(self.pull * low_about * -0.5, fastest),
+            start: start.across,
+            start_rate: [u, -v],
+        };
+        [alpha, beta, across]
+    }
+
+    /// The motion of a spherical top, in the axes of a body that turns on its axis by `ahead` more per unit
+    /// of time.
+    pub(super) fn nutation(&self, start: &Start, ahead: DoubleDouble) -> Nutation {
+        let Spans { long, short, swing, swept } = self.spans();
+        let rate = long.sqrt() * 0.5;
+        let separatrix = short.hi() <= 0.0;
+        let complement = ratio(short, long).sqrt();
+        let modulus = ratio(swing, long).hi().max(0.0).sqrt();
+        let quarter = if separatrix {
+            DoubleDouble::from(f64::INFINITY)
+        } else {
+            quarter_period_from_root(complement, complement.sqrt())
+        };
+        let other = quarter_period(modulus);
+        let shapes = self.shapes(start);
+        let part = |x: DoubleDouble, y: DoubleDouble| ratio(x, y).hi().clamp(0.0, 1.0).sqrt();
+        let sn = part(self.down, swept).copysign(self.rising.hi());
+        let cn = if swept.hi() > 0.0 { part(self.up, swept) } else { 1.0 };
+        let dn = part(self.third + self.pull * self.from_top, long);
+        let sn = if self.rising.hi() == 0.0 { sn.abs() } else { sn };
+        let turn = ahead / (DoubleDouble::PI * 2.0);
+        let ahead = [turn * 0.5, turn * -0.5, -turn];
+        let form = if !separatrix && other / quarter.hi() >= NOME_RATIO {
+            let quarter_hi = quarter.hi();
+            let nome = exp(-PI * (other / quarter_hi));
+            let turns = rate / (quarter * 4.0);
+            let start = phase_at_start([sn, cn, dn], complement.hi(), quarter_hi);
+            let factors = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
+            let factors = with_ahead(factors, ahead, |factor: &mut Direct| &mut factor.drift);
+            Form::Direct { turns, start, denominator: denominator(nome), factors }
+        } else {
+            let nome_root = if separatrix { 0.0 } else { exp(-FRAC_PI_2 / (other / quarter.hi())) };
+            let half = if separatrix { quarter } else { quarter * 2.0 };
+            let stretch = PI / (2.0 * other);
+            let start = argument_at_start([sn, cn, dn], complement.hi(), quarter, 0);
+            let run = if separatrix { rate } else { rate / half };
+            let fold = Fold { start, rate: run, quarter, half, stretch, nome_root, turn: 1.0 };
+            let at_start = if separatrix { fold.without_return(0.0) } else { fold.at(0.0) };
+            let ends = at_start.ends();
+            let nome = nome_root * nome_root;
+            let factors = shapes.map(|shape| Complementary::new(nome, stretch, rate, &ends, &shape));
+            let factors = with_ahead(factors, ahead, |factor: &mut Complementary| &mut factor.drift);
+            Form::Complementary { fold, nome, separatrix, factors }
+        };
+        let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
+        Nutation { form, half_period, rate: rate.hi(), passes: self.passes() }
+    }
+
+    /// Whether the axis passes through the lowest point, and through the highest.
+    fn passes(&self) -> [bool; 2] {
+        [self.at_bottom.hi() == 0.0, self.at_top.hi() == 0.0]
+    }
+}
+
+/// Each factor's drift with what the body turns ahead.
+fn with_ahead<F>(
+    mut factors: [F; 3],
+    ahead: [DoubleDouble; 3],
+    drift: impl Fn(&mut F) -> &mut DoubleDouble,
+) -> [F; 3] {
+    for (factor, ahead) in factors.iter_mut().zip(ahead) {
+        let drift = drift(factor);
+        *drift = *drift + ahead;
+    }
+    factors
+}

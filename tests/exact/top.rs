@@ -1,0 +1,203 @@
+//! Lagrange's top against 40 digits, against mechanics, and to the ends of the number range.
+
+use super::{ROUNDING, apart};
+use crate::common::*;
+use nalgebra::{UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use tumbling::exact::{FreeMotion, Instant, LagrangeTop, TopRegime};
+use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|x| x.as_str().unwrap().parse().unwrap()).collect()
+}
+
+fn distance(a: &[f64], b: &[f64], sign: f64) -> f64 {
+    a.iter().zip(b).map(|(x, y)| (x - sign * y).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The worst error of spin and attitude in each regime, in roundings times what the motion makes of them.
+/// Comparing to the table's `f64` costs at most half a unit.
+fn judge(table: &str) -> BTreeMap<String, [f64; 2]> {
+    let cases: Value = serde_json::from_str(table).unwrap();
+    let mut worst = BTreeMap::new();
+    for case in cases.as_array().unwrap() {
+        let (name, body, q, w) =
+            (case[0].as_str().unwrap(), numbers(&case[1]), numbers(&case[2]), numbers(&case[3]));
+        let top = top_of(&body, &q, &w);
+        let most: &mut [f64; 2] = worst.entry(name.to_owned()).or_default();
+        for answer in case[4].as_array().unwrap() {
+            let t = answer[0].as_str().unwrap().parse().unwrap();
+            let Instant { omega, attitude } = top.at(t).unwrap();
+            let (spin, turned) = (numbers(&answer[1]), numbers(&answer[2]));
+            let ours = [attitude.w, attitude.i, attitude.j, attitude.k];
+            let length = distance(&spin, &[0.0; 3], 1.0);
+            let off = distance(omega.as_slice(), &spin, 1.0) / if length > 0.0 { length } else { 1.0 };
+            let attitude_off = distance(&ours, &turned, 1.0).min(distance(&ours, &turned, -1.0));
+            let units = |off: f64, kappa: &Value| off / (kappa.as_f64().unwrap().max(1.0) * ROUNDING);
+            let units = [units(off, &answer[3]), units(attitude_off, &answer[4])];
+            *most = [most[0].max(units[0]), most[1].max(units[1])];
+        }
+    }
+    worst
+}
+
+fn top_of(body: &[f64], q: &[f64], w: &[f64]) -> LagrangeTop {
+    let moments = PrincipalMoments::new(body[0], body[0], body[1]).unwrap();
+    let attitude = nalgebra::Quaternion::new(q[0], q[1], q[2], q[3]);
+    // Directions with few digits are given with a length of their own.
+    let attitude = if (attitude.norm() - 1.0).abs() < 1e-9 { attitude } else { attitude.normalize() };
+    let attitude = UnitQuaternion::new_unchecked(attitude);
+    let arm = Vector3::new(0.0, 0.0, body[2]);
+    LagrangeTop::new(moments, attitude, &Vector3::new(w[0], w[1], w[2]), &arm, body[3]).unwrap()
+}
+
+#[test]
+fn the_table_of_40_digits_is_met_in_every_regime() {
+    let worst = judge(include_str!("../data/top.json"));
+    // One spherical pendulum takes 9.7; all others at most 5.3.
+    assert!(worst.values().flatten().all(|units| *units <= 10.0), "{worst:#?}");
+}
+
+/// A top that is nothing special, about its third axis.
+fn any_top() -> impl Strategy<Value = (LagrangeTop, f64)> {
+    (0.3..2.0_f64, 0.1..1.9_f64, attitude(), generic_spin(), 0.1..1.0_f64, 0.3..2.0_f64).prop_map(
+        |(across, ratio, start, omega, arm, weight)| {
+            let moments = PrincipalMoments::new(across, across, across * ratio).unwrap();
+            let arm = Vector3::new(0.0, 0.0, arm);
+            let spin = omega.component_mul(&Vector3::new(2.0, 2.0, 6.0));
+            (LagrangeTop::new(moments, start, &spin, &arm, weight).unwrap(), weight * arm.z)
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn energy_and_both_momenta_of_a_top_stay((top, pull) in any_top(), t in -1e3..1e3_f64) {
+        let body = top.body(t).unwrap();
+        let axis = body.attitude() * Vector3::z();
+        let energy = body.energy() + pull * axis.z;
+        let size = top.energy().abs() + pull;
+        prop_assert!((energy - top.energy()).abs() < 1e-13 * size, "{energy} {}", top.energy());
+        let momentum = body.momentum_world();
+        // The direction of the spin carries an error of thousands of turns.
+        let size = 1e-11 * momentum.norm();
+        prop_assert!((momentum.z - top.momentum_about_vertical()).abs() < size);
+        prop_assert!((momentum.dot(&axis) - top.momentum_about_axis()).abs() < size);
+        let [least, most] = top.lean();
+        prop_assert!((least - 1e-9..most + 1e-9).contains(&axis.z.acos()));
+    }
+
+    // Independent of all formulas: the equations of motion themselves, by central differences.
+    #[test]
+    fn a_top_obeys_the_equations_of_motion((top, pull) in any_top(), t in -9.0..9.0_f64) {
+        let h = 1e-4;
+        let [before, at, after] = [t - h, t, t + h].map(|t| top.body(t).unwrap());
+        let force = (at.attitude() * Vector3::z()).cross(&Vector3::new(0.0, 0.0, -pull));
+        let rate = (after.momentum_world() - before.momentum_world()) / (2.0 * h);
+        prop_assert!((rate - force).norm() < 1e-4, "{rate} {force}");
+        let turned = (before.attitude().inverse() * after.attitude()).scaled_axis() / (2.0 * h);
+        prop_assert!((turned - at.omega_body()).norm() < 1e-4, "{turned}");
+    }
+
+    #[test]
+    fn a_top_there_and_back_is_at_the_start((top, pull) in any_top(), t in -30.0..30.0_f64) {
+        let start = top.body(0.0).unwrap();
+        let back = LagrangeTop::of(&top.body(t).unwrap(), &Vector3::z(), pull).unwrap().at(-t).unwrap();
+        prop_assert!(apart(&back.attitude, &start.attitude()) < 1e-10);
+        prop_assert!((back.omega - start.omega_body()).norm() < 1e-9);
+    }
+
+    #[test]
+    fn the_axis_comes_back_to_its_lean_after_a_period_and_has_gone_round((top, _) in any_top(), t in -9.0..9.0_f64) {
+        prop_assume!(top.regime() != TopRegime::Free);
+        let period = top.period().unwrap();
+        let axis = |t: f64| top.attitude(t).unwrap() * Vector3::z();
+        let (here, there) = (axis(t), axis(t + period));
+        prop_assert!((here.z - there.z).abs() < 1e-11);
+        let round = top.precession_rate() * period;
+        let gone = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), round) * here;
+        prop_assert!((gone - there).norm() < 1e-10, "{round}");
+    }
+
+    #[test]
+    fn a_top_about_any_axis_and_in_any_axes_moves_alike(
+        start in attitude(), omega in generic_spin(), frame in attitude(), t in -9.0..9.0_f64,
+    ) {
+        let (moments, arm) = (Vector3::new(0.9, 0.9, 0.5), Vector3::new(0.0, 0.0, -0.4));
+        let inertia = Inertia::from_moments(0.9, 0.9, 0.5).unwrap();
+        let plain = LagrangeTop::new(moments.try_into().unwrap(), start, &omega, &arm, 1.7).unwrap();
+        let at = plain.at(t).unwrap();
+        // Each cyclic order of the axes, and any turned tensor.
+        for shift in [1, 2] {
+            let turned = |v: &Vector3<f64>| Vector3::from_fn(|i, _| v[(i + shift) % 3]);
+            let s = if shift == 1 { -0.5 } else { 0.5 };
+            let q = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(0.5, s, s, s));
+            prop_assert!((q * omega - turned(&omega)).norm() < 1e-15);
+            let other = LagrangeTop::new(turned(&moments).try_into().unwrap(), start * q.inverse(), &turned(&omega), &turned(&arm), 1.7);
+            let there = other.unwrap().at(t).unwrap();
+            prop_assert!(apart(&(there.attitude * q), &at.attitude) < 1e-12);
+            prop_assert!((there.omega - turned(&at.omega)).norm() < 1e-12);
+        }
+        let body = Body::spinning(inertia.turned(frame).unwrap(), start * frame.inverse(), &(frame * omega)).unwrap();
+        let top = LagrangeTop::of(&body, &(frame * arm), 1.7).unwrap();
+        prop_assert_eq!(top.at(0.0).unwrap().attitude, body.attitude());
+        let there = top.at(t).unwrap();
+        prop_assert!(apart(&(there.attitude * frame), &at.attitude) < 1e-11);
+        prop_assert!((there.omega - frame * at.omega).norm() < 1e-11);
+    }
+
+    #[test]
+    fn without_weight_a_top_is_a_free_body(start in attitude(), omega in generic_spin(), t in -99.0..99.0_f64) {
+        let moments = PrincipalMoments::new(1.1, 1.1, 0.7).unwrap();
+        let top = LagrangeTop::new(moments, start, &omega, &Vector3::z(), 0.0).unwrap();
+        let free = FreeMotion::new(moments, &omega).unwrap().with_attitude(start).unwrap().at(t).unwrap();
+        let at = top.at(t).unwrap();
+        prop_assert!(apart(&at.attitude, &free.attitude) < 1e-13);
+        prop_assert!((at.omega - free.omega).norm() < 1e-13);
+        prop_assert_eq!(top.regime(), TopRegime::Free);
+    }
+
+    #[test]
+    fn no_top_panics_and_what_is_accepted_gives_numbers(
+        across in anything(), polar in anything(), q in any_vector(), plain in attitude(), omega in any_vector(),
+        arm in anything(), weight in anything(), t in anything(),
+    ) {
+        let turned = UnitQuaternion::new_normalize(nalgebra::Quaternion::new(1.0, q.x, q.y, q.z));
+        let (across, polar) = (across.abs(), polar.abs());
+        for start in [turned, plain] {
+            let top = PrincipalMoments::new(across, across, polar)
+                .and_then(|m| LagrangeTop::new(m, start, &omega, &Vector3::new(0.0, 0.0, arm), weight));
+            let Ok(top) = top else { continue };
+            let numbers = [top.energy(), top.momentum_about_axis(), top.momentum_about_vertical(), top.precession_rate()];
+            prop_assert!(numbers.iter().chain(&top.lean()).all(|x| x.is_finite()), "{top:?}");
+            match top.at(t) {
+                Ok(at) => {
+                    prop_assert!(t.is_finite() && at.omega.iter().all(|x| x.is_finite()), "{at:?}");
+                    prop_assert!((at.attitude.norm() - 1.0).abs() < 1e-15, "{at:?}");
+                }
+                Err(error) => prop_assert!(!t.is_finite() && error.kind() == ErrorKind::NotFinite),
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_lagrange_top_is_named() {
+    let new = |moments: [f64; 3], arm: [f64; 3], weight: f64| {
+        let moments = PrincipalMoments::try_from(moments)?;
+        LagrangeTop::new(
+            moments,
+            UnitQuaternion::identity(),
+            &Vector3::new(0.1, 0.2, 3.0),
+            &arm.into(),
+            weight,
+        )
+    };
+    refused(new([1.0, 1.1, 0.5], [0.0, 0.0, 1.0], 1.0), ErrorKind::OutOfBounds, "across the top's axis");
+    refused(new([1.0, 1.0, 0.5], [0.0, 0.1, 1.0], 1.0), ErrorKind::OutOfBounds, "the part of the arm");
+    refused(new([1.0, 1.0, 0.5], [0.0, 0.0, 1.0], -1.0), ErrorKind::OutOfBounds, "the weight");
+    refused(new([1.0, 1.0, 0.5], [0.0, f64::NAN, 1.0], 1.0), ErrorKind::NotFinite, "the arm");
+    refused(new([1.0, 1.0, 0.5], [0.0, 0.0, 1.0], 1e-300), ErrorKind::Unrepresentable, "the weight's torque");
+}
