@@ -23,6 +23,8 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
+// Formulas are cited by their numbers, as (C1), in the derivation: book/chapters/closed-form.md.
+
 mod batch;
 mod cayley_klein;
 mod elementary;

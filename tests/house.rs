@@ -117,3 +117,30 @@ fn an_arrow_is_seen_wherever_a_room_is_named() {
     let rooms: Vec<String> = named(text).into_iter().collect();
     assert_eq!(rooms, ["body", "error", "solid"]);
 }
+
+/// The formulas that a text cites, as `(C7)`.
+fn formulas(text: &str) -> BTreeSet<u32> {
+    text.split("(C").skip(1).filter_map(|rest| rest.split_once(')')?.0.parse().ok()).collect()
+}
+
+/// The formulas that a chapter numbers, each once: `**(C7)**`.
+fn numbered(chapter: &str) -> Vec<u32> {
+    chapter.split("**(C").skip(1).filter_map(|rest| rest.split_once(")**")?.0.parse().ok()).collect()
+}
+
+#[test]
+fn the_closed_form_cites_each_formula_of_its_chapter_and_no_other() {
+    let mut files = vec![root().join("src/dynamics/regime.rs")];
+    sources(&root().join("src/exact"), &mut files);
+    let cited: BTreeSet<u32> =
+        files.iter().flat_map(|file| formulas(&fs::read_to_string(file).unwrap())).collect();
+    let chapter = fs::read_to_string(root().join("book/chapters/closed-form.md")).unwrap();
+    let all = numbered(&chapter);
+    assert!(all.len() > 40 && all.iter().copied().eq(1..=all.len() as u32), "{all:?}");
+    assert_eq!(cited, all.iter().copied().collect());
+    // And the chapter itself speaks of none that it lacks.
+    assert!(formulas(&chapter).is_subset(&cited));
+    // One number changed, on either side, is seen.
+    assert_ne!(formulas("(C6) and (C8)"), formulas("(C6) and (C7)"));
+    assert_eq!(numbered("**(C2)** by (C1)"), [2]);
+}

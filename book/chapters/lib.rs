@@ -53,6 +53,10 @@ mod coin {}
 mod exact_motion {}
 
 #[cfg(doctest)]
+#[doc = include_str!("closed-form.md")]
+mod closed_form {}
+
+#[cfg(doctest)]
 #[doc = include_str!("a-top.md")]
 mod a_top {}
 

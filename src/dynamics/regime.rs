@@ -84,6 +84,7 @@ impl Asymmetric {
             d * i[axis] * DoubleDouble::product(w, w)
         };
         let discriminant = signed.abs();
+        // (C3)
         let round_squared = term(middle, d_mx, clock) + term(around, d_cx, clock);
         Self {
             clock,
@@ -97,9 +98,11 @@ impl Asymmetric {
             separatrix: signed == DoubleDouble::ZERO,
             discriminant,
             small,
+            // (C3)
             off_squared: term(across, d_cx, clock + off_axis) + term(middle, d_cm, clock + off_axis),
             off_axis,
             round_squared,
+            // (C4)
             scaled_complement: (d_cx * discriminant / (d_cm * round_squared)).sqrt(),
         }
     }
@@ -112,6 +115,7 @@ impl Asymmetric {
     pub(crate) fn rate(&self) -> DoubleDouble {
         let [x, m, c] = [self.across, self.middle, self.around].map(|axis| self.moment(axis));
         // Rooted in two parts, so that a needle's small moment meets its small difference first.
+        // (C6)
         let first = self.d_cm / DoubleDouble::from(x);
         (first * self.round_squared / DoubleDouble::product(m, c)).sqrt()
     }
@@ -136,6 +140,7 @@ impl Asymmetric {
     /// The largest values of the spin along the across and the middle axis, times `2^lift`, and the around
     /// axis.
     pub(crate) fn amplitudes(&self, lift: i32) -> [DoubleDouble; 3] {
+        // (C5)
         let off = |axis: usize, d: DoubleDouble| {
             (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis + lift)
         };
@@ -163,6 +168,7 @@ fn discriminant(i: &[f64; 3], omega: &[f64; 3], order: &[usize; 3], scale: i32) 
         let w = times_power_of_two(omega[axis], -scale);
         distance(i[axis], i[middle]) * i[axis] * DoubleDouble::product(w, w)
     };
+    // (C2)
     let (above, below) = (term(high), term(low));
     let difference = above - below;
     if difference.hi().abs() > 1e-15 * above.hi() {

@@ -58,6 +58,7 @@ impl<T: Lane> Pair<T> {
     #[inline(always)]
     pub(crate) fn since(&self, start: &Self) -> [T; 4] {
         let (a0, b0) = (start.a, start.b);
+        // (C26)
         let dot = [
             times(conjugate(a0), self.a),
             times(b0, conjugate(self.b)),
@@ -113,13 +114,16 @@ impl DirectPair {
         let s = shape.sense();
         let (q2, q6, q8) = (q * q, powi(q, 6), powi(q, 8));
         let (q15, q18) = (powi(q, 15), powi(q, 18));
+        // (C22)
         // 2 q^(2n²) cosh 2nB and sinh.
         let up = [q * rise, q6 * rise * rise, q15 * powi(rise, 3)];
         let down = [q2 * fall, q8 * fall * fall, q18 * powi(fall, 3)];
         let cosh = [0, 1, 2].map(|n| up[n] + down[n]);
         let sinh = [0, 1, 2].map(|n| s * (up[n] - down[n]));
+        // (C22)
         let a_real = [1.0 - cosh[1], -cosh[0] + 3.0 * cosh[2], 2.0 * cosh[1], -4.0 * cosh[2]];
         let a_imaginary = [-sinh[0] + sinh[2], 2.0 * sinh[1], -4.0 * sinh[2]];
+        // (C23)
         // 2 exp(-B) q^(2n(n+1)) cosh (2n+1)B and sinh.
         let (q3, q4, q10, q12) = (powi(q, 3), powi(q, 4), powi(q, 10), powi(q, 12));
         let c = [1.0 + fall, q3 * rise + q4 * fall * fall, q10 * rise * rise + q12 * powi(fall, 3)];
@@ -128,6 +132,7 @@ impl DirectPair {
         let b_along_cos = [d[0] + d[1] - d[2], -2.0 * d[1] - 2.0 * d[2], 4.0 * d[2]].map(|x| -s * x);
         let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense: s };
         let at_middle = pair.raw(1.0, 0.0);
+        // (C24)
         let amplitude = shape.tilt * at_middle.a[0] / hypot(at_middle.b[0], at_middle.b[1]);
         let amplitude = if shape.forward { amplitude } else { -amplitude };
         pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
@@ -138,6 +143,7 @@ impl DirectPair {
     /// How fast the angle of `a` turns with `z` where `z` is zero.
     pub(crate) fn turning_at_zero(&self) -> f64 {
         let sum = |p: &[f64]| p.iter().sum::<f64>();
+        // (C25)
         2.0 * sum(&self.a_imaginary) / sum(&self.a_real)
     }
 }
@@ -191,6 +197,7 @@ impl ComplementaryPair {
             (s[n], c[n]) = (twice * s[n - 1] - s[n - 2], twice * c[n - 1] - c[n - 2]);
         }
         let (s, c) = (&s[1..], &c[1..]);
+        // (C32)
         let up = [1.0, 1.0, powi(p, 2), powi(p, 6), powi(p, 12)];
         let down = [1.0, powi(p, 2), powi(p, 6), powi(p, 12)];
         let mut pair = Self {
@@ -225,6 +232,7 @@ impl ComplementaryPair {
         let a = [c[0] + c[1], self.sense * (s[1] - s[0])];
         let change = [dc[0] + dc[1], self.sense * (ds[1] - ds[0])];
         let turning = (a[0] * change[1] - a[1] * change[0]) / (a[0] * a[0] + a[1] * a[1]);
+        // (C33)
         (atan2(a[1], a[0]), turning)
     }
 }

@@ -136,6 +136,7 @@ impl Precession {
     pub(crate) fn new(moments: &[f64; 3], axis: usize, scaled: &[f64; 3], omega: &Vector3<f64>) -> Self {
         let equal = moments[(axis + 1) % 3];
         let difference = DoubleDouble::from(moments[axis]) - DoubleDouble::from(equal);
+        // (C38)
         let nutation = difference * scaled[axis] / DoubleDouble::from(equal) / (DoubleDouble::PI * 2.0);
         let momentum =
             [0, 1, 2].map(|k| DoubleDouble::product(moments[k], scaled[k]) / DoubleDouble::from(equal));

@@ -102,6 +102,7 @@ impl EllipticMotion {
         let Constants { rate, quarter, argument, .. } = self.constants;
         match self.form {
             Form::Separatrix { .. } => Clock::Once(-argument / rate),
+            // (C36)
             _ => Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) },
         }
     }
@@ -130,6 +131,7 @@ impl EllipticMotion {
                 (attitude.drift, attitude.step * self.constants.rate.hi().signum())
             }
         };
+        // (C37), (C33)
         Some((4.0 * PI * (drift.hi() * half + step)).abs())
     }
 

@@ -50,6 +50,7 @@ impl Clock {
     fn instant(&self, number: f64, exponent: i32) -> f64 {
         let scaled = match *self {
             Self::Once(time) => time,
+            // (C36)
             Self::Evenly { offset, rate } => (DoubleDouble::from(number) - offset) / rate,
         };
         // A flip at the start is at 0, not at -0.

@@ -48,6 +48,7 @@ pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Re
     if motion.separatrix {
         return Ok(None);
     }
+    // (C36)
     let half_period = quarter_period(&motion) * 2.0 / motion.rate();
     let time = times_power_of_two(half_period.hi(), -motion.clock);
     if !time.is_finite() || time == 0.0 {

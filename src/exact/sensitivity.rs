@@ -251,6 +251,7 @@ fn with_turn(
     let current = i.component_mul(now);
     let length = start.norm();
     let direction = current / length;
+    // (C42)
     let turn = |before: Vector3<f64>, after: Vector3<f64>, along: f64| {
         (direction.cross(&(back * before - after)) + direction * along) / length
     };

@@ -15,6 +15,7 @@
 
 mod alter;
 mod bodies;
+mod closed;
 pub mod laws;
 mod motion;
 mod steps;

@@ -19,8 +19,9 @@
 //! rounding, of overflow, or of what is computed with branches and roots, which other tests must watch.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-mod certificates;
 mod certain;
+mod certificates;
+mod lattice;
 mod number;
 mod proofs;
 mod record;
@@ -33,8 +34,8 @@ pub mod proof;
 pub mod symbols;
 pub mod tex;
 
-pub use certificates::{Certificate, certificates};
 pub use certain::{Exact, enclosed, proven};
+pub use certificates::{Certificate, certificates};
 pub use interval::Interval;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;

@@ -7,11 +7,13 @@ mod errata;
 mod euler;
 mod gap;
 mod inertia;
+pub(crate) mod klein;
 mod methods;
 mod order;
 mod position_stage;
 mod solids;
 mod stability;
+mod theta;
 mod turning;
 
 use crate::proof::Proof;
@@ -19,7 +21,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 13] = [
+    let parts: [&[Proof]; 15] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -29,6 +31,8 @@ pub fn proofs() -> Vec<&'static Proof> {
         gap::PROOFS,
         engines::PROOFS,
         closed_forms::PROOFS,
+        theta::PROOFS,
+        klein::PROOFS,
         order::PROOFS,
         methods::PROOFS,
         position_stage::PROOFS,

@@ -30,6 +30,7 @@ mod rod_two_ways;
 mod scale;
 mod scene_costs;
 mod seen_from_body;
+mod series_terms;
 mod three_spins;
 mod three_tosses;
 mod torque;
@@ -41,7 +42,7 @@ mod work;
 mod work_torque;
 
 /// In the order of the book.
-pub(crate) static ALL: [Figure; 40] = [
+pub(crate) static ALL: [Figure; 42] = [
     Figure {
         name: "cover",
         shows: "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy",
@@ -236,6 +237,13 @@ pub(crate) static ALL: [Figure; 40] = [
         chapter: "exact-motion",
         draw: flip_time_deep::draw,
         of_body: Err("it is about where numbers end; `flip-time` shows any body"),
+    },
+    Figure {
+        name: "series-terms",
+        shows: "Number of terms that the two series of the closed form need",
+        chapter: "closed-form",
+        draw: series_terms::draw,
+        of_body: Err("it is about the series, not about one body"),
     },
     Figure {
         name: "exact-errors",

@@ -79,7 +79,9 @@ impl ComplementarySeries {
         let stretch = crate::number::power_of_two::times_power_of_two(1.0, shift);
         Self {
             powers: [p2, p4, p],
+            // (C29)
             near: [third / fourth, stretch * (second / fourth), stretch * (second / third)],
+            // (C30)
             far: [
                 third / fourth,
                 complement * (third * third / (fourth * second)),
@@ -102,6 +104,7 @@ impl<T: Lane> ComplementarySeries<T> {
         let (b, c) = (p * growing, p4 * growing * growing);
         let (cube, fourth) = (e * square, square * square);
         let quotient = e + 1.0 + square;
+        // (C28)
         let sine = gap - b * gap * quotient + c * gap * (quotient + (cube + fourth));
         let cosine = (e + 1.0) + b * (cube + 1.0) + c * (e * fourth + 1.0);
         // p cosh 2x = growing (1 + E²)/2 and so on; p⁴ cosh 4x, p⁹ cosh 6x.

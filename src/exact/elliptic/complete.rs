@@ -22,6 +22,7 @@ pub(crate) fn quarter_period_from_root(complement: DoubleDouble, root: DoubleDou
         g = (a * g).sqrt();
         a = mean;
     }
+    // (C8)
     DoubleDouble::PI * 0.5 / a
 }
 

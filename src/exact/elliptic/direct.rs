@@ -21,7 +21,9 @@ impl DirectSeries {
     pub(crate) fn new(q: f64) -> Self {
         let (q2, q4, q6, q9) = (q * q, powi(q, 4), powi(q, 6), powi(q, 9));
         let q12 = q6 * q6;
+        // (C14)
         let outer = [1.0 - 2.0 * q4, 4.0 * q4, 2.0 * q - 6.0 * q9, 8.0 * q9];
+        // (C15)
         let inner = [1.0 - q2 - q6 + q12, 4.0 * q6 - 4.0 * q12, 2.0 * q2 - 2.0 * q6 - 4.0 * q12, 8.0 * q12];
         let mut sums = Self { outer, inner, factors: [1.0; 3] };
         let [third, fourth, second, _] = sums.thetas(1.0);
@@ -47,6 +49,7 @@ impl<T: Lane> DirectSeries<T> {
     pub(crate) fn values(&self, sin: T, cos: T) -> [T; 3] {
         let [third, fourth, second, first] = self.thetas((cos - sin) * (cos + sin));
         let [s, c, d] = self.factors;
+        // (C16)
         let over = splat::<T>(1.0) / fourth;
         [s * (sin * first) * over, c * (cos * second) * over, d * third * over]
     }

@@ -26,6 +26,7 @@ impl<T: Lane> Axes<T> {
     /// The spin from its amplitudes (across, middle, circled) and Jacobi's functions.
     #[inline(always)]
     pub(super) fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> Vector3<T> {
+        // (C7)
         let (across, middle) = (amplitudes[0] * cn, amplitudes[1] * sn);
         let cyclic = splat::<T>(0.0).lt(self.sense);
         let (next, last) = (T::select(cyclic, across, middle), T::select(cyclic, middle, across));

@@ -59,6 +59,7 @@ impl<T: Lane> Fold<T> {
     /// At a time, where the motion returns.
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> FoldedArgument<T> {
+        // (C35)
         let (halves, left) = (self.rate * time).split();
         self.folded(halves, (self.half * left).plus(self.start))
     }

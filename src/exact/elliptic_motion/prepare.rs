@@ -96,8 +96,10 @@ impl EllipticMotion {
 
 impl<'a> Preparation<'a> {
     fn new(motion: &'a Asymmetric, omega: &[f64; 3]) -> Result<Self, Error> {
+        // (C4)
         let modulus = motion.modulus();
         let complement = motion.complement(0).hi();
+        // (C8)
         let quarter = quarter_period(motion);
         let other = elliptic::quarter_period(modulus);
         let direct = !motion.separatrix && other / quarter.hi() >= NOME_RATIO;
@@ -132,11 +134,14 @@ impl<'a> Preparation<'a> {
             shift,
             lift,
             scaled_complement,
+            // (C5), by the sums of (C3)
             amplitudes: motion.amplitudes(lift),
             omega: spin,
+            // (C6), with its sign
             rate: motion.rate() * direction,
             sign,
             cyclic,
+            // (C1)
             twice_energy: sum(&|k| square(k) * i[k]),
             momentum: sum(&|k| square(k) * DoubleDouble::product(i[k], i[k])).sqrt(),
         })
@@ -158,6 +163,7 @@ impl<'a> Preparation<'a> {
 
     /// The momentum's greatest shares.
     fn shares(&self) -> [f64; 3] {
+        // (C17)
         let [across, middle, circled] = self.amplitudes;
         let [i_x, i_m, i_c] = self.moments();
         let momentum = self.momentum.hi();
@@ -202,6 +208,7 @@ impl<'a> Preparation<'a> {
     fn values(&self) -> [f64; 3] {
         let [w_x, w_m, w_c] = self.omega;
         let [across, middle, circled] = self.amplitudes.map(DoubleDouble::hi);
+        // (C10)
         [w_m / middle, w_x / across, w_c.abs() / circled]
     }
 
@@ -210,15 +217,19 @@ impl<'a> Preparation<'a> {
         let Asymmetric { d_cx, d_cm, d_mx, .. } = self.motion;
         let [d_cx, d_cm, d_mx] = [d_cx, d_cm, d_mx].map(|d| d.hi());
         let [i_x, i_m, i_c] = self.moments();
+        // (C18)
         // The zero: y = rho^(-1/2) R_F((rho-1)/rho, (rho-1+m)/rho, 1).
         let over_rho = d_cm * i_x / (d_cx * i_m);
         let excess = d_mx * i_c / (d_cx * i_m);
         let shifted = (excess + self.modulus * self.modulus * over_rho).sqrt();
+        // (C19)
         let depth = over_rho.sqrt() * elliptic::rf_of_roots(excess.sqrt(), shifted, 1.0);
         Shape {
             cyclic: self.cyclic,
             forward: self.sign > 0.0,
+            // (C24)
             tilt: shares[1] / (1.0 + shares[2] * self.complement),
+            // (C21), (C31)
             depth: PI * depth / per_argument,
         }
     }
@@ -226,10 +237,12 @@ impl<'a> Preparation<'a> {
     /// By the series of the nome.
     fn direct(&self, shares: [f64; 3]) -> Prepared {
         let quarter = self.quarter.hi();
+        // (C9)
         let exponent = -PI * (self.other / quarter);
         let nome = exp(exponent);
         let series = DirectSeries::new(nome);
         let pair = DirectPair::new(nome, &self.shape(shares, quarter));
+        // (C13)
         let turns = self.rate / (self.quarter * 4.0);
         let turns_per_argument = 0.25 / quarter;
         let [sin, cos] = phase_at_start(self.values(), self.complement, quarter);
@@ -239,7 +252,9 @@ impl<'a> Preparation<'a> {
         // Steady rate: that of the smooth phase about L where the across component is largest, less what
         // the theta function turns there.
         let (circled, [_, _, i_c]) = (self.amplitudes[2], self.moments());
+        // (C20)
         let about = (self.twice_energy + self.momentum * circled) / (self.momentum + circled * i_c);
+        // (C25)
         let drift = about * self.sign * 0.5 / (DoubleDouble::PI * 2.0) - turns * pair.turning_at_zero();
         let amplitudes_in_series = self.in_series(amplitudes);
         let axes = Axes::new(self.axes());
@@ -254,10 +269,12 @@ impl<'a> Preparation<'a> {
     /// By the series of the complementary nome.
     fn complementary(&self, shares: [f64; 3]) -> Prepared {
         let Self { motion, rate, quarter, other, .. } = *self;
+        // (C9)
         let exponent = -FRAC_PI_2 / (other / quarter.hi());
         let nome_root = if motion.separatrix { 0.0 } else { exp(exponent) };
         let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, self.shift);
         let pair = ComplementaryPair::new(nome_root, &self.shape(shares, 4.0 * other));
+        // (C27)
         let stretch = PI / (2.0 * other);
         let (angle, turning) = pair.angle_and_turning_at_saddle();
         let values = self.values();
@@ -279,6 +296,7 @@ impl<'a> Preparation<'a> {
             (self.rate_about_momentum() * 0.5 - rate * (stretch * turning)) / (DoubleDouble::PI * 2.0);
         let axes = Axes::new(self.axes());
         let spin = ComplementarySpin { series, fold, amplitudes: self.in_series(amplitudes), axes };
+        // (C33)
         let attitude = ComplementaryAttitude { pair, start, drift, step: 2.0 * angle / (2.0 * PI) };
         let form = if motion.separatrix {
             Form::Separatrix { spin, attitude }
@@ -294,6 +312,7 @@ impl<'a> Preparation<'a> {
         let [_, i_m, i_c] = self.moments();
         let slow = self.amplitudes[2].hi() * self.complement;
         let lead = self.momentum / DoubleDouble::from(i_m);
+        // (C34), with the discriminant of (C2)
         let side = if i_c > i_m { 1.0 } else { -1.0 };
         let signed_distance = side * self.motion.distance_from_separatrix();
         let l = self.momentum.hi();
@@ -314,6 +333,7 @@ impl<'a> Preparation<'a> {
             let off = amplitudes[k] * found[k] / self.omega[k] - 1.0;
             if off.abs() < 1e-6 { off } else { 0.0 }
         });
+        // (C12)
         let square = sn * sn;
         let shared = off[1] * square + off[0] * (1.0 - square);
         let quotient = sn * (cn / dn);
@@ -332,6 +352,7 @@ fn of_length_one(pair: Pair) -> Pair {
 /// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep
 /// their digits.
 pub(crate) fn phase_at_start([sn, cn, dn]: [f64; 3], complement: f64, quarter: f64) -> [f64; 2] {
+    // (C11)
     let (sin, cos) = if sn.abs() <= cn.abs() {
         let u = sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, 1.0);
         sin_cos(FRAC_PI_2 * u / quarter)
@@ -354,6 +375,7 @@ pub(crate) fn argument_at_start(
     let folded = if cn < 0.0 { -sn } else { sn };
     let cn = cn.abs();
     let [true_cn, true_dn] = [cn, dn].map(|x| times_power_of_two(x, -shift));
+    // (C11)
     let near = sn.abs() <= true_cn || quarter.hi().is_infinite();
     let size = if near {
         DoubleDouble::from(sn.abs() * elliptic::rf_of_roots(true_cn, true_dn, 1.0))

@@ -279,6 +279,7 @@ impl EllipticMotion {
     fn inputs(&self, moments: &[f64; 3], start: &End) -> Inputs {
         let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
         let [d_cx, d_cm, d_mx] = [i_c - i_x, i_c - i_m, i_m - i_x];
+        // (C39), (C40)
         // A_X² = w_X² + R w_M², A_C² = w_C² + S w_M², m' A_C² = w_C² - T w_X².
         let r = i_m * d_cm / (i_x * d_cx);
         let s = i_m * d_mx / (i_c * d_cx);
@@ -345,5 +346,6 @@ fn growth(sn: f64, cn: f64, dn: f64, down: f64) -> f64 {
     } else {
         rd([true_cn * true_cn + shared, 1.0 + shared, true_dn * true_dn + shared].map(|a| 0.25 * a)) * 0.25
     };
+    // (C41)
     sn * sn * sn / 6.0 * (first + rest * down * true_dn)
 }

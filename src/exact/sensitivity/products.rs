@@ -32,6 +32,7 @@ pub(super) fn add(
             nearly_equal(moments, k, &start, now, found)
         } else {
             let turned = |w: &Vector3<f64>| Vector3::ith(k, 1.0).cross(w);
+            // (C43)
             let column = (turned(now) - found.spin * turned(&start)) / d;
             (column, moments[k] * ((now[k] - start[k]) / d))
         };

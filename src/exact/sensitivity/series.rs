@@ -199,6 +199,7 @@ impl Series {
     /// The next term of the spin and of its derivative; gives the size of the latter.
     fn advance(&mut self, n: usize, factors: &[f64; 3], part: f64) -> f64 {
         let (mut x, mut y, mut z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        // (C44)
         for (before, after) in self.rows[..=n].iter().zip(self.rows[..=n].iter().rev()) {
             let [a, b, c] = [before[0][3], before[1][3], before[2][3]];
             for k in 0..4 {

@@ -1,6 +1,7 @@
 //! Laws as equations in TeX, and which functions of the library each is proven to be.
 
 use super::bodies::{self, axis, body, piece, planar, the_box, the_box_spun};
+use super::closed;
 use super::motion::{
     self, attitude, energy, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings,
     world_inverse, world_tensor,
@@ -154,6 +155,62 @@ laws! {
     JACOBI_A1 = law("a_1^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
     JACOBI_A2 = law("a_2^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
     JACOBI_A3 = law("a_3^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    CLOSED_ENERGY = law("2E", &[closed::at_any_time], "observe::energy of the closed form");
+    CLOSED_MOMENTUM = law("L^2", &[closed::at_any_time], "the length of its momentum");
+    CLOSED_DISCRIMINANT = law("D", &[closed::at_any_time], "the discriminant of the closed form");
+    CLOSED_P = law("P^2", &[closed::at_any_time], "its combination of one sign");
+    CLOSED_Q = law("Q^2", &[closed::at_any_time], "its other combination of one sign");
+    CLOSED_MODULUS = law("k^2", &[closed::at_any_time], "the modulus with which it satisfies euler::angular_acceleration");
+    CLOSED_COMPLEMENT = law("k'^2", &[closed::at_any_time], "the complement of that modulus");
+    CLOSED_AX = law("A_X^2", &[closed::at_any_time], "an amplitude of the closed form");
+    CLOSED_AM = law("A_M^2", &[closed::at_any_time], "an amplitude of the closed form");
+    CLOSED_AC = law("A_C^2", &[closed::at_any_time], "an amplitude of the closed form");
+    CLOSED_RATE = law(r"\eta", &[closed::at_any_time], "the rate with which it satisfies euler::angular_acceleration");
+    CLOSED_RATE_SQUARED = law(r"\eta^2", &[closed::at_any_time], "the square of that rate");
+    CLOSED_X = law(r"\omega_X", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_M = law(r"\omega_M", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_C = law(r"\omega_C", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_SN = law("x_0", &[closed::at_any_time], "sn, from the spin");
+    CLOSED_CN = law("y_0", &[closed::at_any_time], "cn, from the spin");
+    CLOSED_DN = law("z_0", &[closed::at_any_time], "dn, from the spin");
+    CLOSED_SHARE = law("n", &[closed::at_any_time], "the share with which a + b j satisfies attitude::rate");
+    CLOSED_BETA = law(r"\beta^2", &[closed::at_any_time], "of the zero with which a + b j satisfies attitude::rate");
+    CLOSED_GAMMA = law(r"\gamma^2", &[closed::at_any_time], "of the same zero");
+    CLOSED_DELTA = law(r"\delta^2", &[closed::at_any_time], "of the same zero");
+    CLOSED_TURNING = law(r"\dot{\psi}", &[closed::at_any_time], "the phase with which a + b j satisfies attitude::rate");
+    CLOSED_TILT = law(r"\kappa", &[closed::at_the_saddle], "the quotient of b and a at the saddle");
+    CLOSED_TURNING_AT_THE_SADDLE = law(r"\dot{\psi}", &[closed::at_the_saddle], "the same phase at the saddle");
+    CLOSED_COMPLEMENT_SQUARED = law("k'^2A_C^2", &[closed::at_any_time], "a square of the closed form");
+    CLOSED_R = law("R", &[closed::at_any_time], "the quotient of two amplitudes squared");
+    CLOSED_S = law("S", &[closed::at_any_time], "the same of two others");
+    CLOSED_T = law("T", &[closed::at_any_time], "the same of two others");
+    THETA_1 = law(r"\theta_1", &[closed::direct], "the sum of its first four terms");
+    THETA_2 = law(r"\theta_2", &[closed::direct], "the sum of its first four terms");
+    THETA_3 = law(r"\theta_3", &[closed::direct], "the sum of its first four terms");
+    THETA_4 = law(r"\theta_4", &[closed::direct], "the sum of its first four terms");
+    ZERO_H1 = law("h_1", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_L1 = law("l_1", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_H2 = law("h_2", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_L2 = law("l_2", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_H3 = law("h_3", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_L3 = law("l_3", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_C1 = law("c_1", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_D1 = law("d_1", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_C2 = law("c_2", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_D2 = law("d_2", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_TURNING = law(r"\rho", &[closed::attitude], "the rate of the angle of a where the phase is zero");
+    DIRECT_A1 = law("a_1", &[closed::attitude], "the sum of the terms of a theta function at a shifted phase");
+    DIRECT_A2 = law("a_2", &[closed::attitude], "the sum of the terms of a theta function at a shifted phase");
+    DIRECT_B1 = law("b_1", &[closed::attitude], "the sum of the terms of a theta function at a shifted phase");
+    DIRECT_B2 = law("b_2", &[closed::attitude], "the sum of the terms of a theta function at a shifted phase");
+    COMPLEMENTARY_THETA_1 = law(r"\theta'_1", &[closed::complementary], "the sum of its first terms, in hyperbolic functions");
+    COMPLEMENTARY_THETA_2 = law(r"\theta'_2", &[closed::complementary], "the sum of its first terms, in hyperbolic functions");
+    COMPLEMENTARY_THETA_3 = law(r"\theta'_3", &[closed::complementary], "the sum of its first terms, in hyperbolic functions");
+    COMPLEMENTARY_THETA_4 = law(r"\theta'_4", &[closed::complementary], "the sum of its first terms, in hyperbolic functions");
+    COMPLEMENTARY_A1 = law("a_1", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
+    COMPLEMENTARY_A2 = law("a_2", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
+    COMPLEMENTARY_B1 = law("b_1", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
+    COMPLEMENTARY_B2 = law("b_2", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
     SLOPES = bare("b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's");
     TWICE_THE_ENERGY = bare(r"\mathbf{L}\cdot\boldsymbol{\omega}", &[bodies::twice_the_energy], "twice the sum of m v²/2 of any points", );
     GYROSCOPIC_TORQUE = bare(r"(I\boldsymbol{\omega})\times\boldsymbol{\omega}", &[motion::gyroscopic], "euler::tensor_times_acceleration without torque", );

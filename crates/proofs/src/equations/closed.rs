@@ -1,0 +1,257 @@
+//! What the names mean where the book derives the exact motion: the motion whose spin and attitude are
+//! proven to obey Euler's equations and `q' = q w/2`, and the series as sums of their terms.
+
+use crate::number::{Fraction, Relations};
+use crate::proofs::klein::{Change, Motion, motion};
+use crate::symbols::variables;
+use crate::tex::Scope;
+use num_traits::{One, Zero};
+use std::sync::LazyLock;
+
+/// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
+pub(super) fn at_any_time() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(false));
+    ONCE.clone()
+}
+
+/// The same at the saddle, where the spin across vanishes.
+pub(super) fn at_the_saddle() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(true));
+    ONCE.clone()
+}
+
+fn of_motion(saddle: bool) -> Scope {
+    let Ok(motion) = motion(1, Change::None) else { return Scope::default() };
+    let [one, zero, kp] = [Fraction::one(), Fraction::zero(), Fraction::variable("kp")];
+    let put = |x: &Fraction| {
+        if !saddle {
+            return x.clone();
+        }
+        let values = [("cn", &zero), ("sn", &one), ("dn", &kp)];
+        values.into_iter().fold(x.clone(), |x, (name, value)| x.substitute(&name.into(), value))
+    };
+    let [h, p, q, r, big] = variables(["h", "p", "q", "r", "Q"]);
+    let Motion { moments, amplitudes, zero: [beta, gamma, delta], .. } = &motion;
+    let mut scope = Scope::default();
+    for (k, name) in ["X", "M", "C"].into_iter().enumerate() {
+        scope = scope
+            .with(&format!("I_{name}"), moments[k].clone())
+            .with(&format!("A_{name}"), amplitudes[k].clone())
+            .with(&format!(r"\omega_{name}"), put(&motion.omega[k]));
+    }
+    for name in ["sn", "cn", "dn"] {
+        scope = scope.with(&format!(r"\operatorname{{{name}}}(u)"), put(&Fraction::variable(name)));
+    }
+    let twice = &motion.twice_energy;
+    let momentum = &motion.momentum;
+    let circled = put(&Fraction::variable("dn")) * gamma / delta;
+    let tilt =
+        (&h * variables(["x2"])[0].clone() * &r / Fraction::variable("e")) / (&one + &kp * gamma / delta);
+    scope
+        .with("d_{CX}", r.pow(2))
+        .with("d_{CM}", q.pow(2))
+        .with("d_{MX}", p.pow(2))
+        .with("E", twice / Fraction::from(2))
+        .with("L", momentum.clone())
+        .with("D", momentum.pow(2) - twice * &moments[1])
+        .with("P", &h * &q * &big)
+        .with("Q", big)
+        .with("k", &h * &p)
+        .with("k'", kp.clone())
+        .with(r"\zeta", &kp * &amplitudes[2])
+        .with("s", Fraction::one())
+        .with(r"\sigma", Fraction::variable("sigma"))
+        .with(r"\tau", Fraction::variable("tau"))
+        .with(r"\eta", motion.rate.clone())
+        .with("x_0", Fraction::variable("sn"))
+        .with("y_0", Fraction::variable("cn"))
+        .with("z_0", Fraction::variable("dn"))
+        .with(r"\beta", beta.clone())
+        .with(r"\gamma", gamma.clone())
+        .with(r"\delta", delta.clone())
+        .with("n", circled)
+        .with(r"\kappa", tilt)
+        .with(r"\dot{\psi}", put(&motion.turning))
+        .with("R", &moments[1] * q.pow(2) / (&moments[0] * r.pow(2)))
+        .with("S", &moments[1] * p.pow(2) / (&moments[2] * r.pow(2)))
+        .with("T", &moments[0] * p.pow(2) / (&moments[2] * q.pow(2)))
+        .under(motion.relations)
+}
+
+/// Twice the cosine of `n` times an angle, from that of the angle; and the sine over that of the angle.
+fn chebyshev(n: usize, cos: &Fraction) -> (Fraction, Fraction) {
+    let (two, one, zero) = (Fraction::from(2), Fraction::one(), Fraction::zero());
+    let (mut c, mut s) = (vec![two.clone(), &two * cos], vec![zero, one]);
+    for k in 2..=n {
+        c.push(&two * cos * &c[k - 1] - &c[k - 2]);
+        s.push(&two * cos * &s[k - 1] - &s[k - 2]);
+    }
+    (c[n].clone(), s[n].clone())
+}
+
+fn alternating(n: usize) -> Fraction {
+    Fraction::from(if n % 2 == 0 { 1 } else { -1 })
+}
+
+/// Powers, also below zero.
+fn power(x: &Fraction, n: i32) -> Fraction {
+    if n < 0 { Fraction::one() / x.pow(n.unsigned_abs()) } else { x.pow(n.unsigned_abs()) }
+}
+
+/// Jacobi's theta functions to four terms each: the nome is a symbol, `c` the cosine of the doubled phase.
+pub(super) fn direct() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(of_direct);
+    ONCE.clone()
+}
+
+fn of_direct() -> Scope {
+    let [q, c] = variables(["q", "c"]);
+    let [mut third, mut fourth] = [Fraction::one(), Fraction::one()];
+    let [mut second, mut first] = [Fraction::zero(), Fraction::zero()];
+    for n in 1..=3_u32 {
+        let term = q.pow(n * n) * chebyshev(n as usize, &c).0;
+        third += term.clone();
+        fourth += term * alternating(n as usize);
+    }
+    for n in 0..=3_usize {
+        // cos (2n+1)z over cos z, with the sign of sin (2n+1)z over sin z, from waves of the doubled phase.
+        let (even, odd) = (chebyshev(n, &c).1, chebyshev(n + 1, &c).1);
+        let size = q.pow((n * n + n) as u32);
+        first += &size * (&odd + &even) * alternating(n);
+        second += size * (odd - even);
+    }
+    Scope::default()
+        .with("q", q)
+        .with("c", c)
+        .with(r"\theta_1", first)
+        .with(r"\theta_2", second)
+        .with(r"\theta_3", third)
+        .with(r"\theta_4", fourth)
+}
+
+/// The attitude's two theta functions: their nome is that of `direct` squared, `f` and `q/f` are the
+/// exponentials of the zero.
+pub(super) fn attitude() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(of_attitude);
+    ONCE.clone()
+}
+
+fn of_attitude() -> Scope {
+    let [q, f, c, s, w, sin, cos] = variables(["q", "f", "c", "s", "w", "sin", "cos"]);
+    let waves = |n: usize, sign: i64| {
+        let sign = Fraction::from(sign);
+        power(&q, (2 * n * n) as i32) * (power(&f, -(n as i32)) + sign * power(&f, n as i32))
+    };
+    // The odd ones, times the root of f and without the first power of the nome.
+    let odd = |n: usize, sign: i64| {
+        let sign = Fraction::from(sign);
+        power(&q, (2 * n * (n + 1)) as i32) * (power(&f, -(n as i32)) + sign * power(&f, n as i32 + 1))
+    };
+    let (mut a_real, mut a_imaginary) = (Fraction::one(), Fraction::zero());
+    for n in 1..=3 {
+        let (wave, sine) = chebyshev(n, &c);
+        a_real += waves(n, 1) * wave / Fraction::from(2) * alternating(n);
+        a_imaginary += waves(n, -1) * sine * &w * &s * alternating(n);
+    }
+    let (mut b_real, mut b_imaginary) = (Fraction::zero(), Fraction::zero());
+    for n in 0..=2 {
+        let (even, above) = (chebyshev(n, &c).1, chebyshev(n + 1, &c).1);
+        b_real += odd(n, 1) * (&above + &even) * alternating(n) * &sin;
+        b_imaginary += -(odd(n, -1) * (above - even) * alternating(n) * &cos * &s);
+    }
+    // At z = 0, where c is one and w grows by twice z.
+    let rate = (1..=3).fold(Fraction::zero(), |sum, n| {
+        sum + waves(n, -1) * alternating(n) * Fraction::from(2 * n as i64) * &s
+    });
+    let start = (1..=3).fold(Fraction::one(), |sum, n| sum + waves(n, 1) * alternating(n));
+    let mut scope = Scope::default();
+    for n in 1..=3 {
+        scope = scope.with(&format!("h_{n}"), waves(n, 1)).with(&format!("l_{n}"), waves(n, -1));
+    }
+    for n in 1..=2 {
+        scope = scope.with(&format!("c_{n}"), odd(n, 1)).with(&format!("d_{n}"), odd(n, -1));
+    }
+    scope
+        .with("g", &q / &f)
+        .with("q", q)
+        .with("f", f)
+        .with("c", c)
+        .with("s", s)
+        .with("w", w)
+        .with(r"\sin(z)", sin)
+        .with(r"\cos(z)", cos)
+        .with("a_1", a_real)
+        .with("a_2", a_imaginary)
+        .with("b_1", b_real)
+        .with("b_2", b_imaginary)
+        .with(r"\rho", rate / start)
+        .under(Relations::default())
+}
+
+/// The complementary sums, without their first exponentials.
+pub(super) fn complementary() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(of_complementary);
+    ONCE.clone()
+}
+
+fn of_complementary() -> Scope {
+    let [v, g] = variables(["v", "g"]);
+    let nome = &v * &g;
+    let even = |sign: i64| {
+        (1..=3_i32).fold(Fraction::one(), |sum, n| {
+            let sign = if n % 2 == 1 { Fraction::from(sign) } else { Fraction::one() };
+            // The nome to n², times exp(2nx) = v^-n and its inverse.
+            sum + power(&nome, n * n) * (power(&v, -n) + power(&v, n)) * sign
+        })
+    };
+    let odd = |sign: i64| {
+        (0..=2_i32).fold(Fraction::zero(), |sum, n| {
+            let alternates = if n % 2 == 1 && sign < 0 { -1 } else { 1 };
+            let pair = Fraction::one() + Fraction::from(sign) * power(&v, 2 * n + 1);
+            sum + power(&nome, n * n + n) * power(&v, -n) * pair * Fraction::from(alternates)
+        })
+    };
+    Scope::default()
+        .with("q'", nome.clone())
+        .with("v", v.clone())
+        .with("g", g)
+        .with(r"\theta'_1", odd(-1))
+        .with(r"\theta'_2", odd(1))
+        .with(r"\theta'_3", even(1))
+        .with(r"\theta'_4", even(-1))
+}
+
+/// The attitude's two numbers in hyperbolic functions, from their growing and falling exponentials.
+pub(super) fn complementary_attitude() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(of_complementary_attitude);
+    ONCE.clone()
+}
+
+fn of_complementary_attitude() -> Scope {
+    let [p, e, s] = variables(["p", "e", "s"]);
+    let r = p.pow(2) / &e;
+    let mut scope = Scope::default();
+    let mut sums = [Fraction::zero(), Fraction::zero(), Fraction::zero(), Fraction::zero()];
+    for n in 0..=4_i32 {
+        let [c, d] = ["C", "S"].map(|name| Fraction::variable(&format!("{name}{n}")));
+        // exp((2n+1)x/2) and its inverse, times exp(-x/2).
+        let grows = power(&p, n * n + n) * power(&e, -n);
+        let falls = if n < 4 { power(&p, n * n + n) * power(&e, n + 1) } else { Fraction::zero() };
+        let sign = alternating(n as usize);
+        sums[0] += &c * (&grows + &falls);
+        sums[1] += -(&d * (&grows - &falls)) * &s;
+        sums[2] += &c * (&grows - &falls) * &sign;
+        sums[3] += -(&d * (&grows + &falls)) * &s * sign;
+        scope = scope.with(&format!("C_{n}"), c).with(&format!("S_{n}"), d);
+    }
+    let [a_1, a_2, b_1, b_2] = sums;
+    scope
+        .with("p", p)
+        .with("e", e)
+        .with("r", r)
+        .with("s", s)
+        .with("a_1", a_1)
+        .with("a_2", a_2)
+        .with("b_1", b_1)
+        .with("b_2", b_2)
+}

@@ -1,0 +1,302 @@
+//! The attitude by Klein and Sommerfeld's two numbers, as the exact motion computes them, put into
+//! `q' = q w/2` for all bodies; and the degenerate motions as its limits.
+//!
+//! Indices: 1 across, 2 middle, 3 circled. `h` is the modulus over the root `p` of the first difference of
+//! the moments, so that nothing is divided by `p`.
+
+use crate::number::{Derivation, Fraction, Polynomial, Relations};
+use crate::proof::{Mutant, Outcome, Proof, Residue, same_under, vanishes};
+use crate::symbols::{Vector, diagonal, variables};
+use nalgebra::Quaternion;
+use num_traits::{One, Zero};
+use tumbling::attitude::{product, rate};
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::dynamics::observe::energy;
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "klein-momentum",
+        part: "exact",
+        statement: "The quaternion a + b j, with a conj(a), b conj(b) and conj(a) b as the theta functions make them, takes the momentum of \
+                    the closed form to the first axis. For every body, about either axis, in either sense.",
+        check: || both(|sense| momentum(sense, Change::None)),
+        mutants: &[
+            Mutant {
+                change: "the zero on the other side",
+                check: || both(|sense| momentum(sense, Change::Zero)),
+            },
+            Mutant {
+                change: "a sign in Euler's equations",
+                check: || both(|sense| momentum(sense, Change::Spin)),
+            },
+        ],
+    },
+    Proof {
+        name: "klein-attitude",
+        part: "exact",
+        statement: "Turned by half the angle about the momentum, which is a theta function's angle and a steady drift, a + b j satisfies \
+                    q' = q w/2. For every body, about either axis, in either sense.",
+        check: || both(|sense| attitude(sense, Change::None)),
+        mutants: &[
+            Mutant {
+                change: "the zero on the other side",
+                check: || both(|sense| attitude(sense, Change::Zero)),
+            },
+            Mutant {
+                change: "the theta function's angle reversed",
+                check: || both(|sense| attitude(sense, Change::Angle)),
+            },
+        ],
+    },
+    Proof {
+        name: "limit-coin",
+        part: "exact",
+        statement: "Where the middle moment comes to equal the one across, dn is constant, and the closed form is that of the symmetric top: \
+                    its rate, and a constant a.",
+        check: || coin(1),
+        mutants: &[Mutant { change: "the rate reversed", check: || coin(-1) }],
+    },
+    Proof {
+        name: "limit-separatrix",
+        part: "exact",
+        statement: "At modulus one cn and dn are sech, L² = 2 E I2, and the turn about the momentum comes to the rate L/I2.",
+        check: || separatrix(1),
+        mutants: &[Mutant { change: "cn and dn opposite", check: || separatrix(-1) }],
+    },
+    Proof {
+        name: "limit-steady",
+        part: "exact",
+        statement: "Without a wobble b vanishes and the body turns about the circled axis at the rate of its spin.",
+        check: || steady(Change::None),
+        mutants: &[Mutant { change: "the spin the other way", check: || steady(Change::Spin) }],
+    },
+];
+
+/// What a mutant changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Change {
+    None,
+    Zero,
+    Angle,
+    Spin,
+}
+
+/// Both orders of the axes: cyclic or not.
+fn both(check: impl Fn(i64) -> Outcome) -> Outcome {
+    check(1)?;
+    check(-1)
+}
+
+/// A motion in closed form, with all the constants of its attitude.
+pub(crate) struct Motion {
+    pub(crate) relations: Relations,
+    pub(crate) time: Derivation,
+    /// Across, middle, circled.
+    pub(crate) moments: [Fraction; 3],
+    pub(crate) amplitudes: [Fraction; 3],
+    pub(crate) omega: [Fraction; 3],
+    pub(crate) rate: Fraction,
+    pub(crate) momentum: Fraction,
+    pub(crate) twice_energy: Fraction,
+    /// `sn`, `cn` and `dn` of the zero, with the complementary modulus.
+    pub(crate) zero: [Fraction; 3],
+    /// The rate of the angle about the momentum, by the theta function's angle and the drift.
+    pub(crate) turning: Fraction,
+    /// `a conj(a)`, and `conj(a) b`.
+    pub(crate) size: Fraction,
+    pub(crate) product: [Fraction; 2],
+}
+
+/// What ties the symbols: moments in either order by `tau`.
+fn relations() -> Result<Relations, Residue> {
+    let [x1, x3, p, q, h, sn] =
+        ["x1", "x3", "p", "q", "h", "sn"].map(|name| Polynomial::variable(name).pow(2));
+    let tau = Polynomial::variable("tau");
+    let one = Polynomial::one;
+    let modulus = &h * &p;
+    let rules = vec![
+        ("cn".into(), one() - &sn),
+        ("dn".into(), one() - &modulus * &sn),
+        ("kp".into(), one() - modulus),
+        ("e".into(), x3 + h * &x1 * &q),
+        ("x2".into(), &x1 + &tau * &p),
+        ("x3".into(), x1 + tau * (&p + &q)),
+        ("r".into(), p + q),
+        ("sigma".into(), one()),
+        ("tau".into(), one()),
+    ];
+    Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })
+}
+
+/// `sense` is 1 where across, middle and circled follow each other in cyclic order, otherwise -1.
+pub(crate) fn motion(sense: i64, change: Change) -> Result<Motion, Residue> {
+    let relations = relations()?;
+    let [x1, x2, x3, p, q, r] = variables(["x1", "x2", "x3", "p", "q", "r"]);
+    let [h, big, e, sn, cn, dn] = variables(["h", "Q", "e", "sn", "cn", "dn"]);
+    let [sigma, tau] = variables(["sigma", "tau"]);
+    let s = Fraction::from(sense);
+    let one = Fraction::one();
+    let sign = |of: Change| Fraction::from(if change == of { -1 } else { 1 });
+    let rate = &s * &sigma * &tau * &q * &big / (&x1 * &x2 * &x3) * sign(Change::Spin);
+    let m = h.pow(2) * p.pow(2);
+    let time = Derivation::new([
+        ("sn", &cn * &dn * &rate),
+        ("cn", -(&sn * &dn * &rate)),
+        ("dn", -(&m * &sn * &cn * &rate)),
+    ]);
+    let amplitudes = [&h * &q * &big / (&x1 * &r), &h * &big / &x2, &big / (&x3 * &r)];
+    let omega = [&amplitudes[0] * &cn, &amplitudes[1] * &sn, &sigma * &amplitudes[2] * &dn];
+    let (momentum, twice_energy) = (&big * &e / &r, big.pow(2) * (&one + h.pow(2) * q.pow(2)) / r.pow(2));
+    let zero = [&x1 * &q / (&x2 * &r), &x3 * &p / (&x2 * &r), &p * &e / (&x2 * &r)];
+    // The quotient of the last two, and its derivative.
+    let share = &x3 / &e;
+    let falls = -(&x1 * &q * &x2 * &r * h.pow(2) / e.pow(2));
+    let circled = x3.pow(2);
+    let about = |dn: &Fraction| {
+        let along = &amplitudes[2] * dn;
+        &sigma * (&twice_energy + &momentum * &along) / (&momentum + &circled * along)
+    };
+    let angle = |dn: &Fraction| &s * &rate * dn * &falls / (&one + dn * &share) * sign(Change::Angle);
+    // The drift is what the turn at the start of a passage needs beyond the theta function's.
+    let turning = about(&one) - angle(&one) + angle(&dn);
+    let size = (&one + &dn * &share) / Fraction::from(2);
+    // conj(a) b = k (sn - i s beta cn)/(2 delta), with the middle axis where the order of the axes has it.
+    let half = &sigma * Fraction::ratio(1, 2);
+    let along_sn = &half * &h * &x2 * &r / &e * &sn;
+    let along_cn = &half * &h * &x1 * &q / &e * &cn * sign(Change::Zero);
+    let product = if sense > 0 { [along_sn, -along_cn] } else { [along_cn, -along_sn] };
+    let moments = [x1.pow(2), x2.pow(2), circled];
+    Ok(Motion {
+        relations,
+        time,
+        moments,
+        amplitudes,
+        omega,
+        rate,
+        momentum,
+        twice_energy,
+        zero,
+        turning,
+        size,
+        product,
+    })
+}
+
+impl Motion {
+    /// Along the circled axis and the next two in cyclic order.
+    fn arranged(&self, [across, middle, circled]: &[Fraction; 3], sense: i64) -> Vector {
+        let [next, last] = if sense > 0 { [across, middle] } else { [middle, across] };
+        Vector::new(circled.clone(), next.clone(), last.clone())
+    }
+
+    /// `conj(a) (a + b j)`: the quaternion turned until its first part is real, times its length there.
+    fn quaternion(&self) -> Quaternion<Fraction> {
+        let [real, imaginary] = self.product.clone();
+        Quaternion::new(self.size.clone(), Fraction::zero(), real, imaginary)
+    }
+}
+
+fn first_axis() -> Quaternion<Fraction> {
+    let [zero, one] = [Fraction::zero(), Fraction::one()];
+    Quaternion::new(zero.clone(), one, zero.clone(), zero)
+}
+
+fn momentum(sense: i64, change: Change) -> Outcome {
+    let motion = motion(sense, change)?;
+    let (omega, moments) = (motion.arranged(&motion.omega, sense), motion.arranged(&motion.moments, sense));
+    let moved = omega.map(|x| motion.time.of(&x));
+    let expected = angular_acceleration(&moments, &omega, &Vector::zeros());
+    for k in 0..3 {
+        same_under(&motion.relations, "w'", &moved[k], &expected[k])?;
+    }
+    let momentum = diagonal(&moments) * &omega;
+    let twice = energy(&omega, &momentum) * Fraction::from(2);
+    same_under(&motion.relations, "2E", &twice, &motion.twice_energy)?;
+    same_under(&motion.relations, "L²", &momentum.dot(&momentum), &motion.momentum.pow(2))?;
+    // conj(q) i q, for q of length |a|.
+    let q = motion.quaternion();
+    let v = -q.coords.xyz();
+    let back = Quaternion::new(q.coords.w.clone(), v.x.clone(), v.y.clone(), v.z.clone());
+    let seen = product(&product(&back, &first_axis()), &q).coords.xyz();
+    let scale = &motion.size * Fraction::variable("sigma") / &motion.momentum;
+    for k in 0..3 {
+        same_under(&motion.relations, "the momentum", &seen[k], &(&momentum[k] * &scale))?;
+    }
+    Ok(())
+}
+
+fn attitude(sense: i64, change: Change) -> Outcome {
+    let motion = motion(sense, change)?;
+    let omega = motion.arranged(&motion.omega, sense);
+    let q = motion.quaternion();
+    let lengthens = motion.time.of(&motion.size) / (&motion.size * Fraction::from(2));
+    let turned = product(&first_axis(), &q);
+    let half = &motion.turning / Fraction::from(2);
+    let expected = rate(&q, &omega);
+    for k in 0..4 {
+        let moved = motion.time.of(&q.coords[k]) - &q.coords[k] * &lengthens + &turned.coords[k] * &half;
+        same_under(&motion.relations, "q'", &moved, &expected.coords[k])?;
+    }
+    Ok(())
+}
+
+/// The expression with numbers or symbols put for some of its symbols.
+fn put(x: &Fraction, values: &[(&str, Fraction)]) -> Fraction {
+    values.iter().fold(x.clone(), |x, (name, value)| x.substitute(&(*name).into(), value))
+}
+
+fn coin(direction: i64) -> Outcome {
+    let motion = motion(1, Change::None)?;
+    let [x1, q, one] = [Fraction::variable("x1"), Fraction::variable("q"), Fraction::one()];
+    let values = [("p", Fraction::zero()), ("x2", x1), ("r", q), ("dn", one.clone())];
+    let limit = |x: &Fraction| put(x, &values);
+    let ties = {
+        let x1 = Polynomial::variable("x1").pow(2);
+        let (tau, q) = (Polynomial::variable("tau"), Polynomial::variable("q").pow(2));
+        let h = Polynomial::variable("h").pow(2);
+        let rules = vec![
+            ("e".into(), Polynomial::variable("x3").pow(2) + h * &x1 * &q),
+            ("x3".into(), x1 + tau * q),
+            ("sigma".into(), Polynomial::one()),
+            ("tau".into(), Polynomial::one()),
+        ];
+        Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })?
+    };
+    let [i1, _, i3] = motion.moments.each_ref().map(limit);
+    let top = (&i3 - &i1) * limit(&motion.omega[2]) / &i1 * Fraction::from(direction);
+    // As the first two axes follow each other, the spin circles the third the way that sn and cn exchange.
+    same_under(&ties, "the rate", &limit(&motion.rate), &top)?;
+    same_under(&ties, "the amplitudes", &limit(&motion.amplitudes[0]), &limit(&motion.amplitudes[1]))?;
+    let settled = motion.time.of(&motion.size);
+    vanishes("the rate of a", &limit(&settled), &ties)
+}
+
+fn separatrix(sign: i64) -> Outcome {
+    let motion = motion(1, Change::None)?;
+    let over_p = Fraction::one() / Fraction::variable("p");
+    let values = [("h", over_p), ("dn", Fraction::variable("cn") * Fraction::from(sign))];
+    let limit = |x: &Fraction| put(x, &values);
+    // dn² = cn², and their rates are the same.
+    let rates = ["cn", "dn"].map(|name| limit(&motion.time.of(&Fraction::variable(name))));
+    same_under(&motion.relations, "cn' and dn'", &rates[0], &rates[1])?;
+    let (l, i2) = (limit(&motion.momentum), limit(&motion.moments[1]));
+    // Now e² = x3² + x1² q²/p² is x2² r²/p².
+    let [x2, r, p] = variables(["x2", "r", "p"]);
+    let e = [("e", &x2 * &r / &p)];
+    let l = put(&l, &e);
+    same_under(&motion.relations, "L²", &l.pow(2), &(limit(&motion.twice_energy) * &i2))?;
+    let at_rest = [("cn", Fraction::zero())];
+    let rate = put(&put(&limit(&motion.turning), &e), &at_rest);
+    same_under(&motion.relations, "the turn", &rate, &(Fraction::variable("sigma") * l / i2))
+}
+
+fn steady(change: Change) -> Outcome {
+    let motion = motion(1, change)?;
+    let sense = if change == Change::None { 1 } else { -1 };
+    let values = [("h", Fraction::zero()), ("dn", Fraction::one()), ("e", Fraction::variable("x3"))];
+    let limit = |x: &Fraction| put(x, &values);
+    let [b_real, b_imaginary] = motion.product.each_ref().map(limit);
+    vanishes("b", &(b_real + b_imaginary), &motion.relations)?;
+    let spin = limit(&motion.omega[2]) * Fraction::from(sense);
+    same_under(&motion.relations, "the turn", &limit(&motion.turning), &spin)
+}

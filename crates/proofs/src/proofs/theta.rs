@@ -1,0 +1,116 @@
+//! Theta functions: that their quotients are Jacobi's functions, and their products the attitude's two
+//! numbers. Every identity is decided in all terms of its infinite sums, for every nome.
+
+use crate::lattice::{Pairs, THETA_1, THETA_2, THETA_3, THETA_4, Theta, exponents};
+use crate::number::Fraction;
+use crate::proof::{Mutant, Outcome, Proof, same};
+use crate::symbols::variables;
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "jacobi-by-thetas",
+        part: "exact",
+        statement: "With sn, cn and dn as quotients of theta functions, sn² + cn² = 1 and dn² + k² sn² = 1, and sn' is a constant times \
+                    cn dn. The other two rates follow. For every nome.",
+        check: || jacobi(1, THETA_1),
+        mutants: &[
+            Mutant { change: "a sign in a square", check: || jacobi(-1, THETA_1) },
+            Mutant { change: "another theta function above", check: || jacobi(1, THETA_2) },
+        ],
+    },
+    Proof {
+        name: "attitude-by-thetas",
+        part: "exact",
+        statement: "Of a = theta4(z + w) and b = theta1(z - w) with the square of the nome, a conj(a), b conj(b) and conj(a) b are sums of \
+                    two products of Jacobi's thetas of z and of w: a constant times 1 + dn/dn(w), 1 - dn/dn(w), and sn cn(w) - cn sn(w). \
+                    For every nome and every zero.",
+        check: || direct_pair(1),
+        mutants: &[Mutant { change: "a plus between the two products", check: || direct_pair(-1) }],
+    },
+    Proof {
+        name: "attitude-by-complementary-thetas",
+        part: "exact",
+        statement: "The same of theta2 and theta1 with the root of the complementary nome: the same three products.",
+        check: || complementary_pair(THETA_2),
+        mutants: &[Mutant {
+            change: "the theta of the direct series",
+            check: || complementary_pair(THETA_4),
+        }],
+    },
+    Proof {
+        name: "half-periods",
+        part: "exact",
+        statement: "Over half a period a stays and b changes its sign; in the complementary series both also turn by one angle. From flip to \
+                    saddle theta1 and theta4, theta2 and theta3 change places.",
+        check: || half_periods([THETA_4, THETA_1], [THETA_2, THETA_1]),
+        mutants: &[Mutant {
+            change: "b without alternating signs",
+            check: || half_periods([THETA_4, THETA_2], [THETA_2, THETA_2]),
+        }],
+    },
+];
+
+/// Twice a sum, where its halves are written.
+fn twice(pairs: Pairs) -> Pairs {
+    pairs + pairs
+}
+
+fn jacobi(sign: i64, above: Theta) -> Outcome {
+    exponents()?;
+    let product = |f, g| Pairs::product(f, g);
+    let square = Pairs::of_the_square;
+    // With A and B the third and second at w, U and V at z, of the squared nome and twice the argument.
+    let (ua, vb) = (square(THETA_3, THETA_3), square(THETA_2, THETA_2));
+    let (va, ub) = (square(THETA_2, THETA_3), square(THETA_3, THETA_2));
+    Pairs::same("theta3²", &product(THETA_3, THETA_3), &(ua + vb))?;
+    Pairs::same("theta4²", &product(THETA_4, THETA_4), &(ua - vb))?;
+    Pairs::same("theta2²", &product(THETA_2, THETA_2), &(va + ub))?;
+    Pairs::same("theta1²", &product(THETA_1, THETA_1), &(ub - va))?;
+    let [a, b, u, v] = variables(["A", "B", "U", "V"]);
+    let squares = |u: &Fraction, v: &Fraction| {
+        [&b * u - &a * v, &a * v + &b * u, &a * u + &b * v, &a * u - &b * v * Fraction::from(sign)]
+    };
+    let ([t1, t2, t3, t4], [_, z2, z3, z4]) = (squares(&u, &v), squares(&a, &b));
+    let one = Fraction::from(1);
+    let (sn, cn, dn) = (&z3 / &z2 * &t1 / &t4, &z4 / &z2 * &t2 / &t4, &z4 / &z3 * &t3 / &t4);
+    same("sn² + cn²", &(&sn + &cn), &one)?;
+    let parameter = z2.pow(2) / z3.pow(2);
+    same("dn² + k² sn²", &(dn + parameter * sn), &one)?;
+    Pairs::differ_by_a_constant("sn'", &product(above, THETA_4), &product(THETA_2, THETA_3))
+}
+
+fn direct_pair(sign: i64) -> Outcome {
+    exponents()?;
+    let root = Pairs::of_the_root;
+    let signed = |pairs: Pairs| if sign > 0 { pairs } else { -pairs };
+    let (third, fourth) = (root(THETA_3, THETA_4), root(THETA_4, THETA_3));
+    Pairs::same("a conj(a)", &twice(Pairs::product(THETA_4, THETA_4)), &(fourth + third))?;
+    Pairs::same("b conj(b)", &twice(Pairs::product(THETA_1, THETA_1)), &(fourth - signed(third)))?;
+    let (first, second) = (root(THETA_1, THETA_2), root(THETA_2, THETA_1));
+    Pairs::same("conj(a) b", &twice(Pairs::product(THETA_4, THETA_1)), &(first - second))
+}
+
+fn complementary_pair(a: Theta) -> Outcome {
+    exponents()?;
+    let square = Pairs::of_the_square;
+    let (ub, va) = (square(THETA_3, THETA_2), square(THETA_2, THETA_3));
+    Pairs::same("a conj(a)", &Pairs::product(a, a), &(va + ub))?;
+    Pairs::same("b conj(b)", &Pairs::product(THETA_1, THETA_1), &(ub - va))?;
+    let (first, fourth) = (square(THETA_1, THETA_4), square(THETA_4, THETA_1));
+    Pairs::same("conj(a) b", &Pairs::product(a, THETA_1), &(first - fourth))
+}
+
+fn half_periods(direct: [Theta; 2], complementary: [Theta; 2]) -> Outcome {
+    exponents()?;
+    let signs = |claim: &str, [a, b]: [i64; 2]| {
+        same(&format!("{claim}, a"), &Fraction::from(a), &Fraction::from(1))?;
+        same(&format!("{claim}, b"), &Fraction::from(b), &Fraction::from(-1))
+    };
+    signs("half a period", direct.map(Theta::over_a_period))?;
+    signs("the same, complementary", complementary.map(Theta::over_a_quasi_period))?;
+    let exchanged = |claim: &str, f: Theta, g: Theta| {
+        Pairs::same(claim, &Pairs::product(f.after_half_a_quasi_period(), f), &Pairs::product(g, f))
+    };
+    exchanged("theta1 and theta4", THETA_1, THETA_4)?;
+    exchanged("theta2 and theta3", THETA_2, THETA_3)
+}
