@@ -113,7 +113,7 @@ impl LagrangeTop {
         let attitude = checked(attitude)?;
         let mounted = Mounted::new(moments, arm)?;
         let torque = DoubleDouble::product(mounted.arm, weight).abs();
-        let q = mounted.to_own(attitude.into_inner());
+        let q = mounted.own_attitude(attitude.into_inner());
         let spin = mounted.in_own(omega);
         let (across, polar) = (DoubleDouble::from(mounted.across), DoubleDouble::from(mounted.polar));
         let along = polar * spin.z / across;
@@ -206,7 +206,7 @@ impl LagrangeTop {
                 let over = 1.0 / q.norm();
                 let scaled = |x: f64| times_power_of_two(x, self.exponent);
                 let omega = Vector3::new(scaled(first), scaled(second), self.along);
-                let attitude = UnitQuaternion::new_unchecked(self.mounted.to_body(q * over));
+                let attitude = UnitQuaternion::new_unchecked(self.mounted.body_attitude(q * over));
                 Instant { omega: self.mounted.in_body(omega), attitude }
             }
         })

@@ -59,11 +59,11 @@ impl Mounted {
     }
 
     /// An attitude of the body as one of the top's own axes, and back.
-    pub(super) fn to_own(&self, q: Quaternion<f64>) -> Quaternion<f64> {
+    pub(super) fn own_attitude(&self, q: Quaternion<f64>) -> Quaternion<f64> {
         self.frame.map_or(q, |frame| product(&q, &frame))
     }
 
-    pub(super) fn to_body(&self, q: Quaternion<f64>) -> Quaternion<f64> {
+    pub(super) fn body_attitude(&self, q: Quaternion<f64>) -> Quaternion<f64> {
         unit(self.frame.map_or(q, |frame| product(&q, &frame.conjugate())))
     }
 

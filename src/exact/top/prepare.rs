@@ -77,7 +77,7 @@ impl Integrals {
             rate: ratio(self.at_bottom, high * 2.0),
             start: start.alpha,
             // q' = q w/2.
-            start_rate: [-p * x - q * y - b * z, p * y * -1.0 + q * x + b * w],
+            start_rate: [-p * x - q * y - b * z, -(p * y) + q * x + b * w],
         };
         let beta = Shape {
             first: false,

@@ -57,6 +57,8 @@ impl SubAssign for Dual {
     }
 }
 
+// The rules of products and quotients.
+#[allow(clippy::suspicious_arithmetic_impl)]
 impl Mul for Dual {
     type Output = Self;
     #[inline(always)]
@@ -74,6 +76,7 @@ impl MulAssign for Dual {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl)]
 impl Div for Dual {
     type Output = Self;
     #[inline(always)]

@@ -479,7 +479,7 @@ Theorem attitude_rate_mutant_1 :
     y * (omega1 * 2)) / 2) <> (x * z + w * y + (x * z + w * y)) * (- omega2) + (x * y - w * z + (x *
     y - w * z)) * omega3.
 Proof.
-  exists (1 / 6), (1 / 3), (1 / 2), (1 / 2), (-1 / 2), (1 / 2), (-1 / 2).
+  exists (1 / 6), (1 / 3), (1 / 2), (-1 / 2), (-1 / 2), (1 / 2), (-1 / 2).
   split; [computed | ]. 
   computed.
 Qed.
@@ -495,7 +495,7 @@ Theorem attitude_rate_mutant_2 :
     2 * x) + (- (z + z)) * (omega1 / 2 * y - omega2 / 2 * x + omega3 / 2 * w) <> (x * z + w * y + (x
     * z + w * y)) * (- omega2) + (x * y - w * z + (x * y - w * z)) * omega3.
 Proof.
-  exists (1 / 6), (1 / 3), (1 / 2), (1 / 2), (-1 / 2), (1 / 2), (-1 / 2).
+  exists (1 / 6), (1 / 3), (1 / 2), (-1 / 2), (-1 / 2), (1 / 2), (-1 / 2).
   split; [computed | ]. 
   computed.
 Qed.

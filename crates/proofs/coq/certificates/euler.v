@@ -463,13 +463,13 @@ Theorem spin_rate_in_both_frames_mutant_1 :
   let t_4 := x * z + w * y + (x * z + w * y) in
   t_1 + t_2 * alpha1 + t_3 * alpha2 + t_4 * alpha3 <> t_4 * alpha3 + (t_3 * alpha2 + t_2 * alpha1).
 Proof.
-  exists (-4 / 9), (2 / 9), (2 / 9), (-2 / 9), (2 / 9), (2 / 3), (5 / 9), (-5 / 9), (-1 / 9), (8 /
+  exists (-4 / 9), (2 / 9), (2 / 9), (-2 / 9), (2 / 9), (2 / 3), (5 / 9), (-5 / 9), (-1 / 9), (-8 /
     9), (2 / 9), (1 / 3), (-2 / 9).
   split; [computed | ]. 
-  intros t_1; cut_to t_1 (308 / 729) computed.
+  intros t_1; cut_to t_1 (980 / 6561) computed.
   intros t_2; cut_to t_2 (55 / 81) computed.
-  intros t_3; cut_to t_3 (44 / 81) computed.
-  intros t_4; cut_to t_4 (40 / 81) computed.
+  intros t_3; cut_to t_3 (-20 / 81) computed.
+  intros t_4; cut_to t_4 (-56 / 81) computed.
   computed.
 Qed.
 

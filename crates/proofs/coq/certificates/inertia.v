@@ -1290,23 +1290,23 @@ Theorem turning_back_mutant_1 :
   t_12 + (t_14 + t_15) <> I_xx * (I_yy * I_zz - I_yz * I_yz) + I_xy * (I_yz * I_xz - I_xy * I_zz) +
     I_xz * (I_xy * I_yz - I_yy * I_xz).
 Proof.
-  exists (-1 / 5), 1, 1, 1, (6 / 5), (2 / 5), (1 / 5), (4 / 5), (2 / 5), (2 / 5).
+  exists (-1 / 5), 1, 1, 1, (6 / 5), (2 / 5), (-1 / 5), (4 / 5), (2 / 5), (2 / 5).
   split; [computed | ]. 
-  intros t_1; cut_to t_1 (4 / 5) computed.
-  intros t_2; cut_to t_2 (12 / 25) computed.
+  intros t_1; cut_to t_1 (12 / 25) computed.
+  intros t_2; cut_to t_2 (4 / 5) computed.
   intros t_3; cut_to t_3 (9 / 25) computed.
-  intros t_4; cut_to t_4 (157 / 125) computed.
+  intros t_4; cut_to t_4 (189 / 125) computed.
   intros t_5; cut_to t_5 (-3 / 5) computed.
-  intros t_6; cut_to t_6 (9 / 5) computed.
-  intros t_7; cut_to t_7 (16 / 25) computed.
+  intros t_6; cut_to t_6 (217 / 125) computed.
+  intros t_7; cut_to t_7 0 computed.
   intros t_8; cut_to t_8 (151 / 125) computed.
-  intros t_9; cut_to t_9 (12 / 25) computed.
-  intros t_10; cut_to t_10 0 computed.
-  intros t_11; cut_to t_11 (4 / 5) computed.
-  intros t_12; cut_to t_12 (-33627 / 9765625) computed.
+  intros t_9; cut_to t_9 (4 / 5) computed.
+  intros t_10; cut_to t_10 (16 / 25) computed.
+  intros t_11; cut_to t_11 (12 / 25) computed.
+  intros t_12; cut_to t_12 (430421 / 9765625) computed.
   intros t_13; cut_to t_13 (-3 / 5) computed.
-  intros t_14; cut_to t_14 (-526252 / 9765625) computed.
-  intros t_15; cut_to t_15 (42718866 / 48828125) computed.
+  intros t_14; cut_to t_14 (-1587324 / 9765625) computed.
+  intros t_15; cut_to t_15 (23948802 / 48828125) computed.
   computed.
 Qed.
 
@@ -1436,13 +1436,13 @@ Theorem moments_survive_turning_mutant_1 :
   t_4 <> t_1 * (I_zz * v3 + (I_yz * v2 + I_xz * v1)) + (t_2 * (I_yz * v3 + (I_yy * v2 + I_xy * v1))
     + t_3 * (I_xz * v3 + (I_xy * v2 + I_xx * v1))).
 Proof.
-  exists (-4 / 9), (2 / 9), (2 / 9), (-2 / 9), (2 / 9), (2 / 3), (5 / 9), (-5 / 9), (-1 / 9), (8 /
+  exists (-4 / 9), (2 / 9), (2 / 9), (-2 / 9), (2 / 9), (2 / 3), (5 / 9), (-5 / 9), (-1 / 9), (-8 /
     9), (2 / 9), (1 / 3), (-2 / 9).
   split; [computed | ]. 
-  intros t_1; cut_to t_1 (40 / 81) computed.
-  intros t_2; cut_to t_2 (44 / 81) computed.
+  intros t_1; cut_to t_1 (-56 / 81) computed.
+  intros t_2; cut_to t_2 (-20 / 81) computed.
   intros t_3; cut_to t_3 (55 / 81) computed.
-  intros t_4; cut_to t_4 (-76724 / 177147) computed.
+  intros t_4; cut_to t_4 (-262172 / 531441) computed.
   computed.
 Qed.
 
@@ -1469,21 +1469,21 @@ Theorem moments_survive_turning_mutant_2 :
     t_3)) * (t_9 * v3 + (t_12 * v2 + t_3 * v1))) <> t_9 * (I_zz * v3 + (I_yz * v2 + I_xz * v1)) +
     (t_12 * (I_yz * v3 + (I_yy * v2 + I_xy * v1)) + t_3 * (I_xz * v3 + (I_xy * v2 + I_xx * v1))).
 Proof.
-  exists (-4 / 9), (2 / 9), (2 / 9), (-2 / 9), (2 / 9), (2 / 3), (5 / 9), (-5 / 9), (-1 / 9), (8 /
+  exists (-4 / 9), (2 / 9), (2 / 9), (-2 / 9), (2 / 9), (2 / 3), (5 / 9), (-5 / 9), (-1 / 9), (-8 /
     9), (2 / 9), (1 / 3), (-2 / 9).
   split; [computed | ]. 
-  intros t_1; cut_to t_1 (-56 / 81) computed.
-  intros t_2; cut_to t_2 (-20 / 81) computed.
+  intros t_1; cut_to t_1 (40 / 81) computed.
+  intros t_2; cut_to t_2 (44 / 81) computed.
   intros t_3; cut_to t_3 (55 / 81) computed.
-  intros t_4; cut_to t_4 (-266 / 729) computed.
+  intros t_4; cut_to t_4 (146 / 243) computed.
   intros t_5; cut_to t_5 (55 / 81) computed.
-  intros t_6; cut_to t_6 (38 / 729) computed.
-  intros t_7; cut_to t_7 (-44 / 81) computed.
-  intros t_8; cut_to t_8 (-124 / 243) computed.
-  intros t_9; cut_to t_9 (40 / 81) computed.
-  intros t_10; cut_to t_10 (20 / 81) computed.
+  intros t_6; cut_to t_6 (34 / 243) computed.
+  intros t_7; cut_to t_7 (20 / 81) computed.
+  intros t_8; cut_to t_8 (-52 / 729) computed.
+  intros t_9; cut_to t_9 (-56 / 81) computed.
+  intros t_10; cut_to t_10 (-44 / 81) computed.
   intros t_11; cut_to t_11 (65 / 81) computed.
-  intros t_12; cut_to t_12 (44 / 81) computed.
+  intros t_12; cut_to t_12 (-20 / 81) computed.
   computed.
 Qed.
 

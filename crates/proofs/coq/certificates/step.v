@@ -3977,22 +3977,12 @@ Theorem position_stage_keeps_momentum_mutant_1 :
     * (t_12 + I3 * ((1 + I3 * b) * ((I1 - I2) / I3 * (t_7 * h * t_10)) / (1 + I3 * b)))) <> t_5 *
     t_4 - (t_8 * t_9 - t_11 * t_12).
 Proof.
-  exists 5, 5, 5, 2, 2, 2, 4, 5, (-1), (-6), 3, 1.
-  split; [computed | ]. split; [computed | ]. split; [computed | ]. 
-  intros t_1; cut_to t_1 0 computed.
-  intros t_2; cut_to t_2 0 computed.
-  intros t_3; cut_to t_3 0 computed.
-  intros t_4; cut_to t_4 128 computed.
-  intros t_5; cut_to t_5 48000 computed.
-  intros t_6; cut_to t_6 200 computed.
-  intros t_7; cut_to t_7 (-1200) computed.
-  intros t_8; cut_to t_8 (-20800) computed.
-  intros t_9; cut_to t_9 (-96000) computed.
-  intros t_10; cut_to t_10 600 computed.
-  intros t_11; cut_to t_11 129600 computed.
-  intros t_12; cut_to t_12 16000 computed.
-  split; [computed | ]. split; [computed | ]. split; [computed | ]. split; [computed | ]. split;
-    [computed | ]. split; [computed | ]. computed.
+  exists (-2 / 3), (-5 / 6), (5 / 6), (sqrt (6023 / 5184)), (sqrt (28441 / 23328)), (sqrt (1799 /
+    2592)), (7 / 6), (-1), (1 / 2), (-1 / 3), (7 / 6), (-7 / 6).
+  split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. 
+  cbv zeta.
+  split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. split;
+    [enclosed | ]. split; [enclosed | ]. enclosed.
 Qed.
 
 (* With a root of another pace. *)

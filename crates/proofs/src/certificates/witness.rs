@@ -69,20 +69,22 @@ fn tied(s: &Statement, k: u64, random: &mut Random, any_root: bool) -> Option<Po
     let mut point = Point::new();
     let below = [1, 1, 2, 5, 3, 6, 9][usize::try_from(k).unwrap_or(0) % 7];
     for symbol in s.symbols.iter().filter(|symbol| s.squares.iter().all(|(tied, _)| tied != *symbol)) {
-        let chosen = CHOSEN.iter().find(|(name, ..)| *name == symbol.name() && k % 2 == 0);
+        let chosen = CHOSEN.iter().find(|(name, ..)| *name == symbol.name() && k.is_multiple_of(2));
         let random = random.next();
-        let sign = if !s.positive && random % 4 == 0 { -1 } else { 1 };
+        let sign = if !s.positive && random.is_multiple_of(4) { -1 } else { 1 };
         let n = sign * i64::try_from(random / 4 % 7 + 1).unwrap_or(1);
         let (n, d) = chosen.map_or((n, below), |(_, n, d)| (*n, *d));
         point.insert(symbol.clone(), Value::Exact(BigRational::new(n.into(), d.into())));
     }
-    for (symbol, square) in s.squares.iter().rev() {
+    for (at, (symbol, square)) in s.squares.iter().rev().enumerate() {
         let value = |symbol: &Symbol| match point.get(symbol) {
             Some(Value::Exact(value)) => Some(Rational::from(value.clone())),
             _ => None,
         };
         let square = square.evaluate(value)?;
         let value = match (square.root(), square.value()) {
+            // Either root, of each in turn.
+            (Some(root), _) if !s.positive && k >> at.min(63) & 1 == 1 => Value::Exact(-root.value()?.clone()),
             (Some(root), _) => Value::Exact(root.value()?.clone()),
             (None, Some(square)) if any_root && square.is_positive() => Value::Root(square.clone()),
             _ => return None,

@@ -90,7 +90,7 @@ fn chebyshev(n: usize, cos: &Fraction) -> (Fraction, Fraction) {
 }
 
 fn alternating(n: usize) -> Fraction {
-    Fraction::from(if n % 2 == 0 { 1 } else { -1 })
+    Fraction::from(if n.is_multiple_of(2) { 1 } else { -1 })
 }
 
 /// Powers, also below zero.
