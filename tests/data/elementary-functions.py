@@ -113,8 +113,6 @@ for x in [*(y for y in (abs(a) for a in angles()) if y < 1), 0.6, 0.6168, 0.617]
 for x in exponents():
     for name in ["exp", "expm1", "sinh", "cosh"]:
         line(name, [x], getattr(mpmath, name)(mpf(x)))
-for x in positive():
-    line("fifth_root", [x], mpmath.root(mpf(x), 5))
 for y, x in pairs():
     line("atan2", [y, x], mpmath.atan2(mpf(y), mpf(x)))
     line("hypot", [y, x], mpmath.hypot(mpf(y), mpf(x)))

@@ -24,6 +24,11 @@ Ltac nonzero :=
     | match goal with
       | N : _ <> 0 |- _ <> 0 =>
           let Z := fresh "Z" in intro Z; apply N; solve [ring_simplify in Z; rewrite Z; ring | nsatz]
+      end
+    | match goal with
+      | N : _ <> 0 |- _ <> 0 =>
+          let Z := fresh "Z" in
+          intro Z; apply N; field_simplify_eq; [solve [lra | nsatz] | repeat split; assumption]
       end ].
 
 (* A statement about numbers without variables. *)

@@ -84,7 +84,9 @@ fn tied(s: &Statement, k: u64, random: &mut Random, any_root: bool) -> Option<Po
         let square = square.evaluate(value)?;
         let value = match (square.root(), square.value()) {
             // Either root, of each in turn.
-            (Some(root), _) if !s.positive && k >> at.min(63) & 1 == 1 => Value::Exact(-root.value()?.clone()),
+            (Some(root), _) if !s.positive && k >> at.min(63) & 1 == 1 => {
+                Value::Exact(-root.value()?.clone())
+            }
             (Some(root), _) => Value::Exact(root.value()?.clone()),
             (None, Some(square)) if any_root && square.is_positive() => Value::Root(square.clone()),
             _ => return None,
