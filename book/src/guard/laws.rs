@@ -263,6 +263,9 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
                     "proven as the drift of klein-attitude, where the phase is zero",
                 ),
                 exempt(r"x=\frac{\pi u}{2K'}", "names the argument of the complementary series"),
+                exempt("m_2=1+q'^2+q'^6", "names a sum of the nome"),
+                exempt("m_3=1+2q'+2q'^4", "names a sum of the nome"),
+                exempt("m_4=1-2q'+2q'^4", "names a sum of the nome"),
                 exempt(
                     r"\operatorname{sn}=\frac{m_3\theta'_1}{m_4\theta'_2}",
                     "proven of the infinite sums: jacobi-by-thetas, at an imaginary argument",
@@ -288,6 +291,10 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
                     "the same from the saddle: half-periods",
                 ),
                 exempt(r"\phi=\frac{\pi y}{4K'}", "names the angle of the zero"),
+                exempt(
+                    r"\nu=\frac{\dot{\psi}}{2}+\frac{s\pi\eta}{K'}\frac{pS'_2+2p^4S'_4+3p^9S'_6}{1+2pC'_2+2p^4C'_4+2p^9C'_6}",
+                    "proven as the drift of klein-attitude, at the saddle",
+                ),
                 exempt(r"u=u_0+\eta t-2NK", "takes whole half periods off the argument"),
                 exempt(r"t_N=\frac{2NK-u_0}{\eta}", "solves that for the time where the argument is zero"),
                 exempt(r"T=\frac{4\nu K}{\eta}", "the drift over half a period, doubled"),

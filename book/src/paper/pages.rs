@@ -59,6 +59,8 @@ impl Paper {
             let body = body(&html, &name).map_err(|what| format!("{name}.html: {what}"))?;
             let body = ends.take(&name, &chapter.name, body);
             let number = chapter.number.as_ref().map(|n| n.to_string().trim_end_matches('.').to_owned());
+            // A page below a chapter is no chapter: it has no goals, exercises or handout of its own.
+            let number = number.filter(|number| !number.contains('.'));
             pages.push(Page { name, title: chapter.name.clone(), number, body });
         }
         pages.extend(ends.pages());

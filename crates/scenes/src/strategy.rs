@@ -71,13 +71,12 @@ pub struct Driven {
 }
 
 impl Driven {
-    /// The stepping method; none for the exact drift between kicks.
+    /// The stepping method; none for the exact drift between kicks, and where a tolerance decides.
     #[must_use]
     pub fn method(&self) -> Option<Method> {
         match self.control {
             StepControl::Fixed(method, _) => Some(method),
-            StepControl::Tolerance(_) => Some(Method::DormandPrince5),
-            StepControl::ExactDrift(_) => None,
+            StepControl::Tolerance(_) | StepControl::ExactDrift(_) => None,
         }
     }
 

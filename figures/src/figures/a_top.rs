@@ -35,21 +35,24 @@ pub(super) fn draw() -> Drawing {
         canvas.path(&ring, Pen::new(Ink::Text, 1.2).dashed());
     }
     let axis = |t: f64| top.attitude(t).map(|attitude| attitude * Vector3::z());
-    let path = (0..=600).map(|i| Ok(place(&axis(seconds * f64::from(i) / 600.0)?)));
+    // From cusp to cusp, so that no nod is cut.
+    let period = top.period().unwrap_or(seconds);
+    let whole = (seconds / period).floor() * period;
+    let path = (0..=600).map(|i| Ok(place(&axis(whole * f64::from(i) / 600.0)?)));
     let path = path.collect::<Result<Vec<P>, tumbling::Error>>()?;
     // The axis of its smallest moment.
     canvas.path(&path, Pen::new(Ink::AxisMin, 2.6));
     let (origin, tip) = (place(&Vector3::zeros()), place(&axis(0.0)?));
     canvas.arrow(origin, tip, Pen::new(Ink::Text, 3.4));
     canvas.disc(origin, 4.5, Fill::new(Ink::Text), None);
-    canvas.label((tip.0 + 12.0, tip.1 - 8.0), &Label::new("let go here"));
+    canvas.label((tip.0 + 12.0, tip.1 - 38.0), &Label::new("let go here"));
     canvas.label((origin.0 + 14.0, origin.1 + 4.0), &Label::new("the point stands still"));
-    let nods = seconds / top.period().unwrap_or(seconds);
+    let nods = whole / period;
     Ok(Picture {
         canvas,
         description: format!(
             "The axis of a top as an arrow from the point on which it stands, leaning by {LEAN:.0}°. From there its tip goes round \
-             the vertical once, on a path with about {nods:.0} arches that hang between cusps: each touches a lower dashed circle, at \
+             the vertical, on a path with about {nods:.0} arches that hang between cusps: each touches a lower dashed circle, at \
              {:.0}°, and returns to the upper one, at which the top was let go.",
             lowest.to_degrees()
         ),

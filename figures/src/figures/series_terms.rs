@@ -5,9 +5,9 @@ use crate::draw::{Canvas, Label, Pen, Plot, Scale};
 use crate::ink::Ink;
 use std::f64::consts::PI;
 
-/// From where on a term is below the rounding of one: the nome to the square of its number.
+/// From which number on a term is below the rounding of one: the nome to the square of its number.
 fn terms(log_nome: f64) -> f64 {
-    1.0 + (f64::EPSILON.ln() / log_nome).sqrt()
+    (f64::EPSILON.ln() / log_nome).sqrt()
 }
 
 pub(super) fn draw() -> Drawing {
@@ -19,8 +19,8 @@ pub(super) fn draw() -> Drawing {
     let ratios = || (0..=120).map(|k| 0.05 * 400_f64.powf(f64::from(k) / 120.0));
     plot.curve(ratios().map(|x| (x, terms(-PI * x))), Pen::new(Ink::Text, 3.0))?;
     plot.curve(ratios().map(|x| (x, terms(-PI / x))), Pen::new(Ink::Separatrix, 3.0).dashed())?;
-    canvas.label(plot.at(0.075, 14.4), &Label::new("direct series"));
-    canvas.label(plot.at(0.9, 14.4), &Label::new("complementary series").ink(Ink::Separatrix));
+    canvas.label(plot.at(0.075, 12.5), &Label::new("direct series"));
+    canvas.label(plot.at(0.9, 12.5), &Label::new("complementary series").ink(Ink::Separatrix));
     canvas.label(plot.at(0.06, 0.6), &Label::new("← separatrix").ink(Ink::Faint));
     Ok(Picture {
         canvas,
