@@ -42,6 +42,11 @@ pub(crate) enum Refusal {
     ZeroVector {
         what: &'static str,
     },
+    NotUnitVector {
+        what: &'static str,
+        length: f64,
+        tolerance: f64,
+    },
     NotUnit {
         norm: f64,
         tolerance: f64,
@@ -59,6 +64,12 @@ pub(crate) enum Refusal {
         what: &'static str,
         iterations: usize,
         residual: f64,
+    },
+    /// `shortest`: the last length of a step, s; NaN where the rates are beyond the numbers.
+    NoStep {
+        tried: usize,
+        reached: f64,
+        shortest: f64,
     },
     Unfinished {
         what: &'static str,
@@ -91,12 +102,13 @@ impl Refusal {
             | Self::NotBelow { .. }
             | Self::Order { .. }
             | Self::NotUnit { .. }
+            | Self::NotUnitVector { .. }
             | Self::TooFew { .. }
             | Self::NoSuchAxis { .. } => ErrorKind::OutOfBounds,
             Self::OutOfRange { .. } => ErrorKind::Unrepresentable,
             Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::Undefined,
             Self::TooMany { .. } | Self::Unfinished { .. } => ErrorKind::TooMany,
-            Self::NotConverged { .. } => ErrorKind::NotConverged,
+            Self::NotConverged { .. } | Self::NoStep { .. } => ErrorKind::NotConverged,
             Self::Tensor(TensorRefusal::Singular { .. }) => ErrorKind::NotInvertible,
             Self::Tensor(_) => ErrorKind::Impossible,
             Self::Mesh(_) => ErrorKind::BadMesh,
@@ -114,10 +126,12 @@ impl Refusal {
             | Self::ZeroVector { what }
             | Self::TooFew { what, .. }
             | Self::TooMany { what, .. }
+            | Self::NotUnitVector { what, .. }
             | Self::NotConverged { what, .. }
             | Self::Unfinished { what, .. }
             | Self::Undefined { what, .. }
             | Self::Order { smaller: what, .. } => what,
+            Self::NoStep { .. } => "the step whose error meets the tolerance",
             Self::NotUnit { .. } => "the attitude quaternion",
             Self::NoSuchAxis { .. } => "the principal axis",
             Self::Tensor(refusal) => refusal.subject(),
@@ -156,6 +170,12 @@ impl fmt::Display for Refusal {
                 Margin((norm - 1.0).abs()),
                 Margin(*tolerance)
             ),
+            Self::NotUnitVector { what, length, tolerance } => write!(
+                f,
+                "{what} has length {length:?}, off 1 by {}: it must be 1 to within {}",
+                Margin((length - 1.0).abs()),
+                Margin(*tolerance)
+            ),
             Self::NoSuchAxis { axis } => {
                 write!(f, "there is no principal axis number {axis}: they are numbered 0, 1 and 2")
             }
@@ -169,6 +189,16 @@ impl fmt::Display for Refusal {
                 f,
                 "{what} was not found in {iterations} rounds: the last still moved by {}, more than rounding",
                 Margin(*residual)
+            ),
+            Self::NoStep { tried, reached, shortest } if shortest.is_finite() => write!(
+                f,
+                "after {tried} steps, taken or rejected, no step at {reached:e} s meets the tolerance, down to one of \
+                 {shortest:e} s"
+            ),
+            Self::NoStep { tried, reached, .. } => write!(
+                f,
+                "after {tried} steps, taken or rejected, no step at {reached:e} s meets the tolerance: the rates there \
+                 are beyond what a floating-point number holds"
             ),
             Self::Unfinished { what, steps, reached, duration, why } => {
                 write!(f, "{what} came to {reached:e} s of {duration:e} s in {steps} steps: {why}")

@@ -1,6 +1,7 @@
 //! A run whose steps are chosen by their error: Taylor series, or a pair of high order where a torque is a
 //! function.
 
+mod columns;
 mod dop853_coefficients;
 mod flips;
 mod law;
@@ -15,7 +16,9 @@ use crate::error::{Error, Refusal, finite, positive};
 use crate::number::Analytic;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
+use crate::step::torque::Torque;
 use alloc::vec::Vec;
+use columns::Slopes;
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
@@ -65,7 +68,20 @@ pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
     tolerance: f64,
     budget: &mut usize,
 ) -> Result<State<T>, Error> {
-    go(system, start, duration, tolerance, budget, &mut None)
+    go(system, start, duration, tolerance, budget, &mut Watch { flips: None, slopes: None })
+}
+
+/// The same on numbers that carry derivatives, whose error in each step is below the tolerance too, relative
+/// to the size of their column.
+pub(super) fn adaptive_with_slopes<T: Analytic + Copy + FromPrimitive>(
+    system: &System<T>,
+    start: &State<T>,
+    duration: f64,
+    tolerance: f64,
+    budget: &mut usize,
+    slopes: Slopes<T>,
+) -> Result<State<T>, Error> {
+    go(system, start, duration, tolerance, budget, &mut Watch { flips: None, slopes: Some(slopes) })
 }
 
 /// The same, and the times (s after the start) at which the spin about the principal axis of the middle
@@ -77,9 +93,9 @@ pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
     tolerance: f64,
     budget: &mut usize,
 ) -> Result<(State<T>, Vec<f64>), Error> {
-    let mut flips = Some(Flips::new(system, start));
-    let end = go(system, start, duration, tolerance, budget, &mut flips)?;
-    Ok((end, flips.map(Flips::found).unwrap_or_default()))
+    let mut watch = Watch { flips: Some(Flips::new(system, start)), slopes: None };
+    let end = go(system, start, duration, tolerance, budget, &mut watch)?;
+    Ok((end, watch.flips.map(Flips::found).unwrap_or_default()))
 }
 
 fn go<T: Analytic + Copy + FromPrimitive>(
@@ -88,13 +104,13 @@ fn go<T: Analytic + Copy + FromPrimitive>(
     duration: f64,
     tolerance: f64,
     budget: &mut usize,
-    flips: &mut Option<Flips>,
+    watch: &mut Watch<T>,
 ) -> Result<State<T>, Error> {
     finite("the duration", duration)?;
     check_tolerance::<T>(tolerance)?;
     (*start).checked()?;
     switching::through(system, start, duration, |system, start, duration| {
-        between(system, start, duration, tolerance, budget, flips)
+        between(system, start, duration, tolerance, budget, watch)
     })
 }
 
@@ -105,25 +121,33 @@ fn between<T: Analytic + Copy + FromPrimitive>(
     duration: f64,
     tolerance: f64,
     budget: &mut usize,
-    flips: &mut Option<Flips>,
+    watch: &mut Watch<T>,
 ) -> Result<State<T>, Error> {
     let mut run = Run::new(system, start, duration, tolerance)?;
-    run.flips = flips.take();
+    run.watch = Watch { flips: watch.flips.take(), slopes: watch.slopes };
     match Taylor::new(system, tolerance) {
         Some(mut taylor) => run.through(&mut taylor, budget)?,
-        None if run.flips.is_some() => {
-            return Err(Refusal::Undefined {
-                what: "the times of flips under a torque that is a function",
-                why: "its steps have no series: give the torque by its name, or look for changes of sign",
-            }
-            .into());
+        None if run.watch.flips.is_some() => {
+            let function = system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
+            let (what, why) = if function {
+                (
+                    "the times of flips under a torque that is a function",
+                    "its steps have no series: give the torque by its name, or look for changes of sign",
+                )
+            } else {
+                (
+                    "the times of flips under two gravity gradients",
+                    "the series of a step hold one: look for changes of sign",
+                )
+            };
+            return Err(Refusal::Undefined { what, why }.into());
         }
         None => {
             let mut pair = Pair::new(&run)?;
             run.through(&mut pair, budget)?;
         }
     }
-    *flips = run.flips.take().map(|seen| seen.later(duration));
+    watch.flips = run.watch.flips.take().map(|seen| seen.later(duration));
     run.state.checked()
 }
 
@@ -169,8 +193,15 @@ struct Run<'a, T: Analytic> {
     stiff: u32,
     /// The number of steps since that were not.
     mild: u32,
+    watch: Watch<T>,
+}
+
+/// What a run looks at besides the state.
+struct Watch<T> {
     /// Where flips are looked for.
     flips: Option<Flips>,
+    /// The derivatives of numbers that carry them.
+    slopes: Option<Slopes<T>>,
 }
 
 impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
@@ -179,7 +210,8 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         let mut state = *start;
         positive("the length of the attitude quaternion", normalize(&mut state.attitude))?;
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
-        let (time, last, steps, rejected, stiff, mild, flips) = (0.0, duration, 0, 0, 0, 0, None);
+        let (time, last, steps, rejected, stiff, mild) = (0.0, duration, 0, 0, 0, 0);
+        let watch = Watch { flips: None, slopes: None };
         Ok(Self {
             system,
             duration,
@@ -192,7 +224,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
             rejected,
             stiff,
             mild,
-            flips,
+            watch,
         })
     }
 
@@ -223,12 +255,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
             return Ok((remaining, true));
         }
         if self.time + h == self.time || h.is_nan() {
-            return Err(Refusal::NotConverged {
-                what: "the step whose error meets the tolerance",
-                iterations: self.steps + self.rejected,
-                residual: h,
-            }
-            .into());
+            return Err(self.no_step(h));
         }
         Ok((h, false))
     }
@@ -272,6 +299,12 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
                 self.stiff = 0;
             }
         }
+    }
+
+    /// That no step is short enough, with the last, s.
+    fn no_step(&self, shortest: f64) -> Error {
+        let tried = self.steps + self.rejected;
+        Refusal::NoStep { tried, reached: self.time, shortest: shortest.abs() }.into()
     }
 
     fn unfinished(&self, why: &'static str) -> Error {

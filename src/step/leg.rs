@@ -79,12 +79,12 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// let body = Body::spinning(
     ///     Inertia::from_moments(moments.x, moments.y, moments.z)?,
     ///     UnitQuaternion::identity(),
-    ///     &Vector3::new(0.01, 2.0, 0.01),
+    ///     &Vector3::new(0.5, 2.0, 0.3),
     /// )?;
     /// let drag = Torque::Damping(moments * c);
     /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000)?.with_torques([drag])?;
-    /// let flips = stepper.flips(30.0)?;
-    /// let free: Vec<f64> = FreeMotion::of(&body)?.flips(0.0, (1.0 - f64::exp(-c * 30.0)) / c)?.collect();
+    /// let flips = stepper.flips(60.0)?;
+    /// let free: Vec<f64> = FreeMotion::of(&body)?.flips(0.0, (1.0 - f64::exp(-c * 60.0)) / c)?.collect();
     /// assert!(flips.len() == free.len() && flips.len() > 3);
     /// for (flip, free) in flips.iter().zip(&free) {
     ///     assert!(((1.0 - f64::exp(-c * flip)) / c - free).abs() < 1e-9);
@@ -93,8 +93,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// ```
     ///
     /// # Errors
-    /// A stepper by a method of fixed steps, a torque that is a function, or as [`step`](Self::step); the
-    /// body then stays where it was.
+    /// A stepper by a method of fixed steps, a torque that is a function, two gravity gradients, or as
+    /// [`step`](Self::step); the body then stays where it was.
     pub fn flips(&mut self, end: f64) -> Result<Vec<f64>, Error> {
         let (tolerance, mut budget) = self.tolerance()?;
         let duration = finite("the time to run to", end)? - self.time;

@@ -33,8 +33,7 @@ pub enum Method {
     ExplicitEuler,
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
     RungeKutta4,
-    /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes. With its
-    /// error controlled it is [`adaptive`](crate::step::adaptive).
+    /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes.
     DormandPrince5,
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free
     /// body's momentum stays where it is in the world.

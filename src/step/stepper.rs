@@ -127,7 +127,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// principal axes: it must be the same about all three where the tensor has products of inertia.
     ///
     /// # Errors
-    /// A torque whose numbers are not finite, a coefficient of loss below zero, or damping that differs from
+    /// A torque whose numbers are not finite, a coefficient of loss below zero, a direction of the gravity
+    /// gradient whose length is not 1, or damping that differs from
     /// axis to axis of a body with products of inertia.
     pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();

@@ -40,7 +40,7 @@ pub enum Torque<T: nalgebra::Scalar> {
     GravityGradient {
         /// `3 mu / r^3`, 1/s²: of a circular orbit three times the square of its rate.
         strength: T,
-        /// `n` at time zero, in world axes.
+        /// `n` at time zero, in world axes: of length 1, to 1e-6.
         direction: Vector3<T>,
         /// How fast `n` turns, in world axes, rad/s: the rate of the orbit about its normal; zero where `n`
         /// stands still.
@@ -216,8 +216,11 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
     shrunk.map(|x| x * back.clone() * largest.clone())
 }
 
+/// How far the length of a direction may be from 1: several roundings of `f32`.
+const UNIT_TOLERANCE: f64 = 1e-6;
+
 impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
-    /// That its numbers are finite, and its coefficients of loss not below zero.
+    /// That its numbers are finite, its coefficients of loss not below zero, and its directions of length 1.
     pub(crate) fn validate(&self) -> Result<(), Error> {
         let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
         let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
@@ -237,7 +240,13 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
             Self::GravityGradient { strength, direction, orbit } => {
                 not_negative("the strength of the gravity gradient", number(strength))?;
                 finite_vector("the rate of the orbit", &vector(orbit))?;
-                finite_vector("the direction of the gravity gradient", &vector(direction))
+                let (what, direction) = ("the direction of the gravity gradient", vector(direction));
+                finite_vector(what, &direction)?;
+                let length = direction.norm();
+                if (length - 1.0).abs() > UNIT_TOLERANCE {
+                    return Err(Refusal::NotUnitVector { what, length, tolerance: UNIT_TOLERANCE }.into());
+                }
+                Ok(())
             }
             Self::During { start, end, torque } => {
                 let [start, end] = [start, end].map(number);

@@ -2,7 +2,7 @@
 
 mod dual;
 
-use super::adaptive::adaptive;
+use super::adaptive::adaptive_with_slopes;
 use super::stepper::{Rule, Stepper, conjugate};
 use super::system::System;
 use super::torque::Torque;
@@ -20,8 +20,8 @@ impl Stepper<f64> {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// The series of the step run on numbers that carry six derivatives, so that each is as accurate as the
-    /// step, relative to its own growth.
+    /// The step runs on numbers that carry six derivatives; its own steps keep the error of each column below
+    /// the tolerance, relative to the column's size.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};
@@ -63,7 +63,8 @@ impl Stepper<f64> {
         let mut system = System::of_numbers(moments.map(Dual::from), torques);
         system.set_time(Dual::from(*self.system.time()));
         let start = varied(&self.state, &moments);
-        let end = adaptive(&system, &start, h, tolerance, &mut budget)?;
+        let slopes = |x: &Dual| x.slopes.map(f64::abs);
+        let end = adaptive_with_slopes(&system, &start, h, tolerance, &mut budget, slopes)?;
         let transition = self.turned(&read(&end, self.system.inverse()));
         if transition.iter().all(|x| x.is_finite()) {
             self.step(h).map(|_| transition)

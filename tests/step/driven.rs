@@ -167,6 +167,86 @@ fn a_thruster_acts_for_the_whole_of_its_time_and_no_longer() {
     assert_eq!(refused.unwrap_err().kind(), ErrorKind::OutOfBounds);
 }
 
+#[test]
+fn a_torque_within_a_torque_acts_while_both_of_them_do() {
+    // 2000 N m for a thousandth of a second on 4 kg m², from rest; over before the outer one ends.
+    let inertia = Inertia::from_moments(2.0, 3.0, 4.0).unwrap();
+    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let push = || Torque::InBody(Vector3::z() * 2000.0);
+    for (first, inner, expected) in [
+        ([0.0, 10.0], [3.0, 3.001], 0.5),
+        ([3.0, 3.001], [0.0, 10.0], 0.5),
+        ([2.0, 3.0], [2.9995, 4.0], 0.25),
+        ([0.0, 1.0], [2.0, 3.0], 0.0),
+    ] {
+        let inner = Torque::during(inner[0], inner[1], push());
+        let nested = Torque::during(first[0], first[1], inner);
+        let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
+        let mut stepper = stepper.with_torques([nested]).unwrap();
+        let _ = stepper.step(10.0).unwrap();
+        assert!((stepper.omega().z - expected).abs() < 1e-12, "{first:?}: {}", stepper.omega());
+        // The time between 0 and 10 s goes by series, which have flips.
+        assert!(stepper.flips(0.0).unwrap().is_empty());
+    }
+}
+
+/// The flips of a body that spins at 1 rad/s about its middle axis, with -1 rad/s² on it in these times.
+fn flips_by_pushes(times: &[[f64; 2]]) -> Vec<f64> {
+    let inertia = Inertia::from_moments(1.0, 2.0, 3.0).unwrap();
+    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::y()).unwrap();
+    let push = |&[start, end]: &[f64; 2]| Torque::during(start, end, Torque::InBody(Vector3::y() * -2.0));
+    let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
+    stepper.with_torques(times.iter().map(push)).unwrap().flips(4.0).unwrap()
+}
+
+#[test]
+fn a_spin_that_is_zero_where_two_steps_meet_flips_where_it_leaves_zero() {
+    assert_eq!(flips_by_pushes(&[[0.0, 1.0], [1.0, 2.0]]), [1.0]);
+    assert_eq!(flips_by_pushes(&[[0.0, 1.0], [2.0, 3.0]]), [2.0]);
+    // At the middle of a step, and not at all.
+    assert_eq!(flips_by_pushes(&[[0.0, 2.0]]), [1.0]);
+    assert!(flips_by_pushes(&[[0.0, 1.0]]).is_empty());
+}
+
+#[test]
+fn a_refused_adaptive_run_says_what_is_in_the_way() {
+    let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
+    let body = tilted();
+    let gradient = |n: Vector3<f64>| Torque::gravity_gradient(&n, &Vector3::new(0.0, 0.0, 0.3));
+    let two = Stepper::<f64>::adaptive(&body, 1e-9, 1000).unwrap();
+    let mut two = two.with_torques([gradient(Vector3::x()), gradient(Vector3::y())]).unwrap();
+    let refused = two.flips(1.0).unwrap_err().to_string();
+    assert!(refused.contains("two gravity gradients") && !refused.contains("function"), "{refused}");
+    // A direction of another length is another strength.
+    let long = System::with(moments, vec![gradient(Vector3::new(0.6, 0.8, 0.1))]).unwrap_err();
+    assert_eq!(long.kind(), ErrorKind::OutOfBounds);
+    assert!(
+        long.to_string().contains("direction") && long.to_string().contains("off 1 by 0.00499"),
+        "{long}"
+    );
+    // Rates beyond the numbers leave no step.
+    let lossy = System::with(moments, vec![Torque::Dissipation(1e300)]).unwrap();
+    let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
+    let refused = adaptive(&lossy, &start, 1.0, 1e-9, &mut 1000).unwrap_err();
+    assert_eq!(refused.kind(), ErrorKind::NotConverged);
+    assert!(refused.to_string().contains("no step at 0e0 s meets the tolerance"), "{refused}");
+    assert!(!refused.to_string().contains("NaN") && !refused.to_string().contains("moved"), "{refused}");
+}
+
+#[test]
+fn a_step_by_the_pair_may_be_as_short_as_numbers_allow() {
+    let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
+    let push = Torque::function(|_, _, w: &Vector3<f64>| Vector3::new(0.1, -0.2, 0.3) - w);
+    let system = System::with(moments, vec![push]).unwrap();
+    let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.3, 2.0, 0.7) };
+    for h in [1e-160, 1e-200, 1e-300] {
+        let end = adaptive(&system, &start, h, 1e-9, &mut 1000).unwrap();
+        let half = system.omega(&start.momentum) * (0.5 * h);
+        assert!((end.attitude.imag() / h - half / h).norm() < 1e-14, "{h:e}: {end:?}");
+        assert_eq!((end.attitude.w, end.momentum), (1.0, start.momentum));
+    }
+}
+
 fn tilted() -> Body {
     let inertia = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     let inertia = inertia.turned(UnitQuaternion::from_euler_angles(0.2, 0.1, -0.3)).unwrap();

@@ -16,6 +16,7 @@ mod rk4;
 mod stepper;
 mod top;
 mod torque;
+mod transition;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use tumbling::Inertia;

@@ -56,12 +56,13 @@ impl Flips {
             *term = c * power;
             power *= length;
         }
-        let scaled = &scaled[..coefficients.len()];
-        let [first, rest @ ..] = scaled else { return };
+        let scaled = &mut scaled[..coefficients.len()];
+        let here = sign_at_start(scaled);
+        let [first, rest @ ..] = &*scaled else { return };
         let whole = length * unit;
         // Where the sign is another than after the step before: a change that both steps missed, or that
         // both would count.
-        if first * self.sign < 0.0 {
+        if here * self.sign < 0.0 {
             let again = self.found.last().is_some_and(|last| (last - start).abs() < 1e-6 * whole.abs());
             if again {
                 self.found.pop();
@@ -69,18 +70,14 @@ impl Flips {
                 self.found.push(start);
             }
         }
-        if *first != 0.0 {
-            self.sign = sign(*first);
+        if here != 0.0 {
+            self.sign = here;
         }
         if rest.iter().map(|x| x.abs()).sum::<f64>() < first.abs() {
             return;
         }
         let mut shares = Vec::new();
         roots(&bernstein(scaled), scaled.len(), (0.0, 1.0), HALVINGS, &mut shares);
-        if self.sign == 0.0 {
-            self.sign = sign(scaled.iter().rev().sum());
-            return;
-        }
         for share in shares {
             self.found.push(start + sharpened(scaled, share) * whole);
             self.sign = -self.sign;
@@ -90,6 +87,16 @@ impl Flips {
 
 fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { 1.0_f64.copysign(x) }
+}
+
+/// The sign at the start, or where the spin is zero there the sign that it takes on; zero where it stays so.
+/// What rounding leaves of the coefficients before the one that says so is cleared.
+fn sign_at_start(coefficients: &mut [f64]) -> f64 {
+    if coefficients.first() == Some(&0.0) {
+        let noise = 1e-14 * coefficients.iter().fold(0.0, |most, x| x.abs().max(most));
+        coefficients.iter_mut().take_while(|x| x.abs() <= noise).for_each(|x| *x = 0.0);
+    }
+    coefficients.iter().find(|x| **x != 0.0).map_or(0.0, |x| sign(*x))
 }
 
 /// Of the coefficients of powers: `b[i]` is the sum of `C(i, k) / C(n, k) c[k]`.
@@ -135,6 +142,14 @@ fn roots(b: &Bernstein, count: usize, (low, high): (f64, f64), left: u32, found:
         }
     }
     roots(&lower, count, (low, middle), left - 1, found);
+    // A root at the middle itself is in neither half.
+    if upper[0] == 0.0 {
+        let before = lower[..count].iter().rev().find(|x| **x != 0.0);
+        let after = upper[..count].iter().find(|x| **x != 0.0);
+        if before.zip(after).is_some_and(|(a, b)| a.is_sign_negative() != b.is_sign_negative()) {
+            found.push(middle);
+        }
+    }
     roots(&upper, count, (middle, high), left - 1, found);
 }
 
@@ -177,5 +192,8 @@ mod tests {
             assert!((x - expected).abs() < 1e-8, "{x}");
         }
         assert!(found(&[0.25 + 1e-9, -1.0, 1.0]).is_empty());
+        // At the middle of the step, where its halves meet.
+        assert_eq!(found(&[1.0, -2.0]), [0.5]);
+        assert_eq!(found(&product(&[0.25, 0.5, 2.0])), [0.25, 0.5]);
     }
 }

@@ -1,11 +1,13 @@
 //! Steps by the pair of Dormand and Prince of orders 8, 5 and 3 [HNW93](crate::references), for torques that
 //! are functions.
 
+use super::columns::Columns;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
 use super::{Engine, Run, largest, over};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -64,8 +66,10 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
             momentum: whole.momentum - third.momentum,
         };
         let [fifth, third] = [&fifth, &third].map(|off| self.relative(run, off, end, h));
-        let size = (fifth * fifth + 0.01 * third * third).sqrt();
-        over(fifth, size) * fifth
+        // By a power of two, so that no square leaves the range.
+        let unit = -exponent(largest(&[fifth, third]));
+        let [one, other] = [fifth, third].map(|x| times_power_of_two(x, unit));
+        over(one, (one * one + 0.01 * other * other).sqrt()) * fifth
     }
 
     fn relative(&self, run: &Run<'_, T>, off: &State<T>, end: &State<T>, h: f64) -> f64 {
@@ -84,7 +88,13 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         }
         let attitude =
             over(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        largest(&[attitude, largest(off.momentum.as_slice()) / whole])
+        let slopes = run.watch.slopes.map_or(0.0, |slopes| {
+            let spun = |state: &State<T>| run.system.omega(&state.momentum).map(|x| x * Run::number(h));
+            let columns =
+                Columns::of(slopes, run.state.attitude.coords.as_slice(), spun(&run.state).as_slice());
+            columns.share(off.attitude.coords.iter().chain(&spun(off)))
+        });
+        largest(&[attitude, largest(off.momentum.as_slice()) / whole, slopes])
     }
 
     /// The step in decay times: of two states near its end, how much faster the rates differ than the states.

@@ -5,6 +5,7 @@
 //! vectors: the spin is also at hand with its components moved round, so that a row of sums holds twelve
 //! products of the attitude, or the six of a cross product, and is sorted out once for each coefficient.
 
+use super::columns::Columns;
 use super::law::Law;
 use super::switching::signed;
 use crate::attitude::rotate_inverse;
@@ -213,12 +214,18 @@ impl<T: Analytic + Copy> Series<T> {
         core::array::from_fn(|i| law.dissipation * across[i] / m[i])
     }
 
-    /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`.
+    /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`;
+    /// or of their derivatives, if these are larger in sizes of their columns.
     #[inline(always)]
-    pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
+    pub(super) fn size(&self, power: usize, weights: &[f64; 3], columns: Option<&Columns<T>>) -> f64 {
         let spin = &self.spin[power][0];
         let momentum = [0, 1, 2].map(|i| spin[i].size() * weights[i]);
-        super::largest(&[super::largest(&self.attitude[power]), super::largest(&momentum)])
+        let attitude = &self.attitude[power];
+        let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
+        match columns {
+            Some(columns) => super::largest(&[size, columns.share(attitude.iter().chain(&spin[..3]))]),
+            None => size,
+        }
     }
 
     /// The coefficients of a component of the spin.

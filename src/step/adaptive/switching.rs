@@ -34,10 +34,14 @@ pub(super) fn signed<T: Analytic + Copy>(x: T) -> f64 {
     if before_or_at(&T::zero(), &x) { x.size() } else { -x.size() }
 }
 
-/// The times at which a torque begins and ends, s after the system's time.
-fn ends<T: Analytic + Copy>(system: &System<T>, torque: &Torque<T>) -> Option<[f64; 2]> {
-    let Torque::During { start, end, .. } = torque else { return None };
-    Some([*start, *end].map(|time| signed(time - *system.time())))
+/// A torque without its times, and when all of them allow it to act: from and to, s after the system's time.
+fn window<'a, T: Analytic + Copy>(system: &System<T>, torque: &'a Torque<T>) -> (&'a Torque<T>, [f64; 2]) {
+    let (mut torque, mut first, mut last) = (torque, f64::NEG_INFINITY, f64::INFINITY);
+    while let Torque::During { start, end, torque: inner } = torque {
+        let [start, end] = [*start, *end].map(|time| signed(time - *system.time()));
+        (torque, first, last) = (&**inner, first.max(start), last.min(end));
+    }
+    (torque, [first, last])
 }
 
 /// The first switch after `from` on the way to `duration`, or this.
@@ -45,7 +49,7 @@ fn next_switch<T: Analytic + Copy>(system: &System<T>, from: f64, duration: f64)
     let ahead = |time: &f64| {
         if duration < 0.0 { *time < from && *time > duration } else { *time > from && *time < duration }
     };
-    let switches = system.torques().iter().filter_map(|torque| ends(system, torque)).flatten().filter(ahead);
+    let switches = system.torques().iter().flat_map(|torque| window(system, torque).1).filter(ahead);
     switches.fold(duration, |next, time| if (time - from).abs() < (next - from).abs() { time } else { next })
 }
 
@@ -55,11 +59,9 @@ fn acting<T: Analytic + Copy + FromPrimitive>(system: &System<T>, from: f64, unt
     let torques: Vec<_> = system
         .torques()
         .iter()
-        .filter_map(|torque| match (torque, ends(system, torque)) {
-            (Torque::During { torque, .. }, Some([start, end])) => {
-                (start <= first && last <= end).then(|| (**torque).clone())
-            }
-            _ => Some(torque.clone()),
+        .filter_map(|torque| {
+            let (torque, [start, end]) = window(system, torque);
+            (start <= first && last <= end).then(|| torque.clone())
         })
         .collect();
     let mut piece = System::of_numbers(*system.moments(), torques);

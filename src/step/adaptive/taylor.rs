@@ -1,11 +1,12 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
+use super::columns::Columns;
 use super::law::Law;
 use super::logarithm::logarithm;
 use super::series::{MOST, Series};
 use super::{Engine, Run, largest, over};
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::Error;
 use crate::number::Analytic;
 use crate::number::functions::exp;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -36,7 +37,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
     /// The coefficients about the state now; the longest step that keeps the last of them below the
     /// tolerance, in units.
-    fn fill(&mut self, weights: &[f64; 3], far: f64, tolerance: f64) -> f64 {
+    fn fill(&mut self, weights: &[f64; 3], columns: Option<&Columns<T>>, far: f64, tolerance: f64) -> f64 {
         let mut power = 1.0;
         let mut below = false;
         for order in 1..=self.most {
@@ -46,20 +47,28 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             }
             // To the end is less than a unit: it may take fewer coefficients.
             power *= far;
-            let small = self.series.size(order, weights) * power <= 0.1 * tolerance;
+            let small = self.series.size(order, weights, columns) * power <= 0.1 * tolerance;
             if small && below {
                 return far;
             }
             below = small;
         }
         let goal = logarithm(tolerance);
-        let longest = |order: usize| (goal - logarithm(self.series.size(order, weights))) / order as f64;
+        let size = |order: usize| self.series.size(order, weights, columns);
+        let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         exp(if last < before { last } else { before })
     }
 
     /// The end of a step of `x` units, and its error: how far the series is from the law there.
-    fn end(&self, run: &Run<'_, T>, x: T, unit: T, scale: f64) -> (State<T>, f64) {
+    fn end(
+        &self,
+        run: &Run<'_, T>,
+        columns: Option<&Columns<T>>,
+        x: T,
+        unit: T,
+        scale: f64,
+    ) -> (State<T>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let start = &run.state;
         let s = &start.attitude.coords;
@@ -68,7 +77,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             momentum: Vector3::from_fn(|i, _| start.momentum[i] + self.law.moments[i] * w[i] / unit),
         };
         end.momentum.apply(|x| {
-            if x.size() > 0.0 && x.size() < smallest::<T>() {
+            if columns.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
             }
         });
@@ -81,7 +90,11 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             core::array::from_fn(|i| rate.momentum[i] * unit - self.law.moments[i] * dw[i] / unit);
         let share = x.size() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), over(largest(&pushed), scale)]);
-        (end, largest(&[error, stretched]))
+        let slopes = columns.map_or(0.0, |columns| {
+            let spun: [T; 3] = core::array::from_fn(|i| pushed[i] * unit / self.law.moments[i]);
+            share * columns.share(turned.iter().chain(&spun))
+        });
+        (end, largest(&[error, stretched, slopes]))
     }
 }
 
@@ -122,14 +135,17 @@ impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Taylor<T> {
         let scale = held.max(least);
         let weights = [0, 1, 2].map(|i| over(self.law.moments[i].size() / unit, scale).min(f64::MAX));
         let far = remaining.abs() / unit;
-        let mut x = self.fill(&weights, far, run.tolerance);
+        let attitude = run.state.attitude.coords.as_slice();
+        let columns = run.watch.slopes.map(|slopes| Columns::of(slopes, attitude, &spin));
+        let columns = columns.as_ref();
+        let mut x = self.fill(&weights, columns, far, run.tolerance);
         for _ in 0..TRIES {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { far } else { x }.copysign(remaining);
-            let (end, error) = self.end(run, Run::number(signed), in_units, scale);
+            let (end, error) = self.end(run, columns, Run::number(signed), in_units, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_losses(if held > least { loss * h.abs() } else { 0.0 });
-                if let Some(flips) = &mut run.flips {
+                if let Some(flips) = &mut run.watch.flips {
                     let spin = self.series.spin(flips.axis());
                     flips.see(&spin[..=self.series.order], signed, run.time, unit);
                 }
@@ -139,11 +155,6 @@ impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Taylor<T> {
             run.rejected += 1;
             x = 0.5 * x.min(far);
         }
-        Err(Refusal::NotConverged {
-            what: "the step whose error meets the tolerance",
-            iterations: run.steps + run.rejected,
-            residual: x * unit,
-        }
-        .into())
+        Err(run.no_step(x * unit))
     }
 }

@@ -35,9 +35,9 @@ impl<T: Field> Torque<T> {
         Self::Aligning { arm: arm.clone(), field: Vector3::new(T::zero(), T::zero(), -weight) }
     }
 
-    /// A spring that turns the body back to where its axis `arm` (of length 1, body axes) lies along `rest`
-    /// (of length 1, world axes): `stiffness` (N m) times the sine of the angle between the two, so near rest
-    /// the stiffness in N m/rad.
+    /// A spring that turns the body back to where its axis `arm` (body axes) lies along `rest` (world axes):
+    /// `stiffness` (N m) times the sine of the angle between the two, so near rest the stiffness in N m/rad.
+    /// The two are not brought to length 1: other lengths multiply the stiffness.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -65,9 +65,9 @@ impl<T: Field> Torque<T> {
     }
 
     /// The gravity gradient on a satellite in a circular orbit, seen along the world's axes: `toward` (of
-    /// length 1) points to the attracting body at time zero, and turns with the `orbit`, whose rate (rad/s)
-    /// stands along its normal. Of a body that is held fixed relative to the attracting one see
-    /// [`Torque::GravityGradient`].
+    /// length 1, or a stepper refuses it) points to the attracting body at time zero, and turns with the
+    /// `orbit`, whose rate (rad/s) stands along its normal. Of a body that is held fixed relative to the
+    /// attracting one see [`Torque::GravityGradient`].
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -111,7 +111,7 @@ impl<T: Field> Torque<T> {
     /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
     /// let fired = Torque::during(0.5, 0.8, Torque::InBody(Vector3::z() * 2.0));
-    /// let mut stepper = Stepper::adaptive(&body, 1e-10, 1000)?.with_torques([fired])?;
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-10, 1000)?.with_torques([fired])?;
     /// stepper.step(10.0)?;
     /// assert!((stepper.omega().z - 0.15).abs() < 1e-14);
     /// # Ok::<(), tumbling::Error>(())

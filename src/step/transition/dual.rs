@@ -57,8 +57,7 @@ impl SubAssign for Dual {
     }
 }
 
-// The rules of products and quotients.
-#[allow(clippy::suspicious_arithmetic_impl)]
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the rules of products and quotients")]
 impl Mul for Dual {
     type Output = Self;
     #[inline(always)]
@@ -76,7 +75,7 @@ impl MulAssign for Dual {
     }
 }
 
-#[allow(clippy::suspicious_arithmetic_impl)]
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the rules of products and quotients")]
 impl Div for Dual {
     type Output = Self;
     #[inline(always)]
@@ -128,7 +127,7 @@ impl FromPrimitive for Dual {
     }
 }
 
-/// Steps are chosen by the values alone.
+/// Its size is that of the value: an adaptive run measures each column of slopes by itself.
 impl Analytic for Dual {
     fn sqrt(&self) -> Self {
         let root = Analytic::sqrt(&self.value);
