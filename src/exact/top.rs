@@ -98,8 +98,12 @@ impl LagrangeTop {
     ///
     /// # Errors
     /// Two moments across the arm that differ, or an arm off its principal axis, by more than rounding
-    /// (a relative 1e-14); a value that is not finite; a weight below zero; a tilt, a sideways spin or a
-    /// weight of less than about 1e-70 of what else moves the top but not zero, or a rate beyond `f64`.
+    /// (a relative 1e-14); a value that is not finite; a weight below zero; a rate or an energy beyond `f64`.
+    ///
+    /// A value that is nearly zero is refused, not taken for zero, since a top at zero may sleep or hang: a
+    /// lean from the vertical below about 1e-70 rad, a spin across the axis below about 1e-70 of the fastest
+    /// rate, a torque of the weight below about 1e-140 of the moment across the axis times the square of that
+    /// rate. Zero itself is accepted.
     pub fn new(
         moments: PrincipalMoments,
         attitude: UnitQuaternion<f64>,
@@ -133,7 +137,7 @@ impl LagrangeTop {
             pull: pull.scaled(-power).scaled(-power),
         };
         let integrals = Integrals::new(&start);
-        in_range(&integrals)?;
+        in_range(&integrals, &start, &spin, mounted.arm != 0.0 && weight != 0.0)?;
         let still = integrals.across_squared.hi() == 0.0;
         let upright = integrals.from_bottom.hi() == 0.0 || integrals.from_top.hi() == 0.0;
         let law = if still && (upright || start.pull.hi() == 0.0) {
@@ -174,14 +178,18 @@ impl LagrangeTop {
     /// ```
     ///
     /// # Errors
-    /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
+    /// A smallest moment that is zero to rounding, or as [`new`](Self::new). Where the tensor is not
+    /// diagonal, the rounding of its entries turns its axes by more, the less the moments differ: the arm may
+    /// then be off by 1e-14 over the relative difference of the moments along and across the axis, and its
+    /// own direction counts as the axis.
     pub fn of(body: &Body, arm: &Vector3<f64>, weight: f64) -> Result<Self, Error> {
         finite_vector("the arm", arm)?;
         let (moments, frame) = body.inertia().along_principal_axes()?;
         let omega = body.omega_body();
         let Some(frame) = frame else { return Self::new(moments, body.attitude(), &omega, arm, weight) };
-        let (turned, along, arm) = (body.attitude() * frame, frame.inverse() * omega, frame.inverse() * arm);
-        let top = Self::new(moments, turned, &along, &arm, weight)?;
+        let (turn, arm) = mounted::onto_arm(moments, &(frame.inverse() * arm))?;
+        let frame = frame * turn;
+        let top = Self::new(moments, body.attitude() * frame, &(frame.inverse() * omega), &arm, weight)?;
         let start = Instant { omega, attitude: body.attitude() };
         Ok(Self { mounted: top.mounted.within(frame), start, ..top })
     }
@@ -308,17 +316,22 @@ impl LagrangeTop {
     }
 }
 
-/// Refuses what is too small for its square to have all its digits, but is not zero.
-fn in_range(integrals: &Integrals) -> Result<(), Error> {
+/// Refuses what is not zero but too small for its square to have all its digits, or to be above zero.
+fn in_range(integrals: &Integrals, start: &Start, spin: &Vector3<f64>, pulled: bool) -> Result<(), Error> {
     let Integrals { from_bottom, from_top, across_squared, pull, .. } = integrals;
-    for (what, square) in [
-        ("how close the axis is to hanging down, as a square,", from_bottom),
-        ("how close the axis is to upright, as a square,", from_top),
-        ("the sideways spin, as a square relative to the fastest rate,", across_squared),
-        ("the weight's torque relative to the fastest rate", pull),
+    let hanging = "how close the axis is to hanging down, as a square that must be 0 or at least 1e-140,";
+    let upright = "how close the axis is to upright, as a square that must be 0 or at least 1e-140,";
+    let sideways =
+        "the sideways spin relative to the fastest rate, as a square that must be 0 or at least 1e-140,";
+    let torque = "the weight's torque relative to the moment times the square of the fastest rate, which must be 0 or at least 1e-140,";
+    for (what, square, present) in [
+        (hanging, from_bottom, start.alpha != [0.0; 2]),
+        (upright, from_top, start.beta != [0.0; 2]),
+        (sideways, across_squared, spin.x != 0.0 || spin.y != 0.0),
+        (torque, pull, pulled),
     ] {
         let value = square.hi();
-        if value != 0.0 && !(value.abs() >= SMALLEST && value.is_finite()) {
+        if (present || value != 0.0) && !(value.abs() >= SMALLEST && value.is_finite()) {
             return Err(Refusal::OutOfRange { what, value }.into());
         }
     }
@@ -341,7 +354,7 @@ impl Constants {
             momentum_up: scaled(*at_bottom - *along, mounted.across),
             momentum_along: scaled(*along, mounted.across),
             lean: if steady { [here; 2] } else { [angle(1), angle(0)] },
-            regime: TopRegime::new(integrals, steady),
+            regime: TopRegime::new(integrals, steady, polar_spin),
         }
     }
 }

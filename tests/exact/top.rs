@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use tumbling::exact::{FreeMotion, Instant, LagrangeTop, TopRegime};
-use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+use tumbling::{Body, Error, ErrorKind, Inertia, PrincipalMoments};
 
 fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|x| x.as_str().unwrap().parse().unwrap()).collect()
@@ -200,4 +200,98 @@ fn what_is_no_lagrange_top_is_named() {
     refused(new([1.0, 1.0, 0.5], [0.0, 0.0, 1.0], -1.0), ErrorKind::OutOfBounds, "the weight");
     refused(new([1.0, 1.0, 0.5], [0.0, f64::NAN, 1.0], 1.0), ErrorKind::NotFinite, "the arm");
     refused(new([1.0, 1.0, 0.5], [0.0, 0.0, 1.0], 1e-300), ErrorKind::Unrepresentable, "the weight's torque");
+}
+
+/// A top that leans by `lean` with its centre of mass 1 m up its axis and 2 N of weight.
+fn leaning(lean: f64, omega: [f64; 3]) -> Result<LagrangeTop, Error> {
+    let moments = PrincipalMoments::new(1.0, 1.0, 0.5)?;
+    let attitude = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), lean);
+    LagrangeTop::new(moments, attitude, &omega.into(), &Vector3::z(), 2.0)
+}
+
+#[test]
+fn next_to_a_cusp_a_top_moves_like_one_let_go_at_rest() {
+    for (spin, lean) in [(1.0, 0.5), (1.0, 2.0), (0.01, 1.0), (10.0, 0.5), (-10.0, 1.0)] {
+        let released = leaning(lean, [0.0, 0.0, spin]).unwrap();
+        for push in [1e-60, 1e-30, 1e-20, 1e-16, 1e-14, 1e-12, 1e-9, 1e-6] {
+            for [x, y] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8], [-1.0, 1e-3]] {
+                let top = leaning(lean, [push * x, push * y, spin]).unwrap();
+                for t in [-3.0, 0.1, 0.7, 5.0] {
+                    let off = (top.omega(t).unwrap() - released.omega(t).unwrap()).norm();
+                    assert!(off < 1e3 * push + 3e-14, "{spin} {lean} {push} {x} {y} {t}: {off}");
+                }
+                assert!(
+                    push > 1e-17 * spin.abs() || top.regime() == TopRegime::Cusped,
+                    "{push} {x} {y} {spin}"
+                );
+            }
+        }
+    }
+}
+
+proptest! {
+    // The momentum in world axes rounds: 1e-17 or so of the spin is left across the axis.
+    #[test]
+    fn a_body_let_go_at_rest_is_a_top_with_cusps(
+        start in attitude(), spin in 0.01..10.0_f64, polar in 0.1..1.9_f64, t in -3.0..3.0_f64,
+    ) {
+        let (omega, arm) = (Vector3::new(0.0, 0.0, spin), Vector3::new(0.0, 0.0, -0.4));
+        let body = Body::spinning(Inertia::from_moments(1.0, 1.0, polar).unwrap(), start, &omega).unwrap();
+        let top = LagrangeTop::of(&body, &arm, 2.0).unwrap();
+        prop_assert_eq!(top.regime(), TopRegime::Cusped);
+        let plain = LagrangeTop::new(PrincipalMoments::new(1.0, 1.0, polar).unwrap(), start, &omega, &arm, 2.0);
+        prop_assert!((top.omega(t).unwrap() - plain.unwrap().omega(t).unwrap()).norm() < 1e-11);
+    }
+}
+
+#[test]
+fn what_is_too_small_to_square_is_refused_and_not_taken_for_zero() {
+    let tilted = |w: f64, x: f64, omega: [f64; 3], weight: f64| {
+        let attitude = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, 0.0, 0.0));
+        let moments = PrincipalMoments::new(1.0, 1.0, 0.5)?;
+        LagrangeTop::new(moments, attitude, &omega.into(), &Vector3::z(), weight)
+    };
+    for small in [1e-72, 1e-161, 1e-200, -1e-200, 1e-310, 5e-324] {
+        for (result, words) in [
+            (tilted(1.0, small, [0.0, 0.0, 3.0], 2.0), "to upright"),
+            (tilted(small, 1.0, [0.0, 0.0, 3.0], 2.0), "to hanging down"),
+            (tilted(1.0, 0.0, [small, 0.0, 3.0], 2.0), "the sideways spin"),
+            (tilted(1.0, 0.0, [0.0, small, 3e10], 2.0), "the sideways spin"),
+        ] {
+            refused(result, ErrorKind::Unrepresentable, words);
+        }
+    }
+    for weight in [1e-141, 1e-200, 5e-324] {
+        let top = tilted(1.0, 0.5e-9, [0.0, 0.0, 3.0], weight);
+        refused(top, ErrorKind::Unrepresentable, "0 or at least 1e-140");
+    }
+    assert_eq!(
+        tilted(1.0, 0.0, [0.0, -0.0, 6.0], 2.0).unwrap().regime(),
+        TopRegime::Sleeping { stable: true }
+    );
+    assert_eq!(tilted(0.0, 1.0, [0.0, 0.0, 6.0], 2.0).unwrap().regime(), TopRegime::Hanging);
+    assert!(tilted(1.0, 1e-69, [0.0, 0.0, 3.0], 2.0).is_ok());
+    assert!(tilted(1.0, 1e-9, [0.0, 0.0, 3.0], 1e-138).is_ok());
+}
+
+proptest! {
+    // Rounding of the tensor turns the axis by rounding over the gap between the moments.
+    #[test]
+    fn a_tilted_top_of_nearly_equal_moments_moves_as_in_its_own_axes(
+        frame in attitude(), start in attitude(), omega in generic_spin(), digits in 0.0..12.0_f64, t in -3.0..3.0_f64,
+    ) {
+        let polar = 1.0 - 0.5 * 10.0_f64.powf(-digits);
+        let (inertia, arm) = (Inertia::from_moments(1.0, 1.0, polar).unwrap(), Vector3::new(0.0, 0.0, 0.7));
+        let turned = inertia.turned(frame).unwrap();
+        let body = Body::spinning(turned, start * frame.inverse(), &(frame * omega)).unwrap();
+        let there = LagrangeTop::of(&body, &(frame * arm), 2.0).unwrap().at(t).unwrap();
+        let plain = LagrangeTop::new(PrincipalMoments::new(1.0, 1.0, polar).unwrap(), start, &omega, &arm, 2.0);
+        let at = plain.unwrap().at(t).unwrap();
+        prop_assert!(apart(&(there.attitude * frame), &at.attitude) < 1e-12);
+        prop_assert!((there.omega - frame * at.omega).norm() < 1e-12);
+        if digits < 6.0 {
+            let off = frame * Vector3::new(1e-7, 0.0, 0.7);
+            refused(LagrangeTop::of(&body, &off, 2.0), ErrorKind::OutOfBounds, "the part of the arm");
+        }
+    }
 }

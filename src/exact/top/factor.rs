@@ -36,6 +36,11 @@ pub(super) struct Shape {
 }
 
 impl Shape {
+    /// How large it is at the start, relative to its largest.
+    pub(super) fn share(&self) -> f64 {
+        hypot(self.start[0], self.start[1]) / self.size
+    }
+
     /// What turns `found`, the function at the start, to the direction of the start.
     fn aligned(&self, found: [f64; 2]) -> [f64; 2] {
         let unit = |x: [f64; 2]| {
@@ -51,6 +56,22 @@ impl Shape {
     }
 }
 
+/// The factor of the spin across the axis from those of `alpha` and `beta`, each with its drift. Where the
+/// axis is lowest, at the time `lowest`, the spin is parallel to the vertical's part across the axis: it is
+/// `i conj(alpha) beta` times a real number. There the series of the three are `-i sense`, 1 and 1 times
+/// positive numbers. So next to a cusp, the direction of the start, which is a rounding, is not needed.
+pub(super) fn tied(
+    [(alpha, first), (beta, second), (across, third)]: [([f64; 2], DoubleDouble); 3],
+    way: f64,
+    lowest: f64,
+) -> [f64; 2] {
+    let unit = |[re, im]: [f64; 2]| [re, im].map(|x| x / hypot(re, im));
+    let [re, im] = unit(alpha);
+    let turn = phase_factor((second - first - third) * lowest);
+    let length = way * hypot(across[0], across[1]);
+    times(times([re, -im], unit(beta)), turn).map(|x| x * length)
+}
+
 /// The form in the nome.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Direct {
@@ -58,7 +79,7 @@ pub(super) struct Direct {
     /// Polynomials in `cos 2z`.
     along_cos: [f64; 4],
     along_sin: [f64; 4],
-    factor: [f64; 2],
+    pub(super) factor: [f64; 2],
     pub(super) drift: DoubleDouble,
     /// 1 or -1: the way its argument turns.
     pub(super) sense: f64,
@@ -167,7 +188,7 @@ pub(super) struct Complementary {
     off_one: f64,
     /// The complementary nome.
     nome: f64,
-    factor: [f64; 2],
+    pub(super) factor: [f64; 2],
     pub(super) drift: DoubleDouble,
     /// Turns that each half period adds.
     step: f64,

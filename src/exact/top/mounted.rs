@@ -11,6 +11,8 @@ use num_traits::Float as _;
 /// How far two moments may differ, and an arm be off its axis, relative.
 const ROUNDING: f64 = 1e-14;
 
+const OFF_AXIS: &str = "the part of the arm across the principal axis next to it, relative to the arm,";
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mounted {
     /// The moments across the axis of symmetry and about it, kg m².
@@ -30,7 +32,7 @@ impl Mounted {
         let off = arm[next].abs().max(arm[last].abs()) / largest.max(f64::MIN_POSITIVE);
         let apart = (moments[next] - moments[last]).abs() / moments[next].max(moments[last]);
         for (what, value) in [
-            ("the part of the arm across the principal axis next to it, relative to the arm,", off),
+            (OFF_AXIS, off),
             ("the difference of the two moments across the top's axis, relative to the larger,", apart),
         ] {
             if value > ROUNDING {
@@ -86,6 +88,33 @@ impl Mounted {
         let inertia = Inertia::from_moments(self.across, self.across, self.polar)?;
         self.frame.map_or(Ok(inertia), |frame| inertia.turned(UnitQuaternion::new_unchecked(frame)))
     }
+}
+
+/// The small turn of a tensor's principal axes, within what its rounding leaves open, that takes the one next
+/// to the arm onto it; and the arm in the turned axes.
+pub(super) fn onto_arm(
+    moments: PrincipalMoments,
+    arm: &Vector3<f64>,
+) -> Result<(UnitQuaternion<f64>, Vector3<f64>), Error> {
+    let largest = arm.amax();
+    if largest == 0.0 {
+        return Ok((UnitQuaternion::identity(), *arm));
+    }
+    let axis = arm.iamax();
+    let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+    let scaled = arm / largest;
+    let gap =
+        [next, last].map(|other| (moments[axis] - moments[other]).abs() / moments[axis].max(moments[other]));
+    let (value, limit) = (scaled[next].abs().max(scaled[last].abs()), ROUNDING / gap[0].min(gap[1]));
+    if value > limit {
+        return Err(Refusal::NotBelow { what: OFF_AXIS, value, limit }.into());
+    }
+    let mut along = Vector3::zeros();
+    along[axis] = 1_f64.copysign(arm[axis]);
+    let length = scaled.norm();
+    let sideways = along.cross(&scaled);
+    let turn = Quaternion::new(length + along.dot(&scaled), sideways.x, sideways.y, sideways.z);
+    Ok((UnitQuaternion::new_normalize(turn), along * (largest * length)))
 }
 
 /// The axis of symmetry of a body without an arm: the one whose two others agree best.

@@ -1,13 +1,13 @@
 //! The constants of a top's motion in theta functions.
 
-use super::factor::{Complementary, Direct, Shape, denominator};
+use super::factor::{Complementary, Direct, Shape, denominator, tied};
 use super::integrals::{Integrals, Start};
 use super::nutation::{Form, Nutation};
 use crate::exact::elliptic::{NOME_RATIO, quarter_period, quarter_period_from_root, rf_of_roots};
 use crate::exact::elliptic_motion::{Fold, argument_at_start, phase_at_start};
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::exp;
-use core::f64::consts::{FRAC_PI_2, PI};
+use crate::number::functions::{atan2, exp};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -116,6 +116,7 @@ impl Integrals {
         };
         let other = quarter_period(modulus);
         let shapes = self.shapes(start);
+        let way = self.way(&shapes);
         let part = |x: DoubleDouble, y: DoubleDouble| ratio(x, y).hi().clamp(0.0, 1.0).sqrt();
         let sn = part(self.down, swept).copysign(self.rising.hi());
         let cn = if swept.hi() > 0.0 { part(self.up, swept) } else { 1.0 };
@@ -128,7 +129,11 @@ impl Integrals {
             let nome = exp(-PI * (other / quarter_hi));
             let turns = rate / (quarter * 4.0);
             let start = phase_at_start([sn, cn, dn], complement.hi(), quarter_hi);
-            let factors = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
+            let mut factors = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
+            if let Some(way) = way {
+                let lowest = -atan2(start[0], start[1]) / (TAU * turns.hi());
+                factors[2].factor = tied(factors.map(|f| (f.factor, f.drift)), way, lowest);
+            }
             let factors = with_ahead(factors, ahead, |factor: &mut Direct| &mut factor.drift);
             Form::Direct { turns, start, denominator: denominator(nome), factors }
         } else {
@@ -141,12 +146,25 @@ impl Integrals {
             let at_start = if separatrix { fold.without_return(0.0) } else { fold.at(0.0) };
             let ends = at_start.ends();
             let nome = nome_root * nome_root;
-            let factors = shapes.map(|shape| Complementary::new(nome, stretch, rate, &ends, &shape));
+            let mut factors = shapes.map(|shape| Complementary::new(nome, stretch, rate, &ends, &shape));
+            if let Some(way) = way {
+                let lowest = -fold.start.hi() / rate.hi();
+                factors[2].factor = tied(factors.map(|f| (f.factor, f.drift)), way, lowest);
+            }
             let factors = with_ahead(factors, ahead, |factor: &mut Complementary| &mut factor.drift);
             Form::Complementary { fold, nome, separatrix, factors }
         };
         let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
         Nutation { form, half_period, rate: rate.hi(), passes: self.passes() }
+    }
+
+    /// The sign that ties the spin across the axis to `alpha` and `beta`, where these keep more of its
+    /// direction than its start does: next to a cusp.
+    fn way(&self, [alpha, beta, across]: &[Shape; 3]) -> Option<f64> {
+        let share = across.share();
+        let about_lowest = self.at_bottom - self.along * self.bottoms[0];
+        let small = share > 0.0 && share < 0.1 * alpha.share().min(beta.share());
+        small.then(|| -alpha.sense * sense(about_lowest))
     }
 
     /// Whether the axis passes through the lowest point, and through the highest.

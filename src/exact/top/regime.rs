@@ -28,13 +28,14 @@ use super::integrals::Integrals;
 pub enum TopRegime {
     /// Without weight or without an arm: a free symmetric body.
     Free,
-    /// Exactly upright, turning about its axis or at rest. It is stable from the critical spin on, where the
-    /// square of the momentum about the axis is 4 x (moment across it) x weight x arm.
+    /// Exactly upright, turning about its axis or at rest: both the lean and the spin across the axis are 0,
+    /// not merely small. It is stable from the critical spin on, where the square of the momentum about the
+    /// axis is 4 x (moment across it) x weight x arm.
     Sleeping {
         /// Whether a small push leaves it nearly upright.
         stable: bool,
     },
-    /// Exactly straight down, turning about its axis or at rest.
+    /// Exactly straight down, turning about its axis or at rest: it leans by 180°, to the bit.
     Hanging,
     /// It goes round at a constant lean and rate.
     SteadyPrecession,
@@ -51,7 +52,7 @@ pub enum TopRegime {
 }
 
 impl TopRegime {
-    pub(super) fn new(integrals: &Integrals, steady: bool) -> Self {
+    pub(super) fn new(integrals: &Integrals, steady: bool, spin: f64) -> Self {
         let Integrals { along, pull, about, down, up, from_bottom, .. } = integrals;
         if pull.hi() == 0.0 {
             return Self::Free;
@@ -71,8 +72,9 @@ impl TopRegime {
         }
         let (low, high) = (*about + *along * *down, *about - *along * *up);
         let same = low.hi() * high.hi();
-        // Next to a cusp the difference is a rounding of its parts.
-        if high.hi().abs() <= 1e-15 * about.hi().abs() || high.hi() == 0.0 {
+        // Next to a cusp it is a rounding of its parts, or of the spin that the start was made from.
+        let rounding = 1e-15 * about.hi().abs().max(spin.abs().min(1e12 * low.hi().abs()));
+        if high.hi().abs() <= rounding {
             Self::Cusped
         } else if same > 0.0 {
             Self::Nutation
