@@ -232,8 +232,11 @@ fn bodies(name: &str) -> Drawing {
     let record = committed()?;
     let kind = kind(name).ok_or("no such error")?;
     let stories = story::all()?;
+    // Under a torque the momentum is no constant to be kept.
+    let constant = matches!(name, "momentum" | "direction");
     let with: Vec<_> = stories
         .iter()
+        .filter(|s| s.is_free() || !constant)
         .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
         .collect();
     // A row is for two, and the key stands below.
