@@ -92,8 +92,8 @@ impl Trial<'_> {
         match coarse {
             // Agreement is half of the accuracy; as much again, since roundings differ with the steps that
             // another accuracy leads to.
-            _ if 4.0 * best < 1.0 => {
-                Err(Error::Unattainable { requested: self.accuracy, attainable: 4.0 * best })
+            _ if 8.0 * best < 1.0 => {
+                Err(Error::Unattainable { requested: self.accuracy, attainable: 8.0 * best })
             }
             Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
             _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - *left }),
