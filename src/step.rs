@@ -20,7 +20,7 @@ mod torque;
 mod transition;
 
 pub use crate::body::{Rate, State};
-pub use adaptive::adaptive;
+pub use adaptive::{AdaptiveRun, adaptive};
 pub use fixed_rate::fixed_rate;
 pub use info::{Conserved, MethodInfo};
 pub use method::Method;

@@ -2,6 +2,7 @@
 //! function.
 
 mod columns;
+mod dense;
 mod dop853_coefficients;
 mod flips;
 mod law;
@@ -12,11 +13,11 @@ mod switching;
 mod taylor;
 
 use crate::body::State;
-use crate::error::{Error, Refusal, finite, positive};
+use crate::error::{Error, Refusal, positive};
 use crate::number::Analytic;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
-use crate::step::torque::Torque;
+use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use columns::Slopes;
 use flips::Flips;
@@ -24,8 +25,8 @@ use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use num_traits::FromPrimitive;
-use pair::Pair;
-use taylor::Taylor;
+
+pub use dense::AdaptiveRun;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
@@ -68,7 +69,7 @@ pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
     tolerance: f64,
     budget: &mut usize,
 ) -> Result<State<T>, Error> {
-    go(system, start, duration, tolerance, budget, &mut Watch { flips: None, slopes: None })
+    AdaptiveRun::new(system, start, duration, tolerance)?.to_the_end(budget)
 }
 
 /// The same on numbers that carry derivatives, whose error in each step is below the tolerance too, relative
@@ -81,7 +82,8 @@ pub(super) fn adaptive_with_slopes<T: Analytic + Copy + FromPrimitive>(
     budget: &mut usize,
     slopes: Slopes<T>,
 ) -> Result<State<T>, Error> {
-    go(system, start, duration, tolerance, budget, &mut Watch { flips: None, slopes: Some(slopes) })
+    let watch = Watch { flips: None, slopes: Some(slopes) };
+    AdaptiveRun::watching(system, start, duration, tolerance, watch)?.to_the_end(budget)
 }
 
 /// The same, and the times (s after the start) at which the spin about the principal axis of the middle
@@ -93,62 +95,10 @@ pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
     tolerance: f64,
     budget: &mut usize,
 ) -> Result<(State<T>, Vec<f64>), Error> {
-    let mut watch = Watch { flips: Some(Flips::new(system, start)), slopes: None };
-    let end = go(system, start, duration, tolerance, budget, &mut watch)?;
-    Ok((end, watch.flips.map(Flips::found).unwrap_or_default()))
-}
-
-fn go<T: Analytic + Copy + FromPrimitive>(
-    system: &System<T>,
-    start: &State<T>,
-    duration: f64,
-    tolerance: f64,
-    budget: &mut usize,
-    watch: &mut Watch<T>,
-) -> Result<State<T>, Error> {
-    finite("the duration", duration)?;
-    check_tolerance::<T>(tolerance)?;
-    (*start).checked()?;
-    switching::through(system, start, duration, |system, start, duration| {
-        between(system, start, duration, tolerance, budget, watch)
-    })
-}
-
-/// The same where no torque begins or ends on the way.
-fn between<T: Analytic + Copy + FromPrimitive>(
-    system: &System<T>,
-    start: &State<T>,
-    duration: f64,
-    tolerance: f64,
-    budget: &mut usize,
-    watch: &mut Watch<T>,
-) -> Result<State<T>, Error> {
-    let mut run = Run::new(system, start, duration, tolerance)?;
-    run.watch = Watch { flips: watch.flips.take(), slopes: watch.slopes };
-    match Taylor::new(system, tolerance) {
-        Some(mut taylor) => run.through(&mut taylor, budget)?,
-        None if run.watch.flips.is_some() => {
-            let function = system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
-            let (what, why) = if function {
-                (
-                    "the times of flips under a torque that is a function",
-                    "its steps have no series: give the torque by its name, or look for changes of sign",
-                )
-            } else {
-                (
-                    "the times of flips under two gravity gradients",
-                    "the series of a step hold one: look for changes of sign",
-                )
-            };
-            return Err(Refusal::Undefined { what, why }.into());
-        }
-        None => {
-            let mut pair = Pair::new(&run)?;
-            run.through(&mut pair, budget)?;
-        }
-    }
-    watch.flips = run.watch.flips.take().map(|seen| seen.later(duration));
-    run.state.checked()
+    let watch = Watch { flips: Some(Flips::new(system, start)), slopes: None };
+    let mut run = AdaptiveRun::watching(system, start, duration, tolerance, watch)?;
+    let end = run.to_the_end(budget)?;
+    Ok((end, run.flips()))
 }
 
 /// That the tolerance of a step is above rounding.
@@ -175,9 +125,10 @@ trait Engine<T: Analytic> {
     fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error>;
 }
 
-/// A run on its way.
-struct Run<'a, T: Analytic> {
-    system: &'a System<T>,
+/// A run on its way, under torques that act in all of it.
+#[derive(Debug, Clone)]
+struct Run<'a, T: nalgebra::Scalar> {
+    system: Cow<'a, System<T>>,
     duration: f64,
     tolerance: f64,
     /// Seconds since the start.
@@ -197,6 +148,7 @@ struct Run<'a, T: Analytic> {
 }
 
 /// What a run looks at besides the state.
+#[derive(Debug, Clone)]
 struct Watch<T> {
     /// Where flips are looked for.
     flips: Option<Flips>,
@@ -205,13 +157,18 @@ struct Watch<T> {
 }
 
 impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
-    fn new(system: &'a System<T>, start: &State<T>, duration: f64, tolerance: f64) -> Result<Self, Error> {
+    fn new(
+        system: Cow<'a, System<T>>,
+        start: &State<T>,
+        duration: f64,
+        tolerance: f64,
+        watch: Watch<T>,
+    ) -> Result<Self, Error> {
         check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
         let mut state = *start;
         positive("the length of the attitude quaternion", normalize(&mut state.attitude))?;
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
         let (time, last, steps, rejected, stiff, mild) = (0.0, duration, 0, 0, 0, 0);
-        let watch = Watch { flips: None, slopes: None };
         Ok(Self {
             system,
             duration,
@@ -228,18 +185,16 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         })
     }
 
-    /// To the end.
-    fn through(&mut self, engine: &mut impl Engine<T>, budget: &mut usize) -> Result<(), Error> {
-        while self.time != self.duration {
-            if *budget == 0 {
-                return Err(self.unfinished("all its steps are taken"));
-            }
-            *budget -= 1;
-            engine.advance(self)?;
-            let left = (self.duration - self.time).abs() / self.last.abs();
-            if self.stiff == STIFF_STEPS && left > *budget as f64 {
-                return Err(self.unfinished("losses far faster than the motion keep its steps short"));
-            }
+    /// One step further.
+    fn advance(&mut self, engine: &mut impl Engine<T>, budget: &mut usize) -> Result<(), Error> {
+        if *budget == 0 {
+            return Err(self.unfinished("all its steps are taken"));
+        }
+        *budget -= 1;
+        engine.advance(self)?;
+        let left = (self.duration - self.time).abs() / self.last.abs();
+        if self.stiff == STIFF_STEPS && left > *budget as f64 {
+            return Err(self.unfinished("losses far faster than the motion keep its steps short"));
         }
         Ok(())
     }

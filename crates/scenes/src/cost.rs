@@ -27,10 +27,9 @@ impl Plan<'_> {
     pub fn cost(&self) -> Cost {
         let outputs = self.scene.outputs();
         let driven = |driven: &Driven| {
-            let (each, least) = (driven.control.price_of_step(), driven.control.least_steps());
-            let steps = driven.steps as f64;
-            let states = self.scene.times().count() as f64;
-            Cost { once: driven.trials, state: each * (steps / states).max(least) }
+            let states = self.scene.times().count();
+            let all = driven.control.price(states, driven.steps);
+            Cost { once: driven.trials, state: all / states as f64 }
         };
         match &self.strategy {
             Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 90.0 },

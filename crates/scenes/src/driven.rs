@@ -194,12 +194,12 @@ fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
     let turn = radians.min(0.25);
     let step = |radians: f64| (radians / spin).min(end / INNER);
     let tolerance = first_tolerance(accuracy);
-    let by_pair = price(prices::series(tolerance), prices::RADIANS, prices::RESTART * least);
+    let by_series = price(prices::series(tolerance), prices::RADIANS, 0.0) + prices::WITHIN * least;
     let by_steps = price(prices::KICKED, turn, least);
     let by_drift = price(prices::DRIFT, radians, least);
-    if by_steps <= by_pair && by_steps <= by_drift {
+    if by_steps <= by_series && by_steps <= by_drift {
         StepControl::Fixed(Method::MoserVeselov8, step(turn))
-    } else if by_drift <= by_pair {
+    } else if by_drift <= by_series {
         StepControl::ExactDrift(step(radians))
     } else {
         StepControl::Tolerance(tolerance)

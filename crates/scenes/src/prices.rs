@@ -9,8 +9,8 @@ pub(crate) fn series(tolerance: f64) -> f64 {
 }
 /// It turns the body by about this many radians, whatever the tolerance.
 pub(crate) const RADIANS: f64 = 1.6;
-/// It restarts at each state.
-pub(crate) const RESTART: f64 = 1.0;
+/// A state between the ends of two such steps.
+pub(crate) const WITHIN: f64 = 700.0;
 /// A step of Moser and Veselov's method between two half kicks.
 pub(crate) const KICKED: f64 = 1500.0;
 /// A step that linearises the damping.

@@ -3,9 +3,9 @@
 use crate::error::Error;
 use crate::plan::{Plan, energy};
 use crate::scene::Scene;
+use crate::step_control::{Stepping, Stop};
 use crate::strategy::{Driven, Strategy};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::step::State;
 use tumbling::{Inertia, attitude};
 
 /// A body at one time: the outputs requested.
@@ -29,8 +29,8 @@ pub struct States<'a> {
     plan: &'a Plan<'a>,
     next: u64,
     end: u64,
-    /// Of a driven body, the time and state that it has been stepped to.
-    reached: Option<(f64, State<f64>)>,
+    /// Of a driven body, once its first state is requested.
+    stepping: Option<Stepping<'a>>,
 }
 
 /// Spin along the principal axes, and attitude of the body.
@@ -60,8 +60,7 @@ impl Plan<'_> {
 
 impl<'a> States<'a> {
     fn new(plan: &'a Plan<'a>) -> Self {
-        let reached = plan.strategy.driven().map(|driven| (0.0, driven.start));
-        Self { plan, next: 0, end: plan.scene.times().count(), reached }
+        Self { plan, next: 0, end: plan.scene.times().count(), stepping: None }
     }
 
     /// The number of states still to come.
@@ -100,12 +99,32 @@ impl<'a> States<'a> {
             | Strategy::ExactDrift(driven)
             | Strategy::Adaptive(driven)
             | Strategy::Stiff(driven) => {
-                let (spin, attitude) = stepped(&mut self.reached, driven, time)?;
+                let (spin, attitude) = self.stepped(driven, time)?;
                 let attitude = plan.body.frame.map_or(attitude, |frame| attitude * frame.inverse());
                 (Some(spin), Some(attitude))
             }
         };
         plan.answer(time, along, attitude)
+    }
+
+    /// Steps on to a time.
+    fn stepped(
+        &mut self,
+        driven: &'a Driven,
+        time: f64,
+    ) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
+        let stepping = match &mut self.stepping {
+            Some(stepping) => stepping,
+            none => {
+                let end = self.plan.scene.times().end();
+                none.insert(Stepping::new(driven.control, &driven.system, &driven.start, end)?)
+            }
+        };
+        let state = stepping.to(time, 1, &mut { usize::MAX }).map_err(|stop| match stop {
+            Stop::Refused(error) => error,
+            Stop::OutOfSteps => Error::OutOfRange { what: "the number of steps", value: f64::INFINITY },
+        })?;
+        Ok((driven.system.omega(&state.momentum), UnitQuaternion::from_quaternion(state.attitude)))
     }
 }
 
@@ -175,23 +194,6 @@ impl Plan<'_> {
             },
         })
     }
-}
-
-/// Steps on to a time.
-fn stepped(
-    reached: &mut Option<(f64, State<f64>)>,
-    driven: &Driven,
-    time: f64,
-) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
-    let (mut now, mut state) = reached.take().unwrap_or((0.0, driven.start));
-    if time > now {
-        state = driven.control.to_the_end(&driven.system, &state, time - now)?;
-        now = time;
-    }
-    let spin = driven.system.omega(&state.momentum);
-    let attitude = UnitQuaternion::from_quaternion(state.attitude);
-    *reached = Some((now, state));
-    Ok((spin, attitude))
 }
 
 impl Iterator for States<'_> {

@@ -3,9 +3,9 @@
 use crate::error::Error;
 use crate::exact_drift;
 use crate::prices;
-use tumbling::step::{Method, State, System, adaptive};
+use tumbling::step::{AdaptiveRun, Method, State, System};
 
-/// The least tolerance that [`adaptive`] takes: below it a step's error is rounding.
+/// The least tolerance that [`AdaptiveRun`] takes: below it a step's error is rounding.
 pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// How a driven body is stepped.
@@ -41,58 +41,6 @@ impl StepControl {
         parts(duration, step, 1).ok().map(|(count, _)| count)
     }
 
-    /// `duration` seconds on, in at least `least` steps if they are of a fixed length; they are taken off
-    /// those left.
-    pub(crate) fn advance(
-        self,
-        system: &System<f64>,
-        start: &State<f64>,
-        duration: f64,
-        least: usize,
-        left: &mut usize,
-    ) -> Result<State<f64>, Stop> {
-        let (step, method) =
-            match self {
-                Self::Tolerance(tolerance) => {
-                    let end = adaptive(system, start, duration, tolerance, left);
-                    return end.map_err(|error| {
-                        if *left == 0 { Stop::OutOfSteps } else { Stop::Refused(error.into()) }
-                    });
-                }
-                Self::Fixed(method, step) => (step, Some(method)),
-                Self::ExactDrift(step) => (step, None),
-            };
-        let (count, h) = parts(duration, step, least)?;
-        if count > *left {
-            return Err(Stop::OutOfSteps);
-        }
-        let mut state = *start;
-        for _ in 0..count {
-            *left -= 1;
-            state = match method {
-                Some(method) => {
-                    method.step(system, &state, h).map_err(|error| Stop::Refused(error.into()))?
-                }
-                None => exact_drift::step(system, &state, h)?,
-            };
-        }
-        Ok(state)
-    }
-
-    /// `duration` seconds on, in as many steps as that takes.
-    #[inline]
-    pub(crate) fn to_the_end(
-        self,
-        system: &System<f64>,
-        start: &State<f64>,
-        duration: f64,
-    ) -> Result<State<f64>, Error> {
-        self.advance(system, start, duration, 1, &mut { usize::MAX }).map_err(|stop| match stop {
-            Stop::Refused(error) => error,
-            Stop::OutOfSteps => Error::OutOfRange { what: "the number of steps", value: f64::INFINITY },
-        })
-    }
-
     /// The cost of a step, in instructions.
     pub(crate) fn price_of_step(self) -> f64 {
         match self {
@@ -103,14 +51,13 @@ impl StepControl {
         }
     }
 
-    /// The least number of steps from one state to the next.
-    pub(crate) fn least_steps(self) -> f64 {
-        if let Self::Tolerance(_) = self { prices::RESTART } else { 1.0 }
-    }
-
-    /// The cost of a number of states in a number of steps, or in more where states are requested more often.
+    /// The cost of a number of states in a number of steps.
     pub(crate) fn price(self, states: u64, steps: usize) -> f64 {
-        self.price_of_step() * (steps as f64).max(self.least_steps() * states as f64)
+        let (states, steps) = (states as f64, steps as f64);
+        match self {
+            Self::Tolerance(_) => self.price_of_step() * steps + prices::WITHIN * states,
+            _ => self.price_of_step() * steps.max(states),
+        }
     }
 
     /// The same, finer: by half or more, for an error smaller by the factor `share`; zero where no error was
@@ -130,6 +77,82 @@ impl StepControl {
                 Self::Tolerance((tolerance * by(first_order, 0.1)).max(LEAST_TOLERANCE))
             }
         }
+    }
+}
+
+/// A driven body while it is stepped, from one time to the next.
+#[derive(Debug, Clone)]
+pub(crate) enum Stepping<'a> {
+    /// In steps from one time to the next.
+    Steps { control: StepControl, system: &'a System<f64>, now: f64, state: State<f64> },
+    /// In steps of its own, with each state from the series of one.
+    Series(Box<AdaptiveRun<'a, f64>>),
+}
+
+impl<'a> Stepping<'a> {
+    /// From the state at time zero; no time will be after `end`.
+    pub(crate) fn new(
+        control: StepControl,
+        system: &'a System<f64>,
+        start: &State<f64>,
+        end: f64,
+    ) -> Result<Self, Error> {
+        Ok(match control {
+            StepControl::Tolerance(tolerance) => {
+                Self::Series(Box::new(AdaptiveRun::new(system, start, end, tolerance)?))
+            }
+            _ => Self::Steps { control, system, now: 0.0, state: *start },
+        })
+    }
+
+    /// The state at a time, no earlier than the last; at least `least` steps of a fixed length lead to a
+    /// later one. Steps are taken off those left.
+    pub(crate) fn to(&mut self, time: f64, least: usize, left: &mut usize) -> Result<State<f64>, Stop> {
+        match self {
+            Self::Steps { control, system, now, state } => {
+                if time > *now {
+                    *state = control.advance(system, state, time - *now, least, left)?;
+                    *now = time;
+                }
+                Ok(*state)
+            }
+            Self::Series(run) => run
+                .at(time, left)
+                .map_err(|error| if *left == 0 { Stop::OutOfSteps } else { Stop::Refused(error.into()) }),
+        }
+    }
+}
+
+impl StepControl {
+    /// `duration` seconds on, in at least `least` steps of a fixed length.
+    fn advance(
+        self,
+        system: &System<f64>,
+        start: &State<f64>,
+        duration: f64,
+        least: usize,
+        left: &mut usize,
+    ) -> Result<State<f64>, Stop> {
+        let (step, method) = match self {
+            Self::Fixed(method, step) => (step, Some(method)),
+            Self::ExactDrift(step) => (step, None),
+            Self::Tolerance(_) => (duration, None),
+        };
+        let (count, h) = parts(duration, step, least)?;
+        if count > *left {
+            return Err(Stop::OutOfSteps);
+        }
+        let mut state = *start;
+        for _ in 0..count {
+            *left -= 1;
+            state = match method {
+                Some(method) => {
+                    method.step(system, &state, h).map_err(|error| Stop::Refused(error.into()))?
+                }
+                None => exact_drift::step(system, &state, h)?,
+            };
+        }
+        Ok(state)
     }
 }
 

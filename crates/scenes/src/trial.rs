@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::outputs::Outputs;
 use crate::prices;
-use crate::step_control::{StepControl, Stop};
+use crate::step_control::{StepControl, Stepping, Stop};
 use nalgebra::UnitQuaternion;
 use tumbling::attitude;
 use tumbling::dynamics::observe;
@@ -131,18 +131,16 @@ impl Trial<'_> {
     /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either
     /// way would agree with itself.
     fn run(&self, control: StepControl, over: Option<StepControl>, left: &mut usize, most: f64) -> Run {
-        let (mut now, mut state) = (0.0, *self.start);
+        let mut now = 0.0;
         let whole = (*left).min(most as usize);
         let mut of_run = whole;
         let mut states = Vec::with_capacity(self.times.len());
         let mut on = |of_run: &mut usize| {
+            let mut stepping = Stepping::new(control, self.system, self.start, self.end)?;
             for &time in self.times {
-                if time > now {
-                    let between = time - now;
-                    let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
-                    (state, now) = (control.advance(self.system, &state, between, least, of_run)?, time);
-                }
-                states.push(state);
+                let between = time - std::mem::replace(&mut now, time);
+                let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
+                states.push(stepping.to(time, least, of_run)?);
             }
             Ok::<(), Stop>(())
         };

@@ -14,6 +14,7 @@ use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
 /// The slopes of a step.
+#[derive(Debug, Clone)]
 pub(super) struct Pair<T: nalgebra::Scalar> {
     slopes: [Rate<T>; 12],
     /// The next step, s.

@@ -233,6 +233,19 @@ impl<T: Analytic + Copy> Series<T> {
         core::array::from_fn(|power| signed(self.spin[power][0][axis % 3]))
     }
 
+    /// What attitude (vector part first) and spin have changed by at `x` units of time.
+    pub(super) fn value(&self, x: T) -> [Four<T>; 2] {
+        let [mut q, mut w] = [[T::zero(); 4]; 2];
+        let powers = 1..=self.order;
+        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin[powers]).rev() {
+            for i in 0..4 {
+                q[i] = q[i] * x + attitude[i];
+                w[i] = w[i] * x + spin[0][i];
+            }
+        }
+        [q.map(|y| y * x), w.map(|y| y * x)]
+    }
+
     /// What attitude (vector part first) and spin have changed by, and at which rate they change, at `x`
     /// units of time.
     #[inline]

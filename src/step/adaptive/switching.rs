@@ -1,32 +1,24 @@
 //! Torques that begin and end: a run is made of pieces without a switch on the way.
 
-use crate::body::State;
-use crate::error::Error;
 use crate::number::Analytic;
 use crate::step::system::System;
 use crate::step::torque::{Torque, before_or_at};
+use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use num_traits::FromPrimitive;
 
-/// Goes `duration` seconds from `start` in pieces, each by `go` under the torques that act in all of it.
-pub(super) fn through<T: Analytic + Copy + FromPrimitive>(
+/// The system under the torques that act from the time `from` to the next switch on the way to `end`, s after
+/// the start of a run; and the time of this switch, or the end.
+pub(super) fn piece<T: Analytic + Copy + FromPrimitive>(
     system: &System<T>,
-    start: &State<T>,
-    duration: f64,
-    mut go: impl FnMut(&System<T>, &State<T>, f64) -> Result<State<T>, Error>,
-) -> Result<State<T>, Error> {
+    from: f64,
+    end: f64,
+) -> (Cow<'_, System<T>>, f64) {
     if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
-        return go(system, start, duration);
+        return (Cow::Borrowed(system), end);
     }
-    let (mut from, mut state) = (0.0, *start);
-    loop {
-        let until = next_switch(system, from, duration);
-        state = go(&acting(system, from, until), &state, until - from)?;
-        if until == duration {
-            return Ok(state);
-        }
-        from = until;
-    }
+    let until = next_switch(system, from, end);
+    (Cow::Owned(acting(system, from, until)), until)
 }
 
 /// The number with its sign.

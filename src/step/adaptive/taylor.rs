@@ -18,6 +18,7 @@ use num_traits::FromPrimitive;
 const TRIES: usize = 60;
 
 /// The series about the start of the last step.
+#[derive(Debug, Clone)]
 pub(super) struct Taylor<T: nalgebra::Scalar> {
     law: Law<T>,
     /// The same in units of time of this number of seconds, a power of two.
@@ -95,6 +96,21 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             share * columns.share(turned.iter().chain(&spun))
         });
         (end, largest(&[error, stretched, slopes]))
+    }
+}
+
+impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
+    /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
+    pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> State<T> {
+        let unit = Run::number(self.unit);
+        let [q, w] = self.series.value(Run::number(time / self.unit));
+        let s = &start.attitude.coords;
+        let mut there = State {
+            attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
+            momentum: Vector3::from_fn(|i, _| start.momentum[i] + self.law.moments[i] * w[i] / unit),
+        };
+        run.project(&mut there);
+        there
     }
 }
 
