@@ -29,8 +29,9 @@ fn whatever_is_left_out_makes_a_state_cheaper() {
     cheaper("two equal moments; spin alone", "three moments; spin alone", 0.7);
     cheaper("two equal moments; spin alone", "two equal moments", 0.6);
     cheaper("three moments; spin alone", GENERAL, 0.7);
-    cheaper(GENERAL, "three moments and a weight; to 1e-2", 0.9);
-    cheaper(GENERAL, "three moments and a weight; to 1e-8", 0.2);
+    // Few digits; and no torque, of what is done once: a state under a torque is a value of a series.
+    cheaper("three moments and a weight; to 1e-2", "three moments and a weight; to 1e-8", 0.8);
+    assert!(count(GENERAL, PLAN) < 0.1 * count("three moments and a weight; to 1e-2", PLAN));
     // The same for what is done once.
     for elementary in ["ball", "principal spin", "two equal moments", "two equal moments; spin alone"] {
         assert!(count(elementary, PLAN) < 0.2 * count(GENERAL, PLAN), "{elementary}");
@@ -49,8 +50,9 @@ fn the_record_is_of_the_strategies_that_are_chosen_today() {
         }
         "three moments; spin alone" => matches!(strategy, Strategy::EllipticSpin(_)),
         "three moments" => matches!(strategy, Strategy::Elliptic(_)),
-        "three moments and a weight; to 1e-2" => matches!(strategy, Strategy::FixedStep(_)),
-        "three moments and a weight; to 1e-8" => matches!(strategy, Strategy::Adaptive(_)),
+        "three moments and a weight; to 1e-2" | "three moments and a weight; to 1e-8" => {
+            matches!(strategy, Strategy::Adaptive(_))
+        }
         other => panic!("{other}"),
     };
     let scenes = scenes().unwrap();

@@ -39,10 +39,7 @@ impl Plan<'_> {
             Strategy::SymmetricTop(_) => Cost { once: 2900.0, state: 400.0 },
             Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 635.0 },
             Strategy::Elliptic(_) => Cost { once: ELLIPTIC, state: 1220.0 },
-            Strategy::FixedStep(one)
-            | Strategy::Stiff(one)
-            | Strategy::ExactDrift(one)
-            | Strategy::Adaptive(one) => driven(one),
+            Strategy::Stiff(one) | Strategy::ExactDrift(one) | Strategy::Adaptive(one) => driven(one),
         }
     }
 }

@@ -106,27 +106,36 @@ pub(crate) fn strategy(body: &Principal, scene: &Scene) -> Result<Strategy, Erro
     Ok(match control {
         StepControl::Tolerance(_) => Strategy::Adaptive(driven),
         StepControl::ExactDrift(_) => Strategy::ExactDrift(driven),
-        StepControl::Fixed(..) if stiff => Strategy::Stiff(driven),
-        StepControl::Fixed(..) => Strategy::FixedStep(driven),
+        StepControl::Fixed(..) => Strategy::Stiff(driven),
     })
 }
 
 /// What is worth a trial, in order.
 fn candidates(rates: &Rates, stiff: bool, scene: &Scene) -> Vec<StepControl> {
     let (spin, end) = (rates.spin, scene.times().end());
-    let pair = StepControl::Tolerance(first_tolerance(scene.accuracy()));
+    let series = StepControl::Tolerance(first_tolerance(scene.accuracy()));
     if stiff {
-        // Damping shortens the pair's steps, but its few may do. Of the others one takes the loss by its own
+        // Damping shortens the steps of series, but a few may do. Of the others one takes the loss by its own
         // law, one linearises it: which is better depends on what it works against. So all are tried, each
         // only while it may be cheaper than those before.
         let step = (0.1 / spin.max(10.0 / end)).min(end / INNER);
         let fixed = |method| StepControl::Fixed(method, step);
-        return vec![pair, fixed(Method::MoserVeselov8), fixed(Method::LinearisedImplicit)];
+        return vec![series, fixed(Method::MoserVeselov8), fixed(Method::LinearisedImplicit)];
     }
-    match cheapest(spin, rates.push + rates.loss / spin.max(f64::MIN_POSITIVE), end, scene) {
-        StepControl::Tolerance(_) => vec![pair],
-        // Should it not get there in reasonable steps, the pair may.
-        other => vec![other, pair],
+    let turned = (spin * end).max(1.0);
+    let push = rates.push + rates.loss / spin.max(f64::MIN_POSITIVE);
+    // The error of kicks goes with the square of the step, times the push.
+    let radians =
+        (12.0 * scene.accuracy() / (push * turned).max(f64::MIN_POSITIVE)).sqrt().min(turned / INNER);
+    let drift = StepControl::ExactDrift((radians / spin).min(end / INNER));
+    let states = scene.times().count();
+    let price =
+        |control: StepControl, radians: f64| control.price(states, (turned / radians).ceil() as usize);
+    if price(drift, radians) <= price(series, prices::RADIANS) {
+        // Should it not get there in reasonable steps, the series may.
+        vec![drift, series]
+    } else {
+        vec![series]
     }
 }
 
@@ -182,28 +191,6 @@ fn kinder(one: Error, other: Error) -> Error {
 /// Leaves room for a finer tolerance, so that there are two runs to compare.
 fn first_tolerance(accuracy: f64) -> f64 {
     (0.03 * accuracy).max(8.0 * LEAST_TOLERANCE)
-}
-
-/// By the known errors and costs: the error of kicks goes with the square of the step, times the push; a
-/// series takes steps of one length whatever the tolerance.
-fn cheapest(spin: f64, push: f64, end: f64, scene: &Scene) -> StepControl {
-    let (accuracy, turned) = (scene.accuracy(), (spin * end).max(1.0));
-    let least = scene.times().count() as f64;
-    let radians = (12.0 * accuracy / (push * turned).max(f64::MIN_POSITIVE)).sqrt().min(turned / INNER);
-    let price = |each: f64, radians: f64, least: f64| each * (turned / radians).max(least);
-    let turn = radians.min(0.25);
-    let step = |radians: f64| (radians / spin).min(end / INNER);
-    let tolerance = first_tolerance(accuracy);
-    let by_series = price(prices::series(tolerance), prices::RADIANS, 0.0) + prices::WITHIN * least;
-    let by_steps = price(prices::KICKED, turn, least);
-    let by_drift = price(prices::DRIFT, radians, least);
-    if by_steps <= by_series && by_steps <= by_drift {
-        StepControl::Fixed(Method::MoserVeselov8, step(turn))
-    } else if by_drift <= by_series {
-        StepControl::ExactDrift(step(radians))
-    } else {
-        StepControl::Tolerance(tolerance)
-    }
 }
 
 /// Times at which runs are compared, in order: some of those requested, evenly chosen, with the last, and

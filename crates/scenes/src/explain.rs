@@ -66,7 +66,7 @@ impl Plan<'_> {
             Strategy::SymmetricTop(_) => "the spin circles the axis evenly: one sine and cosine".into(),
             Strategy::EllipticSpin(_) => "the spin by Jacobi's functions".into(),
             Strategy::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
-            Strategy::FixedStep(driven) | Strategy::Stiff(driven) => {
+            Strategy::Stiff(driven) => {
                 let name = driven.method().map_or("", |method| method.info().name);
                 let torque = match driven.method() {
                     Some(Method::LinearisedImplicit) => "with the torque inside",
@@ -96,7 +96,6 @@ impl Plan<'_> {
             Strategy::SymmetricTop(_) => out.push("elliptic functions, since two moments are equal"),
             Strategy::EllipticSpin(_) | Strategy::Elliptic(_) => {}
             Strategy::ExactDrift(_) => out.push("small steps, since the torque is weak"),
-            Strategy::FixedStep(_) => out.push("control of the error, since a fixed step is enough"),
             Strategy::Adaptive(driven) if driven.stiff => {
                 out.push("steps that fast damping does not shorten: dearer to this accuracy, if they reach it at all");
             }

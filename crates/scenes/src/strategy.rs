@@ -31,8 +31,6 @@ pub enum Strategy {
     EllipticSpin(Box<FreeMotion>),
     /// The attitude too: theta functions.
     Elliptic(Box<FreeMotion>),
-    /// Steps of fixed length, with the torques as kicks between.
-    FixedStep(Driven),
     /// The exact free motion between kicks of the torques.
     ExactDrift(Driven),
     /// Taylor series with their error controlled.
@@ -45,10 +43,7 @@ impl Strategy {
     /// How a driven body is stepped.
     pub(crate) fn driven(&self) -> Option<&Driven> {
         match self {
-            Self::FixedStep(driven)
-            | Self::ExactDrift(driven)
-            | Self::Adaptive(driven)
-            | Self::Stiff(driven) => Some(driven),
+            Self::ExactDrift(driven) | Self::Adaptive(driven) | Self::Stiff(driven) => Some(driven),
             _ => None,
         }
     }
