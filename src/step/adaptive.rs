@@ -22,8 +22,6 @@ use alloc::vec::Vec;
 use columns::Slopes;
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
 pub use dense::AdaptiveRun;

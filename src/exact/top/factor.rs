@@ -14,8 +14,6 @@ use crate::exact::elliptic_motion::Ends;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{exp, exp_and_exp_m1, hypot, powi, sin_cos};
 use core::f64::consts::{FRAC_PI_2, PI};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 
 /// What each of the three is made from.
 #[derive(Debug, Clone, Copy)]

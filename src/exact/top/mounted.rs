@@ -5,8 +5,6 @@ use crate::error::{Error, Refusal};
 use crate::exact::kernel::unit;
 use crate::inertia::{Inertia, PrincipalMoments};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 
 /// How far two moments may differ, and an arm be off its axis, relative.
 const ROUNDING: f64 = 1e-14;

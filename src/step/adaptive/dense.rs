@@ -13,8 +13,9 @@ use alloc::vec::Vec;
 use num_traits::FromPrimitive;
 
 /// A run by the steps of [`adaptive`](fn@super::adaptive), whose states are requested one after another: its
-/// steps are as long as the tolerance permits, and a state between their ends is taken from the step's series
-/// (dense output), as accurate as the step. Where a torque is a function, a step ends at each state requested.
+/// steps are as long as the tolerance permits, and a state between their ends is taken from the step's
+/// series (dense output), as accurate as the step. Where a torque is a function, a step ends at each state
+/// that is requested.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
