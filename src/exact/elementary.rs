@@ -26,7 +26,11 @@ impl Turn {
 
     /// About the vector whose scaled components in twice the precision are given, at the rate of its length.
     pub(crate) fn along(vector: [DoubleDouble; 3]) -> Self {
-        let scale = exponent(vector.iter().fold(0.0, |m: f64, x| m.max(x.hi().abs())));
+        let largest = vector.iter().fold(0.0, |m: f64, x| m.max(x.hi().abs()));
+        if largest == 0.0 {
+            return Self::NONE;
+        }
+        let scale = exponent(largest);
         let scaled = vector.map(|x| x.scaled(-scale));
         let length = (scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]).sqrt();
         let direction = scaled.map(|x| (x / length).hi());

@@ -245,6 +245,19 @@ proptest! {
 }
 
 #[test]
+fn a_top_at_rest_upright_hanging_or_without_weight_stays_where_it_is() {
+    let moments = PrincipalMoments::new(1.0, 1.0, 0.5).unwrap();
+    for (w, x, weight) in [(1.0, 0.0, 2.0), (0.0, 1.0, 2.0), (0.8, 0.6, 0.0)] {
+        let start = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, 0.0, 0.0));
+        let top = LagrangeTop::new(moments, start, &Vector3::zeros(), &Vector3::z(), weight).unwrap();
+        for t in [1.5, -3e4] {
+            let Instant { omega, attitude } = top.at(t).unwrap();
+            assert!(apart(&attitude, &start) < 1e-15 && omega == Vector3::zeros(), "{w} {t}: {attitude}");
+        }
+    }
+}
+
+#[test]
 fn what_is_too_small_to_square_is_refused_and_not_taken_for_zero() {
     let tilted = |w: f64, x: f64, omega: [f64; 3], weight: f64| {
         let attitude = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, 0.0, 0.0));

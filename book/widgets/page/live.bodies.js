@@ -97,7 +97,7 @@ tumblingLive.bodies ??= (() => {
                 ground: mixed(bg, fg, 0.07),
                 edge: mixed(fg, bg, 0.35), fg: mixed(fg, fg, 0), bg: mixed(bg, bg, 0),
             });
-            for (const name of ["faint", "omega", "momentum", "separatrix", "axis-min", "axis-mid", "axis-max"]) {
+            for (const name of ["faint", "omega", "momentum", "separatrix", "axis-min", "axis-mid", "axis-max", "wrong"]) {
                 const colour = of(`--fig-${name}`);
                 colours[name] = mixed(colour, colour, 0);
             }

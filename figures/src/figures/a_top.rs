@@ -8,7 +8,7 @@ use tumbling::exact::LagrangeTop;
 
 /// The lean at which the top is let go, degrees, and its spin, rad/s.
 const LEAN: f64 = 30.0;
-const SPIN: f64 = 150.0;
+const SPIN: f64 = 200.0;
 
 /// Points at an angle from the vertical, all round it.
 fn round(angle: f64) -> impl Iterator<Item = Vector3<f64>> {
@@ -27,27 +27,27 @@ pub(super) fn draw() -> Drawing {
     let [highest, lowest] = top.lean();
     let seconds = TAU / top.precession_rate();
 
-    let canvas = Canvas::sized(500, 430);
-    let view = View::new((250.0, 380.0), 300.0, 8.0, 18.0);
+    let canvas = Canvas::sized(500, 400);
+    let view = View::new((240.0, 360.0), 350.0, 8.0, 30.0);
     let place = |p: &Vector3<f64>| view.at(p);
     for angle in [highest, lowest] {
         let ring: Vec<P> = round(angle).map(|p| place(&p)).collect();
         canvas.path(&ring, Pen::new(Ink::Text, 1.2).dashed());
     }
     let axis = |t: f64| top.attitude(t).map(|attitude| attitude * Vector3::z());
-    // From cusp to cusp, so that no nod is cut.
+    // It ends on the way down, between two cusps and short of a whole round.
     let period = top.period().unwrap_or(seconds);
-    let whole = (seconds / period).floor() * period;
+    let whole = ((seconds / period).floor() - 0.6) * period;
     let path = (0..=600).map(|i| Ok(place(&axis(whole * f64::from(i) / 600.0)?)));
     let path = path.collect::<Result<Vec<P>, tumbling::Error>>()?;
-    // The axis of its smallest moment.
-    canvas.path(&path, Pen::new(Ink::AxisMin, 2.6));
+    // The axis of its smallest moment. It ends with an arrow, so that one sees which way it goes round.
+    canvas.arrow_along(&path, Pen::new(Ink::AxisMin, 2.6));
     let (origin, tip) = (place(&Vector3::zeros()), place(&axis(0.0)?));
     canvas.arrow(origin, tip, Pen::new(Ink::Text, 3.4));
     canvas.disc(origin, 4.5, Fill::new(Ink::Text), None);
-    canvas.label((tip.0 + 12.0, tip.1 - 38.0), &Label::new("let go here"));
+    canvas.label((tip.0 - 96.0, tip.1 - 12.0), &Label::new("let go here"));
     canvas.label((origin.0 + 14.0, origin.1 + 4.0), &Label::new("the point stands still"));
-    let nods = whole / period;
+    let nods = (whole / period).ceil();
     Ok(Picture {
         canvas,
         description: format!(

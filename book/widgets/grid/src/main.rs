@@ -35,6 +35,7 @@ fn main() -> io::Result<()> {
     engines(&row, &mut ask)?;
     methods(&mut ask)?;
     tumble(&mut ask)?;
+    top(&row, &mut ask)?;
     for argument in std::env::args_os().skip(1) {
         record(&mut out, Path::new(&argument))?;
     }
@@ -247,6 +248,28 @@ fn methods(ask: &mut Ask<'_>) -> io::Result<()> {
                 for count in [1.0, 6.0, 25.0, 200.0] {
                     let run = [10.0, count, f64::from(method), 0.6, 0.0, -0.8, 0.0];
                     ask(name, answer, 1, &[&moments[..], &spin, &run].concat(), None)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The top from starts of every kind, near and odd, by the closed form and by steps.
+fn top(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
+    let (name, answer) = ("top", widget_top::answer as fn(u32, &Numbers) -> usize);
+    let why = || Some((|| widget_top::WHY.said()) as fn() -> String);
+    for spin in [0.0, 40.0, 113.2, 200.0, 400.0, -150.0, f64::NAN, 1e300] {
+        for lean in [0.0, 1.0, 30.0, 90.0, 150.0, 1e-80] {
+            for round in [0.0, 3.0, -12.5, f64::NAN, f64::INFINITY] {
+                let start = [spin, lean, round];
+                ask(name, answer, 0, &start, why())?;
+                ask(name, answer, 1, &[&start[..], &[0.0, 3.0, 40.0]].concat(), why())?;
+                ask(name, answer, 1, &[&start[..], &[1e6, 1e6, 1.0]].concat(), why())?;
+                ask(name, answer, 2, &start, why())?;
+                let state: [f64; 7] = row.take(0);
+                for (drag, step) in [(0.0, 1e-3), (1.0, 1e-3), (0.0, 0.02), (1.0, 0.5)] {
+                    ask(name, answer, 3, &[&[drag, step, 3.0, 40.0][..], &state].concat(), why())?;
                 }
             }
         }

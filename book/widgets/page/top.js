@@ -1,0 +1,389 @@
+// A top on its point: the path of its axis by the closed form, and over it the same in steps; with drag, in steps alone.
+"use strict";
+
+tumblingLive.widget("top", async (stage, from) => {
+    const { load, module, fixed, sayer } = tumblingLive;
+    const [top] = await Promise.all([module("top"), load(`${from}live.bodies.js`)]);
+    const { dot, rows, through, upright, orbit, palette, paper, path, paint, clock, dragged } = tumblingLive.bodies;
+    const control = (id) => stage.querySelector(`#top-${id}`);
+    const [play, scrub, pace, step, drag, spin, lean, push] = ["play", "scrub", "pace", "step", "drag", "spin", "lean", "push"].map(control);
+    const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
+    const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
+    const wrong = stage.querySelector(".live-wrong");
+    const say = sayer(stage);
+
+    /** What the buttons set: spin, lean, push (NaN: the steady rate), whether there is drag; and the speed at which it is best seen. */
+    const STARTS = {
+        "let-go": [200, 30, 0, false, 0.1],
+        steady: [200, 30, NaN, false, 0.1],
+        on: [200, 30, 3, false, 0.1],
+        back: [200, 30, -6, false, 0.1],
+        asleep: [140, 1, 0, true, 1],
+    };
+    const KINDS = [
+        "is free", "stands upright, asleep: a push stays small", "stands upright, but a push would grow", "hangs down", "goes round steadily, at one lean",
+        "draws waves: it always goes round the same way", "draws cusps: it stands still where it is highest", "draws loops: it goes back where it is highest",
+        "swings as a pendulum’s, without spin", "rises toward upright and falls back",
+    ];
+    const FINE = 0.004; // s from one sample to the next
+    const [PIECE, INSTANTS] = [800, 1000]; // as in top/src/lib.rs
+    const TRAIL = 3; // s of the path that are drawn
+    const [ASTRAY, UPRIGHT] = [5, 10]; // degrees
+    const [UNTIL, UNTIL_DRAGGED] = [1.5, 16];
+    const DEGREES = 180 / Math.PI;
+
+    const state = { t: 0, turn: 20, tilt: 28, steady: false, facts: null, exact: [], stepped: [], each: FINE, told: 0, solid: null };
+    const given = () => [Number(spin.value), Number(lean.value), state.steady ? NaN : Number(push.value)];
+    const until = () => (drag.checked ? UNTIL_DRAGGED : UNTIL);
+    /** Where a start is shown first: with the whole of its path, or while it may still sleep. */
+    const whole = () => (drag.checked ? 0.5 : UNTIL);
+    /** The axis of an attitude, and how far it leans, degrees. */
+    const axisOf = ([w, x, y, z]) => [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
+    const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(...a.map((x, k) => x - b[k]))));
+
+    /** A drum on a pin, the pin's end at 1; two quarters of the drum in another colour, so that it is seen to turn. */
+    function drum([radius, low, high]) {
+        const end = 1.9 * high;
+        const [places, model] = [[], []];
+        const AROUND = 24;
+        const round = (size, at) => Array.from({ length: AROUND }, (_, i) =>
+            places.push([size * Math.cos(2 * Math.PI * i / AROUND), size * Math.sin(2 * Math.PI * i / AROUND), at].map((x) => x / end)) - 1);
+        function cylinder(size, from, to, quarters) {
+            const [below, above] = [round(size, from), round(size, to)];
+            const [under, over] = [from, to].map((at) => places.push([0, 0, at / end]) - 1);
+            const kind = (i) => (quarters && Math.floor(4 * i / AROUND) % 2 === 1 ? "front" : "plain");
+            const faces = [];
+            for (let i = 0; i < AROUND; i += 1) {
+                const next = (i + 1) % AROUND;
+                const middle = 2 * Math.PI * (i + 0.5) / AROUND;
+                faces.push({ at: [below[i], below[next], above[next], above[i]], normal: [Math.cos(middle), Math.sin(middle), 0], kind: kind(i), smooth: true });
+                faces.push({ at: [over, above[i], above[next]], normal: [0, 0, 1], kind: kind(i), smooth: true });
+                faces.push({ at: [under, below[i], below[next]], normal: [0, 0, -1], kind: kind(i), smooth: true });
+            }
+            model.push({ faces, middle: places.push([0, 0, 0.5 * (from + to) / end]) - 1 });
+        }
+        cylinder(0.025 * end, 0, low, false);
+        cylinder(radius, low, high, true);
+        cylinder(0.025 * end, high, 0.97 * end, false);
+        return { model, lines: [], places: Float64Array.from(places.flat()) };
+    }
+
+    // ---- What the module answers.
+    /** The stepped motion, from its start to the end or as far as it goes: attitudes, the spin after each. */
+    function run() {
+        const h = Number(step.value) / 1000;
+        const each = Math.max(1, Math.round(FINE / h));
+        const count = Math.floor(until() / (each * h) + 1e-9);
+        let now = top.answer(2, ...given());
+        const samples = [[...now.slice(0, 4), given()[0]]];
+        while (samples.length <= count) {
+            const asked = Math.min(PIECE, count + 1 - samples.length);
+            const found = top.answer(3, Number(drag.checked), h, each, asked, ...now);
+            for (let i = 0; i < found[0]; i += 1) samples.push(Array.from(found.slice(8 + 5 * i, 13 + 5 * i)));
+            now = found.slice(1, 8);
+            if (found[0] < asked) break;
+        }
+        [state.stepped, state.each] = [samples, each * h];
+        state.axes = samples.map(axisOf);
+    }
+    /** The closed form, at the same instants as the finest samples. */
+    function closed() {
+        const count = Math.round(UNTIL / FINE);
+        state.exact = [];
+        for (let i = 0; i <= count; i += INSTANTS) {
+            const last = Math.min(i + INSTANTS - 1, count);
+            const found = top.answer(1, ...given(), i * FINE, last * FINE, last - i + 1);
+            for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found.slice(k, k + 4)));
+        }
+    }
+    const exactAt = (t) => top.answer(1, ...given(), t, t, 1);
+    /** The attitude that was stepped last before an instant; between fine steps, the one between its neighbours. */
+    function steppedAt(t) {
+        const place = Math.min(t / state.each, state.stepped.length - 1);
+        const i = Math.floor(place + 1e-9);
+        const [a, b] = [state.stepped[i], state.stepped[Math.min(i + 1, state.stepped.length - 1)]];
+        if (state.each > FINE) return a;
+        const sign = Math.sign(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]) || 1;
+        const part = Math.max(0, place - i);
+        const q = [0, 1, 2, 3].map((k) => (1 - part) * a[k] + part * sign * b[k]);
+        const size = Math.hypot(...q);
+        return [...q.map((x) => x / size), a[4]];
+    }
+
+    // ---- The top, and the path of its axis on a sphere around its point.
+    const colours = palette(stage, () => again());
+    const ink = () => (state.astray ? colours.wrong : colours["axis-min"]);
+    const body = paper(canvas("body"), (width) => Math.round(Math.min(0.95 * width, 340)), (pen, width, height) => {
+        if (!state.facts) return;
+        const { facts: { leans }, t } = state;
+        const low = Math.max(...(drag.checked ? [180] : leans)) > 80; // it needs the room below its point too
+        const eye = orbit(upright([0, 0, 1]), state.turn, state.tilt);
+        const scale = Math.max(Math.min((low ? 0.5 : 0.76) * height, 0.5 * width / (low ? 1 : 0.8)) - 12, 1);
+        const [cx, cy] = [width / 2, low ? height / 2 : height - 0.16 * height];
+        const at = (p) => [cx + scale * dot(eye[0], p), cy - scale * dot(eye[1], p)];
+        const near = (p) => dot(eye[2], p) >= 0;
+        /** A line over the sphere, of it what is on this side or what is behind. */
+        const line = (points, front, colour, wide, dim) => {
+            pen.strokeStyle = colour;
+            pen.lineWidth = wide;
+            pen.globalAlpha = (front ? 1 : 0.4) * dim;
+            pen.lineJoin = "round";
+            pen.beginPath();
+            for (let i = 1; i < points.length; i += 1) {
+                if ((near(points[i]) || near(points[i - 1])) !== front) continue;
+                if (i === 1 || (near(points[i - 1]) || near(points[Math.max(0, i - 2)])) !== front) pen.moveTo(...at(points[i - 1]));
+                pen.lineTo(...at(points[i]));
+            }
+            pen.stroke();
+            pen.globalAlpha = 1;
+        };
+        const now = Math.min(Math.floor(t / state.each + 1e-9), state.axes.length - 1);
+        const trail = state.axes.slice(Math.max(0, now - Math.round(TRAIL / state.each)), now + 1);
+        const lines = (front) => {
+            if (!drag.checked) {
+                pen.setLineDash([5, 4]);
+                for (const angle of leans) {
+                    const [sin, cos] = [Math.sin(angle / DEGREES), Math.cos(angle / DEGREES)];
+                    line(Array.from({ length: 73 }, (_, i) => [sin * Math.cos(Math.PI * i / 36), sin * Math.sin(Math.PI * i / 36), cos]), front, colours.fg, 1, 0.8);
+                }
+                pen.setLineDash([]);
+                line(state.exact, front, colours.faint, 6, 0.55);
+            }
+            line(trail, front, ink(), 1.8, 1);
+        };
+        // The stand, below the point.
+        pen.strokeStyle = colours.faint;
+        pen.lineWidth = 3;
+        path(pen, [[cx, cy + 3], [cx, height]]);
+        pen.stroke();
+        lines(false);
+        const q = drag.checked ? steppedAt(t) : exactAt(t);
+        const tip = axisOf(q);
+        const painted = () => paint(pen, colours, state.solid, through(eye, rows(q)), [cx, cy], scale);
+        const shows = near(tip) ? null : painted();
+        lines(true);
+        canvas("body").shows = { // for those who test it
+            body: shows ?? painted(), turn: state.turn, tilt: state.tilt, tip, trail, exact: state.exact,
+        };
+        pen.fillStyle = ink();
+        pen.beginPath();
+        pen.arc(...at(state.axes[now]), 4.5, 0, 2 * Math.PI);
+        pen.fill();
+    });
+
+    // ---- The lean over time.
+    const EDGE = 8; // half a slider's thumb
+    const across = (t, width) => 44 + (t / until()) * (width - 44 - EDGE);
+    const curve = paper(canvas("lean"), (width) => Math.round(Math.min(0.62 * width, 260)), (pen, width, height) => {
+        curve.prepare();
+        if (!state.facts) return;
+        pen.strokeStyle = colours.fg;
+        pen.lineWidth = 1.4;
+        path(pen, [[across(state.t, width), 8], [across(state.t, width), height - 24]]);
+        pen.stroke();
+    }, (pen, width, height) => {
+        if (!state.facts) return;
+        const stepped = state.axes.map(leanOf);
+        const exact = drag.checked ? [] : state.exact.map(leanOf);
+        const all = drag.checked ? stepped : [...exact, ...stepped];
+        const most = all.reduce((a, b) => Math.max(a, b), 0);
+        const least = all.reduce((a, b) => Math.min(a, b), 180);
+        const room = Math.max(0.08 * (most - least), 0.5);
+        const [low, high] = [Math.max(0, least - room), most + room];
+        const y = (angle) => 8 + (height - 32) * (angle - low) / (high - low); // down, as the axis sinks
+        pen.font = colours.font;
+        pen.lineWidth = 1;
+        pen.fillStyle = colours.fg;
+        pen.textAlign = "right";
+        const by = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60].find((by) => (high - low) / by <= 6) ?? 60;
+        for (let angle = Math.ceil(low / by) * by; angle <= high; angle += by) {
+            pen.strokeStyle = colours.faint;
+            pen.globalAlpha = 0.5;
+            path(pen, [[44, y(angle)], [width - EDGE, y(angle)]]);
+            pen.stroke();
+            pen.globalAlpha = 1;
+            pen.fillText(`${fixed(angle, by < 1 ? 1 : 0)}°`, 40, y(angle) + 5);
+        }
+        for (let t = 0; t <= until(); t += drag.checked ? 4 : 0.5) {
+            pen.textAlign = t === until() ? "right" : "center";
+            pen.fillText(`${t} s`, across(t, width), height - 5);
+        }
+        const draw = (leans, each, colour, wide, dim) => {
+            pen.strokeStyle = colour;
+            pen.lineWidth = wide;
+            pen.globalAlpha = dim;
+            pen.lineJoin = "round";
+            path(pen, leans.map((angle, i) => [across(i * each, width), y(angle)]));
+            pen.stroke();
+            pen.globalAlpha = 1;
+        };
+        draw(exact, FINE, colours.faint, 6, 0.55);
+        draw(stepped, state.each, ink(), 1.8, 1);
+        if (drag.checked && state.wakes > 0) {
+            pen.strokeStyle = pen.fillStyle = colours.separatrix;
+            pen.setLineDash([4, 3]);
+            path(pen, [[across(state.wakes, width), 8], [across(state.wakes, width), height - 24]]);
+            pen.stroke();
+            pen.setLineDash([]);
+            pen.textAlign = "left";
+            pen.fillText("critical spin", across(state.wakes, width) + 6, height - 32);
+        }
+    });
+    function again() {
+        body.draw();
+        curve.prepare();
+        curve.draw();
+    }
+
+    // ---- What is shown.
+    /** Prepares the motion of what the controls are set to; says what it is. */
+    function begin() {
+        const found = top.answer(0, ...given());
+        const why = found ? null : `${top.words()}.${state.facts ? " The drawings are of the last start that was right." : ""}`;
+        wrong.hidden = why === null;
+        wrong.textContent = why ?? "";
+        for (const picture of ["body", "lean"]) canvas(picture).classList.toggle("live-dim", why !== null);
+        caption(found);
+        if (!found) {
+            pause();
+            state.facts = null;
+            for (const what of ["kind", "leans", "nods", "round", "critical", "now"]) shown(what).textContent = "none";
+            return wrong.textContent;
+        }
+        const [kind, least, greatest, period, round, , critical, ...shape] = found;
+        state.facts = { kind, leans: [least, greatest], critical };
+        state.solid ??= drum(shape);
+        run();
+        closed();
+        const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
+        state.wakes = wakes < 0 ? NaN : wakes * state.each;
+        state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
+            || state.axes.some((axis, i) => !(between(axis, state.exact[Math.min(Math.round(i * state.each / FINE), state.exact.length - 1)]) < ASTRAY)));
+        shown("closed").hidden = drag.checked;
+        shown("stepped").className = state.astray ? "live-key-wrong" : "live-key-stepped";
+        shown("stepped").textContent = drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped";
+        const angle = (x) => `${fixed(x, 1)}°`;
+        shown("kind").textContent = !drag.checked ? KINDS[kind] : Number(lean.value) > UPRIGHT ? "sinks, as the drag takes the spin"
+            : Number(spin.value) < critical ? "sways: the spin is below the critical one" : "stands asleep, until the spin is below the critical one";
+        shown("leans").textContent = greatest - least < 0.05 ? angle(greatest) : `${angle(least)} to ${angle(greatest)}`;
+        shown("nods").textContent = Number.isNaN(period) || kind === 4 ? "never" : `${fixed(period, 3)} s`;
+        shown("round").textContent = `${fixed(round, 2)} rad/s`;
+        for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
+        shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
+        scrub.max = until();
+        return at(Math.min(state.t, until()));
+    }
+    /** The numbers beside the sliders, and which button they are as. */
+    function caption(found) {
+        const tell = (input, what, text) => {
+            shown(what).textContent = text;
+            input.setAttribute("aria-valuetext", text);
+        };
+        if (state.steady && found) push.value = found[5];
+        tell(spin, "spin", `${spin.value} rad/s`);
+        tell(lean, "lean", `${lean.value}°`);
+        tell(push, "push", state.steady ? (found ? `${fixed(found[5], 2)} rad/s, the steady rate` : "no steady rate") : Number(push.value) === 0 ? "not at all" : `${fixed(Number(push.value), 1)} rad/s`);
+        for (const button of stage.querySelectorAll("[data-start]")) {
+            const set = STARTS[button.dataset.start];
+            const same = [...given(), drag.checked].every((x, i) => Object.is(x, set[i]) || x === set[i]);
+            button.setAttribute("aria-pressed", String(same));
+        }
+    }
+    /** Shows an instant; returns it in words. */
+    function at(t) {
+        if (!state.facts) return wrong.textContent;
+        [state.t, scrub.value] = [t, t];
+        body.draw();
+        curve.draw();
+        const now = performance.now();
+        if (clocked.playing() && now - state.told < 100) return "";
+        state.told = now;
+        const sample = steppedAt(t);
+        const stopped = t > state.axes.length * state.each;
+        const lasting = drag.checked ? axisOf(sample) : axisOf(exactAt(t));
+        const off = between(axisOf(sample), lasting);
+        const angle = (x) => (x < 0.01 ? "less than 0.01°" : `${fixed(x, x < 1 ? 2 : 0)}°`);
+        const words = drag.checked
+            ? `leans by ${fixed(leanOf(lasting), 1)}°, spins at ${fixed(sample[4], 0)} rad/s`
+            : `leans by ${fixed(leanOf(lasting), 1)}°; the stepped axis is ${stopped ? "lost: its numbers have grown too large" : `off by ${angle(off)}`}`;
+        shown("now").textContent = words;
+        scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s, ${words}`);
+        return `Its axis ${shown("kind").textContent}. After ${fixed(t, 2)} s it ${words}.`;
+    }
+    const clocked = clock(stage, play, {
+        step: 0.5,
+        go(seconds) {
+            if (!state.facts) return false;
+            at((state.t + Number(pace.value) * seconds) % until());
+            return true;
+        },
+        rested: () => { state.told = 0; at(state.t); },
+        pressed: () => say(at(state.t)),
+    });
+    function pause() {
+        clocked.pause();
+    }
+
+    // ---- The address keeps a start.
+    const MARK = "#top?";
+    let later = 0;
+    function keep() {
+        clearTimeout(later);
+        const said = { spin: spin.value, lean: lean.value, push: state.steady ? "steady" : push.value, drag: Number(drag.checked), step: step.value };
+        // Browsers count how often an address changes.
+        later = setTimeout(() => history.replaceState(null, "", MARK + new URLSearchParams(said)), 400);
+    }
+    function fromAddress() {
+        if (!location.hash.startsWith(MARK)) return;
+        const said = new URLSearchParams(location.hash.slice(MARK.length));
+        for (const [name, field] of Object.entries({ spin, lean, push })) {
+            if (said.get(name) && Number.isFinite(Number(said.get(name)))) field.value = said.get(name);
+        }
+        if ([...step.options].some(({ value }) => value === said.get("step"))) step.value = said.get("step");
+        state.steady = said.get("push") === "steady";
+        drag.checked = said.get("drag") === "1";
+    }
+
+    const change = () => {
+        say(begin());
+        keep();
+    };
+    for (const field of [spin, lean, step]) field.addEventListener("input", change);
+    drag.addEventListener("input", () => {
+        state.t = whole();
+        change();
+    });
+    push.addEventListener("input", () => {
+        state.steady = false;
+        change();
+    });
+    for (const button of stage.querySelectorAll("[data-start]")) {
+        button.addEventListener("click", () => {
+            pause();
+            let pushed;
+            [spin.value, lean.value, pushed, drag.checked, pace.value] = STARTS[button.dataset.start];
+            state.steady = Number.isNaN(pushed);
+            if (!state.steady) push.value = pushed;
+            state.t = whole();
+            change();
+        });
+    }
+    scrub.addEventListener("input", () => {
+        pause();
+        say(at(Number(scrub.value)));
+    });
+    dragged(canvas("body"), (right, down) => {
+        state.turn += 0.5 * right;
+        state.tilt = Math.max(-80, Math.min(80, state.tilt + 0.5 * down));
+        body.draw();
+    });
+    addEventListener("hashchange", () => {
+        fromAddress();
+        state.t = whole();
+        begin();
+    });
+    fromAddress();
+    state.t = whole();
+    begin();
+});
