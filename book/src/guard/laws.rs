@@ -389,6 +389,61 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
             notation: &[],
         },
     ),
+    (
+        "errata",
+        Expected {
+            laws: &[],
+            exemptions: &[],
+            notation: &[
+                exempt(r"\Delta_j = G^2 - 2\,T I_j", "an abbreviation of the notes"),
+                exempt(r"I_j\,\Delta_h/(I_j - I_h)", "an abbreviation of the notes"),
+                exempt(
+                    r"(\sigma B_{13}\operatorname{dn},\ -B_{21}\operatorname{sn},\ B_{31}\operatorname{cn})",
+                    "the notes' momentum; proven as errata-rate-about-the-smallest-axis",
+                ),
+                exempt(r"\lambda t - \nu", "the notes' argument"),
+                exempt(r"\lambda = -\sigma\lambda_3", "proven as errata-rate-about-the-smallest-axis"),
+                exempt(r"\lambda = -\sigma\lambda_1", "proven as errata-rate-about-the-largest-axis"),
+                exempt(r"G^2 = 2\,T I_2", "held by the assertion below"),
+                exempt(r"\dot\psi = (2\,T + G\,m_3/I_3)/(G + m_3)", "proven as errata-rate-of-the-angle"),
+                exempt("B_{31}/G", "a factor of the angle below"),
+                exempt("n = -(B_{31}/B_{13})^2", "proven as errata-sign-of-the-angle"),
+                exempt(r"G\,t/I_3", "proven as errata-sign-of-the-angle"),
+                exempt(r"G\,(I_3 - I_1)/(\lambda I_1 I_3)", "proven as errata-sign-of-the-angle"),
+                exempt(
+                    r"\Pi(\operatorname{am}, n, k) - \frac{B_{31}}{G}\,\frac{B_{13}}{B_{21}}\operatorname{arctan}\left(\frac{B_{21}}{B_{13}}\operatorname{sd}\right)",
+                    "proven as errata-sign-of-the-angle",
+                ),
+                exempt(
+                    r"1/(1 - n\operatorname{tanh}^2)",
+                    "the notes' integrand; errata-characteristic-on-the-separatrix",
+                ),
+                exempt(
+                    "n = G^4/(B_{21}^2 B_{23}^2)",
+                    "proven to be one as errata-characteristic-on-the-separatrix",
+                ),
+                exempt("1 - n", "what the notes divide by"),
+                exempt(r"2\,T t/G", "the rate above about the middle axis, where G² is 2 T I2"),
+                exempt(
+                    r"\frac{M}{I_3}\left(1 + \frac{I_{32}\,I_{31}}{I_1 I_{32} + I_3 I_{21}\operatorname{sn}^2}\right)",
+                    "proven as errata-precession",
+                ),
+                exempt("I_{jh} = I_j - I_h", "an abbreviation of Orekit's"),
+                exempt(
+                    r"(o_1\operatorname{cn},\ o_2\operatorname{sn},\ o_3\operatorname{dn})",
+                    "Orekit's spin; proven as errata-acceleration",
+                ),
+                exempt(
+                    r"\operatorname{cn}\operatorname{dn}",
+                    "Orekit's derivative; refuted as errata-acceleration",
+                ),
+                exempt(
+                    r"-\operatorname{sn}\operatorname{dn}",
+                    "Orekit's derivative; refuted as errata-acceleration",
+                ),
+            ],
+        },
+    ),
     ("glossary", Expected { laws: &[laws::GYROSCOPIC_TORQUE], exemptions: &[], notation: &[] }),
 ];
 
