@@ -410,8 +410,9 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = &[
                 exempt("n = -(B_{31}/B_{13})^2", "proven as errata-sign-of-the-angle"),
                 exempt(r"G\,t/I_3", "proven as errata-sign-of-the-angle"),
                 exempt(r"G\,(I_3 - I_1)/(\lambda I_1 I_3)", "proven as errata-sign-of-the-angle"),
+                exempt(r"\Pi(\operatorname{am}, n, k)", "proven as errata-sign-of-the-angle"),
                 exempt(
-                    r"\Pi(\operatorname{am}, n, k) - \frac{B_{31}}{G}\,\frac{B_{13}}{B_{21}}\operatorname{arctan}\left(\frac{B_{21}}{B_{13}}\operatorname{sd}\right)",
+                    r"\frac{B_{31}\,B_{13}}{G\,B_{21}}\operatorname{arctan}\left(\frac{B_{21}}{B_{13}}\operatorname{sd}\right)",
                     "proven as errata-sign-of-the-angle",
                 ),
                 exempt(

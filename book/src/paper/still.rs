@@ -16,7 +16,7 @@ struct Still {
     live: &'static str,
 }
 
-const STILLS: [Still; 10] = [
+const STILLS: [Still; 11] = [
     Still {
         widget: "toss",
         figure: "three-tosses",
@@ -29,6 +29,7 @@ const STILLS: [Still; 10] = [
         figure: "polhodes",
         live: "describe a body of your own; the command `cargo run -- report FILE.toml` does the same",
     },
+    Still { widget: "top", figure: "a-top", live: "set the spin, the lean and the push of the top" },
     Still { widget: "turning", figure: "turning-tensor", live: "turn the box and read its tensor" },
     Still { widget: "pitfalls", figure: "engines-paths", live: "watch the four engines side by side" },
     Still {

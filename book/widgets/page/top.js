@@ -159,13 +159,10 @@ tumblingLive.widget("top", async (stage, from) => {
         pen.stroke();
         lines(false);
         const q = drag.checked ? steppedAt(t) : exactAt(t);
-        const tip = axisOf(q);
-        const painted = () => paint(pen, colours, state.solid, through(eye, rows(q)), [cx, cy], scale);
-        const shows = near(tip) ? null : painted();
+        // The top is inside the sphere: what is on this side of it is nearer.
+        const painted = paint(pen, colours, state.solid, through(eye, rows(q)), [cx, cy], scale);
         lines(true);
-        canvas("body").shows = { // for those who test it
-            body: shows ?? painted(), turn: state.turn, tilt: state.tilt, tip, trail, exact: state.exact,
-        };
+        canvas("body").shows = { body: painted, turn: state.turn, tilt: state.tilt, trail, exact: state.exact }; // for those who test it
         pen.fillStyle = ink();
         pen.beginPath();
         pen.arc(...at(state.axes[now]), 4.5, 0, 2 * Math.PI);

@@ -19,9 +19,10 @@ pub(super) fn draw() -> Drawing {
     let ratios = || (0..=120).map(|k| 0.05 * 400_f64.powf(f64::from(k) / 120.0));
     plot.curve(ratios().map(|x| (x, terms(-PI * x))), Pen::new(Ink::Text, 3.0))?;
     plot.curve(ratios().map(|x| (x, terms(-PI / x))), Pen::new(Ink::Separatrix, 3.0).dashed())?;
-    canvas.label(plot.at(0.075, 12.5), &Label::new("direct series"));
+    canvas.label(plot.at(0.095, 12.5), &Label::new("direct series"));
     canvas.label(plot.at(0.9, 12.5), &Label::new("complementary series").ink(Ink::Separatrix));
-    canvas.label(plot.at(0.06, 0.6), &Label::new("← separatrix").ink(Ink::Faint));
+    canvas.label(plot.at(0.054, 3.2), &Label::new("← separatrix"));
+    canvas.label(plot.at(3.3, 3.6), &Label::new("small wobble →"));
     Ok(Picture {
         canvas,
         description: "Number of terms that reach rounding against the ratio of the quarter periods. Towards the separatrix, on the left, \
