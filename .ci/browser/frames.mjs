@@ -35,6 +35,7 @@ const body = (value) => (page) => page.selectOption("#tumble-body", value);
 const MOVING = [
   ...["the box", "the book", "the phone", "the racket", "the wing nut"].map((name, i) =>
     ({ says: `tumble, ${name}`, on: "dzhanibekov.html", widget: "tumble", first: body(String(i)), go: played("tumble") })),
+  { says: "top, let go", on: "a-top.html", widget: "top", go: played("top") },
   { says: "pitfalls", on: "three-pitfalls.html", widget: "pitfalls", first: (page) => page.click('[data-start="3"]'), go: played("pitfalls") },
   { says: "two arrows, turned", on: "two-arrows.html", widget: "two-arrows", go: moved("#two-arrows-spin") },
   { says: "your box, an edge changed", on: "worked-example.html", widget: "your-box", go: moved("#your-box-a") },

@@ -171,14 +171,12 @@ tumblingLive.widget("top", async (stage, from) => {
 
     // ---- The lean over time.
     const EDGE = 8; // half a slider's thumb
+    const cursor = stage.querySelector(".tumble-cursor");
     const across = (t, width) => 44 + (t / until()) * (width - 44 - EDGE);
     const curve = paper(canvas("lean"), (width) => Math.round(Math.min(0.62 * width, 260)), (pen, width, height) => {
-        curve.prepare();
-        if (!state.facts) return;
-        pen.strokeStyle = colours.fg;
-        pen.lineWidth = 1.4;
-        path(pen, [[across(state.t, width), 8], [across(state.t, width), height - 24]]);
-        pen.stroke();
+        // The browser moves it without painting.
+        cursor.style.height = `${height - 28}px`;
+        cursor.style.transform = `translateX(${across(state.t, width).toFixed(1)}px)`;
     }, (pen, width, height) => {
         if (!state.facts) return;
         const stepped = state.axes.map(leanOf);
@@ -269,6 +267,7 @@ tumblingLive.widget("top", async (stage, from) => {
         for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
         shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
         scrub.max = until();
+        curve.prepare();
         return at(Math.min(state.t, until()));
     }
     /** The numbers beside the sliders, and which button they are as. */
@@ -315,11 +314,22 @@ tumblingLive.widget("top", async (stage, from) => {
             at((state.t + Number(pace.value) * seconds) % until());
             return true;
         },
-        rested: () => { state.told = 0; at(state.t); },
+        rested() {
+            state.told = 0;
+            coarsen(1);
+            at(state.t);
+        },
+        // Where half of the frames come late, the top is drawn coarser while it moves.
+        late: () => body.coarse > 0.5 && coarsen(body.coarse * 0.7),
         pressed: () => say(at(state.t)),
     });
     function pause() {
         clocked.pause();
+    }
+    function coarsen(to) {
+        if (body.coarse === to) return;
+        body.coarse = to;
+        body.measure();
     }
 
     // ---- The address keeps a start.

@@ -23,8 +23,8 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(NARROW, 420);
     let (top, apart) = (20.0, 38.0);
     let bottom = top + apart * ROWS.len() as f64;
-    let plot = Plot::new(&canvas, 206.0, top, 484.0, bottom, Scale::log(50.0..5e4), Scale::linear(0.0..1.0));
-    plot.x_axis((2..=4).map(|n| (10_f64.powi(n), raised(n))), "processor instructions for a state");
+    let plot = Plot::new(&canvas, 206.0, top, 484.0, bottom, Scale::log(50.0..3e5), Scale::linear(0.0..1.0));
+    plot.x_axis((2..=5).map(|n| (10_f64.powi(n), raised(n))), "processor instructions for a state");
     let mut sentences = Vec::new();
     for (k, (row, words, attitude)) in ROWS.into_iter().enumerate() {
         let count = value(&rows, "executed", row, STATE).ok_or_else(|| format!("no count of {row}"))?;
