@@ -1194,6 +1194,7 @@ async function top(page, wants) {
     await set(page, "#top-lean", 1);
     await set(page, "#top-spin", spin);
     wants(`tilted, at ${spin} it leans by ${await tell("leans")}, the text ${angle}`, (await tell("leans")) === `1.0° to ${angle}`);
+    wants(`and its axis ${await tell("kind")}`, (await tell("kind")).startsWith("is asleep") === Number(spin) > Number(critical));
   }
 
   // Asleep, it wakes when the drag has taken enough of the spin.

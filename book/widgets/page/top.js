@@ -259,7 +259,8 @@ tumblingLive.widget("top", async (stage, from) => {
         shown("stepped").className = state.astray ? "live-key-wrong" : "live-key-stepped";
         shown("stepped").textContent = drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped";
         const angle = (x) => `${fixed(x, 1)}°`;
-        shown("kind").textContent = !drag.checked ? KINDS[kind] : Number(lean.value) > UPRIGHT ? "sinks, as the drag takes the spin"
+        const asleep = kind > 3 && greatest < UPRIGHT && Number(spin.value) >= critical;
+        shown("kind").textContent = !drag.checked ? (asleep ? "is asleep, and " : "") + KINDS[kind] : Number(lean.value) > UPRIGHT ? "sinks, as the drag takes the spin"
             : Number(spin.value) < critical ? "sways: the spin is below the critical one" : "stands asleep, until the spin is below the critical one";
         shown("leans").textContent = greatest - least < 0.05 ? angle(greatest) : `${angle(least)} to ${angle(greatest)}`;
         shown("nods").textContent = Number.isNaN(period) || kind === 4 ? "never" : `${fixed(period, 3)} s`;
