@@ -9,6 +9,7 @@ mod law;
 mod logarithm;
 mod pair;
 mod series;
+mod sums;
 mod switching;
 mod taylor;
 

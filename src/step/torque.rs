@@ -5,7 +5,7 @@ mod named;
 pub(in crate::step) use named::before_or_at;
 
 use crate::attitude;
-use crate::error::{Error, Refusal, finite_vector, not_negative};
+use crate::error::{Error, Refusal, finite, finite_vector, not_negative};
 use crate::number::Analytic;
 use alloc::boxed::Box;
 use alloc::sync::Arc;
@@ -45,6 +45,30 @@ pub enum Torque<T: nalgebra::Scalar> {
         /// How fast `n` turns, in world axes, rad/s: the rate of the orbit about its normal; zero where `n`
         /// stands still.
         orbit: Vector3<T>,
+    },
+    /// `amplitude cos(rate t + phase)`, with `t` the time of the [`Stepper`](crate::step::Stepper): a motor
+    /// that pushes to and fro; two of them make a push that turns round in the body.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // 2 N m cos(3 t) about z on 4 kg m², from rest.
+    /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
+    /// let motor = Torque::Periodic { amplitude: Vector3::z() * 2.0, rate: 3.0, phase: 0.0 };
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([motor])?;
+    /// stepper.step(5.0)?;
+    /// assert!((stepper.omega().z - 2.0 / 4.0 * 15.0_f64.sin() / 3.0).abs() < 1e-11);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    Periodic {
+        /// Along the body's axes, N m.
+        amplitude: Vector3<T>,
+        /// rad/s.
+        rate: T,
+        /// rad.
+        phase: T,
     },
     /// A torque from one time to another, from [`Torque::during`].
     During {
@@ -127,6 +151,10 @@ impl<T: Analytic> Torque<T> {
                 momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
             }
             Self::GravityGradient { .. } => self.gradient(inverse, time, rotation),
+            Self::Periodic { amplitude, rate, phase } => {
+                let (_, swing) = (rate.clone() * time.clone() + phase.clone()).sin_cos();
+                amplitude.map(|x| x * swing.clone())
+            }
             Self::During { torque, .. } if self.acts_at(time) => {
                 torque.inner(inverse, time, rotation, momentum, omega)
             }
@@ -160,8 +188,12 @@ impl<T: Analytic> Torque<T> {
         h: T,
     ) -> Vector3<T> {
         match self {
-            Self::InBody(_) | Self::InWorld(_) | Self::Aligning { .. } | Self::GravityGradient { .. } => {
-                // None of the four looks at the spin.
+            Self::InBody(_)
+            | Self::InWorld(_)
+            | Self::Aligning { .. }
+            | Self::GravityGradient { .. }
+            | Self::Periodic { .. } => {
+                // None of these looks at the spin.
                 momentum + self.at(inverse, time, rotation, momentum, momentum).map(|x| x * h.clone())
             }
             Self::During { torque, .. } if self.acts_at(time) => {
@@ -248,6 +280,11 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
                 }
                 Ok(())
             }
+            Self::Periodic { amplitude, rate, phase } => {
+                finite_vector("the torque", &vector(amplitude))?;
+                finite("the rate of a periodic torque", number(rate))?;
+                finite("the phase of a periodic torque", number(phase)).map(drop)
+            }
             Self::During { start, end, torque } => {
                 let [start, end] = [start, end].map(number);
                 if start.is_nan() || end.is_nan() || start > end {
@@ -272,6 +309,9 @@ impl<T: Analytic + Send + Sync> Torque<T> {
         Ok(match self {
             Self::InBody(torque) => Self::InBody(turned(torque)),
             Self::Aligning { arm, field } => Self::Aligning { arm: turned(arm), field: field.clone() },
+            Self::Periodic { amplitude, rate, phase } => {
+                Self::Periodic { amplitude: turned(amplitude), rate: rate.clone(), phase: phase.clone() }
+            }
             Self::Damping(c) if c.x != c.y || c.y != c.z => {
                 return Err(Refusal::Undefined {
                     what: "damping that differs from axis to axis",

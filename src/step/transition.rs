@@ -99,6 +99,11 @@ fn carried(torque: &Torque<f64>) -> Result<Torque<Dual>, Error> {
             direction: vector(direction),
             orbit: vector(orbit),
         },
+        Torque::Periodic { amplitude, rate, phase } => Torque::Periodic {
+            amplitude: vector(amplitude),
+            rate: Dual::from(*rate),
+            phase: Dual::from(*phase),
+        },
         Torque::During { start, end, torque } => Torque::During {
             start: Dual::from(*start),
             end: Dual::from(*end),

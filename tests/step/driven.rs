@@ -101,6 +101,58 @@ fn every_named_torque_together_moves_a_body_as_the_function_that_says_the_same()
 }
 
 #[test]
+fn a_periodic_torque_moves_a_body_as_the_function_that_says_the_same() {
+    let moments = PrincipalMoments::new(1.0, 1.7, 2.4).unwrap();
+    let (arm, weight) = (Vector3::new(0.1, -0.2, 0.4), 1.5);
+    let start = State {
+        attitude: UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1).into_inner(),
+        momentum: Vector3::new(0.5, 3.0, -0.4),
+    };
+    // One turning in the body by two of the same rate; another rate; and one more than the series hold.
+    let all = [
+        (Vector3::new(0.5, 0.0, 0.2), 2.5, 0.3),
+        (Vector3::new(0.1, -0.4, 0.0), 2.5, 0.3 - std::f64::consts::FRAC_PI_2),
+        (Vector3::new(0.2, 0.3, -0.6), -7.0, 1.2),
+        (Vector3::new(0.3, 0.1, 0.2), 4.0, -2.0),
+    ];
+    for count in [1, 3, 4] {
+        let pushes = all[..count].to_vec();
+        let named =
+            pushes.iter().map(|&(amplitude, rate, phase)| Torque::Periodic { amplitude, rate, phase });
+        let mut named: Vec<_> = named.collect();
+        named.push(Torque::gravity(&arm, weight));
+        let law = move |time: f64, rotation: &Matrix3<f64>, _: &Vector3<f64>| {
+            let sum: Vector3<f64> =
+                pushes.iter().map(|(a, rate, phase)| a * (rate * time + phase).cos()).sum();
+            sum + arm.cross(&(rotation.transpose() * Vector3::new(0.0, 0.0, -weight)))
+        };
+        let [series, function] = [named, vec![Torque::function(law)]].map(|torques| {
+            let system = System::with(moments, torques).unwrap();
+            [9.0, -4.0].map(|t| adaptive(&system, &start, t, 1e-13, &mut 100_000).unwrap())
+        });
+        for (series, function) in series.iter().zip(&function) {
+            assert!(off(series, function) < 1e-10, "{count}: {:e}", off(series, function));
+        }
+    }
+    // About a principal axis the spin is the torque's integral over the moment, and its changes of sign are
+    // known: cos(2 t) integrates to zero at each half turn.
+    let push = Torque::Periodic { amplitude: Vector3::y() * 3.0, rate: 2.0, phase: 0.0 };
+    let body = Body::spinning(moments.into(), UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap().with_torques([push]).unwrap();
+    let flips = stepper.flips(5.0).unwrap();
+    assert!((stepper.omega().y - 1.5 / 1.7 * 10.0_f64.sin()).abs() < 1e-11);
+    assert_eq!(flips.len(), 3);
+    for (k, flip) in flips.iter().enumerate() {
+        assert!((flip - (k as f64 + 1.0) * std::f64::consts::FRAC_PI_2).abs() < 1e-10, "{flip}");
+    }
+    for (rate, phase) in [(f64::NAN, 0.0), (1.0, f64::INFINITY)] {
+        let bad = Torque::Periodic { amplitude: Vector3::y(), rate, phase };
+        let refused = System::with(moments, vec![bad]).unwrap_err().to_string();
+        assert!(refused.contains("of a periodic torque"), "{refused}");
+    }
+}
+
+#[test]
 fn a_run_forth_and_back_under_lossless_torques_returns_to_its_start() {
     let torques = vec![
         Torque::gravity(&Vector3::new(0.1, 0.0, 0.5), 4.0),

@@ -63,6 +63,7 @@ proptest! {
                 Torque::Aligning { arm: here(force.zxy()), field: Vector3::new(0.3, -0.2, 0.5) },
                 Torque::Damping(Vector3::repeat(0.2)),
                 Torque::Dissipation(0.1),
+                Torque::Periodic { amplitude: here(force.yxz()), rate: 2.0, phase: 0.5 },
                 Torque::function(move |time: f64, rotation, omega| {
                     let (rotation, omega) = (rotation * turn.inverse().to_rotation_matrix(), turn * omega);
                     let wind = Vector3::new((3.0 * time).sin(), 0.4, -0.3);

@@ -43,6 +43,7 @@ fn the_state_transition_of_an_equilibrium_is_the_limit_of_differences() {
         (none, vec![Torque::spring(&x, &x, 8.0)], 3.0),
         (none, vec![Torque::Damping(Vector3::new(1.0, 1.0, 1.0))], 1.0),
         (z, vec![Torque::gravity_gradient(&x, &z)], 3.0),
+        (none, vec![Torque::Periodic { amplitude: x + z, rate: 2.0, phase: 0.4 }], 3.0),
         // Steps by the pair: two gravity gradients have no series.
         (z, vec![Torque::gravity_gradient(&x, &z), Torque::gravity_gradient(&Vector3::y(), &z)], 3.0),
     ];

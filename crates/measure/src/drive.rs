@@ -89,11 +89,8 @@ impl Drive {
             torques.push(Torque::GravityGradient { strength: number(self.gradient), direction, orbit });
         }
         if self.push != Vector3::zeros() {
-            let (push, rate) = (vector(&self.push), number(self.rate));
-            torques.push(Torque::function(move |time: T, _, _| {
-                let (_, swing) = (rate.clone() * time).sin_cos();
-                push.map(|x| x * swing.clone())
-            }));
+            let (amplitude, rate) = (vector(&self.push), number(self.rate));
+            torques.push(Torque::Periodic { amplitude, rate, phase: T::zero() });
         }
         if let Some((_, pulse)) = self.phases.get(phase).filter(|(_, pulse)| *pulse != Vector3::zeros()) {
             torques.push(Torque::InBody(vector(pulse)));

@@ -186,8 +186,8 @@ impl<T: Analytic + Copy + FromPrimitive> Engine<T> {
             )
         } else {
             (
-                "the times of flips under two gravity gradients",
-                "the series of a step hold one: look for changes of sign",
+                "the times of flips under two gravity gradients, or three rates of periodic torques",
+                "the series of a step hold one and two: look for changes of sign",
             )
         };
         Err(Refusal::Undefined { what, why }.into())

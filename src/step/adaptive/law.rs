@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::Float as _;
 
 use super::largest;
+use super::sums::{Four, four};
 
 /// A vector that stands still in the world, and the angular acceleration that it gives.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +31,20 @@ pub(super) struct Gradient<T> {
     pub(super) orbit: Vector3<T>,
 }
 
-/// Angular acceleration by spin and attitude, all of it polynomial.
+/// How many rates periodic torques may have.
+pub(super) const SWINGS: usize = 2;
+
+/// Torques of one period, that stand still in the body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Swing<T> {
+    /// rad/s.
+    pub(super) rate: T,
+    /// The angular acceleration by the cosine and by the sine of rate times time, rad/s².
+    cosine: Vector3<T>,
+    sine: Vector3<T>,
+}
+
+/// Angular acceleration by spin, attitude and time, all of it polynomial or periodic.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Law<T> {
     /// Principal moments, kg m².
@@ -47,6 +61,7 @@ pub(super) struct Law<T> {
     /// How many of these there are.
     pub(super) count: usize,
     pub(super) gradient: Option<Gradient<T>>,
+    swings: [Option<Swing<T>>; SWINGS],
     /// A bound of the angular acceleration by torques that do not depend on the spin, rad/s².
     push: f64,
 }
@@ -68,6 +83,7 @@ impl<T: Analytic + Copy> Law<T> {
             world: [empty; 3],
             count: 0,
             gradient: None,
+            swings: [None; SWINGS],
             push: 0.0,
         };
         for torque in system.torques() {
@@ -88,11 +104,25 @@ impl<T: Analytic + Copy> Law<T> {
                     let gradient = Gradient { strength: *strength, direction: *direction, orbit: *orbit };
                     law.gradient = Some(gradient);
                 }
+                Torque::Periodic { amplitude, rate, phase } => {
+                    law.add_swing(&amplitude.component_mul(&inverse), *rate, phase)?;
+                }
                 _ => return None,
             }
         }
         law.push = law.bound();
         Some(law)
+    }
+
+    /// Adds a periodic torque, if there is a place for its rate.
+    fn add_swing(&mut self, acceleration: &Vector3<T>, rate: T, phase: &T) -> Option<()> {
+        let (sine, cosine) = phase.sin_cos();
+        let place = self.swings.iter_mut().find(|place| place.is_none_or(|swing| swing.rate == rate))?;
+        let none = Vector3::repeat(T::zero());
+        let swing = place.get_or_insert(Swing { rate, cosine: none, sine: none });
+        swing.cosine += acceleration * cosine;
+        swing.sine -= acceleration * sine;
+        Some(())
     }
 
     /// Adds what a world vector does. More than three vectors are sums of the world's three axes.
@@ -123,7 +153,11 @@ impl<T: Analytic + Copy> Law<T> {
             let rows = one.acceleration.map(|x| x.size()) * sizes;
             largest(rows.as_slice())
         });
+        let swings = self.swings.iter().flatten();
         largest(&self.constant)
+            + swings
+                .map(|swing| largest(swing.cosine.as_slice()) + largest(swing.sine.as_slice()))
+                .sum::<f64>()
             + world.sum::<f64>()
             + self.gradient.map_or(0.0, |gradient| gradient.strength.size())
     }
@@ -143,31 +177,117 @@ impl<T: Analytic + Copy> Law<T> {
     /// How fast the motion changes, 1/s.
     pub(super) fn rate(&self, omega: &Vector3<T>, loss: f64) -> f64 {
         let orbit = self.gradient.map_or(0.0, |gradient| largest(gradient.orbit.as_slice()));
-        largest(&[largest(omega.as_slice()), self.push.sqrt(), loss, orbit])
-    }
-
-    /// The direction of the gravity gradient at a time (s), in world axes.
-    pub(super) fn direction(&self, time: T) -> Vector3<T> {
-        self.gradient.map_or(Vector3::repeat(T::zero()), |g| turned(&g.direction, &g.orbit, time))
+        let swings = self.swings.iter().flatten().map(|swing| swing.rate.size());
+        largest(&[largest(omega.as_slice()), self.push.sqrt(), loss, orbit, swings.fold(0.0, f64::max)])
     }
 
     /// The same law with `unit` seconds for a unit of time.
-    pub(super) fn in_units(&self, unit: T) -> Self {
+    pub(super) fn in_units(&self, unit: T) -> InUnits<T> {
         let squared = |x: T| x * unit * unit;
-        let mut law = *self;
-        law.constant = law.constant.map(squared);
-        law.decay = law.decay.map(|x| x * unit);
-        for one in &mut law.world[..law.count] {
-            one.acceleration.apply(|x| *x = squared(*x));
+        let rows = |one: &WorldVector<T>| WorldInUnits {
+            vector: one.vector,
+            acceleration: core::array::from_fn(|axis| {
+                four(core::array::from_fn(|i| squared(one.acceleration[(i, axis)])))
+            }),
+        };
+        let swings = self.swings.map(|swing| {
+            let none = Vector3::repeat(T::zero());
+            let swing = swing.unwrap_or(Swing { rate: T::zero(), cosine: none, sine: none });
+            let [cosine, sine] = [swing.cosine, swing.sine].map(|v| four(v.map(squared).into()));
+            SwingInUnits { rate: swing.rate, rate_in_units: swing.rate * unit, cosine, sine }
+        });
+        let strength = self.dissipation / unit;
+        InUnits {
+            coupling: four(self.coupling),
+            constant: four(self.constant.map(squared)),
+            decay: four(self.decay.map(|x| x * unit)),
+            damped: self.decay.iter().any(|x| !x.is_zero()),
+            loss: (!self.dissipation.is_zero()).then(|| LossInUnits {
+                moments: four(self.moments.into()),
+                acceleration: four(self.moments.map(|m| strength / m).into()),
+            }),
+            world: self.world.each_ref().map(rows),
+            count: self.count,
+            swings,
+            swing_count: self.swings.iter().flatten().count(),
+            tide: self.gradient.map(|gradient| TideInUnits {
+                acceleration: four(self.coupling.map(|x| x * squared(gradient.strength))),
+                gradient,
+                orbit: gradient.orbit.map(|x| x * unit),
+            }),
         }
-        if !law.dissipation.is_zero() {
-            law.dissipation /= unit;
-        }
-        if let Some(gradient) = &mut law.gradient {
-            gradient.strength = squared(gradient.strength);
-            gradient.orbit.apply(|x| *x *= unit);
-        }
-        law
+    }
+}
+
+/// What a world vector does: the angular acceleration for each of its components in body axes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct WorldInUnits<T> {
+    /// In world axes.
+    pub(super) vector: Vector3<T>,
+    pub(super) acceleration: [Four<T>; 3],
+}
+
+/// What a swing does.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SwingInUnits<T> {
+    /// rad/s.
+    pub(super) rate: T,
+    pub(super) rate_in_units: T,
+    pub(super) cosine: Four<T>,
+    pub(super) sine: Four<T>,
+}
+
+/// What the dissipation does.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LossInUnits<T> {
+    /// kg m².
+    pub(super) moments: Four<T>,
+    /// For each component of `L x (L x w)`.
+    pub(super) acceleration: Four<T>,
+}
+
+/// What the gravity gradient does.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TideInUnits<T> {
+    gradient: Gradient<T>,
+    /// For each product of two components of the direction, less.
+    pub(super) acceleration: Four<T>,
+    /// In world axes.
+    pub(super) orbit: Vector3<T>,
+}
+
+impl<T: Analytic + Copy> TideInUnits<T> {
+    /// The direction at a time (s), in world axes.
+    pub(super) fn direction_at(&self, time: T) -> Vector3<T> {
+        turned(&self.gradient.direction, &self.gradient.orbit, time)
+    }
+}
+
+/// A law in a unit of time, in rows as the series are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct InUnits<T> {
+    pub(super) coupling: Four<T>,
+    pub(super) constant: Four<T>,
+    pub(super) decay: Four<T>,
+    /// Whether any of the decay is not zero.
+    pub(super) damped: bool,
+    pub(super) loss: Option<LossInUnits<T>>,
+    pub(super) tide: Option<TideInUnits<T>>,
+    world: [WorldInUnits<T>; 3],
+    count: usize,
+    swings: [SwingInUnits<T>; SWINGS],
+    swing_count: usize,
+}
+
+impl<T> InUnits<T> {
+    #[inline(always)]
+    pub(super) fn world(&self) -> &[WorldInUnits<T>] {
+        &self.world[..self.count]
+    }
+
+    #[inline(always)]
+    pub(super) fn swings(&self) -> &[SwingInUnits<T>] {
+        &self.swings[..self.swing_count]
     }
 }
 

@@ -1,224 +1,192 @@
 //! The motion as power series in the time, by recurrences [JZ05](crate::references).
 //!
 //! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
-//! products of those before. All of them are kept in rows of four numbers, which the compiler takes as
-//! vectors: the spin is also at hand with its components moved round, so that a row of sums holds twelve
-//! products of the attitude, or the six of a cross product, and is sorted out once for each coefficient.
+//! products of those before.
 
 use super::columns::Columns;
-use super::law::Law;
+use super::law::{InUnits, LossInUnits, SWINGS, WorldInUnits};
+use super::sums::{Both, Doubled, Four, across, across_sums, add_scaled, four, pairs, scaled, sums, turn};
 use super::switching::signed;
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
+use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
 
 /// The largest order.
 pub(super) const MOST: usize = 26;
 
-type Four<T> = [T; 4];
-type Rows<T> = [Four<T>; MOST + 1];
-/// A vector, the same with its components moved up by one place and by two; the fourth repeats the first.
-type Round<T> = [Four<T>; 3];
+/// The number of coefficients of a series of this order.
+pub(super) const LENGTH: usize = MOST + 1;
 
-#[inline(always)]
-fn add_product<T: Analytic + Copy>(sum: &mut Four<T>, a: &Four<T>, b: &Four<T>) {
-    for i in 0..4 {
-        sum[i] += a[i] * b[i];
-    }
-}
-
-#[inline(always)]
-fn round<T: Copy>([x, y, z]: [T; 3]) -> Round<T> {
-    [[x, y, z, x], [y, z, x, y], [z, x, y, z]]
-}
-
-/// `a x b` of the products of `a` with `b` moved up by one place and by two.
-#[inline(always)]
-fn cross<T: Analytic + Copy>([one, two]: &[Four<T>; 2]) -> [T; 3] {
-    [one[1] - two[2], one[2] - two[0], one[0] - two[1]]
-}
-
-/// The sums over `k` of the products of `a[k]` with `b[n - k]` moved up by one place and by two, with `n` the
-/// last of both.
-// Not inlined, as the next: the compiler keeps rows together that are stored together.
-#[inline(never)]
-fn round_sums<T: Analytic + Copy>(a: &[Four<T>], b: &[Round<T>]) -> [Four<T>; 2] {
-    let (mut one, mut two) = ([T::zero(); 4], [T::zero(); 4]);
-    for (a, b) in a.iter().zip(b.iter().rev()) {
-        add_product(&mut one, a, &b[1]);
-        add_product(&mut two, a, &b[2]);
-    }
-    [one, two]
-}
-
-/// The same with all three of `b`, and of the first of `b[k]` with the second of `b[n - k]`.
-#[inline(never)]
-fn attitude_sums<T: Analytic + Copy>(a: &[Four<T>], b: &[Round<T>]) -> [Four<T>; 4] {
-    let [mut none, mut one, mut two, mut pairs] = [[T::zero(); 4]; 4];
-    for ((a, front), b) in a.iter().zip(b).zip(b.iter().rev()) {
-        add_product(&mut none, a, &b[0]);
-        add_product(&mut one, a, &b[1]);
-        add_product(&mut two, a, &b[2]);
-        add_product(&mut pairs, &front[0], &b[1]);
-    }
-    [none, one, two, pairs]
-}
-
-/// The sums over `k` of `a[k] x b[n - k]`.
-fn cross_sum<T: Analytic + Copy>(a: &[Four<T>], b: &[Round<T>]) -> [T; 3] {
-    cross(&round_sums(a, b))
-}
-
-/// Coefficients of powers of the time in units.
+/// What the dissipation needs.
 #[derive(Debug, Clone)]
-pub(super) struct Series<T: nalgebra::Scalar> {
+struct Loss<T, const N: usize> {
+    momentum: [Four<T>; N],
+    /// What the spin changes by without a torque, times the moments.
+    coupling: Both<T, N>,
+}
+
+/// What the gravity gradient needs, all in body axes.
+#[derive(Debug, Clone)]
+struct Tide<T, const N: usize> {
+    direction: Both<T, N>,
+    orbit: [Four<T>; N],
+    /// Spin less orbit: how the direction turns.
+    turning: Both<T, N>,
+}
+
+/// Coefficients of powers of the time in units; `N` of each.
+#[derive(Debug, Clone)]
+pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
     /// The highest power.
     pub(super) order: usize,
-    /// The quaternion's vector part, then its scalar part.
-    attitude: Rows<T>,
-    spin: [Round<T>; MOST + 1],
+    attitude: [Four<T>; N],
+    spin: Both<T, N>,
     /// World vectors in body axes.
-    world: [Rows<T>; 3],
-    /// What the spin changes by without a torque, for dissipation: times the moments.
-    coupling: [Round<T>; MOST + 1],
-    /// And the momentum.
-    momentum: Rows<T>,
-    /// For the gravity gradient: the direction in body axes, alone and moved round, and how it turns.
-    toward: Rows<T>,
-    direction: [Round<T>; MOST + 1],
-    turning: [Round<T>; MOST + 1],
-    orbit: Rows<T>,
+    world: [[Four<T>; N]; 3],
+    /// Cosine and sine of each swing: the last coefficient alone.
+    swings: [[T; 2]; SWINGS],
+    // Few laws have them, and all runs are moved.
+    loss: Option<Box<Loss<T, N>>>,
+    tide: Option<Box<Tide<T, N>>>,
 }
 
-impl<T: Analytic + Copy> Series<T> {
-    pub(super) fn new() -> Self {
-        let rows = [[T::zero(); 4]; MOST + 1];
-        let rounds = [[[T::zero(); 4]; 3]; MOST + 1];
+impl<T: Analytic + Copy, const N: usize> Series<T, N> {
+    /// What a law of these torques needs.
+    pub(super) fn new(law: &InUnits<T>) -> Self {
+        let rows = [[T::zero(); 4]; N];
+        let both = || Both { up: rows, down: [[[T::zero(); 2]; 3]; N] };
         Self {
             order: 0,
             attitude: rows,
-            spin: rounds,
+            spin: both(),
             world: [rows; 3],
-            coupling: rounds,
-            momentum: rows,
-            toward: rows,
-            direction: rounds,
-            turning: rounds,
-            orbit: rows,
+            swings: [[T::zero(); 2]; SWINGS],
+            loss: law.loss.map(|_| Box::new(Loss { momentum: rows, coupling: both() })),
+            tide: law.tide.map(|_| Box::new(Tide { direction: both(), orbit: rows, turning: both() })),
         }
     }
 
-    /// The first coefficients: the state itself, its spin in units, and the gravity gradient's direction in
-    /// world axes.
-    pub(super) fn begin(
-        &mut self,
-        law: &Law<T>,
-        attitude: &Quaternion<T>,
-        spin: [T; 3],
-        direction: Vector3<T>,
-    ) {
-        let in_body = |v: &Vector3<T>| -> [T; 3] { rotate_inverse(attitude, v).into() };
-        let padded = |[x, y, z]: [T; 3]| [x, y, z, T::zero()];
+    /// The first coefficients at a time (s): the state itself, with its spin in units.
+    pub(super) fn begin(&mut self, law: &InUnits<T>, attitude: &Quaternion<T>, spin: [T; 3], time: T) {
+        let in_body = |v: &Vector3<T>| four(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
         self.attitude[0] = [q.x, q.y, q.z, q.w];
-        self.spin[0] = round(spin);
-        for (rows, one) in self.world.iter_mut().zip(&law.world[..law.count]) {
-            rows[0] = padded(in_body(&one.vector));
+        self.spin.set(0, four(spin));
+        for (rows, one) in self.world.iter_mut().zip(law.world()) {
+            rows[0] = in_body(&one.vector);
         }
-        if let Some(gradient) = &law.gradient {
-            let orbit = in_body(&gradient.orbit);
-            self.orbit[0] = padded(orbit);
-            self.direction[0] = round(in_body(&direction));
-            self.toward[0] = self.direction[0][0];
-            self.turning[0] = round([spin[0] - orbit[0], spin[1] - orbit[1], spin[2] - orbit[2]]);
+        for (now, swing) in self.swings.iter_mut().zip(law.swings()) {
+            let (sine, cosine) = (swing.rate * time).sin_cos();
+            *now = [cosine, sine];
+        }
+        if let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
+            own.orbit[0] = in_body(&tide.orbit);
+            own.direction.set(0, in_body(&tide.direction_at(time)));
+            let turning = core::array::from_fn(|i| self.spin.up[0][i] - own.orbit[0][i]);
+            own.turning.set(0, turning);
+        }
+    }
+
+    /// Begins as another series does.
+    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>, law: &InUnits<T>) {
+        self.order = other.order;
+        self.swings = other.swings;
+        for power in 0..=other.order {
+            self.attitude[power] = other.attitude[power];
+            self.spin.set(power, other.spin.up[power]);
+            for (rows, others) in self.world.iter_mut().zip(&other.world).take(law.world().len()) {
+                rows[power] = others[power];
+            }
+            if let (Some(own), Some(other)) = (&mut self.loss, &other.loss) {
+                own.momentum[power] = other.momentum[power];
+                own.coupling.set(power, other.coupling.up[power]);
+            }
+            if let (Some(own), Some(other)) = (&mut self.tide, &other.tide) {
+                own.orbit[power] = other.orbit[power];
+                own.direction.set(power, other.direction.up[power]);
+                own.turning.set(power, other.turning.up[power]);
+            }
+        }
+    }
+
+    /// The coefficients of everything up to a power.
+    // Not inlined: alone it has the registers to itself.
+    #[inline(never)]
+    pub(super) fn extend_to(&mut self, order: usize, law: &InUnits<T>) {
+        while self.order < order.min(N - 1) {
+            self.extend(law);
         }
     }
 
     /// The next coefficient of everything.
-    pub(super) fn extend(&mut self, law: &Law<T>) {
-        let n = self.order;
+    #[inline(always)]
+    fn extend(&mut self, law: &InUnits<T>) {
+        let n = self.order.min(N - 2);
         let over = T::one() / T::integer(n as u32 + 1);
-        let (turn, pairs) = self.attitude_and_pairs();
-        let half = over / T::integer(2);
-        self.attitude[n + 1] = turn.map(|x| x * half);
-        let mut free = [pairs[1], pairs[2], pairs[0]];
-        if let Some(gradient) = &law.gradient {
-            let tide = self.directions();
-            free = core::array::from_fn(|i| free[i] - gradient.strength * tide[i]);
-            self.extend_direction(over);
-        }
-        let mut rate: [T; 3] = core::array::from_fn(|i| law.coupling[i] * free[i]);
-        if !law.dissipation.is_zero() {
-            let lost = self.dissipated(law, &pairs);
-            rate = core::array::from_fn(|i| rate[i] + lost[i]);
-        }
-        let here = self.spin[n][0];
-        for i in 0..3 {
-            rate[i] -= law.decay[i] * here[i];
-        }
-        if n == 0 {
-            rate = core::array::from_fn(|i| rate[i] + law.constant[i]);
-        }
-        for (rows, one) in self.world.iter_mut().zip(&law.world[..law.count]) {
-            let [x, y, z, _] = rows[n];
-            let m = &one.acceleration;
-            for i in 0..3 {
-                rate[i] += m[(i, 0)] * x + m[(i, 1)] * y + m[(i, 2)] * z;
+        let (attitude, spin) = (&self.attitude, &self.spin);
+        // The sums last: all else is at hand before they are.
+        let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
+        if law.damped {
+            for i in 0..4 {
+                rate[i] -= law.decay[i] * spin.up[n][i];
             }
-            let [x, y, z] = cross_sum(&rows[..=n], &self.spin[..=n]).map(|x| x * over);
-            rows[n + 1] = [x, y, z, T::zero()];
         }
-        self.spin[n + 1] = round(rate.map(|x| x * over));
-        if law.gradient.is_some() {
-            let ([x, y, z, _], [u, v, w, _]) = (self.spin[n + 1][0], self.orbit[n + 1]);
-            self.turning[n + 1] = round([x - u, y - v, z - w]);
+        for ([cosine, sine], swing) in self.swings.iter_mut().zip(law.swings()) {
+            add_scaled(&mut rate, &swing.cosine, *cosine);
+            add_scaled(&mut rate, &swing.sine, *sine);
+            let turn = swing.rate_in_units * over;
+            (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
+        }
+        let make = if law.world().is_empty() { sums::<T, N, false> } else { sums::<T, N, true> };
+        let sums = make(n + 1, attitude, &spin.up, &self.world[0], &spin.down);
+        if let [first, others @ ..] = law.world() {
+            first.push(&self.world[0][n], &mut rate);
+            self.world[0][n + 1] = scaled(&across(&sums.across), over);
+            for (rows, one) in self.world[1..].iter_mut().zip(others) {
+                one.push(&rows[n], &mut rate);
+                rows[n + 1] = scaled(&across(&across_sums(n + 1, rows, &spin.down)), over);
+            }
+        }
+        self.attitude[n + 1] = scaled(&turn(&sums.turn), over / T::integer(2));
+        let pairs = pairs(&sums.pairs[0], &sums.pairs[1]);
+        let free: Four<T> = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
+        if let (Some(own), Some(loss)) = (&mut self.loss, &law.loss) {
+            own.add(loss, &spin.up[n], &free, n, &mut rate);
+        }
+        if let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
+            own.add(&tide.acceleration, &spin.down, n, over, &mut rate);
+        }
+        for i in 0..4 {
+            rate[i] += free[i];
+        }
+        let spin = scaled(&rate, over);
+        self.spin.set(n + 1, spin);
+        if let Some(own) = &mut self.tide {
+            let turning = core::array::from_fn(|i| spin[i] - own.orbit[n + 1][i]);
+            own.turning.set(n + 1, turning);
         }
         self.order = n + 1;
     }
 
-    /// Twice the rate of the attitude, and the products `w1 w2`, `w2 w3`, `w3 w1`.
-    #[inline(always)]
-    fn attitude_and_pairs(&self) -> (Four<T>, Four<T>) {
-        let n = self.order;
-        let [a, b, c, pairs] = attitude_sums(&self.attitude[..=n], &self.spin[..=n]);
-        let turn = [a[3] + b[1] - c[2], b[3] + b[2] - c[0], c[3] + b[0] - c[1], -(a[0] + a[1] + a[2])];
-        (turn, pairs)
+    /// The rates of attitude and spin at the start.
+    pub(super) fn rate(&self) -> [Four<T>; 2] {
+        [self.attitude[1], self.spin.up[1]]
     }
 
-    /// The products `n2 n3`, `n3 n1`, `n1 n2` of the direction's components.
-    fn directions(&self) -> [T; 3] {
-        let n = self.order;
-        let [pairs, _] = round_sums(&self.toward[..=n], &self.direction[..=n]);
-        [pairs[1], pairs[2], pairs[0]]
-    }
-
-    fn extend_direction(&mut self, over: T) {
-        let n = self.order;
-        let across = cross_sum(&self.toward[..=n], &self.turning[..=n]);
-        self.direction[n + 1] = round(across.map(|x| x * over));
-        self.toward[n + 1] = self.direction[n + 1][0];
-        let [x, y, z] = cross_sum(&self.orbit[..=n], &self.spin[..=n]).map(|x| x * over);
-        self.orbit[n + 1] = [x, y, z, T::zero()];
-    }
-
-    /// The angular acceleration `J k L x (L x w)`.
-    fn dissipated(&mut self, law: &Law<T>, pairs: &Four<T>) -> [T; 3] {
-        let n = self.order;
-        let m = &law.moments;
-        let free = [pairs[1], pairs[2], pairs[0]];
-        self.coupling[n] = round(core::array::from_fn(|i| m[i] * law.coupling[i] * free[i]));
-        let w = &self.spin[n][0];
-        self.momentum[n] = [m[0] * w[0], m[1] * w[1], m[2] * w[2], T::zero()];
-        let across = cross_sum(&self.momentum[..=n], &self.coupling[..=n]);
-        core::array::from_fn(|i| law.dissipation * across[i] / m[i])
+    /// The angular acceleration by the torques at the start.
+    pub(super) fn torque(&self, law: &InUnits<T>) -> [T; 3] {
+        let ([x, y, z, _], rate) = (self.spin.up[0], &self.spin.up[1]);
+        let pairs = [y * z, z * x, x * y];
+        core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
     }
 
     /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`;
     /// or of their derivatives, if these are larger in sizes of their columns.
     #[inline(always)]
     pub(super) fn size(&self, power: usize, weights: &[f64; 3], columns: Option<&Columns<T>>) -> f64 {
-        let spin = &self.spin[power][0];
+        let spin = &self.spin.up[power];
         let momentum = [0, 1, 2].map(|i| spin[i].size() * weights[i]);
         let attitude = &self.attitude[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
@@ -229,18 +197,18 @@ impl<T: Analytic + Copy> Series<T> {
     }
 
     /// The coefficients of a component of the spin.
-    pub(super) fn spin(&self, axis: usize) -> [f64; MOST + 1] {
-        core::array::from_fn(|power| signed(self.spin[power][0][axis % 3]))
+    pub(super) fn spin(&self, axis: usize) -> [f64; N] {
+        core::array::from_fn(|power| signed(self.spin.up[power][axis % 3]))
     }
 
     /// What attitude (vector part first) and spin have changed by at `x` units of time.
     pub(super) fn value(&self, x: T) -> [Four<T>; 2] {
         let [mut q, mut w] = [[T::zero(); 4]; 2];
         let powers = 1..=self.order;
-        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin[powers]).rev() {
+        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
             for i in 0..4 {
                 q[i] = q[i] * x + attitude[i];
-                w[i] = w[i] * x + spin[0][i];
+                w[i] = w[i] * x + spin[i];
             }
         }
         [q.map(|y| y * x), w.map(|y| y * x)]
@@ -253,15 +221,55 @@ impl<T: Analytic + Copy> Series<T> {
         let zero = [T::zero(); 4];
         let [mut q, mut w, mut dq, mut dw] = [zero; 4];
         let powers = 1..=self.order;
-        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin[powers]).rev() {
+        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
             for i in 0..4 {
                 dq[i] = dq[i] * x + q[i];
                 dw[i] = dw[i] * x + w[i];
                 q[i] = q[i] * x + attitude[i];
-                w[i] = w[i] * x + spin[0][i];
+                w[i] = w[i] * x + spin[i];
             }
         }
         let rate = |value: &Four<T>, slope: &Four<T>| core::array::from_fn(|i| value[i] + slope[i] * x);
         [q.map(|y| y * x), w.map(|y| y * x), rate(&q, &dq), rate(&w, &dw)]
+    }
+}
+
+impl<T: Analytic + Copy> WorldInUnits<T> {
+    /// Adds the angular acceleration by the vector in body axes.
+    #[inline(always)]
+    fn push(&self, vector: &Four<T>, rate: &mut Four<T>) {
+        for (acceleration, &x) in self.acceleration.iter().zip(vector) {
+            add_scaled(rate, acceleration, x);
+        }
+    }
+}
+
+impl<T: Analytic + Copy, const N: usize> Loss<T, N> {
+    /// Adds the angular acceleration `J k L x (L x w)`, given that without a torque.
+    fn add(&mut self, law: &LossInUnits<T>, spin: &Four<T>, free: &Four<T>, n: usize, rate: &mut Four<T>) {
+        let m = &law.moments;
+        self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
+        self.momentum[n] = core::array::from_fn(|i| m[i] * spin[i]);
+        let across = across(&across_sums(n + 1, &self.momentum, &self.coupling.down));
+        for i in 0..4 {
+            rate[i] += law.acceleration[i] * across[i];
+        }
+    }
+}
+
+impl<T: Analytic + Copy, const N: usize> Tide<T, N> {
+    /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of direction
+    /// and orbit.
+    fn add(&mut self, acceleration: &Four<T>, spin: &[Doubled<T>; N], n: usize, over: T, rate: &mut Four<T>) {
+        let Both { up, down } = &self.direction;
+        // Of these sums only the first and the second are used.
+        let [[xy, xz], [yz, _], _] = across_sums(n + 1, up, down);
+        let pairs = four([yz, xz, xy]);
+        for i in 0..4 {
+            rate[i] -= acceleration[i] * pairs[i];
+        }
+        let turned = scaled(&across(&across_sums(n + 1, up, &self.turning.down)), over);
+        self.direction.set(n + 1, turned);
+        self.orbit[n + 1] = scaled(&across(&across_sums(n + 1, &self.orbit, spin)), over);
     }
 }

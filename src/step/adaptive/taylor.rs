@@ -1,14 +1,13 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
 use super::columns::Columns;
-use super::law::Law;
-use super::logarithm::logarithm;
-use super::series::{MOST, Series};
+use super::law::{InUnits, Law};
+use super::logarithm::{exponential, logarithm};
+use super::series::{LENGTH, MOST, Series};
 use super::{Engine, Run, largest, over};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
-use crate::number::functions::exp;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
@@ -17,14 +16,18 @@ use num_traits::FromPrimitive;
 /// How often a step is tried again, shorter, before it is refused.
 const TRIES: usize = 60;
 
-/// The series about the start of the last step.
+/// The series about the start of the last step, and about its end.
 #[derive(Debug, Clone)]
 pub(super) struct Taylor<T: nalgebra::Scalar> {
     law: Law<T>,
     /// The same in units of time of this number of seconds, a power of two.
-    in_units: Law<T>,
+    in_units: InUnits<T>,
     unit: f64,
-    series: Series<T>,
+    series: Series<T, LENGTH>,
+    /// That of the first order about the end of a step: it tells the step's error, and begins the next.
+    next: Series<T, 2>,
+    /// Whether it is about the run's state.
+    ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
@@ -33,82 +36,98 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// None where the law is no polynomial.
     pub(super) fn new(system: &System<T>, tolerance: f64) -> Option<Self> {
         let law = Law::of(system)?;
-        Some(Self { law, in_units: law, unit: 0.0, series: Series::new(), most: order(tolerance) })
+        let in_units = law.in_units(T::one());
+        let (series, next) = (Series::new(&in_units), Series::new(&in_units));
+        Some(Self { law, in_units, unit: 1.0, series, next, ready: false, most: order(tolerance) })
+    }
+
+    /// Begins the next series at a state and a time, s after the start of the run.
+    fn begin(&mut self, run: &Run<'_, T>, state: &State<T>, time: f64) {
+        let unit = Run::number(self.unit);
+        let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
+        self.next.begin(&self.in_units, &state.attitude, spin, *run.system.time() + Run::number(time));
+        self.next.extend_to(1, &self.in_units);
+    }
+
+    /// What the torques change the momentum by in a unit of time, times the unit.
+    fn gained(&self) -> [T; 3] {
+        let torque = self.next.torque(&self.in_units);
+        core::array::from_fn(|i| torque[i] * self.law.moments[i])
     }
 
     /// The coefficients about the state now; the longest step that keeps the last of them below the
     /// tolerance, in units.
     fn fill(&mut self, weights: &[f64; 3], columns: Option<&Columns<T>>, far: f64, tolerance: f64) -> f64 {
-        let mut power = 1.0;
-        let mut below = false;
-        for order in 1..=self.most {
-            self.series.extend(&self.in_units);
-            if far > 1.0 {
-                continue;
+        self.series.begin_as(&self.next, &self.in_units);
+        let (mut power, mut below) = (far, false);
+        if far > 1.0 {
+            self.series.extend_to(self.most, &self.in_units);
+        } else {
+            // To the end is less than a unit: it may take fewer coefficients. They are made three at a time.
+            for order in 2..=self.most {
+                if self.series.order < order {
+                    self.series.extend_to((order + 2).min(self.most), &self.in_units);
+                }
+                power *= far;
+                let small = self.series.size(order, weights, columns) * power <= 0.1 * tolerance;
+                if small && below {
+                    return far;
+                }
+                below = small;
             }
-            // To the end is less than a unit: it may take fewer coefficients.
-            power *= far;
-            let small = self.series.size(order, weights, columns) * power <= 0.1 * tolerance;
-            if small && below {
-                return far;
-            }
-            below = small;
         }
         let goal = logarithm(tolerance);
         let size = |order: usize| self.series.size(order, weights, columns);
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
-        exp(if last < before { last } else { before })
+        exponential(if last < before { last } else { before })
     }
 
-    /// The end of a step of `x` units, and its error: how far the series is from the law there.
+    /// The end of a step of `x` units at a time (s after the start of the run), and its error: how far the
+    /// series is from the law there.
     fn end(
-        &self,
+        &mut self,
         run: &Run<'_, T>,
         columns: Option<&Columns<T>>,
         x: T,
-        unit: T,
+        time: f64,
         scale: f64,
     ) -> (State<T>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
-        let start = &run.state;
-        let s = &start.attitude.coords;
-        let mut end = State {
-            attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
-            momentum: Vector3::from_fn(|i, _| start.momentum[i] + self.law.moments[i] * w[i] / unit),
-        };
+        let mut end = self.moved(&run.state, &q, &w);
         end.momentum.apply(|x| {
             if columns.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
             }
         });
         let stretched = run.project(&mut end);
-        let rate =
-            run.system.rate_after(&end, &Run::number(run.time + (x * unit).size().copysign(run.duration)));
-        let r = &rate.attitude.coords;
-        let turned = [r.x * unit - dq[0], r.y * unit - dq[1], r.z * unit - dq[2], r.w * unit - dq[3]];
-        let pushed: [T; 3] =
-            core::array::from_fn(|i| rate.momentum[i] * unit - self.law.moments[i] * dw[i] / unit);
+        self.begin(run, &end, time);
+        let per = Run::number(1.0 / self.unit);
+        let [turned, spun] = self.next.rate();
+        let turned: [T; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
+        let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
+        let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * self.law.moments[i] * per);
         let share = x.size() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), over(largest(&pushed), scale)]);
-        let slopes = columns.map_or(0.0, |columns| {
-            let spun: [T; 3] = core::array::from_fn(|i| pushed[i] * unit / self.law.moments[i]);
-            share * columns.share(turned.iter().chain(&spun))
-        });
+        let slopes = columns.map_or(0.0, |columns| share * columns.share(turned.iter().chain(&spun)));
         (end, largest(&[error, stretched, slopes]))
+    }
+
+    /// A state after these changes of attitude and spin in units.
+    fn moved(&self, start: &State<T>, q: &[T; 4], w: &[T; 4]) -> State<T> {
+        let (s, per) = (&start.attitude.coords, Run::number(1.0 / self.unit));
+        State {
+            attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
+            momentum: Vector3::from_fn(|i, _| start.momentum[i] + self.law.moments[i] * w[i] * per),
+        }
     }
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
     pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> State<T> {
-        let unit = Run::number(self.unit);
         let [q, w] = self.series.value(Run::number(time / self.unit));
-        let s = &start.attitude.coords;
-        let mut there = State {
-            attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
-            momentum: Vector3::from_fn(|i, _| start.momentum[i] + self.law.moments[i] * w[i] / unit),
-        };
+        let mut there = self.moved(start, &q, &w);
         run.project(&mut there);
         there
     }
@@ -131,34 +150,39 @@ impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Taylor<T> {
         let omega = run.system.omega(&run.state.momentum);
         let loss = self.law.loss(&run.state.momentum);
         let rate = self.law.rate(&omega, loss);
-        let unit = if rate > 0.0 && rate.is_finite() {
+        // Within a factor of four of the time in which the motion changes; else the law is put in units anew.
+        let pace = rate * self.unit;
+        let unit = if (0.5..=4.0).contains(&pace) {
+            self.unit
+        } else if rate > 0.0 && rate.is_finite() {
             times_power_of_two(1.0, -exponent(rate))
         } else {
             remaining.abs()
         };
-        let in_units = Run::number(unit);
         if unit != self.unit {
-            (self.in_units, self.unit) = (self.law.in_units(in_units), unit);
+            (self.in_units, self.unit, self.ready) = (self.law.in_units(Run::number(unit)), unit, false);
         }
-        let now = *run.system.time() + Run::number(run.time);
-        let spin: [T; 3] = omega.map(|x| x * in_units).into();
-        self.series.begin(&self.in_units, &run.state.attitude, spin, self.law.direction(now));
+        if !core::mem::take(&mut self.ready) {
+            self.begin(run, &run.state, run.time);
+        }
         // What the momentum is measured by: a body at rest has none, so that which a torque gives it counts;
         // one that drag brought to rest has no digits below the least.
-        let gained = run.system.torque_after(&run.state, &Run::number(run.time));
-        let held = largest(run.state.momentum.as_slice()) + largest(gained.as_slice()) * unit;
+        let gained = self.gained();
+        let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
         let least = smallest::<T>() / run.tolerance;
         let scale = held.max(least);
         let weights = [0, 1, 2].map(|i| over(self.law.moments[i].size() / unit, scale).min(f64::MAX));
         let far = remaining.abs() / unit;
         let attitude = run.state.attitude.coords.as_slice();
-        let columns = run.watch.slopes.map(|slopes| Columns::of(slopes, attitude, &spin));
+        let spin = omega.map(|x| x * Run::number(unit));
+        let columns = run.watch.slopes.map(|slopes| Columns::of(slopes, attitude, spin.as_slice()));
         let columns = columns.as_ref();
         let mut x = self.fill(&weights, columns, far, run.tolerance);
         for _ in 0..TRIES {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { far } else { x }.copysign(remaining);
-            let (end, error) = self.end(run, columns, Run::number(signed), in_units, scale);
+            let until = if last { run.duration } else { run.time + h };
+            let (end, error) = self.end(run, columns, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_losses(if held > least { loss * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.watch.flips {
@@ -166,6 +190,7 @@ impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Taylor<T> {
                     flips.see(&spin[..=self.series.order], signed, run.time, unit);
                 }
                 run.take(end, h, last);
+                self.ready = true;
                 return Ok(());
             }
             run.rejected += 1;
