@@ -43,7 +43,12 @@ const HELP: &str = "FILE.toml has the bodies, the torques and what is requested:
     damping = [0.1, 0.1, 0.1]    #   N m s, along the principal axes
                                  #   in-body = [..], in-world = [..]: N m
                                  #   arm = [..] (m, body axes) with field = [..] (N, world axes): a weight
+                                 #   moment = [..] (A m^2, body axes) with field = [..] (T): a magnet
+                                 #   arm = [..] with rest = [..] (world axes) and stiffness = 8.0 (N m): a spring
+                                 #   toward = [..] (length 1) with orbit = [..] (rad/s), world axes: gravity gradient
+                                 #   amplitude = [..] (N m, body axes) with rate = 3.0 (rad/s): a push to and fro
                                  #   dissipation = 0.1: turns spin into heat and keeps the momentum
+    from = 2.0                   # s: when it begins; and to = 3.5, when it ends: either, both or none
 
 Files to begin with are in crates/scenes/files.";
 

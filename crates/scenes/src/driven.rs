@@ -6,70 +6,9 @@ use crate::prices;
 use crate::scene::Scene;
 use crate::step_control::{LEAST_TOLERANCE, StepControl};
 use crate::strategy::{Driven, Strategy};
-use crate::trial::{Chosen, Trial};
-use nalgebra::Vector3;
-use tumbling::step::{Method, State, System, Torque};
-
-/// A torque given in body axes, along the principal axes.
-///
-/// # Errors
-/// Damping that differs from axis to axis, of a body whose principal axes are others.
-fn along(body: &Principal, torque: &Torque<f64>) -> Result<Torque<f64>, Error> {
-    let turned = |v: &Vector3<f64>| body.frame.map_or(*v, |frame| frame.inverse() * v);
-    Ok(match torque {
-        Torque::InBody(value) => Torque::InBody(turned(value)),
-        Torque::Aligning { arm, field } => Torque::Aligning { arm: turned(arm), field: *field },
-        Torque::Damping(c) if body.frame.is_some() && (c.x != c.y || c.y != c.z) => {
-            return Err(Error::Undefined {
-                what: "damping that differs from axis to axis",
-                why: "it acts along the principal axes, and those of a body with products of inertia have no order to go by: \
-                      give the body's moments along them, without products",
-            });
-        }
-        Torque::InWorld(_) | Torque::Damping(_) | Torque::Dissipation(_) => torque.clone(),
-        _ => {
-            return Err(Error::Undefined {
-                what: "the motion under a torque given by a function",
-                why: "a plan goes by how strong the torques are, which a function does not say: use a stepper",
-            });
-        }
-    })
-}
-
-/// How fast the torques change the motion, 1/s.
-struct Rates {
-    /// The spin, or the larger one that the torques give in the scene's time.
-    spin: f64,
-    /// The relative change of the momentum by the lossless torques while the body turns by a radian.
-    push: f64,
-    /// The fastest loss.
-    loss: f64,
-}
-
-fn rates(system: &System<f64>, start: &State<f64>, end: f64) -> Rates {
-    let omega = system.omega(&start.momentum);
-    let (mut torque, mut loss, mut swing) = (0.0_f64, 0.0_f64, 0.0_f64);
-    let lightest = 1.0 / system.moments().min();
-    for one in system.torques() {
-        match one {
-            Torque::InBody(value) | Torque::InWorld(value) => torque += value.norm(),
-            Torque::Aligning { arm, field } => {
-                torque += arm.norm() * field.norm();
-                swing = swing.max((arm.norm() * field.norm() * lightest).sqrt());
-            }
-            Torque::Damping(c) => loss = loss.max(c.component_div(system.moments()).max()),
-            Torque::Dissipation(k) => loss = loss.max(k * start.momentum.norm_squared() * lightest),
-            // `along` has refused others.
-            _ => {}
-        }
-    }
-    // A constant torque spins the body up; one that aligns swings it.
-    let gained = (torque * lightest * end).min(if swing > 0.0 { swing } else { f64::INFINITY });
-    let spin = omega.norm().max(gained).max(swing);
-    let momentum = start.momentum.norm().max(spin / lightest);
-    let push = if momentum * spin > 0.0 { torque / (momentum * spin) } else { 0.0 };
-    Rates { spin, push, loss }
-}
+use crate::torques::{Rates, along, have_series, is_timed};
+use crate::trial::{Budget, Chosen, Trial};
+use tumbling::step::{Method, State, System};
 
 /// Damping is stiff if it is faster than the spin by this factor,
 const STIFF: f64 = 30.0;
@@ -83,26 +22,63 @@ const COMPARED: u64 = 32;
 /// what is tried is what is done.
 const INNER: f64 = 16.0;
 
+/// How often an accuracy is tried that may be attainable where the one requested is not.
+const OFFERS: usize = 8;
+
 /// The cheapest way that the trial runs showed to be accurate enough.
+///
+/// An accuracy is offered instead only where a plan for it was made: the smallest difference that two runs
+/// showed is a bad guess, for it is small by chance where all of it is rounding.
 pub(crate) fn strategy(body: &Principal, scene: &Scene) -> Result<Strategy, Error> {
+    let requested = scene.accuracy();
+    let mut found = strategy_to(requested, body, scene);
+    let mut offered = None;
+    for _ in 0..OFFERS {
+        match found {
+            Err(Error::Unattainable { attainable, .. }) => {
+                let offer = two_digits(attainable.max(2.0 * offered.unwrap_or(0.0)));
+                offered = Some(offer);
+                found = strategy_to(offer, body, scene);
+            }
+            Ok(strategy) => {
+                let refused = |attainable| Err(Error::Unattainable { requested, attainable });
+                return offered.map_or(Ok(strategy), refused);
+            }
+            _ => break,
+        }
+    }
+    match found {
+        Err(Error::Unattainable { .. }) | Ok(_) => Err(Error::Disagreement { requested, steps: 0 }),
+        Err(Error::Disagreement { steps, .. }) => Err(Error::Disagreement { requested, steps }),
+        Err(error) => Err(error),
+    }
+}
+
+/// The number rounded up to the two digits that are printed of it.
+fn two_digits(x: f64) -> f64 {
+    format!("{:.1e}", 1.05 * x).parse().unwrap_or(x).max(x)
+}
+
+fn strategy_to(accuracy: f64, body: &Principal, scene: &Scene) -> Result<Strategy, Error> {
     let torques = scene.torques().iter().map(|torque| along(body, torque)).collect::<Result<_, _>>()?;
     let system = System::with(body.moments, torques)?;
     let start = State { attitude: body.world.into_inner(), momentum: system.momentum(&body.omega) };
     let end = scene.times().end();
-    let rates = rates(&system, &start, end);
+    let rates = Rates::of(&system, &start, end);
     let times = compared(scene);
     let (turned, lost) = ((rates.spin * end).max(1.0), rates.loss * end);
     let stiff = rates.loss > STIFF * rates.spin.max(1.0 / end) && lost > LONG;
-    let (outputs, accuracy) = (scene.outputs(), scene.accuracy());
+    let outputs = scene.outputs();
     let trial = Trial { system: &system, start: &start, times: &times, outputs, accuracy, end, turned, lost };
     let (chosen, trials) = if end == 0.0 {
         let control = StepControl::Tolerance(first_tolerance(accuracy));
         (Chosen { control, difference: 0.0, steps: 0 }, 0.0)
     } else {
-        cheapest_tried(&trial, &candidates(&rates, stiff, scene), scene.times().count(), stiff)?
+        cheapest_tried(&trial, &candidates(&rates, stiff, accuracy, scene), scene.times().count(), stiff)?
     };
     let Chosen { control, difference, steps } = chosen;
-    let driven = Driven { system: system.clone(), start, control, difference, steps, trials, stiff };
+    let stops = if have_series(system.torques()) { Vec::new() } else { times.clone() };
+    let driven = Driven { system: system.clone(), start, control, stops, difference, steps, trials, stiff };
     Ok(match control {
         StepControl::Tolerance(_) => Strategy::Adaptive(driven),
         StepControl::ExactDrift(_) => Strategy::ExactDrift(driven),
@@ -111,9 +87,13 @@ pub(crate) fn strategy(body: &Principal, scene: &Scene) -> Result<Strategy, Erro
 }
 
 /// What is worth a trial, in order.
-fn candidates(rates: &Rates, stiff: bool, scene: &Scene) -> Vec<StepControl> {
+fn candidates(rates: &Rates, stiff: bool, accuracy: f64, scene: &Scene) -> Vec<StepControl> {
     let (spin, end) = (rates.spin, scene.times().end());
-    let series = StepControl::Tolerance(first_tolerance(scene.accuracy()));
+    let series = StepControl::Tolerance(first_tolerance(accuracy));
+    if scene.torques().iter().any(is_timed) {
+        // Series alone count the time, and end a step where a torque begins or ends.
+        return vec![series];
+    }
     if stiff {
         // Damping shortens the steps of series, but a few may do. Of the others one takes the loss by its own
         // law, one linearises it: which is better depends on what it works against. So all are tried, each
@@ -125,8 +105,7 @@ fn candidates(rates: &Rates, stiff: bool, scene: &Scene) -> Vec<StepControl> {
     let turned = (spin * end).max(1.0);
     let push = rates.push + rates.loss / spin.max(f64::MIN_POSITIVE);
     // The error of kicks goes with the square of the step, times the push.
-    let radians =
-        (12.0 * scene.accuracy() / (push * turned).max(f64::MIN_POSITIVE)).sqrt().min(turned / INNER);
+    let radians = (12.0 * accuracy / (push * turned).max(f64::MIN_POSITIVE)).sqrt().min(turned / INNER);
     let drift = StepControl::ExactDrift((radians / spin).min(end / INNER));
     let states = scene.times().count();
     let price =
@@ -157,8 +136,8 @@ fn cheapest_tried(
             continue;
         }
         let share = left / (candidates.len() - k);
-        let mut allowed = share;
-        match trial.refined(first, &mut allowed, least / first.price_of_step()) {
+        let mut budget = Budget { left: share, spent: 0.0 };
+        match trial.refined(first, &mut budget, least / first.price_of_step()) {
             Ok(chosen) => {
                 let price = chosen.control.price(states, chosen.steps);
                 if best.as_ref().is_none_or(|(other, _)| price < *other) {
@@ -167,8 +146,8 @@ fn cheapest_tried(
             }
             Err(error) => refusal = Some(refusal.map_or(error.clone(), |other| kinder(other, error))),
         }
-        left -= share - allowed;
-        trials += first.price_of_step() * (share - allowed) as f64;
+        left -= share - budget.left;
+        trials += budget.spent;
     }
     match (best, refusal) {
         (Some((_, chosen)), _) => Ok((chosen, trials)),

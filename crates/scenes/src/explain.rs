@@ -3,8 +3,9 @@
 use crate::cost::Cost;
 use crate::plan::Plan;
 use crate::strategy::Strategy;
+use crate::torques::is_loss;
 use std::fmt::Write as _;
-use tumbling::step::{Method, Torque};
+use tumbling::step::Method;
 
 /// A count of instructions in two digits.
 fn about(x: f64) -> String {
@@ -110,12 +111,10 @@ impl Plan<'_> {
                 out.push("steps through time, since no torque acts");
             }
         } else {
-            let lossless =
-                |torque: &Torque<f64>| !matches!(torque, Torque::Damping(_) | Torque::Dissipation(_));
-            out.push(if self.scene.torques().iter().all(lossless) {
-                "the closed form, since a torque acts"
-            } else {
+            out.push(if self.scene.torques().iter().any(is_loss) {
                 "the closed form, since damping acts"
+            } else {
+                "the closed form, since a torque acts"
             });
         }
         if moves && self.scene.torques().is_empty() && !outputs.attitude {

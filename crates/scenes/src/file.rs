@@ -12,8 +12,13 @@
 //! spin = [0.01, 10.0, 0.0]    # rad/s in body axes; or momentum = [...] in world axes, kg m²/s
 //! attitude = [1, 0, 0, 0]     # body to world, scalar part first; may be left out
 //!
-//! [[torque]]                  # on every body; or in-body, in-world (N m), arm and field, dissipation
+//! [[torque]]                  # on every body; the README lists the kinds
 //! damping = [0.1, 0.1, 0.1]   # N m s along the principal axes; all equal for a body with products
+//!
+//! [[torque]]
+//! in-body = [0.0, 0.5, 0.0]   # N m
+//! from = 10.0                 # s; any kind may have a time when it begins, and one when it ends
+//! to = 12.5                   # s
 //! "#;
 //! let file = tumbling_scenes::file::read(&text).unwrap();
 //! assert_eq!(file.scene.times().count(), 121);
@@ -24,6 +29,7 @@
 
 mod fields;
 mod read;
+mod torque;
 mod write;
 
 pub use read::read;
@@ -82,5 +88,4 @@ impl Place {
 
 const SCENE: [&str; 7] = ["accuracy", "span", "every", "times", "wants", "body", "torque"];
 const BODY: [&str; 5] = ["moments", "products", "attitude", "spin", "momentum"];
-const TORQUE: [&str; 6] = ["in-body", "in-world", "arm", "field", "damping", "dissipation"];
 const OUTPUTS: [&str; 6] = ["spin", "attitude", "energy", "gap", "flips", "polhode"];

@@ -52,6 +52,7 @@ mod states;
 mod step_control;
 mod strategy;
 mod times;
+mod torques;
 mod trial;
 
 pub use cost::Cost;

@@ -9,6 +9,8 @@ pub(crate) fn series(tolerance: f64) -> f64 {
 }
 /// It turns the body by about this many radians, whatever the tolerance.
 pub(crate) const RADIANS: f64 = 1.6;
+/// A run of such steps, before the first.
+pub(crate) const BEGIN: f64 = 85_000.0;
 /// A state between the ends of two such steps.
 pub(crate) const WITHIN: f64 = 700.0;
 /// A step of Moser and Veselov's method between two half kicks.

@@ -4,7 +4,7 @@ use crate::error::{Error, positive};
 use crate::initial_state::InitialState;
 use crate::outputs::Outputs;
 use crate::times::Times;
-use nalgebra::Vector3;
+use crate::torques::simplified;
 use tumbling::PrincipalMoments;
 use tumbling::step::{System, Torque};
 
@@ -20,9 +20,12 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Bodies under the same torques, with the same outputs at the same times. Torques that are zero are left
-    /// out. Vectors of a torque that are given in body axes are in each body's own, but for a
-    /// [`Damping`](Torque::Damping), which is along its principal axes.
+    /// Bodies under the same torques, with the same outputs at the same times.
+    ///
+    /// Torques that are zero at all times are left out, and a window of time within another becomes one
+    /// window; times are those of the scene. Vectors of a torque that are given in body axes are in each
+    /// body's own, but for a [`Damping`](Torque::Damping), which is along its principal axes. A torque given
+    /// by a function is refused when a body is planned.
     ///
     /// An invalid body is refused when that body is [planned](Self::plan); the others are answered.
     ///
@@ -68,7 +71,7 @@ impl Scene {
         if accuracy < 2.0 * f64::EPSILON {
             return Err(Error::Unattainable { requested: accuracy, attainable: 2.0 * f64::EPSILON });
         }
-        let torques = torques.into_iter().filter(|torque| !is_nothing(torque)).collect();
+        let torques = torques.into_iter().filter_map(simplified).collect();
         Ok(Self { bodies, torques, times, outputs, accuracy })
     }
 
@@ -100,16 +103,5 @@ impl Scene {
     #[must_use]
     pub fn accuracy(&self) -> f64 {
         self.accuracy
-    }
-}
-
-/// Whether it is zero at every attitude and spin.
-fn is_nothing(torque: &Torque<f64>) -> bool {
-    let zero = Vector3::zeros();
-    match torque {
-        Torque::InBody(value) | Torque::InWorld(value) | Torque::Damping(value) => *value == zero,
-        Torque::Aligning { arm, field } => *arm == zero || *field == zero,
-        Torque::Dissipation(strength) => *strength == 0.0,
-        _ => false,
     }
 }

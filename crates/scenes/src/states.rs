@@ -31,6 +31,8 @@ pub struct States<'a> {
     end: u64,
     /// Of a driven body, once its first state is requested.
     stepping: Option<Stepping<'a>>,
+    /// The number of its stops that are behind it.
+    stops: usize,
 }
 
 /// Spin along the principal axes, and attitude of the body.
@@ -60,7 +62,7 @@ impl Plan<'_> {
 
 impl<'a> States<'a> {
     fn new(plan: &'a Plan<'a>) -> Self {
-        Self { plan, next: 0, end: plan.scene.times().count(), stepping: None }
+        Self { plan, next: 0, end: plan.scene.times().count(), stepping: None, stops: 0 }
     }
 
     /// The number of states still to come.
@@ -117,10 +119,17 @@ impl<'a> States<'a> {
                 none.insert(Stepping::new(driven.control, &driven.system, &driven.start, end)?)
             }
         };
-        let state = stepping.to(time, 1, &mut { usize::MAX }).map_err(|stop| match stop {
-            Stop::Refused(error) => error,
-            Stop::OutOfSteps => Error::OutOfRange { what: "the number of steps", value: f64::INFINITY },
-        })?;
+        let mut to = |time| {
+            stepping.to(time, 1, &mut { usize::MAX }).map_err(|stop| match stop {
+                Stop::Refused(error) => error,
+                Stop::OutOfSteps => Error::OutOfRange { what: "the number of steps", value: f64::INFINITY },
+            })
+        };
+        while let Some(&stop) = driven.stops.get(self.stops).filter(|stop| **stop < time) {
+            to(stop)?;
+            self.stops += 1;
+        }
+        let state = to(time)?;
         Ok((driven.system.omega(&state.momentum), UnitQuaternion::from_quaternion(state.attitude)))
     }
 }

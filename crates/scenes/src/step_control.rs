@@ -55,27 +55,23 @@ impl StepControl {
     pub(crate) fn price(self, states: u64, steps: usize) -> f64 {
         let (states, steps) = (states as f64, steps as f64);
         match self {
-            Self::Tolerance(_) => self.price_of_step() * steps + prices::WITHIN * states,
+            Self::Tolerance(_) => prices::BEGIN + self.price_of_step() * steps + prices::WITHIN * states,
             _ => self.price_of_step() * steps.max(states),
         }
     }
 
     /// The same, finer: by half or more, for an error smaller by the factor `share`; zero where no error was
-    /// observed.
+    /// observed. A tolerance by a hundred: errors fall with it on average only, and where the motion
+    /// multiplies them two runs ten times apart were seen to be wrong by the same, in 3 of 60 000 scenes.
     pub(crate) fn finer(self, share: f64) -> Self {
-        // Nothing observed yet: half, or a tenth of the tolerance.
-        let by = |root: f64, first: f64| if share > 0.0 { (0.8 * root).clamp(1e-2, 0.5) } else { first };
-        // Errors fall as the first or the second power of the step.
-        let (first_order, second_order) = (share, share.sqrt());
+        let by = |root: f64| if share > 0.0 { (0.8 * root).clamp(1e-2, 0.5) } else { 0.5 };
         match self {
-            Self::Fixed(method @ Method::LinearisedImplicit, step) => {
-                Self::Fixed(method, step * by(first_order, 0.5))
-            }
-            Self::Fixed(method, step) => Self::Fixed(method, step * by(second_order, 0.5)),
-            Self::ExactDrift(step) => Self::ExactDrift(step * by(second_order, 0.5)),
-            Self::Tolerance(tolerance) => {
-                Self::Tolerance((tolerance * by(first_order, 0.1)).max(LEAST_TOLERANCE))
-            }
+            // Errors fall as the first or the second power of the step.
+            Self::Fixed(method @ Method::LinearisedImplicit, step) => Self::Fixed(method, step * by(share)),
+            Self::Fixed(method, step) => Self::Fixed(method, step * by(share.sqrt())),
+            Self::ExactDrift(step) => Self::ExactDrift(step * by(share.sqrt())),
+            // Which costs a quarter more.
+            Self::Tolerance(tolerance) => Self::Tolerance((0.01 * tolerance).max(LEAST_TOLERANCE)),
         }
     }
 }

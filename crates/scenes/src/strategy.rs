@@ -55,6 +55,9 @@ pub struct Driven {
     pub(crate) system: System<f64>,
     pub(crate) start: State<f64>,
     pub(crate) control: StepControl,
+    /// Times at which steps end besides those requested, as they did in the trial runs; none where states are
+    /// taken from series.
+    pub(crate) stops: Vec<f64>,
     /// The largest difference between two trial runs of different steps.
     pub(crate) difference: f64,
     /// The number of steps of the run that was found good.

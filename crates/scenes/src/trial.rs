@@ -22,6 +22,15 @@ pub(crate) struct Chosen {
     pub(crate) steps: usize,
 }
 
+/// What trial runs may take, and what they took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Budget {
+    /// The number of steps left.
+    pub(crate) left: usize,
+    /// The cost of those taken, in instructions.
+    pub(crate) spent: f64,
+}
+
 /// The states of a run at the times compared, with its number of steps.
 type Run = Result<(Vec<State<f64>>, usize), Stop>;
 
@@ -49,13 +58,19 @@ impl Trial<'_> {
     }
 
     /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes
-    /// the coarser; in at most `left` steps in all, and no run that is known to take more than `most`.
-    pub(crate) fn refined(&self, first: StepControl, left: &mut usize, most: f64) -> Result<Chosen, Error> {
-        self.worth_trying(first, *left)?;
-        let all = *left;
+    /// the coarser; in at most the steps of the budget in all, and no run that is known to take more than
+    /// `most`.
+    pub(crate) fn refined(
+        &self,
+        first: StepControl,
+        budget: &mut Budget,
+        most: f64,
+    ) -> Result<Chosen, Error> {
+        self.worth_trying(first, budget.left)?;
+        let all = budget.left;
         let mut control = first;
         let (mut best, mut before) = (f64::INFINITY, 0.0);
-        let mut coarse = self.run(control, None, left, most);
+        let mut coarse = self.run(control, None, budget, most);
         for _ in 0..ROUNDS {
             if coarse == Err(Stop::OutOfSteps) {
                 break;
@@ -63,10 +78,10 @@ impl Trial<'_> {
             let observed = coarse.as_ref().map_or(f64::INFINITY, |_| best);
             let finer =
                 control.finer(if observed.is_finite() { 0.5 * self.accuracy / observed } else { 0.0 });
-            if finer == control || self.steps(finer) > (*left as f64).min(most) {
+            if finer == control || self.steps(finer) > (budget.left as f64).min(most) {
                 break;
             }
-            let fine = self.run(finer, Some(control), left, most);
+            let fine = self.run(finer, Some(control), budget, most);
             let difference = match (&coarse, &fine) {
                 (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
                 _ => f64::INFINITY,
@@ -86,17 +101,17 @@ impl Trial<'_> {
             }
             best = best.min(difference);
             // What was cut for the comparison alone is put back before it is compared with the next.
-            coarse = if self.cuts(finer, control) { self.run(finer, None, left, most) } else { fine };
+            coarse = if self.cuts(finer, control) { self.run(finer, None, budget, most) } else { fine };
             control = finer;
         }
         match coarse {
-            // Agreement is half of the accuracy; as much again, since roundings differ with the steps that
+            // Agreement is half of the accuracy; as much again, for roundings differ with the steps that
             // another accuracy leads to.
-            _ if 8.0 * best < 1.0 => {
-                Err(Error::Unattainable { requested: self.accuracy, attainable: 8.0 * best })
+            _ if 4.0 * best < 1.0 => {
+                Err(Error::Unattainable { requested: self.accuracy, attainable: 4.0 * best })
             }
             Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
-            _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - *left }),
+            _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - budget.left }),
         }
     }
 
@@ -130,9 +145,9 @@ impl Trial<'_> {
 
     /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either
     /// way would agree with itself.
-    fn run(&self, control: StepControl, over: Option<StepControl>, left: &mut usize, most: f64) -> Run {
+    fn run(&self, control: StepControl, over: Option<StepControl>, budget: &mut Budget, most: f64) -> Run {
         let mut now = 0.0;
-        let whole = (*left).min(most as usize);
+        let whole = budget.left.min(most as usize);
         let mut of_run = whole;
         let mut states = Vec::with_capacity(self.times.len());
         let mut on = |of_run: &mut usize| {
@@ -146,7 +161,8 @@ impl Trial<'_> {
         };
         let done = on(&mut of_run);
         let taken = whole - of_run;
-        *left -= taken;
+        budget.left -= taken;
+        budget.spent += control.price(self.times.len() as u64, taken);
         done.map(|()| (states, taken))
     }
 
@@ -234,7 +250,8 @@ mod tests {
         let outputs = Outputs { spin: true, ..Outputs::NOTHING };
         let trial = Trial { system: &system, start: &start, times, outputs, accuracy, end, turned, lost };
         let [coarse, fine] = [0.5, 0.25].map(|step| StepControl::Fixed(Method::MoserVeselov8, step));
-        let steps = |by, over| trial.run(by, over, &mut { 1000 }, f64::INFINITY).unwrap().1;
+        let steps =
+            |by, over| trial.run(by, over, &mut Budget { left: 1000, spent: 0.0 }, f64::INFINITY).unwrap().1;
         assert_eq!((steps(coarse, None), steps(fine, None), steps(fine, Some(coarse))), (4, 6, 8));
         assert!(
             trial.cuts(fine, coarse) && !trial.cuts(StepControl::Fixed(Method::MoserVeselov8, 0.005), coarse)

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- [--quick] --into FOLDER
-//! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- trials COUNT SEED
+//! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- trials COUNT SEED [--more]
 //! ```
 
 #[cfg(feature = "solvers")]
@@ -79,12 +79,15 @@ fn run() -> Result<(), Wrong> {
                 instructions::child(&all(), &story::all()?, &name, times)?;
                 return Ok(());
             }
-            // Random scenes under torques: how many, and from which seed.
+            // Random scenes under torques: how many, from which seed, and whether torques may depend on the
+            // time.
             #[cfg(feature = "solvers")]
             "trials" => {
                 let mut number =
                     || -> Result<u64, Wrong> { Ok(words.next().ok_or("a number is missing")?.parse()?) };
-                println!("{}", trials::run(number()?, number()?)?);
+                let (count, seed) = (number()?, number()?);
+                let more = words.next().is_some_and(|word| word == "--more");
+                println!("{}", trials::run(count, seed, more)?);
                 return Ok(());
             }
             "--quick" => effort = Effort::QUICK,

@@ -143,7 +143,7 @@ impl<'a, 'i> Fields<'a, 'i> {
 }
 
 /// Other names of these fields.
-const ELSEWHERE: [(&str, &str); 16] = [
+const ELSEWHERE: [(&str, &str); 21] = [
     ("omega", "spin"),
     ("angular_velocity", "spin"),
     ("w", "spin"),
@@ -160,6 +160,11 @@ const ELSEWHERE: [(&str, &str); 16] = [
     ("tolerance", "accuracy"),
     ("drag", "damping"),
     ("gravity", "field"),
+    ("dipole", "moment"),
+    ("nadir", "toward"),
+    ("start", "from"),
+    ("begin", "from"),
+    ("until", "to"),
 ];
 
 pub(super) fn nearest(name: &str, known: &[&str]) -> String {

@@ -1,7 +1,7 @@
 //! A scene from the text of a file.
 
 use super::fields::{Fields, Lines, nearest};
-use super::{BODY, File, OUTPUTS, Place, SCENE, TORQUE};
+use super::{BODY, File, OUTPUTS, Place, SCENE, torque};
 use crate::error::Error;
 use crate::initial_state::{InitialState, Start};
 use crate::outputs::Outputs;
@@ -10,7 +10,6 @@ use crate::times::Times;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use tumbling::step::Torque;
 
 /// A scene from the text of a file.
 ///
@@ -34,8 +33,8 @@ pub fn read(text: &str) -> Result<File, Error> {
         return Err(root.missing("a body, `[[body]]`,"));
     }
     let states = bodies.iter().map(initial_state).collect::<Result<Vec<_>, _>>()?;
-    let torque_tables = root.tables("torque", &TORQUE)?;
-    let torques = torque_tables.iter().map(torque).collect::<Result<_, _>>()?;
+    let torque_tables = root.tables("torque", &torque::FIELDS)?;
+    let torques = torque_tables.iter().map(torque::read).collect::<Result<_, _>>()?;
     times.validate().map_err(|error| {
         let field = match &times {
             Times::Given(_) => "times",
@@ -46,10 +45,7 @@ pub fn read(text: &str) -> Result<File, Error> {
     })?;
     let scene = Scene::new(states, torques, times, outputs, accuracy).map_err(|error| match error {
         Error::Torque { index, source } => match torque_tables.get(index) {
-            Some(table) => {
-                let field = TORQUE.into_iter().find(|field| table.get(field).is_some());
-                table.refused(field.unwrap_or_default(), &source)
-            }
+            Some(table) => table.refused(torque::field(table, &source), &source),
             None => Error::File { line: None, field: None, why: source.to_string() },
         },
         // Bodies and times are there and right: this is all that is left.
@@ -126,31 +122,4 @@ fn initial_state(body: &Fields<'_, '_>) -> Result<InitialState, Error> {
         }
     };
     Ok(InitialState { moments, products, attitude, start })
-}
-
-fn torque(torque: &Fields<'_, '_>) -> Result<Torque<f64>, Error> {
-    let found = [
-        torque.vector("in-body")?.map(Torque::InBody),
-        torque.vector("in-world")?.map(Torque::InWorld),
-        match (torque.vector("arm")?, torque.vector("field")?) {
-            (Some(arm), Some(field)) => Some(Torque::Aligning { arm, field }),
-            (None, None) => None,
-            (Some(_), None) => return Err(torque.alone("arm", "`field` (N)")),
-            (None, Some(_)) => return Err(torque.alone("field", "`arm` (m)")),
-        },
-        torque.vector("damping")?.map(Torque::Damping),
-        torque.number("dissipation")?.map(Torque::Dissipation),
-    ];
-    let mut found = found.into_iter().flatten();
-    match (found.next(), found.next()) {
-        (Some(one), None) => Ok(one),
-        (None, _) => Err(torque.missing(
-            "the kind of this torque, `in-body`, `in-world`, `arm` and `field`, `damping` or `dissipation`,",
-        )),
-        (Some(_), Some(_)) => Err(Error::File {
-            line: Some(torque.lines.at(&torque.span)),
-            field: Some("torque".into()),
-            why: "one kind of torque is expected in each `[[torque]]`, not two".into(),
-        }),
-    }
 }

@@ -1,18 +1,17 @@
 //! The text of a file from a scene.
 
-use super::OUTPUTS;
+use super::{OUTPUTS, torque};
 use crate::initial_state::Start;
 use crate::scene::Scene;
 use crate::times::Times;
 use std::fmt::Write as _;
-use tumbling::step::Torque;
 
 /// A number that reads back to the bit.
-fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     format!("{x:?}")
 }
 
-fn list(numbers: &[f64]) -> String {
+pub(super) fn list(numbers: &[f64]) -> String {
     let numbers: Vec<String> = numbers.iter().copied().map(number).collect();
     format!("[{}]", numbers.join(", "))
 }
@@ -53,20 +52,7 @@ pub fn write(scene: &Scene) -> String {
         };
     }
     for torque in scene.torques() {
-        let _ = text.write_str("\n[[torque]]\n");
-        let _ = match torque {
-            Torque::InBody(value) => writeln!(text, "in-body = {} # N m", list(value.as_slice())),
-            Torque::InWorld(value) => writeln!(text, "in-world = {} # N m", list(value.as_slice())),
-            Torque::Aligning { arm, field } => {
-                writeln!(text, "arm = {}\nfield = {}", list(arm.as_slice()), list(field.as_slice()))
-            }
-            Torque::Damping(value) => writeln!(text, "damping = {} # N m s", list(value.as_slice())),
-            Torque::Dissipation(strength) => {
-                writeln!(text, "dissipation = {} # s/(kg m²)", number(*strength))
-            }
-            // The library may know more kinds one day; the test of round trips names all there are.
-            _ => writeln!(text, "# a torque that files do not have yet: {torque:?}"),
-        };
+        let _ = write!(text, "\n[[torque]]\n{}", torque::write(torque));
     }
     text
 }

@@ -123,6 +123,24 @@ fn driven_bodies_are_stepped_on_from_block_to_block() {
     assert_eq!(batched.0.len(), 303);
 }
 
+/// More than a block of them, some that no body is, under a gradient, a weight, damping and a thruster.
+#[test]
+fn a_crowd_of_driven_bodies_is_answered_as_each_alone() {
+    let mut bodies = mixed(300);
+    bodies[123].moments = Vector3::new(1.0, 1.0, 3.0);
+    let torques = vec![
+        Torque::gravity_gradient(&Vector3::x(), &Vector3::new(0.0, 0.0, 0.5)),
+        Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), 2.0),
+        Torque::Damping(Vector3::new(0.125, 0.125, 0.125)),
+        Torque::during(0.5, 1.0, Torque::InBody(Vector3::new(0.5, -1.0, 0.25))),
+    ];
+    let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
+    let scene = Scene::new(bodies, torques, Times::every(0.1, 2.0), outputs, 1e-6).unwrap();
+    let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
+    assert_eq!(batched, alone);
+    assert_eq!((batched.0.len(), batched.1.len()), (299 * 21, 1));
+}
+
 #[test]
 fn one_bad_body_among_many_is_named_and_the_others_are_answered() {
     let mut bodies = mixed(5000);

@@ -33,6 +33,13 @@ fn initial_state() -> impl Strategy<Value = InitialState> {
 }
 
 fn torque() -> impl Strategy<Value = Torque<f64>> {
+    let bound = || prop_oneof![number(), Just(f64::NEG_INFINITY), Just(f64::INFINITY)];
+    (kind(), any::<bool>(), bound(), bound()).prop_map(|(torque, always, one, other)| {
+        if always { torque } else { Torque::during(one.min(other), one.max(other), torque) }
+    })
+}
+
+fn kind() -> impl Strategy<Value = Torque<f64>> {
     let size = || number().prop_map(f64::abs);
     prop_oneof![
         vector().prop_map(Torque::InBody),
@@ -40,6 +47,15 @@ fn torque() -> impl Strategy<Value = Torque<f64>> {
         (vector(), vector()).prop_map(|(arm, field)| Torque::Aligning { arm, field }),
         prop::array::uniform3(size()).prop_map(|c| Torque::Damping(Vector3::from(c))),
         size().prop_map(Torque::Dissipation),
+        (vector(), number(), number()).prop_map(|(amplitude, rate, phase)| Torque::Periodic {
+            amplitude,
+            rate,
+            phase
+        }),
+        (size(), 0.0..6.3_f64, vector()).prop_map(|(strength, angle, orbit)| {
+            let direction = Vector3::new(angle.sin(), 0.0, angle.cos());
+            Torque::GravityGradient { strength, direction, orbit }
+        }),
     ]
 }
 
@@ -130,6 +146,33 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
         (torque("arm = [1, 0, 0]"), "line 7, `arm`: `field` (N) is missing, which goes with it"),
         (torque("damping = [1, 0, -1]"), "line 7, `damping`: a damping coefficient is -1.0"),
         (torque(""), "line 6: the kind of this torque"),
+        (torque("from = 1"), "line 6: the kind of this torque"),
+        (torque("field = [1, 0, 0]"), "line 7, `field`: `arm` (m) or `moment` (A m²) is missing"),
+        (torque("moment = [1, 0, 0]"), "line 7, `moment`: `field` (T) is missing"),
+        (torque("arm = [1, 0, 0]\nrest = [1, 0, 0]"), "line 8, `rest`: `stiffness` (N m) is missing"),
+        (torque("arm = [1, 0, 0]\nstiffness = 2"), "line 8, `stiffness`: `rest` is missing"),
+        (torque("rest = [1, 0, 0]\nstiffness = 2"), "line 7, `rest`: `arm` is missing"),
+        (torque("stiffness = 2"), "line 7, `stiffness`: `arm` is missing"),
+        (
+            torque("arm = [1, 0, 0]\nmoment = [1, 0, 0]\nfield = [1, 0, 0]"),
+            "line 6, `torque`: one kind of torque is expected",
+        ),
+        (torque("toward = [1, 0, 0]"), "line 7, `toward`: `orbit` (rad/s) or `strength` (1/s²) is missing"),
+        (torque("orbit = [1, 0, 0]"), "line 7, `orbit`: `toward` is missing"),
+        (torque("amplitude = [1, 0, 0]"), "line 7, `amplitude`: `rate` (rad/s) is missing"),
+        (torque("rate = 1"), "line 7, `rate`: `amplitude` (N m) is missing"),
+        (torque("phase = 1"), "line 7, `phase`: `amplitude` (N m) is missing"),
+        (torque("strength = 1"), "line 7, `strength`: `toward` is missing"),
+        (
+            torque("strength = -1\ntoward = [1, 0, 0]"),
+            "line 7, `strength`: the strength of the gravity gradient is -1.0: it must not be below zero",
+        ),
+        (
+            torque("orbit = [0, 0, 1]\ntoward = [2, 0, 0]"),
+            "line 8, `toward`: the direction of the gravity gradient",
+        ),
+        (torque("damping = [1, 1, 1]\nfrom = 2\nto = 1"), "line 8, `from`: the start of a torque"),
+        (torque("in-body = [1, 0, 0]\nuntil = 1"), "line 8, `until`: no such field. Did you mean `to`?"),
         (torque("dissipation = 1\nin-body = [1, 0, 0]"), "line 6, `torque`: one kind of torque is expected"),
     ] {
         assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
@@ -198,5 +241,27 @@ fn the_files_of_the_books_stories_are_scenes() {
         }
         count += 1;
     }
-    assert_eq!(count, 8);
+    assert_eq!(count, 9);
+}
+
+/// What has a name of its own in a file is the library's torque of that name.
+#[test]
+fn a_spring_a_magnet_an_orbit_and_a_thruster_are_the_librarys() {
+    let text = "\n[[torque]]\narm = [1, 2, 3]\nrest = [0, 0.5, 1]\nstiffness = 0.3\n\
+                [[torque]]\nmoment = [1, 2, 3]\nfield = [0, 0.5, 1]\n\
+                [[torque]]\ntoward = [0, 0.6, 0.8]\norbit = [0.1, 0.2, 0.3]\n\
+                [[torque]]\ntoward = [0, 0.6, 0.8]\nstrength = 0.7\n\
+                [[torque]]\nin-world = [1, 2, 3]\nfrom = 0.125\nto = 0.25\n\
+                [[torque]]\ndissipation = 0.5\nto = 0.25\n";
+    let (a, b) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 0.5, 1.0));
+    let (direction, orbit) = (Vector3::new(0.0, 0.6, 0.8), Vector3::new(0.1, 0.2, 0.3));
+    let expected = [
+        Torque::spring(&a, &b, 0.3),
+        Torque::magnetic(&a, &b),
+        Torque::gravity_gradient(&direction, &orbit),
+        Torque::GravityGradient { strength: 0.7, direction, orbit: Vector3::zeros() },
+        Torque::during(0.125, 0.25, Torque::InWorld(a)),
+        Torque::during(f64::NEG_INFINITY, 0.25, Torque::Dissipation(0.5)),
+    ];
+    assert_eq!(read(&(GOOD.to_owned() + text)).unwrap().scene.torques(), expected);
 }

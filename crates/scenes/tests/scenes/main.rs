@@ -13,3 +13,5 @@ mod free;
 mod program;
 mod same_bits;
 mod scene;
+mod torques;
+mod trials;

@@ -1,0 +1,232 @@
+//! Every torque of a scene, held against a Runge-Kutta solver of its own that knows the law in world axes.
+
+use crate::common::{ALL, BOTH, SPIN, one, states};
+use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
+use tumbling::step::Torque;
+use tumbling_scenes::{InitialState, Scene, Start, Strategy, Times};
+
+/// A torque in world axes, of the time, the attitude and the tensor in world axes.
+type Law = fn(f64, &UnitQuaternion<f64>, &Matrix3<f64>) -> Vector3<f64>;
+
+/// Attitude and spin (body axes) at each of the times, by steps of the classical Runge-Kutta rule on
+/// `L' = torque` and `q' = w q / 2`, all in world axes. No step goes over one of the `breaks`.
+fn solved(
+    body: &InitialState,
+    law: Law,
+    times: &[f64],
+    breaks: &[f64],
+) -> Vec<(UnitQuaternion<f64>, Vector3<f64>)> {
+    let tensor = body.body().unwrap().inertia().matrix();
+    let inverse = tensor.try_inverse().unwrap();
+    let turned = |tensor: &Matrix3<f64>, q: &UnitQuaternion<f64>| {
+        let rotation = q.to_rotation_matrix();
+        rotation * tensor * rotation.transpose()
+    };
+    let rate = |time: f64, q: &Quaternion<f64>, l: &Vector3<f64>| {
+        let unit = UnitQuaternion::new_normalize(*q);
+        let omega = turned(&inverse, &unit) * l;
+        (Quaternion::from_imag(omega) * q * 0.5, law(time, &unit, &turned(&tensor, &unit)))
+    };
+    let Start::Spin(omega) = body.start else { panic!() };
+    let (mut q, mut l, mut now) = (body.attitude.into_inner(), body.attitude * (tensor * omega), 0.0);
+    let mut stops: Vec<f64> = times.iter().chain(breaks).copied().collect();
+    stops.sort_by(f64::total_cmp);
+    let mut found = Vec::new();
+    for stop in stops {
+        let steps = ((stop - now) / 1e-3).ceil();
+        let h = (stop - now) / steps.max(1.0);
+        for step in 0..steps as u32 {
+            // Inside of the step, so that a torque that switches at its end is not asked there.
+            let inside = |part: f64| now + h * (f64::from(step) + 1e-9 + (1.0 - 2e-9) * part);
+            let (a, e) = rate(inside(0.0), &q, &l);
+            let (b, f) = rate(inside(0.5), &(q + a * (h / 2.0)), &(l + e * (h / 2.0)));
+            let (c, g) = rate(inside(0.5), &(q + b * (h / 2.0)), &(l + f * (h / 2.0)));
+            let (d, k) = rate(inside(1.0), &(q + c * h), &(l + g * h));
+            q += (a + (b + c) * 2.0 + d) * (h / 6.0);
+            l += (e + (f + g) * 2.0 + k) * (h / 6.0);
+        }
+        now = stop;
+        if times.contains(&stop) {
+            let unit = UnitQuaternion::new_normalize(q);
+            found.push((unit, inverse * (unit.inverse() * l)));
+        }
+    }
+    found
+}
+
+/// Measured in axes other than its principal ones, and turned in the world.
+fn lopsided() -> InitialState {
+    InitialState {
+        moments: Vector3::new(1.0, 1.75, 2.25),
+        products: Vector3::new(0.125, -0.25, 0.0625),
+        attitude: UnitQuaternion::from_euler_angles(0.3, -0.7, 1.9),
+        start: Start::Spin(Vector3::new(0.5, 1.5, -0.75)),
+    }
+}
+
+const TIMES: [f64; 5] = [0.25, 1.0, 1.75, 2.5, 4.0];
+
+fn held(torques: Vec<Torque<f64>>, law: Law, breaks: &[f64]) {
+    let right = solved(&lopsided(), law, &TIMES, breaks);
+    for accuracy in [1e-3, 1e-6, 1e-9] {
+        let scene = one(lopsided(), torques.clone(), Times::Given(TIMES.to_vec()), ALL, accuracy);
+        let plan = scene.plan(0).unwrap();
+        let mut fastest = 0.0_f64;
+        for (state, (attitude, spin)) in states(&plan).iter().zip(&right) {
+            fastest = fastest.max(spin.norm());
+            let turned = state.attitude.unwrap().angle_to(attitude);
+            let spun = (state.spin.unwrap() - spin).norm() / fastest;
+            // The solver's own error is some 1e-11.
+            let off = turned.max(spun);
+            assert!(off < accuracy, "{off:e} of {accuracy:e} at {} s: {}", state.time, plan.explain());
+        }
+    }
+}
+
+const ARM: Vector3<f64> = Vector3::new(0.3, -0.5, 0.8);
+const REST: Vector3<f64> = Vector3::new(0.0, 0.6, 0.8);
+
+#[test]
+fn a_spring_turns_the_arm_to_where_it_rests() {
+    held(vec![Torque::spring(&ARM, &REST, 6.0)], |_, q, _| (q * ARM).cross(&REST) * 6.0, &[]);
+}
+
+#[test]
+fn a_magnet_turns_into_its_field() {
+    held(vec![Torque::magnetic(&(ARM * 2.0), &(REST * 1.5))], |_, q, _| (q * ARM).cross(&REST) * 3.0, &[]);
+}
+
+const ORBIT: Vector3<f64> = Vector3::new(0.5, 0.25, -0.25);
+
+fn toward() -> Vector3<f64> {
+    // Square to the orbit's normal.
+    ORBIT.cross(&Vector3::x()).normalize()
+}
+
+/// `n x I n`, with `n` along the way to the attracting body, which goes round.
+fn pull(time: f64, tensor: &Matrix3<f64>) -> Vector3<f64> {
+    let n = Rotation3::from_axis_angle(&Unit::new_normalize(ORBIT), ORBIT.norm() * time) * toward();
+    n.cross(&(tensor * n))
+}
+
+#[test]
+fn the_gravity_gradient_pulls_toward_a_body_that_goes_round() {
+    let law: Law = |time, _, tensor| pull(time, tensor) * (3.0 * ORBIT.norm_squared());
+    held(vec![Torque::gravity_gradient(&toward(), &ORBIT)], law, &[]);
+    // And toward one that stands still.
+    let still = Torque::GravityGradient { strength: 4.0, direction: REST, orbit: Vector3::zeros() };
+    held(vec![still], |_, _, tensor| REST.cross(&(tensor * REST)) * 4.0, &[]);
+}
+
+#[test]
+fn two_gravity_gradients_add_up() {
+    let still = Torque::GravityGradient { strength: 2.0, direction: REST, orbit: Vector3::zeros() };
+    let law: Law = |time, _, tensor| {
+        pull(time, tensor) * (3.0 * ORBIT.norm_squared()) + REST.cross(&(tensor * REST)) * 2.0
+    };
+    held(vec![Torque::gravity_gradient(&toward(), &ORBIT), still], law, &[]);
+}
+
+#[test]
+fn a_push_swings_to_and_fro() {
+    let push = Torque::Periodic { amplitude: ARM * 3.0, rate: 2.5, phase: 0.75 };
+    held(vec![push], |time, q, _| q * ARM * (3.0 * (2.5 * time + 0.75).cos()), &[]);
+}
+
+/// Under two gradients there are no series, and a step ends at each time; so it does in the trial runs, and
+/// at the same times: what was tried is what is answered, whatever is requested between.
+#[test]
+fn the_end_does_not_depend_on_the_states_requested_on_the_way() {
+    let still = Torque::GravityGradient { strength: 2.0, direction: REST, orbit: Vector3::zeros() };
+    let gradient = Torque::gravity_gradient(&toward(), &ORBIT);
+    for torques in [vec![gradient.clone(), still], vec![gradient]] {
+        let end = |parts: u32| {
+            let times = (1..=parts).map(|k| 4.0 * (f64::from(k) / f64::from(parts))).collect();
+            let scene = one(lopsided(), torques.clone(), Times::Given(times), BOTH, 1e-7);
+            states(&scene.plan(0).unwrap()).pop().unwrap()
+        };
+        assert_eq!(end(1), end(16));
+    }
+}
+
+/// One thruster within the first second, one across two of the times; a spring that lets go.
+#[test]
+fn torques_begin_and_end_at_their_times() {
+    let torques = vec![
+        Torque::during(0.5, 0.75, Torque::InBody(ARM * 5.0)),
+        Torque::during(1.5, 2.625, Torque::InWorld(REST * -2.0)),
+        Torque::during(f64::NEG_INFINITY, 2.0, Torque::spring(&ARM, &REST, 4.0)),
+    ];
+    let law: Law = |time, q, _| {
+        let mut torque = Vector3::zeros();
+        if (0.5..0.75).contains(&time) {
+            torque += q * (ARM * 5.0);
+        }
+        if (1.5..2.625).contains(&time) {
+            torque -= REST * 2.0;
+        }
+        if time < 2.0 {
+            torque += (q * ARM).cross(&REST) * 4.0;
+        }
+        torque
+    };
+    held(torques, law, &[0.5, 0.75, 1.5, 2.625, 2.0]);
+}
+
+/// Two N m for 0.3 s on 4 kg m², and drag of 8 N m s for a second: `w = 0.15 exp(-2)`.
+#[test]
+fn a_thruster_and_then_a_brake() {
+    let body = InitialState::spinning(Vector3::new(2.0, 3.0, 4.0), Vector3::zeros());
+    let torques = vec![
+        Torque::during(0.5, 0.8, Torque::InBody(Vector3::z() * 2.0)),
+        Torque::during(2.0, 3.0, Torque::Damping(Vector3::new(8.0, 8.0, 8.0))),
+    ];
+    let scene = one(body, torques, Times::Given(vec![0.5, 0.65, 1.0, 5.0]), SPIN, 1e-10);
+    let plan = scene.plan(0).unwrap();
+    assert!(plan.explain().contains("since damping acts"), "{}", plan.explain());
+    let expected = [0.0, 0.075, 0.15, 0.15 * (-2.0_f64).exp()];
+    for (state, expected) in states(&plan).iter().zip(expected) {
+        assert!((state.spin.unwrap().z - expected).abs() < 1e-11, "at {} s", state.time);
+    }
+}
+
+#[test]
+fn what_never_acts_is_left_out_and_windows_within_windows_are_one() {
+    let push = || Torque::InBody(Vector3::x());
+    let scene = |torques: Vec<Torque<f64>>| one(lopsided(), torques, Times::every(1.0, 2.0), BOTH, 1e-9);
+    let kept = |torque: Torque<f64>| scene(vec![torque]).torques().to_vec();
+    assert_eq!(kept(Torque::during(1.0, 1.0, push())), []);
+    assert_eq!(kept(Torque::during(0.0, 1.0, Torque::during(2.0, 3.0, push()))), []);
+    assert_eq!(kept(Torque::during(0.0, 1.0, Torque::InBody(Vector3::zeros()))), []);
+    let still = Torque::GravityGradient { strength: 0.0, direction: REST, orbit: ORBIT };
+    assert_eq!(kept(still), []);
+    assert_eq!(kept(Torque::during(f64::NEG_INFINITY, f64::INFINITY, push())), [push()]);
+    let nested = Torque::during(0.0, 2.0, Torque::during(1.0, 3.0, push()));
+    assert_eq!(kept(nested), [Torque::during(1.0, 2.0, push())]);
+    // A body that no torque moves is answered in closed form.
+    let scene = scene(vec![Torque::during(1.0, 1.0, push())]);
+    assert!(matches!(scene.plan(0).unwrap().strategy(), Strategy::Elliptic(_)));
+}
+
+#[test]
+fn a_function_is_refused_in_a_window_too_and_what_is_not_valid_by_value_rule_and_margin() {
+    let new = |torque| Scene::new([lopsided()], vec![torque], Times::every(1.0, 2.0), BOTH, 1e-9);
+    let law = Torque::function(|_, _, _| Vector3::x());
+    let scene = new(Torque::during(0.0, 1.0, law)).unwrap();
+    let message = scene.plan(0).unwrap_err().to_string();
+    assert!(message.starts_with("body 0: the motion under a torque given by a function"), "{message}");
+    let uneven = Torque::Damping(Vector3::new(1.0, 2.0, 2.0));
+    let message = new(Torque::during(0.0, 1.0, uneven)).unwrap().plan(0).unwrap_err().to_string();
+    assert!(message.starts_with("body 0: damping that differs from axis to axis"), "{message}");
+    let gradient = |strength, direction| Torque::GravityGradient { strength, direction, orbit: ORBIT };
+    for (torque, expected) in [
+        (Torque::during(2.0, 1.0, Torque::InBody(ARM)), "torque 0: the start of a torque"),
+        (Torque::during(f64::NAN, 1.0, Torque::InBody(ARM)), "torque 0: the start of a torque"),
+        (gradient(-1.0, REST), "torque 0: the strength of the gravity gradient is -1.0"),
+        (gradient(1.0, REST * 2.0), "torque 0: the direction of the gravity gradient"),
+        (gradient(f64::INFINITY, REST), "torque 0: the strength of the gravity gradient is inf"),
+    ] {
+        let message = new(torque).unwrap_err().to_string();
+        assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
+    }
+}
