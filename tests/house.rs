@@ -144,3 +144,53 @@ fn the_closed_form_cites_each_formula_of_its_chapter_and_no_other() {
     assert_ne!(formulas("(C6) and (C8)"), formulas("(C6) and (C7)"));
     assert_eq!(numbered("**(C2)** by (C1)"), [2]);
 }
+
+/// Chosen by measured errors, which the tests of the motion and of its derivatives bound, or by the range of
+/// `f64`; all other named numbers of the closed form are recomputed in a test beside them.
+const CHOSEN: [&str; 13] = [
+    "COUNTABLE",
+    "FAR",
+    "LAST",
+    "LAST_APART",
+    "NEAR_RETURN",
+    "NEEDLE",
+    "NOBODY",
+    "ONE_PRODUCT",
+    "REST",
+    "ROOM_TO_TURN",
+    "SHORT",
+    "SLOW",
+    "SMALL_MODULUS",
+];
+
+#[test]
+fn every_named_number_of_the_closed_form_is_recomputed_in_a_test() {
+    let mut files = Vec::new();
+    sources(&root().join("src/exact"), &mut files);
+    files.retain(|file| !file.to_string_lossy().contains("/top"));
+    let texts: Vec<String> = files.iter().map(|file| fs::read_to_string(file).unwrap()).collect();
+    let parts =
+        texts.iter().zip(&files).map(|(text, file)| match text.split_once("#[cfg(test)]\nmod tests {") {
+            _ if file.ends_with("tests.rs") => ("", text.as_str()),
+            Some(parts) => parts,
+            None => (text.as_str(), ""),
+        });
+    let (code, tests): (Vec<&str>, Vec<&str>) = parts.unzip();
+    let name = |line: &str| {
+        let line = line.trim_start().trim_start_matches("pub(crate) ").trim_start_matches("pub(super) ");
+        let (name, kind) = line.strip_prefix("const ")?.split_once(": ")?;
+        ["f64", "i32", "usize", "["]
+            .iter()
+            .any(|own| kind.starts_with(own))
+            .then(|| name.to_owned())
+            .filter(|name| !name.contains(' '))
+    };
+    let names: BTreeSet<String> = code.iter().flat_map(|text| text.lines().filter_map(name)).collect();
+    let missing: Vec<_> = names
+        .iter()
+        .filter(|name| !CHOSEN.contains(&name.as_str()))
+        .filter(|name| !tests.iter().any(|text| text.contains(name.as_str())))
+        .collect();
+    assert!(names.len() > 20 && CHOSEN.iter().all(|name| names.contains(*name)), "{names:?}");
+    assert_eq!(missing, [""; 0]);
+}

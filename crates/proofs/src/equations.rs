@@ -76,7 +76,7 @@ pub struct Settled {
 pub struct Expected {
     /// Laws; those with one left side in the order of the text.
     pub laws: &'static [Law],
-    /// Statements that claim nothing about the library.
+    /// Statements that claim nothing about the library, or that are proven apart.
     pub exemptions: &'static [Exemption],
     /// Bare expressions, inline, that name a thing and say nothing about it.
     pub notation: &'static [Exemption],
@@ -218,7 +218,11 @@ impl Found {
     fn take(&mut self, equation: &Equation, statement: &Statement, standing: Option<Standing>) {
         let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why };
         let problem = match standing {
-            Some(Standing::Exempt(exemption)) => return self.exempt.push(settled(exemption.reason)),
+            Some(Standing::Exempt(exemption)) => match (exemption.prove(), exemption.proof) {
+                (Ok(()), Some(_)) => return self.proven.push(settled(exemption.reason)),
+                (Ok(()), None) => return self.exempt.push(settled(exemption.reason)),
+                (Err(problem), _) => problem,
+            },
             Some(Standing::Values) => return self.values.push(settled("only values")),
             Some(Standing::Law(law)) => match law.prove(statement) {
                 Ok(()) => return self.proven.push(settled(law.says)),

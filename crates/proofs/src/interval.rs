@@ -19,6 +19,7 @@
 
 mod arithmetic;
 pub mod elliptic;
+pub mod frozen;
 mod functions;
 pub mod geometry;
 pub mod motion;
@@ -51,6 +52,12 @@ impl Interval {
     /// assert!((four * (four * a.atan() - b.atan()) - Interval::PI).has_zero());
     /// ```
     pub const PI: Self = Self { low: std::f64::consts::PI, high: std::f64::consts::PI.next_up() };
+
+    /// A whole number that a float holds.
+    fn whole(number: impl Into<f64>) -> Self {
+        let number = number.into();
+        Self { low: number, high: number }
+    }
 
     /// The lower end.
     #[must_use]
@@ -87,6 +94,11 @@ impl Interval {
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The smaller of the two numbers.
+    fn min_of(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.min(other.high) }
     }
 
     /// The part between these bounds, of a number that is known to lie there; the bounds where none is left.

@@ -7,10 +7,12 @@ mod errata;
 mod euler;
 mod gap;
 mod inertia;
+mod integrals;
 pub(crate) mod klein;
 mod methods;
 mod order;
 mod position_stage;
+mod sensitivity;
 mod solids;
 mod stability;
 mod theta;
@@ -21,7 +23,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 15] = [
+    let parts: [&[Proof]; 17] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -33,6 +35,8 @@ pub fn proofs() -> Vec<&'static Proof> {
         closed_forms::PROOFS,
         theta::PROOFS,
         klein::PROOFS,
+        integrals::PROOFS,
+        sensitivity::PROOFS,
         order::PROOFS,
         methods::PROOFS,
         position_stage::PROOFS,

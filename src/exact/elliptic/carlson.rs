@@ -2,6 +2,10 @@
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
+
+/// Numbers this near to their mean, relative to it, are summed by the series.
+const NEAR: [f64; 2] = [3e-3, 5e-3];
+
 /// `R_F(x², y², z²)` for three numbers not below zero, at most one of them zero (two zeros give infinity).
 ///
 /// Takes the roots, so that 1e-200 and its like come through: the first duplication uses them as they are.
@@ -16,9 +20,10 @@ pub(crate) fn rf_of_roots(x: f64, y: f64, z: f64) -> f64 {
     for _ in 0..40 {
         let mean = (v[0] + v[1] + v[2]) / 3.0;
         let spread = v.iter().map(|a| (a - mean).abs()).fold(0.0, f64::max);
-        if spread <= 3e-3 * mean {
+        if spread <= NEAR[0] * mean {
             break;
         }
+        // (C46)
         let [a, b, c] = v.map(f64::sqrt);
         let shared = a * b + b * c + c * a;
         v = v.map(|a| 0.25 * (a + shared));
@@ -27,11 +32,15 @@ pub(crate) fn rf_of_roots(x: f64, y: f64, z: f64) -> f64 {
     let [a, b] = [0, 1].map(|i| 1.0 - v[i] / mean);
     let c = -a - b;
     let (e2, e3) = (a * b - c * c, a * b * c);
-    // The series of [Car95](crate::references) to the terms of seventh order.
-    let series = -e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0 - 5.0 * e2 * e2 * e2 / 208.0
+    (1.0 + first_series(e2, e3)) / mean.sqrt()
+}
+
+/// The series of [Car95](crate::references) to the terms of seventh order, without its first term.
+fn first_series(e2: f64, e3: f64) -> f64 {
+    // (C47)
+    -e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0 - 5.0 * e2 * e2 * e2 / 208.0
         + 3.0 * e3 * e3 / 104.0
-        + e2 * e2 * e3 / 16.0;
-    (1.0 + series) / mean.sqrt()
+        + e2 * e2 * e3 / 16.0
 }
 
 /// `R_D(x, y, z)`, three halves of the integral of `1/((t+z) sqrt((t+x)(t+y)(t+z)))` over positive `t`, for
@@ -42,9 +51,10 @@ pub(crate) fn rd(numbers: [f64; 3]) -> f64 {
     let mean = |v: &[f64; 3]| (v[0] + v[1] + 3.0 * v[2]) / 5.0;
     for _ in 0..60 {
         let middle = mean(&v);
-        if v.iter().all(|a| (a - middle).abs() <= 5e-3 * middle) {
+        if v.iter().all(|a| (a - middle).abs() <= NEAR[1] * middle) {
             break;
         }
+        // (C46)
         let [a, b, c] = v.map(f64::sqrt);
         let shared = a * b + b * c + c * a;
         sum += part / (c * (v[2] + shared));
@@ -55,22 +65,64 @@ pub(crate) fn rd(numbers: [f64; 3]) -> f64 {
     let [a, b] = [0, 1].map(|i| 1.0 - v[i] / middle);
     let c = -(a + b) / 3.0;
     let (ab, c2) = (a * b, c * c);
-    let (e2, e3, e4, e5) = (ab - 6.0 * c2, (3.0 * ab - 8.0 * c2) * c, 3.0 * (ab - c2) * c2, ab * c2 * c);
-    // The series of [DLMF](crate::references) 19.36.2, to the terms of seventh order.
-    let series = -3.0 / 14.0 * e2 + e3 / 6.0 + 9.0 / 88.0 * e2 * e2 - 3.0 / 22.0 * e4 - 9.0 / 52.0 * e2 * e3
+    let sums = [ab - 6.0 * c2, (3.0 * ab - 8.0 * c2) * c, 3.0 * (ab - c2) * c2, ab * c2 * c];
+    part * (1.0 + second_series(sums)) / (middle * middle.sqrt()) + 3.0 * sum
+}
+
+/// The series of [DLMF](crate::references) 19.36.2, to the terms of seventh order, without its first term.
+fn second_series([e2, e3, e4, e5]: [f64; 4]) -> f64 {
+    // (C48)
+    -3.0 / 14.0 * e2 + e3 / 6.0 + 9.0 / 88.0 * e2 * e2 - 3.0 / 22.0 * e4 - 9.0 / 52.0 * e2 * e3
         + 3.0 / 26.0 * e5
         - e2 * e2 * e2 / 16.0
         + 3.0 / 40.0 * e3 * e3
         + 3.0 / 20.0 * e2 * e4
         + 45.0 / 272.0 * e2 * e2 * e3
-        - 9.0 / 68.0 * (e3 * e4 + e2 * e5);
-    part * (1.0 + series) / (middle * middle.sqrt()) + 3.0 * sum
+        - 9.0 / 68.0 * (e3 * e4 + e2 * e5)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::rd;
+    use super::{NEAR, first_series, rd, second_series};
     use proptest::prelude::*;
+
+    /// The terms of the binomial series of `(1 + e_2 h² - e_3 h³ + e_4 h⁴ - e_5 h⁵)^(-1/2)` by their powers
+    /// of `h`, through the seventh.
+    fn binomial(e: [f64; 4]) -> [f64; 8] {
+        let (mut term, mut sum) = ([0.0; 8], [0.0; 8]);
+        term[0] = 1.0;
+        for k in 0..4 {
+            sum = core::array::from_fn(|n| sum[n] + term[n]);
+            let factor = -(f64::from(k) + 0.5) / f64::from(k + 1);
+            let signed = [e[0], -e[1], e[2], -e[3]];
+            let times = |n: usize, m: usize| if n < m { 0.0 } else { term[n - m] * signed[m - 2] };
+            term = core::array::from_fn(|n| factor * (2..6).map(|m| times(n, m)).sum::<f64>());
+        }
+        sum
+    }
+
+    /// Each power of `h` is the integral of a power of `t`: `t^(-3/2 - n)/2`, and `3 t^(-5/2 - n)/2`.
+    #[test]
+    fn the_coefficients_are_those_of_the_binomial_series() {
+        for e in [[0.3, -0.7, 0.0, 0.0], [-0.4, 0.6, 0.9, -0.8], [0.9, 0.2, -0.5, 0.7], [0.1, 0.0, 0.3, 1.1]]
+        {
+            let first = (0..).zip(binomial([e[0], e[1], 0.0, 0.0])).map(|(n, x)| x / f64::from(2 * n + 1));
+            assert!((1.0 + first_series(e[0], e[1]) - first.sum::<f64>()).abs() < 1e-15, "{e:?}");
+            let second = (0..).zip(binomial(e)).map(|(n, x)| 3.0 * x / f64::from(2 * n + 3));
+            assert!((1.0 + second_series(e) - second.sum::<f64>()).abs() < 1e-15, "{e:?}");
+        }
+    }
+
+    /// The term of eighth order is at most what it is where all distances have one sign and size: the
+    /// binomial coefficient of as many halves as there are distances.
+    #[test]
+    fn what_the_series_leave_out_is_below_rounding() {
+        for (near, distances, weight) in [(NEAR[0], 3.0, 1.0 / 17.0), (NEAR[1], 5.0, 3.0 / 19.0)] {
+            let coefficient: f64 =
+                (0..8).map(|k| (0.5 * distances + f64::from(k)) / f64::from(k + 1)).product();
+            assert!(coefficient * weight * near.powi(8) < f64::EPSILON / 8.0);
+        }
+    }
 
     #[test]
     fn the_second_kind_agrees_with_the_published_values_and_elementary_cases() {

@@ -20,11 +20,10 @@ impl<T: Lane> Decay<T> {
     /// Of `x = main + rest >= 0`, with the root of the complementary nome.
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
-        // Beyond 700 the exponential is negligible relative to any f64; the rest can be large there and has
-        // no effect.
-        let within = main.lt(splat::<T>(700.0));
-        let (main, rest) =
-            (T::select(within, main, splat::<T>(700.0)), T::select(within, rest, splat::<T>(0.0)));
+        // Farther out the rest can be large and has no effect.
+        let (zero, farthest) = (splat::<T>(0.0), splat::<T>(FARTHEST));
+        let within = main.lt(farthest);
+        let (main, rest) = (T::select(within, main, farthest), T::select(within, rest, zero));
         let (power, change) = exp_parts(-main, -rest);
         let root = power + power * change;
         // exp(-x) - 1, exact in its small digits where the power of two is 1.
@@ -33,12 +32,15 @@ impl<T: Lane> Decay<T> {
     }
 }
 
+/// The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.
+const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
+const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
+/// Beyond this the exponential is negligible relative to any `f64`, and its square is zero.
+const FARTHEST: f64 = 700.0;
+
 /// `exp(x + rest) = power (1 + change)` with a power of two and `|change| <= 0.42`, for `|x| <= 700`.
 #[inline(always)]
 fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
-    // The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.
-    const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
-    const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
     let twos = (x * core::f64::consts::LOG2_E).round_ties_even();
     let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW);
     // The series of exp(r) - 1 - r, over r²: what is left out is below 1e-17 of it for |r| <= 0.35.
@@ -128,5 +130,22 @@ impl<T: Lane> ComplementarySeries<T> {
         let over = splat::<T>(1.0) / under;
         let fall = fall * over;
         [s * first * (rise * over), c * second * fall, d * third * fall]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FARTHEST, LN_2_HIGH, LN_2_LOW};
+    use crate::number::functions::exp;
+    use core::f64::consts::LN_2;
+
+    #[test]
+    fn the_constants_of_the_exponential_are_what_they_stand_for() {
+        // The logarithm of 2 beyond its f64, with 20 digits more.
+        let (beyond, own) = (2.319_046_813_846_299_6e-17, LN_2 - LN_2_HIGH);
+        assert!((own - LN_2_LOW + beyond).abs() < 2e-26);
+        // Eleven zeros at its end: a product with any exponent is exact.
+        assert_eq!(LN_2_HIGH.to_bits() % (1 << 11), 0);
+        assert!(exp(-FARTHEST) >= f64::MIN_POSITIVE && exp(-2.0 * FARTHEST) == 0.0);
     }
 }

@@ -5,16 +5,21 @@ use core::f64::consts::FRAC_PI_2;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
+/// How near two numbers are, relative to their size, that (C45) takes to the end: what that leaves out is of
+/// the fourth order.
+const NEAR: f64 = 1e-8;
+
 /// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.
 ///
 /// The root is a parameter of its own since it has all its digits where the complement is subnormal.
 pub(crate) fn quarter_period_from_root(complement: DoubleDouble, root: DoubleDouble) -> DoubleDouble {
     let (mut a, mut g) = ((DoubleDouble::ONE + complement) * 0.5, root);
-    // Each step doubles the digits, once the first ten at most have brought 1e-162 up to where that sets in.
+    // (C45): each step doubles the digits, once the first ten at most have brought 1e-162 up to where that
+    // sets in.
     for _ in 0..24 {
         let difference = (a - g).hi();
         let mean = (a + g) * 0.5;
-        if difference.abs() <= 1e-8 * a.hi() {
+        if difference.abs() <= NEAR * a.hi() {
             // What the next step would take off, but for its square.
             a = mean - DoubleDouble::from(difference * difference / (16.0 * mean.hi()));
             break;
@@ -34,7 +39,7 @@ pub(crate) fn quarter_period(complement: f64) -> f64 {
     let (mut a, mut g) = (1.0, complement);
     for _ in 0..24 {
         // The next mean of two this close is right to rounding.
-        if (a - g).abs() <= 1e-8 * a {
+        if (a - g).abs() <= NEAR * a {
             break;
         }
         (a, g) = (0.5 * (a + g), (a * g).sqrt());
@@ -62,6 +67,14 @@ mod tests {
             let off = ((ours - DoubleDouble::from(high)) - DoubleDouble::from(low)).hi();
             assert!(off.abs() < 1e-29 * high, "{complement:e}: {off:e}");
         }
+    }
+
+    /// The square of the next difference, over sixteen, is what (C45) leaves out; and in `f64` its own term.
+    #[test]
+    fn the_last_step_of_the_mean_leaves_out_less_than_rounding() {
+        let next = NEAR * NEAR / 8.0;
+        assert!(next * next / 4.0 < f64::EPSILON * f64::EPSILON / 8.0);
+        assert!(NEAR * NEAR / 16.0 < f64::EPSILON / 8.0);
     }
 
     /// Next to the separatrix `K` is `ln(4/k')`, to terms of the order of `k'²`.

@@ -208,3 +208,21 @@ fn the_smallest_arguments_are_their_own_sines() {
         }
     }
 }
+
+/// Of each series the first terms that are left out, at the ratio of the quarter periods where the other one
+/// takes over: for (C14), (C15), (C22) and (C23) with the greatest size of the zero's exponentials, for
+/// (C28) and (C32) with that of the argument's.
+#[test]
+fn at_the_border_neither_series_leaves_out_more_than_rounding() {
+    let (nome, complementary) = (exp(-PI * NOME_RATIO), exp(-PI / NOME_RATIO));
+    assert!(nome < 0.09 && complementary < 0.02);
+    let direct = [16.0, 20.0, 32.0 - 4.0, 24.0 - 3.0].map(|n| nome.powf(n));
+    let root = complementary.sqrt();
+    let even = complementary.powi(16) / root.powi(4);
+    let others = [even, complementary.powi(12) / root.powi(3), root.powi(30 - 5), root.powi(20)];
+    for left in direct.into_iter().chain(others) {
+        assert!(left < 0.25 * ROUNDING, "{left:e}");
+    }
+    // With one term less they would.
+    assert!(nome.powi(9) > ROUNDING && complementary.powi(6) / root.powi(2) > ROUNDING);
+}

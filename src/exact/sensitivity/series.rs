@@ -340,3 +340,19 @@ fn adjugate(rows: &[Row; 3]) -> Matrix3<f64> {
     let [x, y, z] = rows.map(|[x, y, z, _]| Vector3::new(x, y, z));
     Matrix3::from_columns(&[y.cross(&z), z.cross(&x), x.cross(&y)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{NEGLIGIBLE, RADIUS, STEP, TERMS};
+    use crate::exact::elliptic::quarter_period;
+
+    /// Jacobi's functions are singular at `i K'`, and `K'` is never below a quarter of the circle.
+    #[test]
+    fn the_terms_reach_rounding_within_the_nearest_singularity() {
+        let least = (0..=100).map(|n| quarter_period(f64::from(n) / 100.0)).fold(f64::INFINITY, f64::min);
+        assert!(RADIUS < least && least < 1.05 * RADIUS);
+        assert!((STEP[0] / RADIUS).powi(TERMS as i32) < f64::EPSILON / 8.0);
+        let entire = (1..=TERMS).map(|n| STEP[1] / n as f64).product::<f64>();
+        assert!(entire < NEGLIGIBLE && NEGLIGIBLE < f64::EPSILON / 8.0);
+    }
+}

@@ -1719,3 +1719,1223 @@ Proof.
   split; [computed | ]. split; [computed | ]. split; [computed | ]. split; [computed | ]. split;
     [computed | ]. split; [computed | ]. computed.
 Qed.
+
+
+(** gauss-mean: The integral of 1/sqrt((t² + a²)(t² + b²)) over all t is the same for the arithmetic and the geometric mean of a and b, by u = (t - a b/t)/2, and is pi/m for a = b = m. With t = k' tan, half of it for 1 and k' is the quarter period. For all a and b. *)
+
+(* the integrand *)
+Theorem gauss_mean_1 :
+  forall a b t : R,
+  let t_1 := (t - a * b / t) / 2 in
+  t <> 0 ->
+  ((1 - (0 / t - a * b / t ^ 2)) / 2) ^ 2 * ((t ^ 2 + a ^ 2) * (t ^ 2 + b ^ 2)) = (t_1 ^ 2 + ((a +
+    b) / 2) ^ 2) * (t_1 ^ 2 + a * b) * 4.
+Proof.
+  intros a b t  t_1 D_1.
+  unnamed.
+  field; nonzero.
+Qed.
+
+(* u rises from below all numbers to above all *)
+Theorem gauss_mean_2 :
+  forall a b t : R,
+  0 < a ->
+  0 < b ->
+  0 < t ->
+  (1 - (0 / t - a * b / t ^ 2)) / 2 > 0.
+Proof.
+  intros a b t H_1 H_2 H_3  .
+  unnamed.
+  apply (above_zero _ ((1 / 2) * a * b + (1 / 2) * t ^ 2) (t ^ 2)); [positive | positive | field;
+    nonzero].
+Qed.
+
+(* of two equal numbers *)
+Theorem gauss_mean_3 :
+  forall cos m sin : R,
+  cos ^ 2 = - sin ^ 2 + 1 ->
+  cos <> 0 ->
+  m <> 0 ->
+  m / cos * cos + (0 / cos - m * sin / cos ^ 2) * (- sin) = (m * sin / cos) ^ 2 / m + m.
+Proof.
+  intros cos m sin H_1  D_1 D_2.
+  field [H_1]; nonzero.
+Qed.
+
+(* the quarter period *)
+Theorem gauss_mean_4 :
+  forall cos kp sin : R,
+  cos ^ 2 = - sin ^ 2 + 1 ->
+  cos <> 0 ->
+  (kp / cos * cos + (0 / cos - kp * sin / cos ^ 2) * (- sin)) ^ 2 * (1 - (1 - kp ^ 2) * sin ^ 2) =
+    ((kp * sin / cos) ^ 2 + 1) * ((kp * sin / cos) ^ 2 + kp ^ 2).
+Proof.
+  intros cos kp sin H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* With a plus in the change of variable. *)
+
+(* the integrand *)
+Theorem gauss_mean_mutant_1 :
+  exists a b t : R,
+  let t_1 := (t + a * b / t) / 2 in
+  t <> 0 /\
+  ((1 + (0 / t - a * b / t ^ 2)) / 2) ^ 2 * ((t ^ 2 + a ^ 2) * (t ^ 2 + b ^ 2)) <> (t_1 ^ 2 + ((a +
+    b) / 2) ^ 2) * (t_1 ^ 2 + a * b) * 4.
+Proof.
+  exists 6, 1, (-3).
+  intros t_1; cut_to t_1 (-5 / 2) computed.
+  split; [computed | ]. computed.
+Qed.
+
+(* With a third of the sum for the mean. *)
+
+(* the integrand *)
+Theorem gauss_mean_mutant_2 :
+  exists a b t : R,
+  let t_1 := (t - a * b / t) / 2 in
+  t <> 0 /\
+  ((1 - (0 / t - a * b / t ^ 2)) / 2) ^ 2 * ((t ^ 2 + a ^ 2) * (t ^ 2 + b ^ 2)) <> (t_1 ^ 2 + ((a +
+    b) / 3) ^ 2) * (t_1 ^ 2 + a * b) * 4.
+Proof.
+  exists 6, 1, (-3).
+  intros t_1; cut_to t_1 (-1 / 2) computed.
+  split; [computed | ]. computed.
+Qed.
+
+
+(** last-mean: Of two numbers with mean m and difference d, the next mean is m - d²/(16 m), but for the square of the next difference over 16 m. *)
+
+(* the next mean *)
+Theorem last_mean_1 :
+  forall d g m : R,
+  d ^ 2 = - (4 * g ^ 2) + 4 * m ^ 2 ->
+  m <> 0 ->
+  m - d ^ 2 / (m * 16) - (m + g) / 2 = (m - g) ^ 2 / (m * 4).
+Proof.
+  intros d g m H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* With twice as much taken off. *)
+
+(* the next mean *)
+Theorem last_mean_mutant_1 :
+  exists d g m : R,
+  d ^ 2 = - (4 * g ^ 2) + 4 * m ^ 2 /\
+  m <> 0 /\
+  m - d ^ 2 / (m * 8) - (m + g) / 2 <> (m - g) ^ 2 / (m * 4).
+Proof.
+  exists (-8 / 3), 1, (5 / 3).
+  split; [computed | ]. 
+  split; [computed | ]. computed.
+Qed.
+
+
+(** carlson-duplication: With s = t + XY + YZ + ZX, where X² = t + x and so on, ds/sqrt((s+x)(s+y)(s+z)) is half of dt/(XYZ): so R_F keeps its value when lambda is added to all three and they are divided by four, and R_D but for a quarter and 3/(sqrt(z) (z + lambda)). *)
+
+(* s + x *)
+Theorem carlson_duplication_1 :
+  forall X Y Z t : R,
+  t + X * Y + Y * Z + Z * X + X ^ 2 - t = (X + Y) * (Z + X).
+Proof.
+  intros X Y Z t   .
+  ring.
+Qed.
+
+(* s + y *)
+Theorem carlson_duplication_2 :
+  forall X Y Z t : R,
+  t + X * Y + Y * Z + Z * X + Y ^ 2 - t = (X + Y) * (Y + Z).
+Proof.
+  intros X Y Z t   .
+  ring.
+Qed.
+
+(* s + z *)
+Theorem carlson_duplication_3 :
+  forall X Y Z t : R,
+  t + X * Y + Y * Z + Z * X + Z ^ 2 - t = (Y + Z) * (Z + X).
+Proof.
+  intros X Y Z t   .
+  ring.
+Qed.
+
+(* the integrand of R_F *)
+Theorem carlson_duplication_4 :
+  forall X Y Z : R,
+  X <> 0 ->
+  Y <> 0 ->
+  Z <> 0 ->
+  X + Y <> 0 ->
+  Y + Z <> 0 ->
+  Z + X <> 0 ->
+  (1 + (Y + Z) * (1 / (2 * X)) + (X + Z) * (1 / (2 * Y)) + (Y + X) * (1 / (2 * Z))) / ((X + Y) * (Y
+    + Z) * (Z + X)) = 1 / (2 * (X * Y * Z)).
+Proof.
+  intros X Y Z   D_1 D_2 D_3 D_4 D_5 D_6.
+  field; nonzero.
+Qed.
+
+(* the integrand of R_D *)
+Theorem carlson_duplication_5 :
+  forall X Y Z : R,
+  let t_1 := Z * (Y + Z) * (Z + X) in
+  Z <> 0 ->
+  X <> 0 ->
+  Y <> 0 ->
+  Y + Z <> 0 ->
+  Z + X <> 0 ->
+  X + Y <> 0 ->
+  3 / (2 * Z ^ 2 * (X * Y * Z)) - 3 * (1 + (Y + Z) * (1 / (2 * X)) + (X + Z) * (1 / (2 * Y)) + (Y +
+    X) * (1 / (2 * Z))) / ((Y + Z) * (Z + X) * ((X + Y) * (Y + Z) * (Z + X))) = - (0 / t_1 + (0 /
+    t_1 - 3 * (Z * (Y + Z)) / t_1 ^ 2) * (1 / (2 * X)) + (0 / t_1 - 3 * (Z * (Z + X)) / t_1 ^ 2) *
+    (1 / (2 * Y)) + (0 / t_1 - 3 * ((Y + Z + Z) * (Z + X) + Z * (Y + Z)) / t_1 ^ 2) * (1 / (2 *
+    Z))).
+Proof.
+  intros X Y Z  t_1 D_1 D_2 D_3 D_4 D_5 D_6.
+  unnamed.
+  field; nonzero.
+Qed.
+
+(* With a product of roots the other way. *)
+
+(* s + x *)
+Theorem carlson_duplication_mutant_1 :
+  exists X Y Z t : R,
+  t + X * Y + Y * Z - Z * X + X ^ 2 - t <> (X + Y) * (Z + X).
+Proof.
+  exists 6, 1, (-3), 1.
+  computed.
+Qed.
+
+(* With another term taken off. *)
+
+(* the integrand of R_D *)
+Theorem carlson_duplication_mutant_2 :
+  exists X Y Z : R,
+  let t_1 := Z * (Y + Z) * (Z + X) in
+  Z <> 0 /\
+  X <> 0 /\
+  Y <> 0 /\
+  Y + Z <> 0 /\
+  Z + X <> 0 /\
+  X + Y <> 0 /\
+  3 / (2 * Z ^ 2 * (X * Y * Z)) - 3 * (1 + (Y + Z) * (1 / (2 * X)) + (X + Z) * (1 / (2 * Y)) + (Y +
+    X) * (1 / (2 * Z))) / ((Y + Z) * (Z + X) * ((X + Y) * (Y + Z) * (Z + X))) <> - (0 / t_1 + (0 /
+    t_1 - 2 * (Z * (Y + Z)) / t_1 ^ 2) * (1 / (2 * X)) + (0 / t_1 - 2 * (Z * (Z + X)) / t_1 ^ 2) *
+    (1 / (2 * Y)) + (0 / t_1 - 2 * ((Y + Z + Z) * (Z + X) + Z * (Y + Z)) / t_1 ^ 2) * (1 / (2 *
+    Z))).
+Proof.
+  exists 6, 1, (-3).
+  intros t_1; cut_to t_1 18 computed.
+  split; [computed | ]. split; [computed | ]. split; [computed | ]. split; [computed | ]. split;
+    [computed | ]. split; [computed | ]. computed.
+Qed.
+
+
+(** carlson-series: The series of R_F and of R_D near three equal numbers are the binomial series of their integrands, integrated term by term, to the seventh order. *)
+
+(* three distances *)
+Theorem carlson_series_1 :
+  forall a b t : R,
+  (t - a) * (t - b) * (t + (a + b)) = t ^ 3 + (a * b - (- (a + b)) ^ 2) * t - a * b * (- (a + b)).
+Proof.
+  intros a b t   .
+  ring.
+Qed.
+
+(* five distances *)
+Theorem carlson_series_2 :
+  forall a b t : R,
+  (t - a) * (t - b) * (t - (- (a + b)) / 3) * (t - (- (a + b)) / 3) * (t - (- (a + b)) / 3) = t ^ 5
+    + (a * b - 6 * ((- (a + b)) / 3) ^ 2) * t ^ 3 - (3 * (a * b) - 8 * ((- (a + b)) / 3) ^ 2) * ((-
+    (a + b)) / 3) * t ^ 2 + 3 * (a * b - ((- (a + b)) / 3) ^ 2) * ((- (a + b)) / 3) ^ 2 * t - a * b
+    * ((- (a + b)) / 3) ^ 2 * ((- (a + b)) / 3).
+Proof.
+  intros a b t   .
+  field; nonzero.
+Qed.
+
+(* With a coefficient of R_F. *)
+
+(* R_F, power 4 *)
+Theorem carlson_series_mutant_1 :
+  exists E2 : R,
+  (3 / 44) * E2 ^ 2 <> 0.
+Proof.
+  exists 6.
+  computed.
+Qed.
+
+(* With a coefficient of R_D. *)
+
+(* R_D, power 5 *)
+Theorem carlson_series_mutant_2 :
+  exists E5 : R,
+  - ((1 / 14) * E5) <> 0.
+Proof.
+  exists 6.
+  computed.
+Qed.
+
+
+(** legendre-by-carlson: Jacobi's argument of a sine s is s R_F(1 - s², 1 - m s², 1), what is left of it to the quarter period the same of cn/dn, and that of the theta zero the same with the complementary modulus. Its derivative by m is s³ R_D(1 - s², 1, 1 - m s²)/6. *)
+
+(* t + x *)
+Theorem legendre_by_carlson_1 :
+  forall cos s sin : R,
+  cos ^ 2 = - sin ^ 2 + 1 ->
+  sin <> 0 ->
+  s ^ 2 / sin ^ 2 - 1 + (1 - s ^ 2) = (s * cos / sin) ^ 2.
+Proof.
+  intros cos s sin H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* t + y *)
+Theorem legendre_by_carlson_2 :
+  forall Delta m s sin : R,
+  Delta ^ 2 = - (m * sin ^ 2) + 1 ->
+  sin <> 0 ->
+  s ^ 2 / sin ^ 2 - 1 + (1 - m * s ^ 2) = (s * Delta / sin) ^ 2.
+Proof.
+  intros Delta m s sin H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* t + z *)
+Theorem legendre_by_carlson_3 :
+  forall s sin : R,
+  sin <> 0 ->
+  s ^ 2 / sin ^ 2 - 1 + 1 = (s / sin) ^ 2.
+Proof.
+  intros s sin   D_1.
+  field; nonzero.
+Qed.
+
+(* the argument *)
+Theorem legendre_by_carlson_4 :
+  forall Delta cos m s sin : R,
+  cos ^ 2 = - sin ^ 2 + 1 ->
+  Delta ^ 2 = - (m * sin ^ 2) + 1 ->
+  sin <> 0 ->
+  s <> 0 ->
+  cos <> 0 ->
+  Delta <> 0 ->
+  s * (- ((0 / sin ^ 2 - s ^ 2 * (2 * sin) / (sin ^ 2) ^ 2) * cos)) / (2 * (s * cos / sin * (s *
+    Delta / sin) * (s / sin))) = 1 / Delta.
+Proof.
+  intros Delta cos m s sin H_1 H_2  D_1 D_2 D_3 D_4.
+  field [H_1 H_2]; nonzero.
+Qed.
+
+(* its derivative *)
+Theorem legendre_by_carlson_5 :
+  forall Delta cos m s sin : R,
+  cos ^ 2 = - sin ^ 2 + 1 ->
+  Delta ^ 2 = - (m * sin ^ 2) + 1 ->
+  sin <> 0 ->
+  s <> 0 ->
+  Delta <> 0 ->
+  cos <> 0 ->
+  s ^ 3 / 6 * (3 / 2) * (- ((0 / sin ^ 2 - s ^ 2 * (2 * sin) / (sin ^ 2) ^ 2) * cos)) / ((s * Delta
+    / sin) ^ 2 * (s * cos / sin * (s * Delta / sin) * (s / sin))) = (0 / Delta - 1 / Delta ^ 2) * (-
+    (sin ^ 2 / (2 * Delta))).
+Proof.
+  intros Delta cos m s sin H_1 H_2  D_1 D_2 D_3 D_4.
+  field [H_1 H_2]; nonzero.
+Qed.
+
+(* the cosine of what is left *)
+Theorem legendre_by_carlson_6 :
+  forall cn dn kp m sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  kp ^ 2 = - m + 1 ->
+  dn <> 0 ->
+  (kp * sn / dn) ^ 2 = 1 - (cn / dn) ^ 2.
+Proof.
+  intros cn dn kp m sn H_1 H_2 H_3  D_1.
+  field [H_1 H_2 H_3]; nonzero.
+Qed.
+
+(* its dn *)
+Theorem legendre_by_carlson_7 :
+  forall cn dn kp m sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  kp ^ 2 = - m + 1 ->
+  dn <> 0 ->
+  (kp / dn) ^ 2 = 1 - m * (cn / dn) ^ 2.
+Proof.
+  intros cn dn kp m sn H_1 H_2 H_3  D_1.
+  field [H_1 H_2 H_3]; nonzero.
+Qed.
+
+(* its rate *)
+Theorem legendre_by_carlson_8 :
+  forall cn dn kp m sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  kp ^ 2 = - m + 1 ->
+  dn <> 0 ->
+  0 / dn * (cn * dn) + 1 / dn * (- (sn * dn)) + (0 / dn - cn / dn ^ 2) * (- (m * (sn * cn))) = - (kp
+    * sn / dn * (kp / dn)).
+Proof.
+  intros cn dn kp m sn H_1 H_2 H_3  D_1.
+  field [H_1 H_2 H_3]; nonzero.
+Qed.
+
+(* the zero's cosine *)
+Theorem legendre_by_carlson_9 :
+  forall p q r tau x1 x2 x3 : R,
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  tau ^ 2 = 1 ->
+  x2 <> 0 ->
+  r <> 0 ->
+  (x1 * q / (x2 * r)) ^ 2 + (x3 * p / (x2 * r)) ^ 2 - 1 = 0.
+Proof.
+  intros p q r tau x1 x2 x3 H_1 H_2 H_3 H_4  D_1 D_2.
+  field [H_1 H_2 H_3 H_4]; nonzero.
+Qed.
+
+(* the zero's dn *)
+Theorem legendre_by_carlson_10 :
+  forall e h kp p q r tau x1 x2 x3 : R,
+  kp ^ 2 = - (h ^ 2 * p ^ 2) + 1 ->
+  e ^ 2 = h ^ 2 * q ^ 2 * x1 ^ 2 + x3 ^ 2 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  tau ^ 2 = 1 ->
+  x2 <> 0 ->
+  r <> 0 ->
+  (p * e / (x2 * r)) ^ 2 + (x1 * q / (x2 * r)) ^ 2 * kp ^ 2 - 1 = 0.
+Proof.
+  intros e h kp p q r tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6  D_1 D_2.
+  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+Qed.
+
+(* With the parameter's sign. *)
+
+(* t + y *)
+Theorem legendre_by_carlson_mutant_1 :
+  exists Delta m s sin : R,
+  Delta ^ 2 = - (m * sin ^ 2) + 1 /\
+  sin <> 0 /\
+  s ^ 2 / sin ^ 2 - 1 + (1 + m * s ^ 2) <> (s * Delta / sin) ^ 2.
+Proof.
+  exists (12 / 13), (625 / 1521), 1, (3 / 5).
+  split; [computed | ]. 
+  split; [computed | ]. computed.
+Qed.
+
+(* With a third for the sixth. *)
+
+(* its derivative *)
+Theorem legendre_by_carlson_mutant_2 :
+  exists Delta cos m s sin : R,
+  cos ^ 2 = - sin ^ 2 + 1 /\
+  Delta ^ 2 = - (m * sin ^ 2) + 1 /\
+  sin <> 0 /\
+  s <> 0 /\
+  Delta <> 0 /\
+  cos <> 0 /\
+  s ^ 3 / 3 * (3 / 2) * (- ((0 / sin ^ 2 - s ^ 2 * (2 * sin) / (sin ^ 2) ^ 2) * cos)) / ((s * Delta
+    / sin) ^ 2 * (s * cos / sin * (s * Delta / sin) * (s / sin))) <> (0 / Delta - 1 / Delta ^ 2) *
+    (- (sin ^ 2 / (2 * Delta))).
+Proof.
+  exists (12 / 13), (4 / 5), (625 / 1521), 1, (3 / 5).
+  split; [computed | ]. split; [computed | ]. 
+  split; [computed | ]. split; [computed | ]. split; [computed | ]. split; [computed | ]. computed.
+Qed.
+
+
+(** variational-equations: Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a product of inertia adds at a fixed spin is as the power series take it. For every body. *)
+
+(* W', x *)
+Theorem variational_equations_1 :
+  forall I1 I2 I3 W1 W2 W3 omega2 omega3 : R,
+  I1 <> 0 ->
+  0 / I1 * W1 + (I2 - I3) * omega3 / I1 * W2 + (I2 - I3) * omega2 / I1 * W3 = (I2 - I3) / I1 * (W2 *
+    omega3 + omega2 * W3).
+Proof.
+  intros I1 I2 I3 W1 W2 W3 omega2 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* W', y *)
+Theorem variational_equations_2 :
+  forall I1 I2 I3 W1 W2 W3 omega1 omega3 : R,
+  I2 <> 0 ->
+  (I3 - I1) * omega3 / I2 * W1 + 0 / I2 * W2 + (I3 - I1) * omega1 / I2 * W3 = (I3 - I1) / I2 * (W3 *
+    omega1 + omega3 * W1).
+Proof.
+  intros I1 I2 I3 W1 W2 W3 omega1 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* W', z *)
+Theorem variational_equations_3 :
+  forall I1 I2 I3 W1 W2 W3 omega1 omega2 : R,
+  I3 <> 0 ->
+  (I1 - I2) * omega2 / I3 * W1 + (I1 - I2) * omega1 / I3 * W2 + 0 / I3 * W3 = (I1 - I2) / I3 * (W1 *
+    omega2 + omega1 * W2).
+Proof.
+  intros I1 I2 I3 W1 W2 W3 omega1 omega2   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, x *)
+Theorem variational_equations_4 :
+  forall I1 I2 I3 omega2 omega3 : R,
+  I1 <> 0 ->
+  (- ((I2 - I3) * (omega2 * omega3) / I1)) * (1 / I1) = - ((I2 - I3) / I1 * (1 / I1) * omega2 *
+    omega3).
+Proof.
+  intros I1 I2 I3 omega2 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, y *)
+Theorem variational_equations_5 :
+  forall I2 omega1 omega3 : R,
+  I2 <> 0 ->
+  (- (omega1 * omega3)) * (1 / I2) = - (1 / I2 * omega3 * omega1).
+Proof.
+  intros I2 omega1 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, z *)
+Theorem variational_equations_6 :
+  forall I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  omega1 * omega2 * (1 / I3) = 1 / I3 * omega1 * omega2.
+Proof.
+  intros I3 omega1 omega2   D_1.
+  field; nonzero.
+Qed.
+
+(* by a product, x *)
+Theorem variational_equations_7 :
+  forall I1 omega2 omega3 : R,
+  I1 <> 0 ->
+  (omega3 * omega3 - omega2 * omega2) * (1 / I1) = 1 / I1 * (omega3 - omega2) * (omega3 + omega2).
+Proof.
+  intros I1 omega2 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a product, y *)
+Theorem variational_equations_8 :
+  forall I1 I2 I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  I2 <> 0 ->
+  (omega2 * omega1 - (I1 - I2) * (omega1 * omega2) / I3) * (1 / I2) = (I2 + I3 - I1) * (1 / I2) * (1
+    / I3) * omega2 * omega1.
+Proof.
+  intros I1 I2 I3 omega1 omega2   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* by a product, z *)
+Theorem variational_equations_9 :
+  forall I1 I2 I3 omega1 omega3 : R,
+  I2 <> 0 ->
+  I3 <> 0 ->
+  (- (omega3 * omega1) - (I3 - I1) * (omega3 * omega1) / I2) * (1 / I3) = - ((I2 + I3 - I1) * (1 /
+    I2) * (1 / I3) * omega3 * omega1).
+Proof.
+  intros I1 I2 I3 omega1 omega3   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* by a moment, x *)
+Theorem variational_equations_10 :
+  forall I1 omega2 omega3 : R,
+  I1 <> 0 ->
+  omega2 * omega3 * (1 / I1) = 1 / I1 * omega2 * omega3.
+Proof.
+  intros I1 omega2 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, y *)
+Theorem variational_equations_11 :
+  forall I1 I2 I3 omega1 omega3 : R,
+  I2 <> 0 ->
+  (- ((I3 - I1) * (omega3 * omega1) / I2)) * (1 / I2) = - ((I3 - I1) / I2 * (1 / I2) * omega3 *
+    omega1).
+Proof.
+  intros I1 I2 I3 omega1 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, z *)
+Theorem variational_equations_12 :
+  forall I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  (- (omega2 * omega1)) * (1 / I3) = - (1 / I3 * omega1 * omega2).
+Proof.
+  intros I3 omega1 omega2   D_1.
+  field; nonzero.
+Qed.
+
+(* by a product, x *)
+Theorem variational_equations_13 :
+  forall I1 I2 I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  I1 <> 0 ->
+  (- (omega1 * omega2) - (I1 - I2) * (omega1 * omega2) / I3) * (1 / I1) = - ((I3 + I1 - I2) * (1 /
+    I3) * (1 / I1) * omega1 * omega2).
+Proof.
+  intros I1 I2 I3 omega1 omega2   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* by a product, y *)
+Theorem variational_equations_14 :
+  forall I2 omega1 omega3 : R,
+  I2 <> 0 ->
+  (omega1 * omega1 - omega3 * omega3) * (1 / I2) = 1 / I2 * (omega1 - omega3) * (omega1 + omega3).
+Proof.
+  intros I2 omega1 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a product, z *)
+Theorem variational_equations_15 :
+  forall I1 I2 I3 omega2 omega3 : R,
+  I1 <> 0 ->
+  I3 <> 0 ->
+  (omega3 * omega2 - (I2 - I3) * (omega2 * omega3) / I1) * (1 / I3) = (I3 + I1 - I2) * (1 / I3) * (1
+    / I1) * omega3 * omega2.
+Proof.
+  intros I1 I2 I3 omega2 omega3   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* by a moment, x *)
+Theorem variational_equations_16 :
+  forall I1 omega2 omega3 : R,
+  I1 <> 0 ->
+  (- (omega3 * omega2)) * (1 / I1) = - (1 / I1 * omega2 * omega3).
+Proof.
+  intros I1 omega2 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, y *)
+Theorem variational_equations_17 :
+  forall I2 omega1 omega3 : R,
+  I2 <> 0 ->
+  omega3 * omega1 * (1 / I2) = 1 / I2 * omega3 * omega1.
+Proof.
+  intros I2 omega1 omega3   D_1.
+  field; nonzero.
+Qed.
+
+(* by a moment, z *)
+Theorem variational_equations_18 :
+  forall I1 I2 I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  (- ((I1 - I2) * (omega1 * omega2) / I3)) * (1 / I3) = - ((I1 - I2) / I3 * (1 / I3) * omega1 *
+    omega2).
+Proof.
+  intros I1 I2 I3 omega1 omega2   D_1.
+  field; nonzero.
+Qed.
+
+(* by a product, x *)
+Theorem variational_equations_19 :
+  forall I1 I2 I3 omega1 omega3 : R,
+  I2 <> 0 ->
+  I1 <> 0 ->
+  (omega1 * omega3 - (I3 - I1) * (omega3 * omega1) / I2) * (1 / I1) = (I1 + I2 - I3) * (1 / I1) * (1
+    / I2) * omega1 * omega3.
+Proof.
+  intros I1 I2 I3 omega1 omega3   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* by a product, y *)
+Theorem variational_equations_20 :
+  forall I1 I2 I3 omega2 omega3 : R,
+  I1 <> 0 ->
+  I2 <> 0 ->
+  (- (omega2 * omega3) - (I2 - I3) * (omega2 * omega3) / I1) * (1 / I2) = - ((I1 + I2 - I3) * (1 /
+    I1) * (1 / I2) * omega2 * omega3).
+Proof.
+  intros I1 I2 I3 omega2 omega3   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* by a product, z *)
+Theorem variational_equations_21 :
+  forall I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  (omega2 * omega2 - omega1 * omega1) * (1 / I3) = 1 / I3 * (omega2 - omega1) * (omega2 + omega1).
+Proof.
+  intros I3 omega1 omega2   D_1.
+  field; nonzero.
+Qed.
+
+(* With a minus between the products. *)
+
+(* W', x *)
+Theorem variational_equations_mutant_1 :
+  exists I1 I2 I3 W1 W2 W3 omega2 omega3 : R,
+  I1 <> 0 /\
+  0 / I1 * W1 + (I2 - I3) * omega3 / I1 * W2 + (I2 - I3) * omega2 / I1 * W3 <> (I2 - I3) / I1 * (W2
+    * omega3 - omega2 * W3).
+Proof.
+  exists 6, 1, (-3), 1, 7, 4, 3, 3.
+  split; [computed | ]. computed.
+Qed.
+
+
+(** sensitivity-of-the-spin: The closed form's derivatives by its two constants and by the moments, with the derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first order. For every body, about either axis, in either sense. *)
+
+(* With that derivative growing the other way. *)
+
+(* by h, component 1 *)
+Theorem sensitivity_of_the_spin_mutant_1 :
+  exists J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 /\
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 /\
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 /\
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 /\
+  r ^ 2 = p ^ 2 + q ^ 2 /\
+  sigma ^ 2 = 1 /\
+  tau ^ 2 = 1 /\
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := sigma * (0 / (x3 * r)) * dn in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := sigma * (0 / (x3 * r)) * dn in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_7 := - (t_5 * t_1) - t_6 / (2 * dn) in
+  let t_8 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (cn * dn * t_3)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (dn * t_1 + sn
+    * dn * t_3))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2
+    * p ^ 2 * cn * t_1 + t_5 * t_3) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_10 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (dn * t_1 + cn * dn * t_11)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn
+    * dn * t_11))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2
+    * p ^ 2 * sn * t_1 + t_5 * t_11) - 0 / (2 * dn))) in
+  let t_13 := t * (0 / (x1 * x2 * x3)) in
+  let t_14 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * t_1) + t_2 * (cn * t_1 + cn * dn * t_13)) + ((sigma * (0 /
+    (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (- (sn * dn * t_1)) + t_4 * (- (sn * t_1 + sn * dn *
+    t_13))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r))) * t_7
+    + t_8 * (- (t_5 * t_13) - (0 / (2 * dn) - t_6 * 2 / (2 * dn) ^ 2))) in
+  let t_15 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_16 := t_9 * (cn * dn * t_10) + t_12 * (- (sn * dn * t_10)) + t_14 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_10)) + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) +
+    t_2 * (cn * dn * t_15)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn * dn
+    * t_15))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_5 *
+    t_15) - 0 / (2 * dn)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_18 := (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (cn * dn * t_17)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn * dn *
+    t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_5 * t_17)
+    - 0 / (2 * dn)))) * (- (t_10 * sn ^ 2 / (2 * dn ^ 2))) in
+  let t_19 := h * q * Q / (x1 * r) in
+  let t_20 := (x1 ^ 2 - x2 ^ 2) * (q * Q / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (Q / x2 *
+    sn)) / x3 ^ 2 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (0 / x2
+    * sn + h * Q / x2)) / x3 ^ 2 * (cn * dn * t_1) + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) * cn + t_19)
+    * (h * Q / x2 * sn) + t_19 * cn * (0 / x2 * sn)) / x3 ^ 2 * (- (sn * dn * t_1)) in
+  x3 <> 0 /\
+  r <> 0 /\
+  x1 <> 0 /\
+  x2 <> 0 /\
+  dn <> 0 /\
+  t_16 + t_18 <> t_20 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (0
+    / x2 * sn)) / x3 ^ 2 * t_7.
+Proof.
+  exists (2 / 9), (1 / 3), (sqrt (77 / 81)), (sqrt (58985 / 59049)), (2 / 3), (2 / 9), (-5 / 9),
+    (sqrt (29 / 81)), (-1), (-2 / 9), (2 / 3), (-1), (2 / 3), (sqrt (32 / 81)), (sqrt (7 / 81)).
+  split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. split;
+    [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. 
+  cbv zeta.
+  split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. split; [enclosed | ]. split;
+    [enclosed | ]. enclosed.
+Qed.
+
+
+(** sensitivity-at-the-start: At the start those derivatives, put together for the three components of the spin and for a moment, are one for a component by itself and zero for all else. *)
+
+(* row 1, column 1 *)
+Theorem sensitivity_at_the_start_1 :
+  forall AX cn sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  AX <> 0 ->
+  cn * cn - AX * sn * (- (sn / AX)) = 1.
+Proof.
+  intros AX cn sn H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* row 2, column 1 *)
+Theorem sensitivity_at_the_start_2 :
+  forall AM AX cn sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  AM <> 0 ->
+  AX <> 0 ->
+  cn / (AX / AM) * sn + AM * cn * (- (sn / AX)) = 0.
+Proof.
+  intros AM AX cn sn H_1  D_1 D_2.
+  field [H_1]; nonzero.
+Qed.
+
+(* row 3, column 1 *)
+Theorem sensitivity_at_the_start_3 :
+  forall AC AX cn dn m sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  AX <> 0 ->
+  AC <> 0 ->
+  dn <> 0 ->
+  AC * sn * (sn * (- (2 * (m * AC ^ 2 / AX ^ 2) * AX * cn / AC ^ 2)) / (2 * dn) - m * cn / dn * (-
+    (sn / AX))) = 0.
+Proof.
+  intros AC AX cn dn m sn H_1 H_2  D_1 D_2 D_3.
+  field [H_1 H_2]; nonzero.
+Qed.
+
+(* row 1, column 2 *)
+Theorem sensitivity_at_the_start_4 :
+  forall AM AX cn sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  AM <> 0 ->
+  AX / AM * sn * cn - AX * sn * (cn / AM) = 0.
+Proof.
+  intros AM AX cn sn H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* row 2, column 2 *)
+Theorem sensitivity_at_the_start_5 :
+  forall AM cn sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  AM <> 0 ->
+  sn * sn + AM * cn * (cn / AM) = 1.
+Proof.
+  intros AM cn sn H_1  D_1.
+  field [H_1]; nonzero.
+Qed.
+
+(* row 3, column 2 *)
+Theorem sensitivity_at_the_start_6 :
+  forall AC AM cn dn m sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  AM <> 0 ->
+  AC <> 0 ->
+  dn <> 0 ->
+  m * AC ^ 2 / AM ^ 2 * AM / AC * sn * dn + AC * sn * (sn * (- (2 * (1 - m) * (m * AC ^ 2 / AM ^ 2)
+    * AM * sn / AC ^ 2)) / (2 * dn) - m * cn / dn * (cn / AM)) = 0.
+Proof.
+  intros AC AM cn dn m sn H_1 H_2  D_1 D_2 D_3.
+  field [H_1 H_2]; nonzero.
+Qed.
+
+(* row 3, column 3 *)
+Theorem sensitivity_at_the_start_7 :
+  forall AC dn m sn : R,
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  AC <> 0 ->
+  dn <> 0 ->
+  dn * dn + AC * sn * (sn * (2 * m * dn / AC) / (2 * dn)) = 1.
+Proof.
+  intros AC dn m sn H_1  D_1 D_2.
+  field [H_1]; nonzero.
+Qed.
+
+(* row 1, column 4 *)
+Theorem sensitivity_at_the_start_8 :
+  forall AX cn r sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  (1 / 2) * AX * sn ^ 2 * r * cn - AX * sn * ((1 / 2) * sn * cn * r) = 0.
+Proof.
+  intros AX cn r sn H_1  .
+  field [H_1]; nonzero.
+Qed.
+
+(* row 2, column 4 *)
+Theorem sensitivity_at_the_start_9 :
+  forall AM cn r sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  (- ((1 / 2) * AM * cn ^ 2 * r)) * sn + AM * cn * ((1 / 2) * sn * cn * r) = 0.
+Proof.
+  intros AM cn r sn H_1  .
+  field [H_1]; nonzero.
+Qed.
+
+(* row 3, column 4 *)
+Theorem sensitivity_at_the_start_10 :
+  forall AC cn dn m r sn t : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (m * sn ^ 2) + 1 ->
+  dn <> 0 ->
+  (1 / 2) * AC * m * sn ^ 2 * (r + t) * dn + AC * sn * (sn * (- (m * (cn ^ 2 * t + (1 - m) * sn ^ 2
+    * (r + t)))) / (2 * dn) - m * cn / dn * ((1 / 2) * sn * cn * r)) = 0.
+Proof.
+  intros AC cn dn m r sn t H_1 H_2  D_1.
+  field [H_1 H_2]; nonzero.
+Qed.
+
+(* With the phase shifted the other way. *)
+
+(* row 1, column 1 *)
+Theorem sensitivity_at_the_start_mutant_1 :
+  exists AX cn sn : R,
+  cn ^ 2 = - sn ^ 2 + 1 /\
+  AX <> 0 /\
+  cn * cn - AX * sn * (sn / AX) <> 1.
+Proof.
+  exists 6, (4 / 5), (3 / 5).
+  split; [computed | ]. 
+  split; [computed | ]. computed.
+Qed.
+
+
+(** sensitivity-of-the-attitude: A small turn e of the attitude changes as e' = w - omega x e with the change w of the spin; so e x M and the change of the momentum turn with the room, e . M has the rate w . M, and with the change of the energy this gives e. *)
+
+(* q' *)
+Theorem sensitivity_of_the_attitude_1 :
+  forall W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3 : R,
+  ((- (q1 * e1) - q2 * e2 - q3 * e3) / 2 * omega1 + (q0 * e2 - q1 * e3 + q3 * e1) / 2 * omega3 - (q0
+    * e3 + q1 * e2 - q2 * e1) / 2 * omega2) / 2 + (q0 * W1 + q2 * W3 - q3 * W2) / 2 = ((- (q1 *
+    omega1) - q2 * omega2 - q3 * omega3) / 2 * e1 + (q0 * omega2 - q1 * omega3 + q3 * omega1) / 2 *
+    e3 - (q0 * omega3 + q1 * omega2 - q2 * omega1) / 2 * e2) / 2 + (q0 * (W1 - (omega2 * e3 - omega3
+    * e2)) + q2 * (W3 - (omega1 * e2 - omega2 * e1)) - q3 * (W2 - (omega3 * e1 - omega1 * e3))) / 2.
+Proof.
+  intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
+  field; nonzero.
+Qed.
+
+(* q' *)
+Theorem sensitivity_of_the_attitude_2 :
+  forall W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3 : R,
+  ((- (q1 * e1) - q2 * e2 - q3 * e3) / 2 * omega2 - (q0 * e1 + q2 * e3 - q3 * e2) / 2 * omega3 + (q0
+    * e3 + q1 * e2 - q2 * e1) / 2 * omega1) / 2 + (q0 * W2 - q1 * W3 + q3 * W1) / 2 = ((- (q1 *
+    omega1) - q2 * omega2 - q3 * omega3) / 2 * e2 - (q0 * omega1 + q2 * omega3 - q3 * omega2) / 2 *
+    e3 + (q0 * omega3 + q1 * omega2 - q2 * omega1) / 2 * e1) / 2 + (q0 * (W2 - (omega3 * e1 - omega1
+    * e3)) - q1 * (W3 - (omega1 * e2 - omega2 * e1)) + q3 * (W1 - (omega2 * e3 - omega3 * e2))) / 2.
+Proof.
+  intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
+  field; nonzero.
+Qed.
+
+(* q' *)
+Theorem sensitivity_of_the_attitude_3 :
+  forall W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3 : R,
+  ((- (q1 * e1) - q2 * e2 - q3 * e3) / 2 * omega3 + (q0 * e1 + q2 * e3 - q3 * e2) / 2 * omega2 - (q0
+    * e2 - q1 * e3 + q3 * e1) / 2 * omega1) / 2 + (q0 * W3 + q1 * W2 - q2 * W1) / 2 = ((- (q1 *
+    omega1) - q2 * omega2 - q3 * omega3) / 2 * e3 + (q0 * omega1 + q2 * omega3 - q3 * omega2) / 2 *
+    e2 - (q0 * omega2 - q1 * omega3 + q3 * omega1) / 2 * e1) / 2 + (q0 * (W3 - (omega1 * e2 - omega2
+    * e1)) + q1 * (W2 - (omega3 * e1 - omega1 * e3)) - q2 * (W1 - (omega2 * e3 - omega3 * e2))) / 2.
+Proof.
+  intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
+  field; nonzero.
+Qed.
+
+(* q' *)
+Theorem sensitivity_of_the_attitude_4 :
+  forall W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3 : R,
+  (- ((q0 * e1 + q2 * e3 - q3 * e2) / 2 * omega1) - (q0 * e2 - q1 * e3 + q3 * e1) / 2 * omega2 - (q0
+    * e3 + q1 * e2 - q2 * e1) / 2 * omega3) / 2 + (- (q1 * W1) - q2 * W2 - q3 * W3) / 2 = (- ((q0 *
+    omega1 + q2 * omega3 - q3 * omega2) / 2 * e1) - (q0 * omega2 - q1 * omega3 + q3 * omega1) / 2 *
+    e2 - (q0 * omega3 + q1 * omega2 - q2 * omega1) / 2 * e3) / 2 + (- (q1 * (W1 - (omega2 * e3 -
+    omega3 * e2))) - q2 * (W2 - (omega3 * e1 - omega1 * e3)) - q3 * (W3 - (omega1 * e2 - omega2 *
+    e1))) / 2.
+Proof.
+  intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
+  field; nonzero.
+Qed.
+
+(* in the room, x *)
+Theorem sensitivity_of_the_attitude_5 :
+  forall I1 I2 I3 W2 W3 dxy dxz dyy dyz dzz e1 e2 e3 omega1 omega2 omega3 : R,
+  let t_1 := I2 * W2 + (dyz * omega3 + (dyy * omega2 + dxy * omega1)) in
+  let t_2 := I3 * W3 + (dzz * omega3 + (dyz * omega2 + dxz * omega1)) in
+  (W2 - (omega3 * e1 - omega1 * e3)) * (I3 * omega3) - (W3 - (omega1 * e2 - omega2 * e1)) * (I2 *
+    omega2) + (e2 * (I1 * omega1 * omega2 - I2 * omega2 * omega1) - e3 * (I3 * omega3 * omega1 - I1
+    * omega1 * omega3)) + (t_1 * omega3 - t_2 * omega2 + (I2 * omega2 * W3 - I3 * omega3 * W2)) = -
+    (omega2 * (e1 * (I2 * omega2) - e2 * (I1 * omega1) + t_2) - omega3 * (e3 * (I1 * omega1) - e1 *
+    (I3 * omega3) + t_1)).
+Proof.
+  intros I1 I2 I3 W2 W3 dxy dxz dyy dyz dzz e1 e2 e3 omega1 omega2 omega3  t_1 t_2 .
+  unnamed.
+  ring.
+Qed.
+
+(* in the room, y *)
+Theorem sensitivity_of_the_attitude_6 :
+  forall I1 I2 I3 W1 W3 dxx dxy dxz dyz dzz e1 e2 e3 omega1 omega2 omega3 : R,
+  let t_1 := I3 * W3 + (dzz * omega3 + (dyz * omega2 + dxz * omega1)) in
+  let t_2 := I1 * W1 + (dxz * omega3 + (dxy * omega2 + dxx * omega1)) in
+  (W3 - (omega1 * e2 - omega2 * e1)) * (I1 * omega1) - (W1 - (omega2 * e3 - omega3 * e2)) * (I3 *
+    omega3) + (e3 * (I2 * omega2 * omega3 - I3 * omega3 * omega2) - e1 * (I1 * omega1 * omega2 - I2
+    * omega2 * omega1)) + (t_1 * omega1 - t_2 * omega3 + (I3 * omega3 * W1 - I1 * omega1 * W3)) = -
+    (omega3 * (e2 * (I3 * omega3) - e3 * (I2 * omega2) + t_2) - omega1 * (e1 * (I2 * omega2) - e2 *
+    (I1 * omega1) + t_1)).
+Proof.
+  intros I1 I2 I3 W1 W3 dxx dxy dxz dyz dzz e1 e2 e3 omega1 omega2 omega3  t_1 t_2 .
+  unnamed.
+  ring.
+Qed.
+
+(* in the room, z *)
+Theorem sensitivity_of_the_attitude_7 :
+  forall I1 I2 I3 W1 W2 dxx dxy dxz dyy dyz e1 e2 e3 omega1 omega2 omega3 : R,
+  let t_1 := I1 * W1 + (dxz * omega3 + (dxy * omega2 + dxx * omega1)) in
+  let t_2 := I2 * W2 + (dyz * omega3 + (dyy * omega2 + dxy * omega1)) in
+  (W1 - (omega2 * e3 - omega3 * e2)) * (I2 * omega2) - (W2 - (omega3 * e1 - omega1 * e3)) * (I1 *
+    omega1) + (e1 * (I3 * omega3 * omega1 - I1 * omega1 * omega3) - e2 * (I2 * omega2 * omega3 - I3
+    * omega3 * omega2)) + (t_1 * omega2 - t_2 * omega1 + (I1 * omega1 * W2 - I2 * omega2 * W1)) = -
+    (omega1 * (e3 * (I1 * omega1) - e1 * (I3 * omega3) + t_2) - omega2 * (e2 * (I3 * omega3) - e3 *
+    (I2 * omega2) + t_1)).
+Proof.
+  intros I1 I2 I3 W1 W2 dxx dxy dxz dyy dyz e1 e2 e3 omega1 omega2 omega3  t_1 t_2 .
+  unnamed.
+  ring.
+Qed.
+
+(* e . M *)
+Theorem sensitivity_of_the_attitude_8 :
+  forall I1 I2 I3 W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 : R,
+  (W1 - (omega2 * e3 - omega3 * e2)) * (I1 * omega1) + (W2 - (omega3 * e1 - omega1 * e3)) * (I2 *
+    omega2) + (W3 - (omega1 * e2 - omega2 * e1)) * (I3 * omega3) + (e1 * (I2 * omega2 * omega3 - I3
+    * omega3 * omega2) + e2 * (I3 * omega3 * omega1 - I1 * omega1 * omega3) + e3 * (I1 * omega1 *
+    omega2 - I2 * omega2 * omega1)) = W1 * (I1 * omega1) + W2 * (I2 * omega2) + W3 * (I3 * omega3).
+Proof.
+  intros I1 I2 I3 W1 W2 W3 e1 e2 e3 omega1 omega2 omega3   .
+  ring.
+Qed.
+
+(* the energy *)
+Theorem sensitivity_of_the_attitude_9 :
+  forall I1 I2 I3 W1 W2 W3 dxx dxy dxz dyy dyz dzz omega1 omega2 omega3 : R,
+  let t_1 := (I1 - I2) * (omega1 * omega2) / I3 in
+  let t_2 := (I3 - I1) * (omega3 * omega1) / I2 in
+  let t_3 := (I2 - I3) * (omega2 * omega3) / I1 in
+  let t_4 := (0 / I1 * W1 + (I2 - I3) * omega3 / I1 * W2 + (I2 - I3) * omega2 / I1 * W3 + ((dyz *
+    omega3 + (dyy * omega2 + dxy * omega1)) * omega3 - (dzz * omega3 + (dyz * omega2 + dxz *
+    omega1)) * omega2 - (dxz * t_1 + (dxy * t_2 + dxx * t_3))) / I1) * (I1 * omega1) + ((I3 - I1) *
+    omega3 / I2 * W1 + 0 / I2 * W2 + (I3 - I1) * omega1 / I2 * W3 + ((dzz * omega3 + (dyz * omega2 +
+    dxz * omega1)) * omega1 - (dxz * omega3 + (dxy * omega2 + dxx * omega1)) * omega3 - (dyz * t_1 +
+    (dyy * t_2 + dxy * t_3))) / I2) * (I2 * omega2) in
+  let t_5 := (t_4 + ((I1 - I2) * omega2 / I3 * W1 + (I1 - I2) * omega1 / I3 * W2 + 0 / I3 * W3 +
+    ((dxz * omega3 + (dxy * omega2 + dxx * omega1)) * omega2 - (dyz * omega3 + (dyy * omega2 + dxy *
+    omega1)) * omega1 - (dzz * t_1 + (dyz * t_2 + dxz * t_3))) / I3) * (I3 * omega3)) * 2 + (W1 *
+    (I2 * omega2 * omega3 - I3 * omega3 * omega2) + W2 * (I3 * omega3 * omega1 - I1 * omega1 *
+    omega3) + W3 * (I1 * omega1 * omega2 - I2 * omega2 * omega1)) * 2 in
+  let t_6 := (I1 - I2) * (omega1 * omega2) / I3 in
+  let t_7 := (I3 - I1) * (omega3 * omega1) / I2 in
+  let t_8 := (I2 - I3) * (omega2 * omega3) / I1 in
+  I1 <> 0 ->
+  I3 <> 0 ->
+  I2 <> 0 ->
+  t_5 + (omega1 * (dxz * t_6 + (dxy * t_7 + dxx * t_8)) + omega2 * (dyz * t_6 + (dyy * t_7 + dxy *
+    t_8)) + omega3 * (dzz * t_6 + (dyz * t_7 + dxz * t_8))) * 2 = 0.
+Proof.
+  intros I1 I2 I3 W1 W2 W3 dxx dxy dxz dyy dyz dzz omega1 omega2 omega3  t_1 t_2 t_3 t_4 t_5 t_6 t_7
+    t_8 D_1 D_2 D_3.
+  unnamed.
+  field; nonzero.
+Qed.
+
+(* e, x *)
+Theorem sensitivity_of_the_attitude_10 :
+  forall I1 I2 I3 e1 e2 e3 omega1 omega2 omega3 : R,
+  I2 * omega2 * (e1 * (I2 * omega2) - e2 * (I1 * omega1)) - I3 * omega3 * (e3 * (I1 * omega1) - e1 *
+    (I3 * omega3)) + I1 * omega1 * (e1 * (I1 * omega1) + e2 * (I2 * omega2) + e3 * (I3 * omega3)) =
+    e1 * (I1 * omega1 * (I1 * omega1) + I2 * omega2 * (I2 * omega2) + I3 * omega3 * (I3 * omega3)).
+Proof.
+  intros I1 I2 I3 e1 e2 e3 omega1 omega2 omega3   .
+  ring.
+Qed.
+
+(* e, y *)
+Theorem sensitivity_of_the_attitude_11 :
+  forall I1 I2 I3 e1 e2 e3 omega1 omega2 omega3 : R,
+  I3 * omega3 * (e2 * (I3 * omega3) - e3 * (I2 * omega2)) - I1 * omega1 * (e1 * (I2 * omega2) - e2 *
+    (I1 * omega1)) + I2 * omega2 * (e1 * (I1 * omega1) + e2 * (I2 * omega2) + e3 * (I3 * omega3)) =
+    e2 * (I1 * omega1 * (I1 * omega1) + I2 * omega2 * (I2 * omega2) + I3 * omega3 * (I3 * omega3)).
+Proof.
+  intros I1 I2 I3 e1 e2 e3 omega1 omega2 omega3   .
+  ring.
+Qed.
+
+(* e, z *)
+Theorem sensitivity_of_the_attitude_12 :
+  forall I1 I2 I3 e1 e2 e3 omega1 omega2 omega3 : R,
+  I1 * omega1 * (e3 * (I1 * omega1) - e1 * (I3 * omega3)) - I2 * omega2 * (e2 * (I3 * omega3) - e3 *
+    (I2 * omega2)) + I3 * omega3 * (e1 * (I1 * omega1) + e2 * (I2 * omega2) + e3 * (I3 * omega3)) =
+    e3 * (I1 * omega1 * (I1 * omega1) + I2 * omega2 * (I2 * omega2) + I3 * omega3 * (I3 * omega3)).
+Proof.
+  intros I1 I2 I3 e1 e2 e3 omega1 omega2 omega3   .
+  ring.
+Qed.
+
+(* With e carried along the other way. *)
+
+(* q' *)
+Theorem sensitivity_of_the_attitude_mutant_1 :
+  exists W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3 : R,
+  ((- (q1 * e1) - q2 * e2 - q3 * e3) / 2 * omega1 + (q0 * e2 - q1 * e3 + q3 * e1) / 2 * omega3 - (q0
+    * e3 + q1 * e2 - q2 * e1) / 2 * omega2) / 2 + (q0 * W1 + q2 * W3 - q3 * W2) / 2 <> ((- (q1 *
+    omega1) - q2 * omega2 - q3 * omega3) / 2 * e1 + (q0 * omega2 - q1 * omega3 + q3 * omega1) / 2 *
+    e3 - (q0 * omega3 + q1 * omega2 - q2 * omega1) / 2 * e2) / 2 + (q0 * (W1 + (omega2 * e3 - omega3
+    * e2)) + q2 * (W3 + (omega1 * e2 - omega2 * e1)) - q3 * (W2 + (omega3 * e1 - omega1 * e3))) / 2.
+Proof.
+  exists 6, 1, (-3), 1, 7, 4, 3, 3, 2, 5, 2, 6, (-2).
+  computed.
+Qed.
+
+
+(** sensitivity-by-products: A product of inertia turns two principal axes about the third by itself over the difference of their moments: the spin turned so obeys Euler's equations with the changed tensor to first order. *)
+
+(* w', x *)
+Theorem sensitivity_by_products_1 :
+  forall I1 I2 I3 omega2 omega3 : R,
+  I1 <> 0 ->
+  I2 - I3 <> 0 ->
+  0 = (I2 - I3) * omega3 / I1 * (- (1 / (I2 - I3) * omega3)) + (I2 - I3) * omega2 / I1 * (1 / (I2 -
+    I3) * omega2) + (omega3 * omega3 - omega2 * omega2) / I1.
+Proof.
+  intros I1 I2 I3 omega2 omega3   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* w', y *)
+Theorem sensitivity_by_products_2 :
+  forall I1 I2 I3 omega1 omega2 omega3 : R,
+  I2 - I3 <> 0 ->
+  I3 <> 0 ->
+  I2 <> 0 ->
+  - (1 / (I2 - I3) * ((I1 - I2) * (omega1 * omega2) / I3)) = 0 / I2 * (- (1 / (I2 - I3) * omega3)) +
+    (I3 - I1) * omega1 / I2 * (1 / (I2 - I3) * omega2) + (omega2 * omega1 - (I1 - I2) * (omega1 *
+    omega2) / I3) / I2.
+Proof.
+  intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
+  field; nonzero.
+Qed.
+
+(* w', z *)
+Theorem sensitivity_by_products_3 :
+  forall I1 I2 I3 omega1 omega2 omega3 : R,
+  I2 - I3 <> 0 ->
+  I2 <> 0 ->
+  I3 <> 0 ->
+  1 / (I2 - I3) * ((I3 - I1) * (omega3 * omega1) / I2) = (I1 - I2) * omega1 / I3 * (- (1 / (I2 - I3)
+    * omega3)) + 0 / I3 * (1 / (I2 - I3) * omega2) + (- (omega3 * omega1) - (I3 - I1) * (omega3 *
+    omega1) / I2) / I3.
+Proof.
+  intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
+  field; nonzero.
+Qed.
+
+(* w', x *)
+Theorem sensitivity_by_products_4 :
+  forall I1 I2 I3 omega1 omega2 omega3 : R,
+  I3 - I1 <> 0 ->
+  I3 <> 0 ->
+  I1 <> 0 ->
+  1 / (I3 - I1) * ((I1 - I2) * (omega1 * omega2) / I3) = 0 / I1 * (1 / (I3 - I1) * omega3) + (I2 -
+    I3) * omega2 / I1 * (- (1 / (I3 - I1) * omega1)) + (- (omega1 * omega2) - (I1 - I2) * (omega1 *
+    omega2) / I3) / I1.
+Proof.
+  intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
+  field; nonzero.
+Qed.
+
+(* w', y *)
+Theorem sensitivity_by_products_5 :
+  forall I1 I2 I3 omega1 omega3 : R,
+  I2 <> 0 ->
+  I3 - I1 <> 0 ->
+  0 = (I3 - I1) * omega3 / I2 * (1 / (I3 - I1) * omega3) + (I3 - I1) * omega1 / I2 * (- (1 / (I3 -
+    I1) * omega1)) + (omega1 * omega1 - omega3 * omega3) / I2.
+Proof.
+  intros I1 I2 I3 omega1 omega3   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* w', z *)
+Theorem sensitivity_by_products_6 :
+  forall I1 I2 I3 omega1 omega2 omega3 : R,
+  I3 - I1 <> 0 ->
+  I1 <> 0 ->
+  I3 <> 0 ->
+  - (1 / (I3 - I1) * ((I2 - I3) * (omega2 * omega3) / I1)) = (I1 - I2) * omega2 / I3 * (1 / (I3 -
+    I1) * omega3) + 0 / I3 * (- (1 / (I3 - I1) * omega1)) + (omega3 * omega2 - (I2 - I3) * (omega2 *
+    omega3) / I1) / I3.
+Proof.
+  intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
+  field; nonzero.
+Qed.
+
+(* w', x *)
+Theorem sensitivity_by_products_7 :
+  forall I1 I2 I3 omega1 omega2 omega3 : R,
+  I1 - I2 <> 0 ->
+  I2 <> 0 ->
+  I1 <> 0 ->
+  - (1 / (I1 - I2) * ((I3 - I1) * (omega3 * omega1) / I2)) = 0 / I1 * (- (1 / (I1 - I2) * omega2)) +
+    (I2 - I3) * omega3 / I1 * (1 / (I1 - I2) * omega1) + (omega1 * omega3 - (I3 - I1) * (omega3 *
+    omega1) / I2) / I1.
+Proof.
+  intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
+  field; nonzero.
+Qed.
+
+(* w', y *)
+Theorem sensitivity_by_products_8 :
+  forall I1 I2 I3 omega1 omega2 omega3 : R,
+  I1 - I2 <> 0 ->
+  I1 <> 0 ->
+  I2 <> 0 ->
+  1 / (I1 - I2) * ((I2 - I3) * (omega2 * omega3) / I1) = (I3 - I1) * omega3 / I2 * (- (1 / (I1 - I2)
+    * omega2)) + 0 / I2 * (1 / (I1 - I2) * omega1) + (- (omega2 * omega3) - (I2 - I3) * (omega2 *
+    omega3) / I1) / I2.
+Proof.
+  intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
+  field; nonzero.
+Qed.
+
+(* w', z *)
+Theorem sensitivity_by_products_9 :
+  forall I1 I2 I3 omega1 omega2 : R,
+  I3 <> 0 ->
+  I1 - I2 <> 0 ->
+  0 = (I1 - I2) * omega2 / I3 * (- (1 / (I1 - I2) * omega2)) + (I1 - I2) * omega1 / I3 * (1 / (I1 -
+    I2) * omega1) + (omega2 * omega2 - omega1 * omega1) / I3.
+Proof.
+  intros I1 I2 I3 omega1 omega2   D_1 D_2.
+  field; nonzero.
+Qed.
+
+(* With turned the other way. *)
+
+(* w', x *)
+Theorem sensitivity_by_products_mutant_1 :
+  exists I1 I2 I3 omega2 omega3 : R,
+  I1 <> 0 /\
+  I2 - I3 <> 0 /\
+  0 <> (I2 - I3) * omega3 / I1 * (- ((-1) / (I2 - I3) * omega3)) + (I2 - I3) * omega2 / I1 * ((-1) /
+    (I2 - I3) * omega2) + (omega3 * omega3 - omega2 * omega2) / I1.
+Proof.
+  exists 6, 1, (-3), 1, 7.
+  split; [computed | ]. split; [computed | ]. computed.
+Qed.

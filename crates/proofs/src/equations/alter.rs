@@ -1,7 +1,7 @@
 //! What proofs of equations would miss: each proven equation altered in every way, one change at a time.
 
 use super::{Equation, Expected, Ledger, Standing, standings};
-use crate::tex::{Site, SiteKind, Statement, parse, parse_with_sites};
+use crate::tex::{Scope, Site, SiteKind, Statement, parse, parse_with_sites};
 
 /// What became of the altered copies of a text's equations.
 #[derive(Debug, Clone, Default)]
@@ -43,9 +43,14 @@ pub fn alterations(expected: &Expected, equations: &[Equation]) -> Alterations {
         if !laws.iter().any(|standing| matches!(standing, Some(Standing::Law(_)))) {
             continue;
         }
+        let points = laws.iter().map(|standing| match standing {
+            Some(Standing::Law(law)) => law.points(),
+            _ => Vec::new(),
+        });
+        let points: Vec<_> = points.collect();
         for (change, tex) in altered(&equation.tex) {
             table.made += 1;
-            match holds(&tex, &laws, &standings) {
+            match holds(&tex, &laws, &points, &standings) {
                 Some(same_sides) => {
                     table.still_true.push(StillTrue { line: equation.line, change, tex, same_sides });
                 }
@@ -57,11 +62,17 @@ pub fn alterations(expected: &Expected, equations: &[Equation]) -> Alterations {
 }
 
 /// If an altered equation is proven too, for the same laws: whether its sides are worth what they were.
-fn holds(tex: &str, laws: &[Option<&Standing>], before: &[(Statement, Option<Standing>)]) -> Option<bool> {
+fn holds(
+    tex: &str,
+    laws: &[Option<&Standing>],
+    points: &[Vec<Scope>],
+    before: &[(Statement, Option<Standing>)],
+) -> Option<bool> {
     let statements = parse(tex).ok().filter(|statements| statements.len() == laws.len())?;
     let mut same_sides = true;
-    for ((statement, standing), (was, _)) in statements.iter().zip(laws).zip(before) {
+    for (((statement, standing), points), (was, _)) in statements.iter().zip(laws).zip(points).zip(before) {
         match standing {
+            Some(Standing::Law(law)) if law.fails_near(statement, points) => return None,
             Some(Standing::Law(law)) if law.prove(statement).is_ok() => {
                 same_sides &= law.says_the_same(statement, was);
             }

@@ -3,10 +3,11 @@
 
 use crate::number::{Fraction, Relations};
 use crate::proofs::klein::{Change, Motion, motion};
-use crate::symbols::variables;
+use crate::symbols::{Vector, variables, vector};
 use crate::tex::Scope;
 use num_traits::{One, Zero};
 use std::sync::LazyLock;
+use tumbling::dynamics::euler::angular_acceleration;
 
 /// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
 pub(super) fn at_any_time() -> Scope {
@@ -32,7 +33,7 @@ fn of_motion(saddle: bool) -> Scope {
     };
     let [h, p, q, r, big] = variables(["h", "p", "q", "r", "Q"]);
     let Motion { moments, amplitudes, zero: [beta, gamma, delta], .. } = &motion;
-    let mut scope = Scope::default();
+    let mut scope = with_errors(Scope::default());
     for (k, name) in ["X", "M", "C"].into_iter().enumerate() {
         scope = scope
             .with(&format!("I_{name}"), moments[k].clone())
@@ -76,6 +77,17 @@ fn of_motion(saddle: bool) -> Scope {
         .with("S", &moments[1] * p.pow(2) / (&moments[2] * r.pow(2)))
         .with("T", &moments[0] * p.pow(2) / (&moments[2] * q.pow(2)))
         .under(motion.relations)
+}
+
+/// Where the amplitude and the argument are too large, by a share and by an amount, the components are by the
+/// two errors.
+fn with_errors(scope: Scope) -> Scope {
+    let [mu, lambda, sn, cn, dn] = variables(["mu", "lambda", "sn", "cn", "dn"]);
+    scope
+        .with(r"\epsilon_M", &lambda + &mu * &cn * &dn / &sn)
+        .with(r"\epsilon_X", &lambda - &mu * sn * dn / cn)
+        .with(r"\mu", mu)
+        .with(r"\lambda", lambda)
 }
 
 /// Twice the cosine of `n` times an angle, from that of the angle; and the sine over that of the angle.
@@ -211,7 +223,16 @@ fn of_complementary() -> Scope {
             sum + power(&nome, n * n + n) * power(&v, -n) * pair * Fraction::from(alternates)
         })
     };
+    let squares = |sign: i64| {
+        (1..=2_i64).fold(Fraction::one(), |sum, n| {
+            let size = nome.pow((n * n) as u32) * Fraction::from(2);
+            sum + if n == 1 { size * Fraction::from(sign) } else { size }
+        })
+    };
     Scope::default()
+        .with("m_2", (0..=2).fold(Fraction::zero(), |sum, n: u32| sum + nome.pow(n * n + n)))
+        .with("m_3", squares(1))
+        .with("m_4", squares(-1))
         .with("q'", nome.clone())
         .with("v", v.clone())
         .with("g", g)
@@ -254,4 +275,113 @@ fn of_complementary_attitude() -> Scope {
         .with("a_2", a_2)
         .with("b_1", b_1)
         .with("b_2", b_2)
+}
+
+/// The steady rate of the common phase, where the phase of the series is zero and dn is one; `rho` is the
+/// rate of the angle of `a` by that phase.
+pub(super) fn drift() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(of_drift);
+    ONCE.clone()
+}
+
+fn of_drift() -> Scope {
+    let Ok(motion) = motion(1, Change::None) else { return Scope::default() };
+    let [pi, quarter, rho] = variables(["pi", "K", "rho"]);
+    let two = Fraction::from(2);
+    let values = [("cn", Fraction::one()), ("sn", Fraction::zero()), ("dn", Fraction::one())];
+    let about = values.iter().fold(motion.turning, |x, (name, value)| x.substitute(&(*name).into(), value));
+    Scope::default()
+        .with(r"\nu", about / &two - &pi * &motion.rate / (&two * &quarter) * &rho)
+        .with(r"\sigma", Fraction::variable("sigma"))
+        .with("E", motion.twice_energy / two)
+        .with("L", motion.momentum)
+        .with("A_C", motion.amplitudes[2].clone())
+        .with("I_C", motion.moments[2].clone())
+        .with(r"\eta", motion.rate)
+        .with(r"\pi", pi)
+        .with("K", quarter)
+        .with(r"\rho", rho)
+        .under(motion.relations)
+}
+
+/// The same at the saddle: `a` is there, but for a steady factor, the sum of all `p^(n²) exp(-n x)` with
+/// the angle of `-2 s n phi`, and `x` is zero.
+pub(super) fn drift_at_the_saddle() -> Scope {
+    let [psi, s, pi, eta, other, p] = variables(["psi", "s", "pi", "eta", "K'", "p"]);
+    let (mut real, mut turned, mut scope) = (Fraction::one(), Fraction::zero(), Scope::default());
+    for n in 1..=3_i64 {
+        let size = p.pow((n * n) as u32) * Fraction::from(2);
+        let [cos, sin] = ["C", "S"].map(|wave| Fraction::variable(&format!("{wave}'{}", 2 * n)));
+        real += &size * &cos;
+        turned += -(&s * size * &sin * Fraction::from(n));
+        scope = scope.with(&format!("C'_{}", 2 * n), cos).with(&format!("S'_{}", 2 * n), sin);
+    }
+    let two = Fraction::from(2);
+    scope
+        .with(r"\nu", &psi / &two - &pi * &eta / (two * &other) * turned / real)
+        .with(r"\dot{\psi}", psi)
+        .with("s", s)
+        .with(r"\pi", pi)
+        .with(r"\eta", eta)
+        .with("K'", other)
+        .with("p", p)
+}
+
+/// Flips: the argument at the start is the one that is zero at the time of a flip.
+pub(super) fn flips() -> Scope {
+    let [count, quarter, eta, nu, t] = variables(["N", "K", "eta", "nu", "t"]);
+    let two = Fraction::from(2);
+    let half_period = &two * &quarter / &eta;
+    Scope::default()
+        .with("u_0", &two * &count * &quarter - &eta * &t)
+        .with("t_N", t)
+        .with("T", two * &nu * half_period)
+        .with("N", count)
+        .with("K", quarter)
+        .with(r"\eta", eta)
+        .with(r"\nu", nu)
+}
+
+/// A change of the spin, by the library's equations to first order; `a`, `b` and `c` from this axis on.
+pub(super) fn variation(axis: usize) -> Scope {
+    let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
+    let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
+    let moved = |x: &Fraction| {
+        let part = |k: usize| x.derivative(&format!("omega{}", k + 1).as_str().into()) * &change[k];
+        part(0) + part(1) + part(2)
+    };
+    let axes = [axis, (axis + 1) % 3, (axis + 2) % 3];
+    let [a, b, c] = axes;
+    let names = axes.into_iter().zip(["a", "b", "c"]);
+    let scope = names.fold(Scope::default(), |scope, (axis, name)| {
+        scope
+            .with(&format!("W_{name}"), change[axis].clone())
+            .with(&format!(r"\omega_{name}"), omega[axis].clone())
+    });
+    let factor = (&moments[b] - &moments[c]) / &moments[a];
+    scope.with(r"\dot{W}_a", moved(&rate[a])).with("k_a", factor)
+}
+
+/// Carlson's series for `count` numbers, whose integrand falls with the power `first/2` of their mean: the
+/// inverse root of `1 + E_2 h² - E_3 h³ + ...` with each power of `h` integrated, to the seventh.
+pub(super) fn carlson(count: u32, first: i64) -> Scope {
+    let mut scope = Scope::default();
+    let mut rest = Fraction::zero();
+    for n in 2..=count {
+        let sum = Fraction::variable(&format!("E{n}"));
+        rest += &sum * Fraction::variable("h").pow(n) * alternating(n as usize);
+        scope = scope.with(&format!("E_{n}"), sum);
+    }
+    // The binomial series of the power -1/2.
+    let (mut term, mut sum) = (Fraction::one(), Fraction::zero());
+    for k in 0..=3 {
+        sum += term.clone();
+        term *= &rest * Fraction::ratio(-(2 * k + 1), 2 * k + 2);
+    }
+    let parts = sum.numerator().in_powers_of(&"h".into());
+    let below = Fraction::from(sum.denominator().clone());
+    let integrated = (0..).zip(parts).take(8).fold(Fraction::zero(), |sum, (n, part)| {
+        sum + Fraction::from(part) / &below * Fraction::ratio(first, 2 * n + first)
+    });
+    scope.with(if count == 3 { "r_F" } else { "r_D" }, integrated)
 }

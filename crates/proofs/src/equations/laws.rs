@@ -8,7 +8,10 @@ use super::motion::{
 };
 use super::steps::{self, explicit, turn};
 use super::tops;
+use crate::proofs::proofs;
 use crate::tex::{Scope, Statement, parse};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// An equation, and what its names stand for.
 #[derive(Debug, Clone, Copy)]
@@ -71,6 +74,18 @@ impl Law {
 }
 
 impl Law {
+    /// Its meanings near single points, where a false statement is soon seen to be one.
+    pub(super) fn points(&self) -> Vec<Scope> {
+        let plain = !self.bare && self.example.is_empty();
+        self.cases.iter().filter(|_| plain).filter_map(|case| case().near_a_point()).collect()
+    }
+
+    /// Whether a statement clearly fails near one of these points.
+    pub(super) fn fails_near(&self, statement: &Statement, points: &[Scope]) -> bool {
+        let general = (self.in_general)(statement);
+        general.is_ok_and(|statement| points.iter().any(|point| statement.is_off(point)))
+    }
+
     /// Whether each side of two statements of it is worth the same, in every meaning of their names.
     pub(super) fn says_the_same(&self, a: &Statement, b: &Statement) -> bool {
         if self.bare {
@@ -83,13 +98,32 @@ impl Law {
     }
 }
 
-/// What claims nothing about the library.
+/// What claims nothing about the library, or is proven apart.
 #[derive(Debug, Clone, Copy)]
 pub struct Exemption {
     /// All of it, as written.
     pub tex: &'static str,
-    /// Why it is no claim.
+    /// Why it is no claim, or what the proof says of it.
     pub reason: &'static str,
+    /// The name of the proof that must hold, if there is one.
+    pub proof: Option<&'static str>,
+}
+
+impl Exemption {
+    /// Runs its proof.
+    ///
+    /// # Errors
+    /// What is left over; that no proof has this name.
+    pub(super) fn prove(&self) -> Result<(), String> {
+        static KNOWN: Mutex<BTreeMap<&str, Result<(), String>>> = Mutex::new(BTreeMap::new());
+        let Some(name) = self.proof else { return Ok(()) };
+        let prove = || match proofs().iter().find(|proof| proof.name == name) {
+            Some(proof) => (proof.check)().map_err(|residue| residue.to_string()),
+            None => Err(format!("no proof has the name `{name}`")),
+        };
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        known.entry(name).or_insert_with(prove).clone()
+    }
 }
 
 const fn law(left: &'static str, cases: &'static [fn() -> Scope], says: &'static str) -> Law {
@@ -170,6 +204,18 @@ laws! {
     CLOSED_X = law(r"\omega_X", &[closed::at_any_time], "a component of the closed form");
     CLOSED_M = law(r"\omega_M", &[closed::at_any_time], "a component of the closed form");
     CLOSED_C = law(r"\omega_C", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_PHASE_ERROR = law(r"\mu", &[closed::at_any_time], "what takes the difference of two relative errors away, to first order");
+    CLOSED_SIZE_ERROR = law(r"\lambda", &[closed::at_any_time], "what then takes both away, to first order");
+    CLOSED_DRIFT = law(r"\nu", &[closed::drift], "half the rate about the momentum where the phase is zero, less that of the angle of a there");
+    CLOSED_DRIFT_AT_THE_SADDLE = law(r"\nu", &[closed::drift_at_the_saddle], "the same at the saddle, by the terms of a theta function");
+    COMPLEMENTARY_N_2 = law("m_2", &[closed::complementary], "the sum of its first terms");
+    COMPLEMENTARY_N_3 = law("m_3", &[closed::complementary], "the sum of its first terms");
+    COMPLEMENTARY_N_4 = law("m_4", &[closed::complementary], "the sum of its first terms");
+    CLOSED_FLIP = law("t_N", &[closed::flips], "the time where the argument is zero");
+    CLOSED_TWIST = law("T", &[closed::flips], "twice the phase that the drift adds in half a period");
+    VARIATION = law(r"\dot{W}_a", &[|| closed::variation(0), || closed::variation(1), || closed::variation(2)], "the derivative of euler::angular_acceleration along a change of the spin");
+    CARLSON_FIRST = law("r_F", &[|| closed::carlson(3, 1)], "the binomial series of the integrand, integrated term by term");
+    CARLSON_SECOND = law("r_D", &[|| closed::carlson(5, 3)], "the binomial series of the integrand, integrated term by term");
     CLOSED_SN = law("x_0", &[closed::at_any_time], "sn, from the spin");
     CLOSED_CN = law("y_0", &[closed::at_any_time], "cn, from the spin");
     CLOSED_DN = law("z_0", &[closed::at_any_time], "dn, from the spin");

@@ -4,8 +4,8 @@ use super::Interval;
 use crate::Rational;
 use num_traits::{One, Zero};
 
-fn whole(n: i64) -> Interval {
-    Rational::from(n).into()
+fn whole(n: i32) -> Interval {
+    Interval::whole(n)
 }
 
 /// Carlson's integral of the first kind, of three numbers of which one at most is zero.

@@ -2,24 +2,23 @@
 
 use super::Interval;
 use super::arithmetic::root;
-use crate::Rational;
 use num_traits::{One, Zero};
 
 /// The number of terms of each series; its rest is bounded by the next one.
-const TERMS: i64 = 24;
+const TERMS: i32 = 24;
 
 /// The exact fraction, enclosed.
-fn fraction(numerator: i64, denominator: i64) -> Interval {
-    Rational::new(numerator, denominator).into()
+fn fraction(numerator: i32, denominator: i32) -> Interval {
+    whole(numerator) / whole(denominator)
 }
 
-fn whole(n: i64) -> Interval {
-    fraction(n, 1)
+fn whole(n: i32) -> Interval {
+    Interval::whole(n)
 }
 
 /// The sum of `sign^n x^(2n+1) / (2n+1)`: the arctangent, or with a positive sign its hyperbolic sister, for
 /// `|x| < 1/2`.
-fn odd_powers(x: Interval, sign: i64) -> Interval {
+fn odd_powers(x: Interval, sign: i32) -> Interval {
     let square = x.square() * whole(sign);
     let mut sum = Interval::zero();
     let mut power = x;
@@ -63,9 +62,9 @@ impl Interval {
             return (any, any);
         }
         let point = Self { low: middle, high: middle };
-        let turns = whole(quarters as i64);
+        let turns = whole(quarters as i32);
         let (sine, cosine) = small_sin_cos(point - turns * Self::PI / whole(2));
-        let (sine, cosine) = match (quarters as i64).rem_euclid(4) {
+        let (sine, cosine) = match (quarters as i32).rem_euclid(4) {
             0 => (sine, cosine),
             1 => (cosine, -sine),
             2 => (-sine, -cosine),

@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use std::cmp::Ordering;
 
-fn whole(n: i64) -> Interval {
-    Rational::from(n).into()
+fn whole(n: impl Into<f64>) -> Interval {
+    Interval::whole(n)
 }
 
 /// A motion in Jacobi's functions, of a body with three different moments that is neither steady nor on the
@@ -123,7 +123,7 @@ impl FreeMotion {
         // A start at a flip is one of these zeros itself.
         let mut open = to_come.filter(|gap| !(*gap < zero || (self.starts_at_a_flip && gap.has_zero())));
         let Some(first) = open.next().filter(|gap| *gap > zero) else { return Interval::ALL };
-        first / self.rate.abs() + whole(i64::from(number)) * self.between_flips()
+        first / self.rate.abs() + whole(number) * self.between_flips()
     }
 
     /// The number of flips from the start to this time, s, if that is certain: as an interval of one number.
@@ -133,7 +133,7 @@ impl FreeMotion {
         while count < 1_000_000 && self.flip(count) < end {
             count += 1;
         }
-        if self.flip(count) > end { whole(i64::from(count)) } else { Interval::ALL }
+        if self.flip(count) > end { whole(count) } else { Interval::ALL }
     }
 }
 

@@ -184,7 +184,7 @@ pub(crate) fn motion(sense: i64, change: Change) -> Result<Motion, Residue> {
 
 impl Motion {
     /// Along the circled axis and the next two in cyclic order.
-    fn arranged(&self, [across, middle, circled]: &[Fraction; 3], sense: i64) -> Vector {
+    pub(crate) fn arranged(&self, [across, middle, circled]: &[Fraction; 3], sense: i64) -> Vector {
         let [next, last] = if sense > 0 { [across, middle] } else { [middle, across] };
         Vector::new(circled.clone(), next.clone(), last.clone())
     }

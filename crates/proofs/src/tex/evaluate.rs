@@ -116,6 +116,19 @@ impl Statement {
         Ok(())
     }
 
+    /// Whether two of its sides that should be equal are clearly not where all names are numbers, some of
+    /// them rounded.
+    pub(crate) fn is_off(&self, point: &Scope) -> bool {
+        self.pairs().filter(|(_, relation, _)| *relation == Relation::Equal).any(|(left, _, right)| {
+            let sides = [left, right].map(|side| match point.value(&side.tree) {
+                Ok(Value::Scalar(x)) => x.at(&[]).to_f64(),
+                _ => f64::NAN,
+            });
+            let [a, b] = sides;
+            (a - b).abs() > 1e-6 * (1.0 + a.abs() + b.abs())
+        })
+    }
+
     /// Proves each number that something is set equal to, for these values of the variables: its decimals are
     /// the correct rounding, and a whole number is exact. Returns the statement without these numbers.
     ///

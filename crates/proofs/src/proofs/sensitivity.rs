@@ -1,0 +1,257 @@
+//! The derivatives of the motion by its start and by the tensor, as the sensitivities state them: each obeys
+//! the library's laws to first order, and begins as it must.
+
+use crate::number::{Derivation, Fraction, Relations};
+use crate::proof::{Mutant, Outcome, Proof, same, same_under, same_vectors};
+use crate::proofs::klein::{Change, motion};
+use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
+use nalgebra::Quaternion;
+use num_traits::{One, Zero};
+use tumbling::attitude::{product, rate};
+use tumbling::dynamics::euler::{angular_acceleration, tensor_times_acceleration};
+
+pub(super) const PROOFS: &[Proof] = &[
+    Proof {
+        name: "variational-equations",
+        part: "exact",
+        statement: "Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a product of \
+                    inertia adds at a fixed spin is as the power series take it. For every body.",
+        check: || variations(1),
+        mutants: &[Mutant { change: "a minus between the products", check: || variations(-1) }],
+    },
+    Proof {
+        name: "sensitivity-of-the-spin",
+        part: "exact",
+        statement: "The closed form's derivatives by its two constants and by the moments, with the derivative of Jacobi's argument at a fixed \
+                    angle, obey Euler's equations to first order. For every body, about either axis, in either sense.",
+        check: || both(|sense| columns(sense, 1)),
+        mutants: &[Mutant {
+            change: "that derivative growing the other way",
+            check: || both(|sense| columns(sense, -1)),
+        }],
+    },
+    Proof {
+        name: "sensitivity-at-the-start",
+        part: "exact",
+        statement: "At the start those derivatives, put together for the three components of the spin and for a moment, are one for a component \
+                    by itself and zero for all else.",
+        check: || at_the_start(1),
+        mutants: &[Mutant { change: "the phase shifted the other way", check: || at_the_start(-1) }],
+    },
+    Proof {
+        name: "sensitivity-of-the-attitude",
+        part: "exact",
+        statement: "A small turn e of the attitude changes as e' = w - omega x e with the change w of the spin; so e x M and the change of the \
+                    momentum turn with the room, e . M has the rate w . M, and with the change of the energy this gives e.",
+        check: || attitude(1),
+        mutants: &[Mutant { change: "e carried along the other way", check: || attitude(-1) }],
+    },
+    Proof {
+        name: "sensitivity-by-products",
+        part: "exact",
+        statement: "A product of inertia turns two principal axes about the third by itself over the difference of their moments: the spin \
+                    turned so obeys Euler's equations with the changed tensor to first order.",
+        check: || products(1),
+        mutants: &[Mutant { change: "turned the other way", check: || products(-1) }],
+    },
+];
+
+fn both(check: impl Fn(i64) -> Outcome) -> Outcome {
+    check(1)?;
+    check(-1)
+}
+
+fn free(moments: &Vector, omega: &Vector) -> Vector {
+    angular_acceleration(moments, omega, &Vector::zeros())
+}
+
+/// The derivative by symbols that change at these rates.
+fn along(names: &Vector, rates: &Vector) -> Derivation {
+    (0..3).fold(Derivation::default(), |all, k| all.and(&names[k].to_string(), rates[k].clone()))
+}
+
+/// What a change of the tensor adds to the acceleration at a fixed spin, times the moments.
+fn forced(moments: &Vector, omega: &Vector, change: &Matrix) -> Vector {
+    let tensor = diagonal(moments) + change.map(|x| x * Fraction::variable("eps"));
+    let law = tensor_times_acceleration(&tensor, omega, &Vector::zeros());
+    law.map(|x| x.derivative(&"eps".into())) - change * free(moments, omega)
+}
+
+/// The change of a tensor by one of its entries: a moment, or a product of the two axes other than `k`.
+fn entry(k: usize, product: bool) -> Matrix {
+    let mut change = Matrix::zeros();
+    let (i, j) = if product { ((k + 1) % 3, (k + 2) % 3) } else { (k, k) };
+    change[(i, j)] = Fraction::one();
+    change[(j, i)] = Fraction::one();
+    change
+}
+
+fn variations(sign: i64) -> Outcome {
+    let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
+    let moved = free(&moments, &omega).map(|x| along(&omega, &change).of(&x));
+    let sign = Fraction::from(sign);
+    let factor = |a: usize| (&moments[(a + 1) % 3] - &moments[(a + 2) % 3]) / &moments[a];
+    let law = Vector::from_fn(|a, _| {
+        let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+        factor(a) * (&change[b] * &omega[c] + &omega[b] * &change[c] * &sign)
+    });
+    same_vectors("W'", &moved, &law)?;
+    let over = moments.map(|x| Fraction::one() / x);
+    for c in 0..3 {
+        let (a, b) = ((c + 1) % 3, (c + 2) % 3);
+        let found = forced(&moments, &omega, &entry(c, false)).component_mul(&over);
+        let mut stated = Vector::zeros();
+        stated[c] = -(factor(c) * &over[c] * &omega[a] * &omega[b]);
+        stated[b] = &over[b] * &omega[c] * &omega[a];
+        stated[a] = -(&over[a] * &omega[b] * &omega[c]);
+        same_vectors("by a moment", &found, &stated)?;
+        let found = forced(&moments, &omega, &entry(c, true)).component_mul(&over);
+        let excess = (&moments[a] + &moments[b] - &moments[c]) * &over[a] * &over[b];
+        stated[a] = &excess * &omega[a] * &omega[c];
+        stated[b] = -(&excess * &omega[b] * &omega[c]);
+        stated[c] = &over[c] * (&omega[b] - &omega[a]) * (&omega[b] + &omega[a]);
+        same_vectors("by a product", &found, &stated)?;
+    }
+    Ok(())
+}
+
+/// By the motion's constant or moment of this name, at a fixed argument at the start. `J` is the derivative
+/// of Jacobi's argument by the parameter at a fixed angle, `t` the time.
+fn by_parameter(name: &str, rate: &Fraction) -> Derivation {
+    let [x1, x2, x3, p, q, r] = variables(["x1", "x2", "x3", "p", "q", "r"]);
+    let [h, sn, cn, dn, tau] = variables(["h", "sn", "cn", "dn", "tau"]);
+    let by = Derivation::new([(name, Fraction::one())]);
+    let by = match name {
+        "x1" => by.and("x2", &x1 / &x2).and("x3", &x1 / &x3),
+        "p" => by.and("x2", &tau * &p / &x2).and("x3", &tau * &p / &x3).and("r", &p / &r),
+        "q" => by.and("x3", &tau * &q / &x3).and("r", &q / &r),
+        _ => by,
+    };
+    let m = h.pow(2) * p.pow(2);
+    let shift = Fraction::variable("t") * by.of(rate) - by.of(&m) * Fraction::variable("J");
+    let at_fixed_angle = by.of(&m) * sn.pow(2) / (Fraction::from(2) * &dn);
+    by.and("sn", &cn * &dn * &shift)
+        .and("cn", -(&sn * &dn * &shift))
+        .and("dn", -(&m * &sn * &cn * &shift) - at_fixed_angle)
+}
+
+fn columns(sense: i64, sign: i64) -> Outcome {
+    let motion = motion(sense, Change::None)?;
+    let [sn, dn] = variables(["sn", "dn"]);
+    let grows = &motion.rate * sn.pow(2) / (Fraction::from(2) * dn.pow(2)) * Fraction::from(sign);
+    let time = motion.time.clone().and("t", Fraction::one()).and("J", grows);
+    let omega = motion.arranged(&motion.omega, sense);
+    let expected = free(&motion.arranged(&motion.moments, sense), &omega);
+    for name in ["Q", "h", "x1", "p", "q"] {
+        let by = by_parameter(name, &motion.rate);
+        for k in 0..3 {
+            let (moved, law) = (time.of(&by.of(&omega[k])), by.of(&expected[k]));
+            same_under(&motion.relations, &format!("by {name}, component {}", k + 1), &moved, &law)?;
+        }
+    }
+    Ok(())
+}
+
+/// The derivatives at the start as the library puts them together: amplitudes, the shift of the phase, and
+/// what goes to the separatrix. `r` and `t` are the logarithmic derivatives by a moment of the quotients of
+/// the amplitudes squared, `R` and `T`; that of `S`, which is their product, is the sum.
+fn at_the_start(sign: i64) -> Outcome {
+    let [a_x, a_m, a_c, sn, cn, dn, m, kp2] = variables(["AX", "AM", "AC", "sn", "cn", "dn", "m", "kp2"]);
+    let [log_r, log_t] = variables(["r", "t"]);
+    let [zero, half, two] = [Fraction::zero(), Fraction::ratio(1, 2), Fraction::from(2)];
+    let jacobi = Relations::elliptic();
+    let put = |x: &Fraction| x.substitute(&"kp2".into(), &(Fraction::one() - &m));
+    let (root_r, s, t) = (&a_x / &a_m, &m * a_c.pow(2) / a_m.pow(2), &m * a_c.pow(2) / a_x.pow(2));
+    let log_s = &log_r + &log_t;
+    // Of the amplitudes across, in the middle and circled, of k'², and of the phase, over dn.
+    let inputs = [
+        [cn.clone(), &cn / &root_r, zero.clone(), -(&two * &t * &a_x * &cn / a_c.pow(2)), -(&sn / &a_x)],
+        [
+            &root_r * &sn,
+            sn.clone(),
+            &s * &a_m / &a_c * &sn,
+            -(&two * &kp2 * &s * &a_m * &sn / a_c.pow(2)),
+            &cn / &a_m,
+        ],
+        [zero.clone(), zero.clone(), dn.clone(), &two * &m * &dn / &a_c, zero],
+        [
+            &half * &a_x * sn.pow(2) * &log_r,
+            -(&half * &a_m * cn.pow(2) * &log_r),
+            &half * &a_c * &m * sn.pow(2) * &log_s,
+            -(&m * (cn.pow(2) * &log_t + &kp2 * sn.pow(2) * &log_s)),
+            &half * &sn * &cn * &log_r,
+        ],
+    ];
+    for (column, [across, middle, around, to_separatrix, phase]) in inputs.iter().enumerate() {
+        let shift = phase * Fraction::from(sign);
+        let change = [
+            across * &cn - &a_x * &sn * &shift,
+            middle * &sn + &a_m * &cn * &shift,
+            around * &dn + &a_c * &sn * (&sn * to_separatrix / (&two * &dn) - &m * &cn / &dn * &shift),
+        ];
+        for (row, change) in change.iter().enumerate() {
+            let expected = Fraction::from(i64::from(row == column));
+            same_under(&jacobi, &format!("row {}, column {}", row + 1, column + 1), &put(change), &expected)?;
+        }
+    }
+    Ok(())
+}
+
+fn attitude(sign: i64) -> Outcome {
+    let (moments, omega, w, e) = (vector("I"), vector("omega"), vector("W"), vector("e"));
+    let [real, x, y, z] = variables(["q0", "q1", "q2", "q3"]);
+    let q = Quaternion::new(real, x, y, z);
+    let pure = |v: &Vector| Quaternion::new(Fraction::zero(), v.x.clone(), v.y.clone(), v.z.clone());
+    let half = |q: &Quaternion<Fraction>| q.coords.map(|x| x / Fraction::from(2));
+    // Of the attitude q (1 + e/2), by both ways.
+    let carried = omega.cross(&e) * Fraction::from(sign);
+    let falls = &w - carried;
+    let changed = Quaternion::from_vector(half(&product(&q, &pure(&e))));
+    let one_way = rate(&changed, &omega).coords + rate(&q, &w).coords;
+    let other = half(&product(&rate(&q, &omega), &pure(&e))) + half(&product(&q, &pure(&falls)));
+    for k in 0..4 {
+        same("q'", &one_way[k], &other[k])?;
+    }
+    // The momentum, its change for a changed tensor too, and their rates.
+    let change = Matrix::from_fn(|i, j| {
+        let axes = ["x", "y", "z"];
+        Fraction::variable(&format!("d{}{}", axes[i.min(j)], axes[i.max(j)]))
+    });
+    let momentum = diagonal(&moments) * &omega;
+    let moved = diagonal(&moments) * &w + &change * &omega;
+    let moved_rate = moved.cross(&omega) + momentum.cross(&w);
+    let seen = e.cross(&momentum) + &moved;
+    let rate_of_seen = falls.cross(&momentum) + e.cross(&momentum.cross(&omega)) + moved_rate;
+    same_vectors("in the room", &rate_of_seen, &-omega.cross(&seen))?;
+    let along = falls.dot(&momentum) + e.dot(&momentum.cross(&omega));
+    same("e . M", &along, &w.dot(&momentum))?;
+    // The change of twice the energy, with the spin's rates by Euler's equations to first order.
+    let acceleration = free(&moments, &omega);
+    let moved_acceleration = moved_rate_of_spin(&moments, &change, &omega, &w);
+    let twice = moved_acceleration.dot(&momentum) * Fraction::from(2)
+        + w.dot(&momentum.cross(&omega)) * Fraction::from(2)
+        + omega.dot(&(&change * &acceleration)) * Fraction::from(2);
+    same("the energy", &twice, &Fraction::zero())?;
+    let found = momentum.cross(&e.cross(&momentum)) + &momentum * e.dot(&momentum);
+    same_vectors("e", &found, &(&e * momentum.dot(&momentum)))
+}
+
+/// The rate of the change of the spin.
+fn moved_rate_of_spin(moments: &Vector, change: &Matrix, omega: &Vector, w: &Vector) -> Vector {
+    let by_spin = free(moments, omega).map(|x| along(omega, w).of(&x));
+    by_spin + forced(moments, omega, change).component_div(moments)
+}
+
+fn products(sign: i64) -> Outcome {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let mut axis = Vector::zeros();
+        axis[k] = Fraction::from(sign) / (&moments[i] - &moments[j]);
+        let turned = axis.cross(&omega);
+        let moved = axis.cross(&free(&moments, &omega));
+        let law = moved_rate_of_spin(&moments, &entry(k, true), &omega, &turned);
+        same_vectors("w'", &moved, &law)?;
+    }
+    Ok(())
+}
