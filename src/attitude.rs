@@ -3,7 +3,7 @@
 use crate::error::{Error, Refusal, finite};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Field, Ring};
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far
 /// below what a mistake would make it.
@@ -72,12 +72,18 @@ pub fn rotation_matrix<T: Ring>(q: &Quaternion<T>) -> Matrix3<T> {
 /// ```
 #[must_use]
 pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quaternion<T> {
-    let [x, y, z] = [&omega_body.x, &omega_body.y, &omega_body.z].map(T::clone);
-    let spin = Quaternion::new(T::zero(), x, y, z);
+    // The product without the terms of a scalar part that is zero.
+    let [a, b, c, d] = [&attitude.coords.w, &attitude.coords.x, &attitude.coords.y, &attitude.coords.z];
+    let [x, y, z] = [&omega_body.x, &omega_body.y, &omega_body.z];
     let two = T::integer(2);
-    let twice = product(attitude, &spin).coords;
-    let half = |x: &T| x.clone() / two.clone();
-    Quaternion::from_vector(Vector4::new(half(&twice.x), half(&twice.y), half(&twice.z), half(&twice.w)))
+    let t = |x: &T, y: &T| x.clone() * y.clone();
+    let half = |x: T| x / two.clone();
+    Quaternion::new(
+        half(-t(b, x) - t(c, y) - t(d, z)),
+        half(t(a, x) + t(c, z) - t(d, y)),
+        half(t(a, y) - t(b, z) + t(d, x)),
+        half(t(a, z) + t(b, y) - t(c, x)),
+    )
 }
 
 /// The turn by a rotation vector: about its direction by its length, in radians. The exponential map.

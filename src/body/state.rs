@@ -33,6 +33,24 @@ impl<T: Field> State<T> {
     }
 }
 
+impl<T: Field> Rate<T> {
+    /// `self + other times`.
+    pub(crate) fn plus(&self, other: &Self, times: T) -> Self {
+        Self {
+            attitude: Quaternion::from_vector(along(&self.attitude.coords, &other.attitude.coords, &times)),
+            momentum: along(&self.momentum, &other.momentum, &times),
+        }
+    }
+
+    /// The change in this time along it.
+    pub(crate) fn times(&self, h: &T) -> Self {
+        Self {
+            attitude: Quaternion::from_vector(self.attitude.coords.map(|x| x * h.clone())),
+            momentum: self.momentum.map(|x| x * h.clone()),
+        }
+    }
+}
+
 /// `start + rate h`.
 pub(crate) fn along<T: Field, const N: usize>(
     start: &SVector<T, N>,

@@ -12,6 +12,7 @@ mod series;
 mod sums;
 mod switching;
 mod taylor;
+mod work;
 
 use crate::body::State;
 use crate::error::{Error, Refusal, positive};
@@ -26,6 +27,7 @@ use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
 pub use dense::AdaptiveRun;
+pub(super) use work::work;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
@@ -86,18 +88,20 @@ pub(super) fn adaptive_with_slopes<T: Analytic + Copy + FromPrimitive>(
 }
 
 /// The same, and the times (s after the start) at which the spin about the principal axis of the middle
-/// moment changes its sign.
+/// moment changes its sign; and its sign at the end, given that at the start, or zero where none is known.
 pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
     system: &System<T>,
     start: &State<T>,
     duration: f64,
     tolerance: f64,
     budget: &mut usize,
-) -> Result<(State<T>, Vec<f64>), Error> {
-    let watch = Watch { flips: Some(Flips::new(system, start)), slopes: None };
+    side: f64,
+) -> Result<(State<T>, Vec<f64>, f64), Error> {
+    let watch = Watch { flips: Some(Flips::new(system, start, side)), slopes: None };
     let mut run = AdaptiveRun::watching(system, start, duration, tolerance, watch)?;
     let end = run.to_the_end(budget)?;
-    Ok((end, run.flips()))
+    let (times, side) = run.flips();
+    Ok((end, times, side))
 }
 
 /// That the tolerance of a step is above rounding.

@@ -1,6 +1,6 @@
 //! What a stepper has of its last step: the state at any time within, and the flips on the way.
 
-use super::adaptive::{adaptive, adaptive_with_flips};
+use super::adaptive::{adaptive, adaptive_with_flips, work};
 use super::stepper::{Rule, Stepper, number};
 use crate::body::State;
 use crate::error::{Error, Refusal, finite};
@@ -15,6 +15,9 @@ pub(super) struct Leg<T: nalgebra::Scalar> {
     pub(super) state: State<T>,
     /// s.
     pub(super) time: f64,
+    /// The sign of the spin about the middle axis at the end of the step, if flips were looked for: where the
+    /// spin is zero, that before.
+    pub(super) side: f64,
 }
 
 impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
@@ -65,9 +68,42 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.along_body(&there).checked()
     }
 
+    /// The work (J) that each torque, in the order in which they were given, has done in the last step of an
+    /// [adaptive](Self::adaptive) stepper: the integral of its power, within the tolerance of the step
+    /// relative to the energy there and on the way. All of it together is what the kinetic energy has grown
+    /// by.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // What a thruster has given, and what drag has taken.
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let thruster = Torque::during(0.5, 1.5, Torque::InBody(Vector3::new(0.0, 0.7, 0.0)));
+    /// let drag = Torque::Damping(Vector3::new(0.1, 0.2, 0.1));
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([thruster, drag])?;
+    /// stepper.step(3.0)?;
+    /// let work = stepper.work()?;
+    /// assert!(work[0] > 0.0 && work[1] < 0.0);
+    /// assert!((work[0] + work[1] - (stepper.body()?.energy() - body.energy())).abs() < 1e-10);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stepper by a method of fixed steps, powers too rough for 2^14 panels of a quadrature, or as
+    /// [`step`](Self::step).
+    pub fn work(&self) -> Result<Vec<f64>, Error> {
+        let (tolerance, budget) = self.tolerance()?;
+        let mut system = self.system.clone();
+        system.set_time(T::from_f64(self.leg.time).unwrap_or_else(T::zero));
+        work(&system, &self.leg.state, self.time - self.leg.time, tolerance, budget)
+    }
+
     /// Goes on to the time `end` (s), forth or back, and returns the times on the way at which the spin about
     /// the principal axis of the middle moment changes its sign, under torques too: each found to rounding
-    /// on the series of its step.
+    /// on the series of its step. Where the spin is zero at the end, it has its flip where it leaves zero, in
+    /// the next call.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -98,15 +134,15 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     pub fn flips(&mut self, end: f64) -> Result<Vec<f64>, Error> {
         let (tolerance, mut budget) = self.tolerance()?;
         let duration = finite("the time to run to", end)? - self.time;
-        let (state, mut flips) =
-            adaptive_with_flips(&self.system, &self.state, duration, tolerance, &mut budget)?;
+        let (state, mut flips, side) =
+            adaptive_with_flips(&self.system, &self.state, duration, tolerance, &mut budget, self.leg.side)?;
         for flip in &mut flips {
             *flip += self.time;
         }
         let spin = number(self.system.omega(&state.momentum).sum());
         self.along_body(&state).checked()?;
         finite("the spin", spin)?;
-        self.leg = Leg { state: core::mem::replace(&mut self.state, state), time: self.time };
+        self.leg = Leg { state: core::mem::replace(&mut self.state, state), time: self.time, side };
         self.set_time(end);
         Ok(flips)
     }

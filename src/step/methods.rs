@@ -6,6 +6,7 @@ pub(crate) mod dormand_prince;
 pub(crate) mod engine_rules;
 pub(crate) mod explicit;
 pub(crate) mod gauss;
+mod implicit;
 pub(crate) mod lie;
 pub(crate) mod moser_veselov;
 pub(crate) mod rk4;

@@ -117,7 +117,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             State { attitude: quaternion(&start.attitude), momentum: cast("the momentum", &start.momentum)? };
         let frame = frame.map(|frame| quaternion(&frame));
         let system = System::of_numbers(moments, Vec::new());
-        let leg = Leg { state, time: 0.0 };
+        let leg = Leg { state, time: 0.0, side: 0.0 };
         let stepper = Self { body: *body, rule, system, state, frame, time: 0.0, leg };
         stepper.checked()?;
         Ok(stepper)
@@ -165,7 +165,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let start = core::mem::replace(&mut self.state, end);
         match self.checked() {
             Ok(state) => {
-                self.leg = Leg { state: start, time: self.time };
+                self.leg = Leg { state: start, time: self.time, side: 0.0 };
                 self.set_time(after);
                 Ok(state)
             }
@@ -305,6 +305,34 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// A vector along the body's axes, from one along the principal axes.
     fn in_body(&self, vector: Vector3<T>) -> Vector3<T> {
         self.frame.as_ref().map_or(vector, |frame| attitude::rotate_inverse(&conjugate(frame), &vector))
+    }
+
+    /// The potential energy of the torques, J, up to a constant, if all of them have one that does not change
+    /// with the time: torques by an arm and a field, and a gravity gradient whose direction stands still.
+    /// With the kinetic energy it is constant.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let top = Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 4.0);
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([top])?;
+    /// // Weight times height.
+    /// assert!((stepper.potential().unwrap() - 4.0 * 0.3).abs() < 1e-15);
+    /// let before = body.energy() + stepper.potential().unwrap();
+    /// stepper.step(3.0)?;
+    /// let after = stepper.body()?.energy() + stepper.potential().unwrap();
+    /// assert!((after - before).abs() < 1e-10);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn potential(&self) -> Option<T> {
+        let rotation = attitude::rotation_matrix(&self.state.attitude);
+        self.system.torques().iter().try_fold(T::zero(), |sum, torque| {
+            torque.potential(self.system.moments(), &rotation).map(|energy| sum + energy)
+        })
     }
 
     /// The body as it is now, its attitude brought to length 1.

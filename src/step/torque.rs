@@ -124,6 +124,22 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// assert!((stepper.omega().z - 2.0 / 4.0 * 3.0_f64.sin() / 3.0).abs() < 1e-9);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
+    ///
+    /// Drag of the air, `c` (N m s²) times the square of the spin against it, on a body that turns about one
+    /// axis: `I w' = -c w²`, so `w = w0 / (1 + c w0 t / I)`.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, 10.0))?;
+    /// let drag = Torque::function(|_, _, omega: &Vector3<f64>| omega * (-0.06 * omega.norm()));
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([drag])?;
+    /// stepper.step(20.0)?;
+    /// assert!((stepper.omega().z - 10.0 / (1.0 + 0.06 * 10.0 * 20.0 / 4.0)).abs() < 1e-10);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
     pub fn function(law: impl Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync + 'static) -> Self {
         Self::Function(TorqueFunction(Arc::new(law)))
     }

@@ -2,9 +2,11 @@
 
 mod adaptive;
 mod driven;
+mod energy;
 mod engine_rules;
 mod fixed_rate;
 mod geometric;
+mod implicit;
 mod method;
 mod moser_veselov;
 mod order;

@@ -164,8 +164,8 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         self.at(self.end, budget)
     }
 
-    /// The flips seen so far.
-    pub(super) fn flips(self) -> Vec<f64> {
+    /// The flips seen so far, and the sign since the last.
+    pub(super) fn flips(self) -> (Vec<f64>, f64) {
         self.run.watch.flips.map(Flips::found).unwrap_or_default()
     }
 }

@@ -27,18 +27,20 @@ pub(super) struct Flips {
 }
 
 impl Flips {
-    pub(super) fn new<T: Analytic + Copy>(system: &System<T>, start: &State<T>) -> Self {
+    /// `side` is the sign before the start, where it is known.
+    pub(super) fn new<T: Analytic + Copy>(system: &System<T>, start: &State<T>, side: f64) -> Self {
         let [_, axis, _] = ascending(&system.moments().map(|x| x.size()));
-        Self { axis, sign: sign(signed(start.momentum[axis])), from: 0.0, found: Vec::new() }
+        let sign = if side == 0.0 { sign(signed(start.momentum[axis])) } else { side };
+        Self { axis, sign, from: 0.0, found: Vec::new() }
     }
 
     pub(super) fn axis(&self) -> usize {
         self.axis
     }
 
-    /// Their times, s after the start of the run.
-    pub(super) fn found(self) -> Vec<f64> {
-        self.found
+    /// Their times, s after the start of the run, and the sign since the last.
+    pub(super) fn found(self) -> (Vec<f64>, f64) {
+        (self.found, self.sign)
     }
 
     /// The next piece of the run begins so much later.
@@ -62,12 +64,14 @@ impl Flips {
         let whole = length * unit;
         // Where the sign is another than after the step before: a change that both steps missed, or that
         // both would count.
+        let mut doubtful = false;
         if here * self.sign < 0.0 {
             let again = self.found.last().is_some_and(|last| (last - start).abs() < 1e-6 * whole.abs());
             if again {
                 self.found.pop();
             } else {
                 self.found.push(start);
+                doubtful = self.found.len() == 1;
             }
         }
         if here != 0.0 {
@@ -79,8 +83,13 @@ impl Flips {
         let mut shares = Vec::new();
         roots(&bernstein(scaled), scaled.len(), (0.0, 1.0), HALVINGS, &mut shares);
         for share in shares {
-            self.found.push(start + sharpened(scaled, share) * whole);
             self.sign = -self.sign;
+            // The run before saw this one, and found it a little sooner.
+            if core::mem::take(&mut doubtful) && share < 1e-6 {
+                self.found.pop();
+            } else {
+                self.found.push(start + sharpened(scaled, share) * whole);
+            }
         }
     }
 }

@@ -1,43 +1,82 @@
 //! The implicit midpoint rule in a form that keeps every law, and Gauss's collocation of orders 4 and 6
-//! ([But64](crate::references), [HLW06](crate::references)), solved by iteration to rounding.
+//! ([But64](crate::references), [HLW06](crate::references)), solved to rounding by iteration or by Newton's
+//! method.
+//!
+//! Their errors of what they conserve are a random walk of roundings, which takes equations that conserve it
+//! also with coefficients as rounded ([HMR08](crate::references)): of a law that holds but for the rounding
+//! of a coefficient, each step misses the same.
 
 use super::decimal::{ROOT_OF_3, ROOT_OF_15};
+use super::implicit::{By, Equation};
+use crate::attitude;
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
 use crate::step::system::System;
-use crate::{attitude, dynamics::euler};
 use nalgebra::{Quaternion, Vector3};
-
-/// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
-const ROUNDS: usize = 200;
-
-/// The fixed point of `next`, iterated until it moves by no more than rounding. On power series each round
-/// settles one power, until nothing moves at all.
-fn fixed_point<S>(
-    what: &'static str,
-    mut guess: S,
-    scale: f64,
-    mut next: impl FnMut(&S) -> (S, f64),
-    rounding: f64,
-) -> Result<S, Error> {
-    let mut moved = f64::INFINITY;
-    for _ in 0..ROUNDS {
-        let before = moved;
-        (guess, moved) = next(&guess);
-        let at_rounding = moved <= 64.0 * rounding * scale;
-        if moved == 0.0 || (at_rounding && moved >= 0.5 * before) {
-            return Ok(guess);
-        }
-        if !moved.is_finite() {
-            break;
-        }
-    }
-    Err(Refusal::NotConverged { what, iterations: ROUNDS, residual: moved }.into())
-}
 
 fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
     v.as_slice().iter().map(Analytic::size).sum()
+}
+
+/// The largest component.
+fn largest<T: Analytic>(v: &Vector3<T>) -> T {
+    v[v.map(|x| x.size()).imax()].clone()
+}
+
+/// What a momentum that changes by about this much is measured in.
+fn unit<T: Analytic>(momentum: &Vector3<T>, change: &Vector3<T>) -> f64 {
+    match size(momentum) + size(change) {
+        0.0 => 1.0,
+        size => size,
+    }
+}
+
+/// The sizes of the components of a momentum about as large as this one: along the axis of a needle they are
+/// far smaller than across.
+fn units<T: Analytic>(system: &System<T>, momentum: &Vector3<T>) -> Vector3<T> {
+    let (most, fastest) = (largest(momentum), largest(&system.omega(momentum)));
+    system.moments().map(|moment| {
+        let by_spin = moment * fastest.clone();
+        if by_spin.size() < most.size() { by_spin } else { most.clone() }
+    })
+}
+
+/// Relative to the size of a state: farther apart, two are not the same.
+const NEAR: f64 = 1e-3;
+
+/// A step whose equations may have several solutions is taken only if the same step back finds the start.
+fn checked<T: Analytic>(
+    start: &State<T>,
+    (end, sure): (State<T>, bool),
+    back: impl FnOnce(&State<T>) -> Result<(State<T>, bool), Error>,
+) -> Result<State<T>, Error> {
+    if sure { Ok(end) } else { undone(start, end, back) }
+}
+
+// Not inlined: few steps come here.
+#[inline(never)]
+fn undone<T: Analytic>(
+    start: &State<T>,
+    end: State<T>,
+    back: impl FnOnce(&State<T>) -> Result<(State<T>, bool), Error>,
+) -> Result<State<T>, Error> {
+    let (again, _) = back(&end)?;
+    let apart = apart(&again, start, NEAR * (size(&start.momentum) + size(&end.momentum)));
+    if apart.0 < NEAR && apart.1 <= 1.0 {
+        return Ok(end);
+    }
+    Err(Refusal::Undefined {
+        what: "the end of a step this long",
+        why: "the equations of the method have several solutions: the step back finds another start",
+    }
+    .into())
+}
+
+/// How far two attitudes are apart, and two momenta in this unit.
+fn apart<T: Analytic>(a: &State<T>, b: &State<T>, unit: f64) -> (f64, f64) {
+    let turn = a.attitude.coords.clone() - &b.attitude.coords;
+    (turn.iter().map(Analytic::size).sum::<f64>(), size(&(&a.momentum - &b.momentum)) / unit)
 }
 
 /// `L' - L = h (M x w + torque)` with `M` the mean of the momenta and `w = J M`, and a turn by half-angle
@@ -46,105 +85,198 @@ fn size<T: Analytic>(v: &Vector3<T>) -> f64 {
 /// the attitudes.
 pub(crate) fn midpoint<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
-    let turn = |mean: &Vector3<T>| {
-        let c = system.omega(mean).map(|x| x * half.clone());
-        let over = T::one() / (T::one() + c.dot(&c)).sqrt();
+    let found = halved(system, start, &half, &half)?;
+    checked(start, found, |end| halved(system, end, &-half.clone(), &half))
+}
+
+/// Half-angle tangents with a square below this belong to one solution of a free body's equation at most: of
+/// two solutions, the difference `d` obeys `d = d x c + h/2 S x J d` with `S` the mean of the two and `c`
+/// that of its tangents, and as a map of spins the right side has no entry above a component of `c`, since no
+/// moments differ by more than the third; so it is shorter than `sqrt(2) |c|` times `d`.
+const UNIQUE: f64 = 0.5;
+
+/// The step by twice `half` seconds, whose middle is at `time`; whether its equations have no other
+/// solution.
+#[inline(always)]
+fn halved<T: Analytic>(
+    system: &System<T>,
+    start: &State<T>,
+    half: &T,
+    time: &T,
+) -> Result<(State<T>, bool), Error> {
+    let g = system.inverse().map(|x| x * half.clone());
+    let tangents = |mean: &Vector3<T>| mean.component_mul(&g);
+    let turn = |c: &Vector3<T>| {
+        let over = T::one() / (T::one() + c.dot(c)).sqrt();
         let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| x.clone() * over.clone());
         Quaternion::new(over, x, y, z)
     };
-    let kick = |mean: &Vector3<T>| {
-        if system.is_free() {
-            return Vector3::from_fn(|_, _| T::zero());
-        }
-        let mut sum = turn(mean).coords;
+    let kick = |mean: &Vector3<T>, c: &Vector3<T>| {
+        let mut sum = turn(c).coords;
         sum.w += T::one();
         let length = sum.dot(&sum).sqrt();
         let middle = Quaternion::from_vector(sum.map(|x| x / length.clone()));
         let here = State { attitude: attitude::product(&start.attitude, &middle), momentum: mean.clone() };
-        system.torque_after(&here, &half).map(|x| x * half.clone())
+        system.torque_after(&here, time).map(|x| x * half.clone())
     };
+    let [p, q, r] = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| difference(&g[i], &g[j]));
+    let couplings = [p.0, q.0, r.0];
+    let roundings = [p.1, q.1, r.1];
     let next = |mean: &Vector3<T>| {
-        // By differences of moments, as Euler wrote it: of a needle's products of momentum and spin two
-        // nearly cancel.
-        let turned = euler::coupling(system.moments(), &system.omega(mean));
-        let better = &start.momentum + turned.map(|x| x * half.clone()) + kick(mean);
-        let moved = size(&(&better - mean));
-        (better, moved)
+        // The product `M x c` by differences, since of a needle's products two nearly cancel; of the very
+        // tangents of the turn, and with what the differences are rounded by: else it would be off the turn
+        // by the same in each step.
+        let c = tangents(mean);
+        let cross = Vector3::from_fn(|i, _| {
+            let product = mean[(i + 1) % 3].clone() * mean[(i + 2) % 3].clone();
+            -(couplings[i].clone() * product.clone() + roundings[i].clone() * product)
+        });
+        let mut miss = (&start.momentum - mean) + cross;
+        if !system.is_free() {
+            miss += kick(mean, &c);
+        }
+        if c.dot(&c).size() >= UNIQUE {
+            return mean + miss;
+        }
+        mean + newton(&couplings, mean, &miss)
     };
-    let scale = size(&start.momentum);
-    let mean = fixed_point("the midpoint of a step", start.momentum.clone(), scale, next, T::rounding())?;
-    let turned = turn(&mean);
+    let push = system.torque_after(start, time).map(|x| x * half.clone());
+    let unit = unit(&start.momentum, &push);
+    let apart = |a: &Vector3<T>, b: &Vector3<T>| size(&(b - a)) / unit;
+    let equation = Equation { what: "the midpoint of a step", next, apart };
+    let units = || units(system, &(&start.momentum + &push));
+    let (mean, by) = equation.solve(start.momentum.clone(), units)?;
+    let c = tangents(&mean);
+    let turned = turn(&c);
     let momentum = if system.is_free() {
         attitude::rotate_inverse(&turned, &start.momentum)
     } else {
-        &mean + &mean - &start.momentum
+        let push = kick(&mean, &c);
+        attitude::rotate_inverse(&turned, &(&start.momentum + &push)) + push
     };
-    Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
+    let sure = by == By::Iteration && c.dot(&c).size() < UNIQUE;
+    Ok((State { attitude: attitude::product(&start.attitude, &turned), momentum }, sure))
+}
+
+/// `a - b` as rounded, and what it is rounded by.
+fn difference<T: Analytic>(a: &T, b: &T) -> (T, T) {
+    let d = a.clone() - b.clone();
+    let back = d.clone() - a.clone();
+    let lost = (a.clone() - (d.clone() - back.clone())) - (b.clone() + back);
+    (d, lost)
+}
+
+/// Newton's step for what the midpoint misses its equation by, but for how the torque changes.
+#[inline(always)]
+fn newton<T: Analytic>([p, q, r]: &[T; 3], mean: &Vector3<T>, miss: &Vector3<T>) -> Vector3<T> {
+    let t = |x: &T, y: &T| x.clone() * y.clone();
+    let x = Vector3::new(T::one(), t(q, &mean.z), t(r, &mean.y));
+    let y = Vector3::new(t(p, &mean.z), T::one(), t(r, &mean.x));
+    let z = Vector3::new(t(p, &mean.y), t(q, &mean.x), T::one());
+    let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
+    let over = T::one() / x.dot(&yz);
+    Vector3::new(yz.dot(miss), zx.dot(miss), xy.dot(miss)).map(|x| x * over.clone())
+}
+
+/// A collocation method with coefficients `b_j (1/2 + off_ij)`. It conserves squares because `off` is
+/// antisymmetric, which it also is as rounded.
+struct Tableau<T, const N: usize> {
+    nodes: [T; N],
+    /// `b`.
+    weights: [T; N],
+    off: [[T; N]; N],
 }
 
 pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
-    let quarter = T::one() / T::integer(4);
-    let away = ROOT_OF_3.value::<T>() / T::integer(6);
     let half = T::one() / T::integer(2);
-    collocated(
-        system,
-        start,
-        h,
-        &[[quarter.clone(), quarter.clone() - away.clone()], [quarter.clone() + away, quarter]],
-        &[half.clone(), half],
-    )
+    let off = T::one() / ROOT_OF_3.value::<T>();
+    let far = off.clone() * half.clone();
+    let tableau = Tableau {
+        nodes: [half.clone() - far.clone(), half.clone() + far],
+        weights: [half.clone(), half],
+        off: [[T::zero(), -off.clone()], [off, T::zero()]],
+    };
+    collocated(system, start, h, &tableau)
 }
 
 pub(crate) fn gauss_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let part = |n: u32, below: u32| T::integer(n) / T::integer(below);
-    let root = ROOT_OF_15.value::<T>();
-    let over = |below: u32| root.clone() / T::integer(below);
-    let (side, middle) = (part(5, 36), part(2, 9));
-    collocated(
-        system,
-        start,
-        h,
-        &[
-            [side.clone(), middle.clone() - over(15), side.clone() - over(30)],
-            [side.clone() + over(24), middle.clone(), side.clone() - over(24)],
-            [side.clone() + over(30), middle + over(15), side],
+    let root = |n: u32, below: u32| ROOT_OF_15.value::<T>() * part(n, below);
+    let (half, near, far) = (part(1, 2), root(3, 20), root(3, 25));
+    let tableau = Tableau {
+        nodes: [half.clone() - root(1, 10), half.clone(), half + root(1, 10)],
+        weights: [part(5, 18), part(4, 9), part(5, 18)],
+        off: [
+            [T::zero(), -near.clone(), -far.clone()],
+            [near.clone(), T::zero(), -near.clone()],
+            [far, near, T::zero()],
         ],
-        &[part(5, 18), part(4, 9), part(5, 18)],
-    )
+    };
+    collocated(system, start, h, &tableau)
 }
 
-/// The Runge-Kutta method with these coefficients.
 fn collocated<T: Analytic, const N: usize>(
     system: &System<T>,
     start: &State<T>,
     h: &T,
-    stages: &[[T; N]; N],
-    weights: &[T; N],
+    tableau: &Tableau<T, N>,
 ) -> Result<State<T>, Error> {
-    let first = system.rate(start);
-    let along = |slopes: &[Rate<T>; N], weights: &[T; N]| {
-        slopes
-            .iter()
-            .zip(weights)
-            .fold(start.clone(), |sum, (slope, weight)| sum.plus(slope, h.clone() * weight.clone()))
+    let found = stages(system, start, &T::zero(), h, tableau)?;
+    checked(start, found, |end| stages(system, end, h, &-h.clone(), tableau))
+}
+
+/// The step of `h` seconds from a start at `time`; whether iteration finds its equations' solution. The
+/// unknowns are what each stage changes the state by.
+#[inline(always)]
+fn stages<T: Analytic, const N: usize>(
+    system: &System<T>,
+    start: &State<T>,
+    time: &T,
+    h: &T,
+    Tableau { nodes, weights, off }: &Tableau<T, N>,
+) -> Result<(State<T>, bool), Error> {
+    let half = T::one() / T::integer(2);
+    let weights = weights.each_ref().map(|b| b.clone() * h.clone());
+    let total = |changes: &[Rate<T>; N]| {
+        changes.iter().skip(1).fold(changes[0].clone(), |sum, change| sum.plus(change, T::one()))
     };
-    // A stage stands at the sum of its weights.
-    let times = stages.each_ref().map(|row| row.iter().fold(T::zero(), |sum, x| sum + x.clone()) * h.clone());
+    let next = |changes: &[Rate<T>; N]| -> [Rate<T>; N] {
+        let mean = total(changes).times(&half);
+        let mut better = changes.clone();
+        for (i, better) in better.iter_mut().enumerate() {
+            // The small numbers first.
+            let mut change = mean.clone();
+            for j in (0..N).filter(|&j| j != i) {
+                change = change.plus(&changes[j], off[i][j].clone());
+            }
+            let there = start.plus(&change, T::one());
+            let rate = system.rate_after(&there, &(time.clone() + nodes[i].clone() * h.clone()));
+            *better = rate.times(&weights[i]);
+        }
+        better
+    };
+    let first = system.rate_after(start, time);
     // Both in units of their own: the attitude's length, the momentum's.
-    let momentum = match size(&start.momentum) + h.size() * size(&first.momentum) {
-        0.0 => 1.0,
-        size => size,
+    let gained = first.momentum.map(|x| x * h.clone());
+    let unit = unit(&start.momentum, &gained);
+    let apart = |a: &[Rate<T>; N], b: &[Rate<T>; N]| {
+        a.iter().zip(b).fold(0.0, |sum, (a, b)| {
+            let turn = b.attitude.coords.clone() - &a.attitude.coords;
+            sum + turn.iter().map(Analytic::size).sum::<f64>() + size(&(&b.momentum - &a.momentum)) / unit
+        })
     };
-    let next = |slopes: &[Rate<T>; N]| {
-        let better = core::array::from_fn(|i| system.rate_after(&along(slopes, &stages[i]), &times[i]));
-        let moved = slopes.iter().zip(&better).fold(0.0, |sum, (before, after)| {
-            let turn = after.attitude.coords.clone() - &before.attitude.coords;
-            let turn = turn.iter().map(Analytic::size).sum::<f64>();
-            sum + h.size() * (turn + size(&(&after.momentum - &before.momentum)) / momentum)
-        });
-        (better, moved)
+    let units = || {
+        let momenta = units(system, &(&start.momentum + &gained));
+        core::array::from_fn(|_| Rate {
+            attitude: Quaternion::from_vector(start.attitude.coords.map(|_| T::one())),
+            momentum: momenta.clone(),
+        })
     };
-    let guess: [Rate<T>; N] = core::array::from_fn(|_| first.clone());
-    let slopes = fixed_point("the stages of a collocation step", guess, 1.0, next, T::rounding())?;
-    Ok(along(&slopes, weights))
+    // Slopes along a line from the start to the end of a step straight ahead.
+    let last = system.rate_after(&start.plus(&first, h.clone()), &(time.clone() + h.clone()));
+    let bend = last.plus(&first, -T::one());
+    let guess = core::array::from_fn(|i| first.plus(&bend, nodes[i].clone()).times(&weights[i]));
+    let equation = Equation { what: "the stages of a collocation step", next, apart };
+    let (changes, by) = equation.solve(guess, units)?;
+    Ok((start.plus(&total(&changes), T::one()), by == By::Iteration))
 }
