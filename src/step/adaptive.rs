@@ -70,7 +70,7 @@ pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
     tolerance: f64,
     budget: &mut usize,
 ) -> Result<State<T>, Error> {
-    AdaptiveRun::new(system, start, duration, tolerance)?.to_the_end(budget)
+    AdaptiveRun::new(system, start, duration, tolerance)?.finish(budget)
 }
 
 /// The same on numbers that carry derivatives, whose error in each step is below the tolerance too, relative
@@ -84,7 +84,7 @@ pub(super) fn adaptive_with_slopes<T: Analytic + Copy + FromPrimitive>(
     slopes: Slopes<T>,
 ) -> Result<State<T>, Error> {
     let watch = Watch { flips: None, slopes: Some(slopes) };
-    AdaptiveRun::watching(system, start, duration, tolerance, watch)?.to_the_end(budget)
+    AdaptiveRun::watching(system, start, duration, tolerance, watch)?.finish(budget)
 }
 
 /// The same, and the times (s after the start) at which the spin about the principal axis of the middle
@@ -99,7 +99,7 @@ pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
 ) -> Result<(State<T>, Vec<f64>, f64), Error> {
     let watch = Watch { flips: Some(Flips::new(system, start, side)), slopes: None };
     let mut run = AdaptiveRun::watching(system, start, duration, tolerance, watch)?;
-    let end = run.to_the_end(budget)?;
+    let end = run.finish(budget)?;
     let (times, side) = run.flips();
     Ok((end, times, side))
 }

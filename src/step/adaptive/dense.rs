@@ -51,7 +51,6 @@ pub struct AdaptiveRun<'a, T: nalgebra::Scalar> {
 
 /// What takes the steps of a piece.
 #[derive(Debug, Clone)]
-#[expect(clippy::large_enum_variant, reason = "a box would allocate in each step of a stepper")]
 enum Engine<T: nalgebra::Scalar> {
     Series(Taylor<T>),
     Pair(Pair<T>),
@@ -160,7 +159,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         Ok(())
     }
 
-    pub(super) fn to_the_end(&mut self, budget: &mut usize) -> Result<State<T>, Error> {
+    pub(super) fn finish(&mut self, budget: &mut usize) -> Result<State<T>, Error> {
         self.at(self.end, budget)
     }
 

@@ -129,8 +129,8 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         // The sums last: all else is at hand before they are.
         let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
         if law.damped {
-            for i in 0..4 {
-                rate[i] -= law.decay[i] * spin.up[n][i];
+            for ((rate, decay), spin) in rate.iter_mut().zip(&law.decay).zip(&spin.up[n]) {
+                *rate -= *decay * *spin;
             }
         }
         for ([cosine, sine], swing) in self.swings.iter_mut().zip(law.swings()) {
