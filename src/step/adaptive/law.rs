@@ -116,7 +116,7 @@ impl<T: Analytic + Copy> Law<T> {
 
     /// Adds a periodic torque, if there is a place for its rate.
     fn add_swing(&mut self, acceleration: &Vector3<T>, rate: T, phase: &T) -> Option<()> {
-        let (sine, cosine) = phase.sin_cos();
+        let (sine, cosine) = Analytic::sin_cos(phase);
         let place = self.swings.iter_mut().find(|place| place.is_none_or(|swing| swing.rate == rate))?;
         let none = Vector3::repeat(T::zero());
         let swing = place.get_or_insert(Swing { rate, cosine: none, sine: none });

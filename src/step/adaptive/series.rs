@@ -78,7 +78,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             rows[0] = in_body(&one.vector);
         }
         for (now, swing) in self.swings.iter_mut().zip(law.swings()) {
-            let (sine, cosine) = (swing.rate * time).sin_cos();
+            let (sine, cosine) = Analytic::sin_cos(&(swing.rate * time));
             *now = [cosine, sine];
         }
         if let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
