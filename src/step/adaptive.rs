@@ -30,7 +30,8 @@ pub use dense::AdaptiveRun;
 pub(super) use work::work;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
-/// of each, relative to the attitude's length and the momentum's size, below `tolerance`.
+/// of each, relative to the attitude's length and the momentum's size, below `tolerance`
+/// or below 32 roundings of `T`, whichever is larger.
 ///
 /// A step is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose error is how
 /// far the series is from the law of motion at its end; where a torque is a function, it is a step of DOP853,
@@ -132,9 +133,12 @@ trait Engine<T: Analytic> {
 #[derive(Debug, Clone)]
 struct Run<'a, T: nalgebra::Scalar> {
     system: Cow<'a, System<T>>,
+    /// When it begins, and when the whole of which it is a piece ends, s.
+    from: f64,
+    end: f64,
     duration: f64,
     tolerance: f64,
-    /// Seconds since the start.
+    /// Seconds since its start.
     time: f64,
     state: State<T>,
     /// The last step taken, s.
@@ -174,6 +178,8 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         let (time, last, steps, rejected, stiff, mild) = (0.0, duration, 0, 0, 0, 0);
         Ok(Self {
             system,
+            from: 0.0,
+            end: duration,
             duration,
             tolerance,
             time,
@@ -262,7 +268,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     /// That no step is short enough, with the last, s.
     fn no_step(&self, shortest: f64) -> Error {
         let tried = self.steps + self.rejected;
-        Refusal::NoStep { tried, reached: self.time, shortest: shortest.abs() }.into()
+        Refusal::NoStep { tried, reached: self.from + self.time, shortest: shortest.abs() }.into()
     }
 
     fn unfinished(&self, why: &'static str) -> Error {
@@ -270,8 +276,8 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         Refusal::Unfinished {
             what: "an adaptive run",
             steps,
-            reached: self.time,
-            duration: self.duration,
+            reached: self.from + self.time,
+            duration: self.end,
             why,
         }
         .into()

@@ -140,6 +140,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             });
         }
         self.system = System::of_numbers(*self.system.moments(), all);
+        self.set_time(self.time);
+        // What acts from now on did not act in the last step.
+        self.leg = Leg { state: self.state, time: self.time, side: self.leg.side };
         Ok(self)
     }
 

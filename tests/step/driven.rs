@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, Stepper, System, Torque, adaptive};
+use tumbling::step::{AdaptiveRun, Method, State, Stepper, System, Torque, adaptive};
 use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 const TABLE: &str = include_str!("../../crates/measure/data/truth.json");
@@ -394,4 +394,81 @@ fn the_state_transition_under_torques_is_the_limit_of_differences() {
         let off = (turned - column.fixed_rows::<3>(0)).norm() + (faster - column.fixed_rows::<3>(3)).norm();
         assert!(off < 1e-6 * column.norm(), "{axis}: {off:e}");
     }
+}
+
+/// A body at rest under 2 N m about z has the momentum `2 t`; the torque of the second second is none.
+#[test]
+fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
+    let torques = vec![
+        Torque::during(0.0, 1.0, Torque::InBody(Vector3::new(0.0, 0.0, 2.0))),
+        Torque::during(1.0, 2.0, Torque::function(|_, _, _| Vector3::repeat(f64::NAN))),
+    ];
+    let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
+    let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
+    let mut run = AdaptiveRun::new(&system, &rest, 3.0, 1e-12).unwrap();
+    for _ in 0..3 {
+        assert!(run.at(1.5, &mut 1000).is_err());
+        let there = run.at(1.0, &mut 1000).unwrap();
+        assert!((there.momentum - Vector3::new(0.0, 0.0, 2.0)).norm() < 1e-12, "{there:?}");
+    }
+    // One that stiff losses stop has no states but those of its last step.
+    let torques = vec![
+        Torque::Damping(Vector3::new(0.0, 0.0, 300.0)),
+        Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 10.0),
+    ];
+    let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
+    let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
+    let mut run = AdaptiveRun::new(&system, &start, 10.0, 1e-14).unwrap();
+    let error = run.at(10.0, &mut 100).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::TooMany);
+    for k in 0..1000 {
+        let time = 1.2 * f64::from(k) / 1000.0;
+        let Ok(state) = run.at(time, &mut 0) else { continue };
+        let truth = adaptive(&system, &start, time, 1e-13, &mut 10_000).unwrap();
+        assert!(off(&state, &truth) < 1e-10, "{time}: {}", off(&state, &truth));
+    }
+}
+
+/// 2.5 kg m² under 4 N m for a second.
+#[test]
+fn a_torque_added_on_the_way_acts_by_the_time_of_the_stepper() {
+    let inertia = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
+    let resting = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let push = Torque::InBody(Vector3::new(0.0, 0.0, 4.0));
+    let mut stepper = Stepper::<f64>::adaptive(&resting, 1e-12, 1000).unwrap();
+    let _ = stepper.step(3.0).unwrap();
+    let mut later = stepper.clone().with_torques([Torque::during(4.0, 5.0, push.clone())]).unwrap();
+    let _ = later.step(3.0).unwrap();
+    assert!((later.omega().z - 4.0 / 2.5).abs() < 1e-12);
+    // It has done nothing before it was added.
+    let added = stepper.with_torques([push]).unwrap();
+    assert_eq!(added.work().unwrap(), [0.0]);
+    assert!(added.at(1.5).is_err());
+}
+
+/// In units of so short a time an acceleration of 1 rad/s² has no digits.
+#[test]
+fn rates_whose_squares_leave_the_range_are_refused() {
+    let system = |torque| {
+        let torques = vec![Torque::InBody(Vector3::new(0.0, 0.0, 1.0)), torque];
+        System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap()
+    };
+    let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
+    for fast in [1e150, 1e160, 1e165] {
+        let drag = Torque::Damping(Vector3::new(fast, 0.0, 0.0));
+        let error = adaptive(&system(drag), &rest, 2.0, 1e-10, &mut 1000).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::NotConverged, "{error}");
+    }
+}
+
+#[test]
+fn a_refusal_counts_from_the_start_of_the_run() {
+    let push = Torque::during(5.0, 6.0, Torque::InBody(Vector3::x()));
+    let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), vec![push]).unwrap();
+    let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 20.0, 3.0) };
+    let mut whole = 100_000;
+    adaptive(&system, &start, 10.0, 1e-12, &mut whole).unwrap();
+    let steps = 100_000 - whole - 3;
+    let error = adaptive(&system, &start, 10.0, 1e-12, &mut { steps }).unwrap_err().to_string();
+    assert!(error.contains("of 1e1 s") && error.contains(&format!("{steps} steps")), "{error}");
 }

@@ -123,3 +123,18 @@ fn a_flip_where_one_call_ends_and_the_next_begins_is_one_flip() {
         }
     }
 }
+
+/// Two quadratures that both miss a loss which is over at once agree on no work at all.
+#[test]
+fn a_loss_that_is_over_at_once_is_found_whole() {
+    let before = body().energy();
+    for rate in [300.0, 5000.0] {
+        let mut stepper = Stepper::<f64>::adaptive(&body(), 1e-9, 1_000_000)
+            .unwrap()
+            .with_torques([Torque::Damping(Vector3::new(1.0, 2.0, 2.5) * rate)])
+            .unwrap();
+        let _ = stepper.step(1.0).unwrap();
+        let work = stepper.work().unwrap();
+        assert!((work[0] + before).abs() < 1e-5 * before, "{rate}: {work:?}");
+    }
+}

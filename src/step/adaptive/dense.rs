@@ -126,9 +126,10 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         match &mut self.engine {
             Engine::Series(series) => {
                 let before = (run.state, run.time);
-                run.advance(series, budget)?;
-                self.before = before;
-                Ok(())
+                let done = run.advance(series, budget);
+                // A step that was refused has left its series about the state that the run is in.
+                self.before = if run.time == before.1 { (run.state, run.time) } else { before };
+                done
             }
             Engine::Pair(pair) => {
                 let whole = run.duration;
@@ -150,10 +151,18 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
     fn next_piece(&mut self) -> Result<(), Error> {
         let [from, until] = self.piece;
         let (acting, next) = switching::piece(self.system, until, self.end);
-        let mut watch = Watch { flips: self.run.watch.flips.take(), slopes: self.run.watch.slopes };
+        let mut watch = self.run.watch.clone();
         watch.flips = watch.flips.map(|seen| seen.later(until - from));
-        self.run = Run::new(acting, &self.run.state.checked()?, next - until, self.run.tolerance, watch)?;
-        self.engine = Engine::new(&self.run)?;
+        let start = self.run.state.checked()?;
+        let run = Run {
+            from: until,
+            end: self.end,
+            steps: self.run.steps,
+            rejected: self.run.rejected,
+            ..Run::new(acting, &start, next - until, self.run.tolerance, watch)?
+        };
+        self.engine = Engine::new(&run)?;
+        self.run = run;
         self.piece = [until, next];
         self.before = (self.run.state, 0.0);
         Ok(())

@@ -159,6 +159,10 @@ impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Taylor<T> {
         } else {
             remaining.abs()
         };
+        // Accelerations go by the square of the unit: below this they would lose their digits.
+        if unit * unit < smallest::<T>() / T::rounding() && remaining.abs() > unit {
+            return Err(run.no_step(unit));
+        }
         if unit != self.unit {
             (self.in_units, self.unit, self.ready) = (self.law.in_units(Run::number(unit)), unit, false);
         }
