@@ -31,7 +31,7 @@ fn whatever_is_left_out_makes_a_state_cheaper() {
     cheaper("three moments; spin alone", GENERAL, 0.7);
     // Few digits; and no torque, of what is done once: a state under a torque is a value of a series.
     cheaper("three moments and a weight; to 1e-2", "three moments and a weight; to 1e-8", 0.8);
-    assert!(count(GENERAL, PLAN) < 0.1 * count("three moments and a weight; to 1e-2", PLAN));
+    assert!(count(GENERAL, PLAN) < 0.2 * count("three moments and a weight; to 1e-2", PLAN));
     // The same for what is done once.
     for elementary in ["ball", "principal spin", "two equal moments", "two equal moments; spin alone"] {
         assert!(count(elementary, PLAN) < 0.2 * count(GENERAL, PLAN), "{elementary}");

@@ -5,14 +5,14 @@
 pub(crate) fn series(tolerance: f64) -> f64 {
     let binary_digits = 1023.0 - (tolerance.to_bits() >> 52 & 0x7ff) as f64;
     let order = 5.0 + 0.4 * binary_digits;
-    2200.0 + 41.0 * order * order
+    2200.0 + 37.0 * order * order
 }
 /// It turns the body by about this many radians, whatever the tolerance.
 pub(crate) const RADIANS: f64 = 1.6;
 /// A run of such steps, before the first.
-pub(crate) const BEGIN: f64 = 85_000.0;
+pub(crate) const BEGIN: f64 = 35_000.0;
 /// A state between the ends of two such steps.
-pub(crate) const WITHIN: f64 = 700.0;
+pub(crate) const WITHIN: f64 = 500.0;
 /// A step of Moser and Veselov's method between two half kicks.
 pub(crate) const KICKED: f64 = 1500.0;
 /// A step that linearises the damping.
