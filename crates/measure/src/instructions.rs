@@ -39,8 +39,8 @@ fn short(story: &Story, contestant: &dyn Contestant) -> (Story, Setting) {
     (short, setting)
 }
 
-/// What the program does when it is run again: the short run, so many times. How many steps they took
-/// together.
+/// What the program does when it is run again: the short run, this number of times. Returns
+/// the number of steps that they took together.
 ///
 /// # Errors
 /// A name that nobody has, or what the contestant says.

@@ -14,7 +14,7 @@ use num_traits::{One, Zero};
 use tumbling::attitude::{product, rotation_matrix};
 use tumbling::dynamics::observe::energy;
 
-/// From one instant to the next the attitude is turned in so many parts.
+/// The number of equal parts in which the attitude is turned from one instant to the next.
 const PARTS: u32 = 8;
 
 fn whole(n: u32) -> Interval {
@@ -33,9 +33,9 @@ fn bounds(moments: &Vector3<Interval>, omega: &Vector3<Interval>) -> [Interval; 
     [spin, rate, whole(2).sqrt() * factor * spin * rate]
 }
 
-/// The least and the greatest energy at so many instants, so long apart (s), over that at the start; for the
-/// principal moments (kg m²) and the spin (rad/s) along their axes. Nothing where the closed form encloses
-/// no motion.
+/// The least and the greatest energy at this number of `instants`, `apart` seconds from each other, relative
+/// to the energy at the start; for the principal moments (kg m²) and the spin (rad/s) along their axes. None
+/// where the closed form encloses no motion.
 ///
 /// ```
 /// use nalgebra::Vector3;
