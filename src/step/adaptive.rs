@@ -1,6 +1,7 @@
 //! A run whose steps are chosen by their error: Taylor series, or a pair of high order where a torque is a
 //! function.
 
+mod collocation;
 mod columns;
 mod dense;
 mod dop853_coefficients;
@@ -8,7 +9,9 @@ mod flips;
 mod law;
 mod logarithm;
 mod pair;
+mod radau;
 mod series;
+mod steps;
 mod sums;
 mod switching;
 mod taylor;
@@ -35,7 +38,8 @@ pub(super) use work::work;
 ///
 /// A step is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose error is how
 /// far the series is from the law of motion at its end; where a torque is a function, it is a step of DOP853,
-/// the pair of Dormand and Prince of order 8.
+/// the pair of Dormand and Prince of order 8. Where damping far faster than the motion keeps such steps
+/// short, they are steps by collocation at Radau's nodes.
 ///
 /// After each step the attitude is brought back to length 1, and the momentum of a free body to the length
 /// that it had at the start; what they were off by counts as an error of the step.
@@ -116,6 +120,9 @@ pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> 
     Err(Refusal::Order { smaller, small: least, larger, large: tolerance }.into())
 }
 
+/// How often a step is tried again, shorter, before it is refused.
+const TRIES: usize = 60;
+
 /// A step of more than this number of decay times is held back by stability, not by its error: about the
 /// bound of [HW96](crate::references), IV.2, for explicit steps of low order.
 const STIFF: f64 = 3.25;
@@ -123,17 +130,11 @@ const STIFF: f64 = 3.25;
 /// After this number of such steps in a row the law is taken to be stiff.
 const STIFF_STEPS: u32 = 15;
 
-/// What takes a step of a length of its own choice.
-trait Engine<T: Analytic> {
-    /// One step tried, and taken if its error is below the tolerance.
-    fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error>;
-}
-
 /// A run on its way, under torques that act in all of it.
 #[derive(Debug, Clone)]
 struct Run<'a, T: nalgebra::Scalar> {
     system: Cow<'a, System<T>>,
-    /// When it begins, and when the whole of which it is a piece ends, s.
+    /// When it begins, and when the whole of which it is a piece ends, s after the start of the whole.
     from: f64,
     end: f64,
     duration: f64,
@@ -192,20 +193,6 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
             mild,
             watch,
         })
-    }
-
-    /// One step further.
-    fn advance(&mut self, engine: &mut impl Engine<T>, budget: &mut usize) -> Result<(), Error> {
-        if *budget == 0 {
-            return Err(self.unfinished("all its steps are taken"));
-        }
-        *budget -= 1;
-        engine.advance(self)?;
-        let left = (self.duration - self.time).abs() / self.last.abs();
-        if self.stiff == STIFF_STEPS && left > *budget as f64 {
-            return Err(self.unfinished("losses far faster than the motion keep its steps short"));
-        }
-        Ok(())
     }
 
     fn number(x: f64) -> T {
@@ -282,6 +269,11 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
         }
         .into()
     }
+}
+
+/// Below this a momentum has too few digits left to decay, and is zero.
+fn smallest<T: Analytic>() -> f64 {
+    if T::rounding() > f64::EPSILON { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE }
 }
 
 /// Brings the attitude to length 1; returns its length before.

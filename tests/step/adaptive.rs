@@ -45,11 +45,7 @@ fn an_adaptive_run_is_finite_or_refused_and_soon() {
     );
     // Stiff, and back in time: each took half a minute.
     let slow = start(Vector3::new(1.0, 2.0, 3.0));
-    for (torque, duration) in [
-        (Torque::Damping(Vector3::new(1e9, 1.0, 1e-3)), 1.0),
-        (Torque::Dissipation(1e9), 1.0),
-        (Torque::Dissipation(1e9), -1.0),
-    ] {
+    for (torque, duration) in [(Torque::Dissipation(1e9), 1.0), (Torque::Dissipation(1e9), -1.0)] {
         let mut budget = 1_000_000;
         let run = adaptive(&lossy(torque.clone()), &slow, duration, 1e-6, &mut budget);
         assert_eq!(run.unwrap_err().kind(), ErrorKind::TooMany, "{torque:?} {duration}");

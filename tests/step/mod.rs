@@ -16,6 +16,7 @@ mod position_stage_in_c;
 mod position_stage_in_one_file;
 mod rk4;
 mod stepper;
+mod stiff;
 mod top;
 mod torque;
 mod transition;

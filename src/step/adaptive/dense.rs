@@ -1,14 +1,12 @@
 //! An adaptive run with dense output: its state at any time, from the series of the step about it.
 
 use super::flips::Flips;
-use super::pair::Pair;
-use super::taylor::Taylor;
+use super::steps::Steps;
 use super::{Run, Watch, check_tolerance, switching};
 use crate::body::State;
 use crate::error::{Error, Refusal, finite};
 use crate::number::Analytic;
 use crate::step::system::System;
-use crate::step::torque::Torque;
 use alloc::vec::Vec;
 use num_traits::FromPrimitive;
 
@@ -39,21 +37,13 @@ use num_traits::FromPrimitive;
 #[derive(Debug, Clone)]
 pub struct AdaptiveRun<'a, T: nalgebra::Scalar> {
     system: &'a System<T>,
-    /// s after the start, as all times here but those of the piece.
-    end: f64,
-    /// When the piece under way begins and ends: where a torque does.
-    piece: [f64; 2],
+    /// The piece under way: to where a torque begins or ends.
     run: Run<'a, T>,
-    engine: Engine<T>,
+    /// When the piece ends, s after the start.
+    until: f64,
+    steps: Steps<T>,
     /// Where the last step began, s after the start of the piece.
     before: (State<T>, f64),
-}
-
-/// What takes the steps of a piece.
-#[derive(Debug, Clone)]
-enum Engine<T: nalgebra::Scalar> {
-    Series(Taylor<T>),
-    Pair(Pair<T>),
 }
 
 impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
@@ -77,9 +67,9 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         check_tolerance::<T>(tolerance)?;
         (*start).checked()?;
         let (acting, until) = switching::piece(system, 0.0, end);
-        let run = Run::new(acting, start, until, tolerance, watch)?;
-        let (engine, before) = (Engine::new(&run)?, (run.state, 0.0));
-        Ok(Self { system, end, piece: [0.0, until], run, engine, before })
+        let run = Run { end, ..Run::new(acting, start, until, tolerance, watch)? };
+        let (steps, before) = (Steps::new(&run)?, (run.state, 0.0));
+        Ok(Self { system, run, until, steps, before })
     }
 
     /// The state at a time (s after the start) that is not before the last step: that of the last request, or
@@ -89,8 +79,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
     /// A time after the end or before the last step, or as [`adaptive`](fn@super::adaptive). After an error
     /// the run is where its last step took it.
     pub fn at(&mut self, time: f64, budget: &mut usize) -> Result<State<T>, Error> {
-        let [from, _] = self.piece;
-        let (one, other) = (from + self.before.1, self.end);
+        let (one, other) = (self.run.from + self.before.1, self.run.end);
         let (first, last) = if one < other { (one, other) } else { (other, one) };
         if !(first..=last).contains(&finite("the time", time)?) {
             let (what, why) =
@@ -100,104 +89,63 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         while !self.reached(time) {
             self.advance(time, budget)?;
         }
-        let ([from, until], (start, began)) = (self.piece, &self.before);
-        let time = if time == until { self.run.duration } else { time - from };
-        match &self.engine {
-            Engine::Series(series) if time != self.run.time => {
-                series.within(&self.run, start, time - began).checked()
-            }
-            _ => self.run.state.checked(),
-        }
+        let (run, (start, began)) = (&self.run, &self.before);
+        let time = if time == self.until { run.duration } else { time - run.from };
+        let within = if time == run.time { None } else { self.steps.within(run, start, time - began) };
+        within.unwrap_or(run.state).checked()
     }
 
     /// Whether the steps taken go as far as this time.
     fn reached(&self, time: f64) -> bool {
-        let [from, until] = self.piece;
+        let (from, until, run) = (self.run.from, self.until, &self.run);
         let within = time == until || (time - from).abs() < (until - from).abs();
-        within && (self.run.time == self.run.duration || (time - from).abs() <= self.run.time.abs())
+        within && (run.time == run.duration || (time - from).abs() <= run.time.abs())
     }
 
-    /// One step further, or to `time` by a pair; at the end of a piece, on to the next.
+    /// One step further, by a pair no further than `time`; at the end of a piece, on to the next.
     fn advance(&mut self, time: f64, budget: &mut usize) -> Result<(), Error> {
-        let ([from, until], run) = (self.piece, &mut self.run);
+        let run = &mut self.run;
         if run.time == run.duration {
             return self.next_piece();
         }
-        match &mut self.engine {
-            Engine::Series(series) => {
-                let before = (run.state, run.time);
-                let done = run.advance(series, budget);
-                // A step that was refused has left its series about the state that the run is in.
-                self.before = if run.time == before.1 { (run.state, run.time) } else { before };
-                done
-            }
-            Engine::Pair(pair) => {
-                let whole = run.duration;
-                if (time - from).abs() < (until - from).abs() {
-                    run.duration = time - from;
-                }
-                let mut done = Ok(());
-                while done.is_ok() && run.time != run.duration {
-                    done = run.advance(pair, budget);
-                }
-                run.duration = whole;
-                self.before = (run.state, run.time);
-                done
-            }
+        let (whole, before) = (run.duration, (run.state, run.time));
+        let dense = !matches!(self.steps, Steps::Pair(_));
+        if !dense && (time - run.from).abs() < (self.until - run.from).abs() {
+            run.duration = time - run.from;
         }
+        let done = self.steps.advance(run, budget);
+        run.duration = whole;
+        // A step that was refused has left its series about the state that the run is in.
+        self.before = if !dense || run.time == before.1 { (run.state, run.time) } else { before };
+        done
     }
 
     /// On from where a torque begins or ends.
     fn next_piece(&mut self) -> Result<(), Error> {
-        let [from, until] = self.piece;
-        let (acting, next) = switching::piece(self.system, until, self.end);
+        let Run { from, end, .. } = self.run;
+        let (acting, next) = switching::piece(self.system, self.until, end);
         let mut watch = self.run.watch.clone();
-        watch.flips = watch.flips.map(|seen| seen.later(until - from));
+        watch.flips = watch.flips.map(|seen| seen.later(self.until - from));
         let start = self.run.state.checked()?;
         let run = Run {
-            from: until,
-            end: self.end,
+            from: self.until,
+            end,
             steps: self.run.steps,
             rejected: self.run.rejected,
-            ..Run::new(acting, &start, next - until, self.run.tolerance, watch)?
+            ..Run::new(acting, &start, next - self.until, self.run.tolerance, watch)?
         };
-        self.engine = Engine::new(&run)?;
-        self.run = run;
-        self.piece = [until, next];
+        self.steps = Steps::new(&run)?;
+        (self.run, self.until) = (run, next);
         self.before = (self.run.state, 0.0);
         Ok(())
     }
 
     pub(super) fn finish(&mut self, budget: &mut usize) -> Result<State<T>, Error> {
-        self.at(self.end, budget)
+        self.at(self.run.end, budget)
     }
 
     /// The flips seen so far, and the sign since the last.
     pub(super) fn flips(self) -> (Vec<f64>, f64) {
         self.run.watch.flips.map(Flips::found).unwrap_or_default()
-    }
-}
-
-impl<T: Analytic + Copy + FromPrimitive> Engine<T> {
-    fn new(run: &Run<'_, T>) -> Result<Self, Error> {
-        if let Some(series) = Taylor::new(&run.system, run.tolerance) {
-            return Ok(Self::Series(series));
-        }
-        if run.watch.flips.is_none() {
-            return Pair::new(run).map(Self::Pair);
-        }
-        let function = run.system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
-        let (what, why) = if function {
-            (
-                "the times of flips under a torque that is a function",
-                "its steps have no series: give the torque by its name, or look for changes of sign",
-            )
-        } else {
-            (
-                "the times of flips under two gravity gradients, or three rates of periodic torques",
-                "the series of a step hold one and two: look for changes of sign",
-            )
-        };
-        Err(Refusal::Undefined { what, why }.into())
     }
 }

@@ -3,7 +3,7 @@
 
 use super::columns::Columns;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Engine, Run, largest, over};
+use super::{Run, largest, over};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal};
 use crate::number::Analytic;
@@ -106,8 +106,9 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     }
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Pair<T> {
-    fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
+impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
+    /// One step tried, and taken if its error is below the tolerance.
+    pub(super) fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
         let (h, last) = run.fitted(self.h)?;
         let step = Run::number(h);
         let mut near = run.state;

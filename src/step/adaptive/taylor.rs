@@ -4,7 +4,7 @@ use super::columns::Columns;
 use super::law::{InUnits, Law};
 use super::logarithm::{exponential, logarithm};
 use super::series::{LENGTH, MOST, Series};
-use super::{Engine, Run, largest, over};
+use super::{Run, TRIES, largest, over, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
@@ -12,9 +12,6 @@ use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
-
-/// How often a step is tried again, shorter, before it is refused.
-const TRIES: usize = 60;
 
 /// The series about the start of the last step, and about its end.
 #[derive(Debug, Clone)]
@@ -133,19 +130,15 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 }
 
-/// Below this a momentum has too few digits left to decay, and is zero.
-fn smallest<T: Analytic>() -> f64 {
-    if T::rounding() > f64::EPSILON { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE }
-}
-
 /// The order that takes the fewest operations for a tolerance of a step.
 fn order(tolerance: f64) -> usize {
     let digits = -logarithm(tolerance) / core::f64::consts::LN_10;
     ((5.0 + 1.3 * digits) as usize).clamp(6, MOST)
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Engine<T> for Taylor<T> {
-    fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
+impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
+    /// One step tried, shorter until its error is below the tolerance.
+    pub(super) fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
         let remaining = run.duration - run.time;
         let omega = run.system.omega(&run.state.momentum);
         let loss = self.law.loss(&run.state.momentum);

@@ -1,0 +1,211 @@
+//! Steps by collocation at Radau's nodes, where losses by damping are far faster than the motion: the
+//! damping is solved for, all else iterated.
+
+use super::logarithm::{exponential, logarithm};
+use super::radau::{MOST, Radau};
+use super::{Run, TRIES, largest, over, smallest};
+use crate::body::{Rate, State};
+use crate::error::Error;
+use crate::number::Analytic;
+use alloc::vec;
+use alloc::vec::Vec;
+use nalgebra::{Quaternion, Vector3};
+use num_traits::FromPrimitive;
+
+/// How often the states at the nodes are made better before a shorter step is tried.
+const ROUNDS: usize = 40;
+
+/// A step takes about as long as this number of steps by series: shorter ones are not worth it.
+const DEARER: f64 = 10.0;
+
+/// Damping over a step below this is iterated with all else.
+const SLOW: f64 = 0.1;
+
+/// The polynomial of the last step: its rates at the nodes.
+#[derive(Debug, Clone)]
+pub(super) struct Collocation<T: nalgebra::Scalar> {
+    radau: Radau,
+    /// Of the losses by damping, 1/s.
+    decay: Vector3<T>,
+    states: Vec<State<T>>,
+    rates: Vec<Rate<T>>,
+    /// The last step, s.
+    length: f64,
+    /// The next, s.
+    next: f64,
+}
+
+/// What makes the states at the nodes of a step: of the momentum's components one by one, with the damping
+/// that is solved for, and of the attitude.
+struct Weights<T> {
+    /// 1/s; zero where the damping is iterated with all else.
+    decay: [T; 3],
+    /// What is left at each node of the momentum at the start.
+    left: Vec<[T; 3]>,
+    /// At each node, for the rates at all of them, s.
+    rates: Vec<[T; 4]>,
+}
+
+impl<T: Analytic + Copy + FromPrimitive> Weights<T> {
+    fn new(radau: &Radau, decay: &Vector3<T>, h: f64) -> Self {
+        let count = radau.nodes.len();
+        let mut weights = Self {
+            decay: [T::zero(); 3],
+            left: vec![[T::one(); 3]; count],
+            rates: radau
+                .integrals
+                .iter()
+                .flat_map(|row| &row[..count])
+                .map(|w| [Run::number(w * h); 4])
+                .collect(),
+        };
+        for axis in 0..3 {
+            let rate = decay[axis].size() * h;
+            if rate < SLOW {
+                continue;
+            }
+            weights.decay[axis] = decay[axis];
+            let integrals = radau.decaying(rate);
+            for (left, row) in weights.left.iter_mut().zip(&integrals) {
+                left[axis] = Run::number(1.0 - rate * row[..count].iter().sum::<f64>());
+            }
+            for (weight, w) in weights.rates.iter_mut().zip(integrals.iter().flat_map(|row| &row[..count])) {
+                weight[axis] = Run::number(w * h);
+            }
+        }
+        weights
+    }
+
+    /// At a node, by the rates at all.
+    fn state(&self, start: &State<T>, node: usize, rates: &[Rate<T>]) -> State<T> {
+        let mut momentum: [T; 3] = core::array::from_fn(|i| start.momentum[i] * self.left[node][i]);
+        let mut attitude: [T; 4] = start.attitude.coords.into();
+        for (weight, rate) in self.rates[node * rates.len()..].iter().zip(rates) {
+            for i in 0..3 {
+                momentum[i] += weight[i] * rate.momentum[i];
+            }
+            for i in 0..4 {
+                attitude[i] += weight[3] * rate.attitude.coords[i];
+            }
+        }
+        State { attitude: Quaternion::from_vector(attitude.into()), momentum: momentum.into() }
+    }
+}
+
+impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
+    /// On from where a run is, first by steps twice as long as its last.
+    pub(super) fn new(run: &Run<'_, T>) -> Self {
+        let radau = Radau::new(nodes(run.tolerance));
+        let decay = run.system.drag().component_mul(run.system.inverse());
+        let rate = run.system.rate_after(&run.state, &Run::number(run.time));
+        let (states, rates) = (vec![run.state; radau.nodes.len()], vec![rate; radau.nodes.len()]);
+        Self { radau, decay, states, rates, length: run.last, next: 2.0 * run.last }
+    }
+
+    /// One step tried, shorter until its error is below the tolerance.
+    pub(super) fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
+        let order = self.radau.nodes.len() as f64 + 1.0;
+        let tolerance = run.tolerance.max(32.0 * T::rounding());
+        for _ in 0..TRIES {
+            let (h, last) = run.fitted(self.next)?;
+            let error = if self.solve(run, h) { self.error(run, h) } else { f64::NAN };
+            let mut end = self.states[0];
+            end.momentum.apply(|x| {
+                if x.size() < smallest::<T>() {
+                    *x = T::zero();
+                }
+            });
+            let error = largest(&[error, run.project(&mut end)]) / tolerance;
+            // As usual: aim a little below the tolerance, and change the step by no more than so much.
+            let factor = exponential(-logarithm(2.0 * error) / order).clamp(0.2, 4.0);
+            self.next = h * if error.is_nan() { 0.25 } else { factor };
+            if error <= 1.0 {
+                self.length = h;
+                run.count_losses(largest(self.decay.as_slice()) * h / DEARER);
+                run.take(end, h, last);
+                return Ok(());
+            }
+            run.rejected += 1;
+        }
+        Err(run.no_step(self.next))
+    }
+
+    /// States and rates at the nodes of a step of `h` seconds; whether they were found.
+    fn solve(&mut self, run: &Run<'_, T>, h: f64) -> bool {
+        let start = run.state;
+        let weights = Weights::new(&self.radau, &self.decay, h);
+        self.states.fill(start);
+        let unit = largest(start.momentum.as_slice()).max(smallest::<T>() / run.tolerance);
+        let goal = (0.01 * run.tolerance).max(4.0 * T::rounding());
+        let mut before = 0.0;
+        for round in 0..ROUNDS {
+            for ((rate, state), node) in self.rates.iter_mut().zip(&self.states).zip(&self.radau.nodes) {
+                *rate = run.system.rate_after(state, &Run::number(run.time + node * h));
+                for (i, decay) in weights.decay.iter().enumerate() {
+                    rate.momentum[i] += *decay * state.momentum[i];
+                }
+            }
+            let mut moved: f64 = 0.0;
+            for node in 0..self.states.len() {
+                let state = weights.state(&start, node, &self.rates);
+                let off = self.states[node];
+                let turned = largest((state.attitude.coords - off.attitude.coords).as_slice());
+                let pushed = largest((state.momentum - off.momentum).as_slice());
+                moved = largest(&[moved, turned, pushed / unit]);
+                self.states[node] = state;
+            }
+            // What each round leaves of the one before, it leaves of itself.
+            let share = over(moved, before).min(0.9);
+            if moved * share <= goal {
+                for (rate, state) in self.rates.iter_mut().zip(&self.states) {
+                    for (i, decay) in weights.decay.iter().enumerate() {
+                        rate.momentum[i] -= *decay * state.momentum[i];
+                    }
+                }
+                return true;
+            }
+            if moved.is_nan() || (round > 2 && moved > before) {
+                return false;
+            }
+            before = moved;
+        }
+        false
+    }
+
+    /// The error of the polynomial, by how its last coefficients of Legendre's polynomials fall.
+    fn error(&self, run: &Run<'_, T>, h: f64) -> f64 {
+        let unit = largest(run.state.momentum.as_slice())
+            .max(largest(self.states[0].momentum.as_slice()))
+            .max(smallest::<T>() / run.tolerance);
+        let count = self.radau.nodes.len();
+        let [most, before] = [count - 1, count - 3].map(|order| {
+            let both = [order, order - 1].map(|order| {
+                let mut sum = self.rates[0].times(&T::zero());
+                for (c, rate) in self.radau.coefficients[order].iter().zip(&self.rates) {
+                    sum = sum.plus(rate, Run::number(*c * h));
+                }
+                let size = largest(sum.attitude.coords.as_slice());
+                largest(&[size, largest(sum.momentum.as_slice()) / unit]) / (4 * order + 2) as f64
+            });
+            largest(&both)
+        });
+        let fall = over(most, before).min(1.0);
+        most * fall
+    }
+
+    /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
+    pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> State<T> {
+        let mut there = *start;
+        for (w, rate) in self.radau.integral(time / self.length).iter().zip(&self.rates) {
+            there = there.plus(rate, Run::number(w * self.length));
+        }
+        run.project(&mut there);
+        there
+    }
+}
+
+/// The number of nodes that takes the fewest operations for a tolerance of a step.
+fn nodes(tolerance: f64) -> usize {
+    let digits = -logarithm(tolerance) / core::f64::consts::LN_10;
+    ((3.0 + 0.8 * digits) as usize).clamp(4, MOST)
+}

@@ -1,0 +1,106 @@
+//! What takes the steps of a run: series, a pair where a torque is a function, or collocation where damping is
+//! far faster than the motion.
+
+use super::collocation::Collocation;
+use super::pair::Pair;
+use super::taylor::Taylor;
+use super::{Run, STIFF, STIFF_STEPS, largest, over};
+use crate::body::State;
+use crate::error::{Error, Refusal};
+use crate::number::Analytic;
+use crate::step::torque::Torque;
+use num_traits::FromPrimitive;
+
+/// After this number of stiff steps, damping is solved for.
+const DAMPED_STEPS: u32 = 4;
+
+/// Where it is this number of times faster than the motion: a step by collocation takes about as long as ten
+/// by series.
+const FASTER: f64 = 16.0;
+
+/// What takes the steps of a run under torques that act in all of it.
+#[derive(Debug, Clone)]
+pub(super) enum Steps<T: nalgebra::Scalar> {
+    Series(Taylor<T>),
+    Pair(Pair<T>),
+    Collocation(Collocation<T>),
+}
+
+impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
+    /// Explicit ones.
+    pub(super) fn new(run: &Run<'_, T>) -> Result<Self, Error> {
+        if let Some(series) = Taylor::new(&run.system, run.tolerance) {
+            return Ok(Self::Series(series));
+        }
+        if run.watch.flips.is_none() {
+            return Pair::new(run).map(Self::Pair);
+        }
+        let function = run.system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
+        let (what, why) = if function {
+            (
+                "the times of flips under a torque that is a function",
+                "its steps have no series: give the torque by its name, or look for changes of sign",
+            )
+        } else {
+            (
+                "the times of flips under two gravity gradients, or three rates of periodic torques",
+                "the series of a step hold one and two: look for changes of sign",
+            )
+        };
+        Err(Refusal::Undefined { what, why }.into())
+    }
+
+    /// One step further.
+    pub(super) fn advance(&mut self, run: &mut Run<'_, T>, budget: &mut usize) -> Result<(), Error> {
+        if *budget == 0 {
+            return Err(run.unfinished("all its steps are taken"));
+        }
+        if run.stiff >= DAMPED_STEPS {
+            self.meet_losses(run, *budget)?;
+        } else if run.stiff == 0 && matches!(self, Self::Collocation(_)) {
+            *self = Self::new(run)?;
+        }
+        *budget -= 1;
+        match self {
+            Self::Series(series) => series.advance(run),
+            Self::Pair(pair) => pair.advance(run),
+            Self::Collocation(steps) => steps.advance(run),
+        }
+    }
+
+    /// After some steps held back by losses: solves for those that are damping.
+    fn meet_losses(&mut self, run: &Run<'_, T>, budget: usize) -> Result<(), Error> {
+        if matches!(self, Self::Collocation(_)) {
+            return Ok(());
+        }
+        let watched = run.watch.flips.is_some() || run.watch.slopes.is_some();
+        if !watched && run.duration > 0.0 && damping_is_faster(run) {
+            *self = Self::Collocation(Collocation::new(run));
+        } else if run.stiff == STIFF_STEPS && (run.duration - run.time).abs() / run.last.abs() > budget as f64
+        {
+            return Err(run.unfinished("losses far faster than the motion keep its steps short"));
+        }
+        Ok(())
+    }
+
+    /// The state `time` seconds after the start of the last step, where the body was in the state `start`;
+    /// none within steps of a pair.
+    pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> Option<State<T>> {
+        match self {
+            Self::Series(series) => Some(series.within(run, start, time)),
+            Self::Collocation(steps) => Some(steps.within(run, start, time)),
+            Self::Pair(_) => None,
+        }
+    }
+}
+
+/// Whether damping alone keeps steps short: while the motion, which it has slowed, takes far longer.
+fn damping_is_faster<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>) -> bool {
+    let (system, state) = (&run.system, &run.state);
+    let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
+    let rate = system.rate_after(state, &Run::number(run.time)).momentum;
+    let change = over(largest(rate.as_slice()), largest(state.momentum.as_slice()));
+    let motion = largest(&[change, largest(system.omega(&state.momentum).as_slice())]);
+    let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
+    !dissipates && decay * run.last > STIFF && decay > FASTER * motion
+}

@@ -1,0 +1,110 @@
+//! Damping far faster than the motion: steps as long as the motion allows.
+
+use super::driven::off;
+use nalgebra::{Quaternion, Vector3};
+use proptest::prelude::*;
+use tumbling::PrincipalMoments;
+use tumbling::step::{AdaptiveRun, State, System, Torque, adaptive};
+
+fn system(torques: Vec<Torque<f64>>) -> System<f64> {
+    System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap()
+}
+
+fn spinning(system: &System<f64>, omega: [f64; 3]) -> State<f64> {
+    State { attitude: Quaternion::identity(), momentum: system.momentum(&omega.into()) }
+}
+
+/// The state after 8 s is from two programs with 40 digits, one by Taylor series and one by extrapolation.
+#[test]
+fn uneven_damping_of_512_a_second_takes_forty_steps() {
+    let system = system(vec![Torque::Damping(Vector3::new(0.03125, 1024.0, 0.0625))]);
+    let start = spinning(&system, [2.0, 1.0, 3.0]);
+    let truth = State {
+        attitude: Quaternion::new(
+            0.968_929_850_044_597_7,
+            0.132_961_538_884_826_44,
+            0.018_435_839_968_535_622,
+            0.207_740_931_630_208_04,
+        ),
+        momentum: Vector3::new(1.490_178_329_609_934_6, 0.010_568_728_642_485_697, 6.051_328_833_472_498),
+    };
+    for (tolerance, bound) in [(1e-4, 3e-5), (1e-8, 1e-8), (1e-12, 1e-11), (1e-14, 1e-13)] {
+        let mut budget = 40;
+        let end = adaptive(&system, &start, 8.0, tolerance, &mut budget).unwrap();
+        assert!(off(&end, &truth) < bound, "{tolerance:e}: {:e}", off(&end, &truth));
+    }
+}
+
+/// Of damping of 1e9 N m s about one axis nothing is left but the slow decay about the others.
+#[test]
+fn an_axis_held_by_its_damping_leaves_the_others_to_decay() {
+    let system = system(vec![Torque::Damping(Vector3::new(1e9, 1.0, 1e-3))]);
+    let start = spinning(&system, [1.0, 1.0, 1.2]);
+    let end = adaptive(&system, &start, 1.0, 1e-10, &mut 100).unwrap();
+    let expected = Vector3::new(
+        -0.5 * 0.5_f64.exp().recip() * 1.2 * 1e-9,
+        2.0 * (-0.5_f64).exp(),
+        3.0 * (-4e-4_f64).exp(),
+    );
+    assert!((end.momentum - expected).norm() < 1e-8, "{:?}", end.momentum);
+    assert!((end.momentum.x / expected.x - 1.0).abs() < 1e-3, "{:?}", end.momentum);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// The same damping as a function is no damping to the run: DOP853 takes thousands of short steps.
+    #[test]
+    fn solved_damping_moves_a_heavy_body_as_short_explicit_steps_do(
+        omega in prop::array::uniform3(-2.0..2.0), fast in 300.0..2000.0, slow in 0.0..0.5, weight in 0.0..3.0,
+        push in -1.0..1.0,
+    ) {
+        let damping = Vector3::new(slow, fast, 0.5 * slow);
+        let others = [
+            Torque::gravity(&Vector3::new(0.05, 0.0, 0.1), weight),
+            Torque::InBody(Vector3::new(0.0, 50.0 * push, push)),
+            Torque::during(0.7, 1.3, Torque::InBody(Vector3::new(push, 0.0, 0.2))),
+        ];
+        let pulled = |loss: Torque<f64>| system(others.iter().cloned().chain([loss]).collect());
+        let solved = pulled(Torque::Damping(damping));
+        let explicit = pulled(Torque::function(move |_, _, omega| -damping.component_mul(omega)));
+        let start = spinning(&solved, omega);
+        let mut budget = 1_000;
+        let mut run = AdaptiveRun::new(&solved, &start, 2.0, 1e-11).unwrap();
+        let mut slowly = AdaptiveRun::new(&explicit, &start, 2.0, 1e-12).unwrap();
+        for time in [0.01, 0.2, 0.69, 0.71, 1.1, 1.31, 1.7, 2.0] {
+            let (state, truth) = (run.at(time, &mut budget).unwrap(), slowly.at(time, &mut 100_000).unwrap());
+            prop_assert!(off(&state, &truth) < 2e-9, "{} s: {:e}", time, off(&state, &truth));
+        }
+        prop_assert!(budget > 800, "{} left", budget);
+    }
+}
+
+/// Finite or refused, and soon, however strong the damping and whatever else acts.
+#[test]
+fn extreme_damping_is_finite_or_refused_and_soon() {
+    let pulls = [
+        Torque::gravity(&Vector3::new(0.05, 0.3, 0.1), 1e3),
+        Torque::InBody(Vector3::new(1e-12, 1e12, 3.0)),
+        Torque::Dissipation(1e3),
+    ];
+    for pull in &pulls {
+        for exponent in (-6..=300).step_by(6) {
+            for damping in [[1.0, 0.0, 0.5], [1e-9, 1.0, 1e-6], [1.0, 1.0, 1.0]] {
+                let damping = Vector3::from(damping) * 10.0_f64.powi(exponent);
+                let Ok(system) = System::with(
+                    PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(),
+                    vec![pull.clone(), Torque::Damping(damping)],
+                ) else {
+                    continue;
+                };
+                let start = spinning(&system, [1.0, -2.0, 0.5]);
+                let mut budget = 3_000;
+                if let Ok(end) = adaptive(&system, &start, 1.0, 1e-9, &mut budget) {
+                    assert!(end.momentum.iter().all(|x| x.is_finite()), "{end:?}");
+                    assert!((end.attitude.norm() - 1.0).abs() < 1e-14, "{end:?}");
+                }
+            }
+        }
+    }
+}
