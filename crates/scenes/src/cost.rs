@@ -28,7 +28,7 @@ impl Plan<'_> {
         let outputs = self.scene.outputs();
         let driven = |driven: &Driven| {
             let states = self.scene.times().count();
-            let all = driven.control.price(states, driven.steps);
+            let all = driven.control.price(states, driven.steps, driven.stiff);
             Cost { once: driven.trials, state: all / states as f64 }
         };
         match &self.strategy {
@@ -39,7 +39,7 @@ impl Plan<'_> {
             Strategy::SymmetricTop(_) => Cost { once: 2900.0, state: 400.0 },
             Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 635.0 },
             Strategy::Elliptic(_) => Cost { once: ELLIPTIC, state: 1220.0 },
-            Strategy::Stiff(one) | Strategy::ExactDrift(one) | Strategy::Adaptive(one) => driven(one),
+            Strategy::ExactDrift(one) | Strategy::Adaptive(one) => driven(one),
         }
     }
 }

@@ -8,12 +8,8 @@ use crate::step_control::{LEAST_TOLERANCE, StepControl};
 use crate::strategy::{Driven, Strategy};
 use crate::torques::{Rates, along, have_series, is_timed};
 use crate::trial::{Budget, Chosen, Trial};
-use tumbling::step::{Method, State, System};
+use tumbling::step::{State, System};
 
-/// Damping is stiff if it is faster than the spin by this factor,
-const STIFF: f64 = 30.0;
-/// and lasts for this number of its own time constants.
-const LONG: f64 = 300.0;
 /// The largest number of steps of all trial runs together.
 const MOST_STEPS: usize = 3_000_000;
 /// The number of requested times at which runs are compared, besides the last,
@@ -66,41 +62,32 @@ fn strategy_to(accuracy: f64, body: &Principal, scene: &Scene) -> Result<Strateg
     let end = scene.times().end();
     let rates = Rates::of(&system, &start, end);
     let times = compared(scene);
-    let (turned, lost) = ((rates.spin * end).max(1.0), rates.loss * end);
-    let stiff = rates.loss > STIFF * rates.spin.max(1.0 / end) && lost > LONG;
+    let turned = (rates.spin * end).max(1.0);
     let outputs = scene.outputs();
-    let trial = Trial { system: &system, start: &start, times: &times, outputs, accuracy, end, turned, lost };
+    let trial = Trial { system: &system, start: &start, times: &times, outputs, accuracy, end, turned };
     let (chosen, trials) = if end == 0.0 {
         let control = StepControl::Tolerance(first_tolerance(accuracy));
         (Chosen { control, difference: 0.0, steps: 0 }, 0.0)
     } else {
-        cheapest_tried(&trial, &candidates(&rates, stiff, accuracy, scene), scene.times().count(), stiff)?
+        first_right(&trial, &candidates(&rates, accuracy, scene))?
     };
     let Chosen { control, difference, steps } = chosen;
     let stops = if have_series(system.torques()) { Vec::new() } else { times.clone() };
+    let stiff = rates.are_stiff(end);
     let driven = Driven { system: system.clone(), start, control, stops, difference, steps, trials, stiff };
     Ok(match control {
         StepControl::Tolerance(_) => Strategy::Adaptive(driven),
         StepControl::ExactDrift(_) => Strategy::ExactDrift(driven),
-        StepControl::Fixed(..) => Strategy::Stiff(driven),
     })
 }
 
 /// What is worth a trial, in order.
-fn candidates(rates: &Rates, stiff: bool, accuracy: f64, scene: &Scene) -> Vec<StepControl> {
+fn candidates(rates: &Rates, accuracy: f64, scene: &Scene) -> Vec<StepControl> {
     let (spin, end) = (rates.spin, scene.times().end());
     let series = StepControl::Tolerance(first_tolerance(accuracy));
     if scene.torques().iter().any(is_timed) {
         // Series alone count the time, and end a step where a torque begins or ends.
         return vec![series];
-    }
-    if stiff {
-        // Damping shortens the steps of series, but a few may do. Of the others one takes the loss by its own
-        // law, one linearises it: which is better depends on what it works against. So all are tried, each
-        // only while it may be cheaper than those before.
-        let step = (0.1 / spin.max(10.0 / end)).min(end / INNER);
-        let fixed = |method| StepControl::Fixed(method, step);
-        return vec![series, fixed(Method::MoserVeselov8), fixed(Method::LinearisedImplicit)];
     }
     let turned = (spin * end).max(1.0);
     let push = rates.push + rates.loss / spin.max(f64::MIN_POSITIVE);
@@ -109,7 +96,7 @@ fn candidates(rates: &Rates, stiff: bool, accuracy: f64, scene: &Scene) -> Vec<S
     let drift = StepControl::ExactDrift((radians / spin).min(end / INNER));
     let states = scene.times().count();
     let price =
-        |control: StepControl, radians: f64| control.price(states, (turned / radians).ceil() as usize);
+        |control: StepControl, radians: f64| control.price(states, (turned / radians).ceil() as usize, false);
     if price(drift, radians) <= price(series, prices::RADIANS) {
         // Should it not get there in reasonable steps, the series may.
         vec![drift, series]
@@ -118,42 +105,21 @@ fn candidates(rates: &Rates, stiff: bool, accuracy: f64, scene: &Scene) -> Vec<S
     }
 }
 
-/// The first that is accurate enough, or of all the cheapest, with the instructions of the trial runs.
-fn cheapest_tried(
-    trial: &Trial<'_>,
-    candidates: &[StepControl],
-    states: u64,
-    all: bool,
-) -> Result<(Chosen, f64), Error> {
-    let (mut best, mut refusal): (Option<(f64, Chosen)>, Option<Error>) = (None, None);
-    let (mut left, mut trials) = (MOST_STEPS, 0.0);
+/// The first that is accurate enough, with the instructions of the trial runs.
+fn first_right(trial: &Trial<'_>, candidates: &[StepControl]) -> Result<(Chosen, f64), Error> {
+    let (mut left, mut trials, mut refusal) = (MOST_STEPS, 0.0, None);
     for (k, &first) in candidates.iter().enumerate() {
-        if best.is_some() && !all {
-            break;
-        }
-        let least = best.as_ref().map_or(f64::INFINITY, |(price, _)| *price);
-        if first.price(states, 0) >= least {
-            continue;
-        }
         let share = left / (candidates.len() - k);
         let mut budget = Budget { left: share, spent: 0.0 };
-        match trial.refined(first, &mut budget, least / first.price_of_step()) {
-            Ok(chosen) => {
-                let price = chosen.control.price(states, chosen.steps);
-                if best.as_ref().is_none_or(|(other, _)| price < *other) {
-                    best = Some((price, chosen));
-                }
-            }
-            Err(error) => refusal = Some(refusal.map_or(error.clone(), |other| kinder(other, error))),
-        }
+        let found = trial.refined(first, &mut budget);
         left -= share - budget.left;
         trials += budget.spent;
+        match found {
+            Ok(chosen) => return Ok((chosen, trials)),
+            Err(error) => refusal = Some(refusal.map_or(error.clone(), |other| kinder(other, error))),
+        }
     }
-    match (best, refusal) {
-        (Some((_, chosen)), _) => Ok((chosen, trials)),
-        (None, Some(error)) => Err(error),
-        (None, None) => Err(Error::Disagreement { requested: trial.accuracy, steps: 0 }),
-    }
+    Err(refusal.unwrap_or(Error::Disagreement { requested: trial.accuracy, steps: 0 }))
 }
 
 /// Of two refusals the one that offers more.

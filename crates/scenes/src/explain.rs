@@ -5,7 +5,6 @@ use crate::plan::Plan;
 use crate::strategy::Strategy;
 use crate::torques::is_loss;
 use std::fmt::Write as _;
-use tumbling::step::Method;
 
 /// A count of instructions in two digits.
 fn about(x: f64) -> String {
@@ -67,19 +66,17 @@ impl Plan<'_> {
             Strategy::SymmetricTop(_) => "the spin circles the axis evenly: one sine and cosine".into(),
             Strategy::EllipticSpin(_) => "the spin by Jacobi's functions".into(),
             Strategy::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
-            Strategy::Stiff(driven) => {
-                let name = driven.method().map_or("", |method| method.info().name);
-                let torque = match driven.method() {
-                    Some(Method::LinearisedImplicit) => "with the torque inside",
-                    _ => "between kicks of the torque",
-                };
-                format!("{name} {torque}, in steps of up to {}", step(driven.step()))
-            }
             Strategy::ExactDrift(driven) => {
                 format!("the exact free motion between kicks, in steps of up to {}", step(driven.step()))
             }
             Strategy::Adaptive(driven) => {
-                format!("Taylor series, {:.1e} allowed to each step", driven.tolerance().unwrap_or_default())
+                let tolerance = driven.tolerance().unwrap_or_default();
+                let stiff = if driven.stiff {
+                    ", collocation where damping is much faster than the motion"
+                } else {
+                    ""
+                };
+                format!("Taylor series, {tolerance:.1e} allowed to each step{stiff}")
             }
         }
     }
@@ -97,13 +94,7 @@ impl Plan<'_> {
             Strategy::SymmetricTop(_) => out.push("elliptic functions, since two moments are equal"),
             Strategy::EllipticSpin(_) | Strategy::Elliptic(_) => {}
             Strategy::ExactDrift(_) => out.push("small steps, since the torque is weak"),
-            Strategy::Adaptive(driven) if driven.stiff => {
-                out.push("steps that fast damping does not shorten: dearer to this accuracy, if they reach it at all");
-            }
             Strategy::Adaptive(_) => out.push("kicks, whose errors fall with the square of the step alone"),
-            Strategy::Stiff(_) => {
-                out.push("explicit steps of controlled error, which fast damping makes short: dearer, or too many to try");
-            }
         }
         let moves = !matches!(self.strategy, Strategy::Nothing);
         if self.scene.torques().is_empty() || !moves {

@@ -13,9 +13,7 @@ pub(crate) const RADIANS: f64 = 1.6;
 pub(crate) const BEGIN: f64 = 35_000.0;
 /// A state between the ends of two such steps.
 pub(crate) const WITHIN: f64 = 500.0;
-/// A step of Moser and Veselov's method between two half kicks.
-pub(crate) const KICKED: f64 = 1500.0;
-/// A step that linearises the damping.
-pub(crate) const LINEARISED: f64 = 860.0;
+/// A step by collocation takes as long as this number of steps by series.
+pub(crate) const COLLOCATION: f64 = 3.5;
 /// A step by the exact drift between two half kicks.
 pub(crate) const DRIFT: f64 = 11_000.0;

@@ -97,7 +97,7 @@ impl<'a> States<'a> {
                     }
                 }
             }
-            Strategy::ExactDrift(driven) | Strategy::Adaptive(driven) | Strategy::Stiff(driven) => {
+            Strategy::ExactDrift(driven) | Strategy::Adaptive(driven) => {
                 let (spin, attitude) = self.stepped(driven, time)?;
                 let attitude = plan.body.frame.map_or(attitude, |frame| attitude * frame.inverse());
                 (Some(spin), Some(attitude))

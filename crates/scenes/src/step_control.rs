@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::exact_drift;
 use crate::prices;
-use tumbling::step::{AdaptiveRun, Method, State, System};
+use tumbling::step::{AdaptiveRun, State, System};
 
 /// The least tolerance that [`AdaptiveRun`] takes: below it a step's error is rounding.
 pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
@@ -11,11 +11,9 @@ pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 /// How a driven body is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum StepControl {
-    /// With this method, in steps of at most this many seconds.
-    Fixed(Method, f64),
     /// With the exact drift between kicks, in steps of at most this many seconds.
     ExactDrift(f64),
-    /// With Taylor series and this tolerance of a step.
+    /// With an [`AdaptiveRun`] and this tolerance of a step.
     Tolerance(f64),
 }
 
@@ -37,25 +35,26 @@ impl From<Error> for Stop {
 impl StepControl {
     /// The number of steps in `duration`; none where a tolerance decides.
     pub(crate) fn count(self, duration: f64) -> Option<usize> {
-        let (Self::Fixed(_, step) | Self::ExactDrift(step)) = self else { return None };
+        let Self::ExactDrift(step) = self else { return None };
         parts(duration, step, 1).ok().map(|(count, _)| count)
     }
 
     /// The cost of a step, in instructions.
     pub(crate) fn price_of_step(self) -> f64 {
         match self {
-            Self::Fixed(Method::LinearisedImplicit, _) => prices::LINEARISED,
-            Self::Fixed(..) => prices::KICKED,
             Self::ExactDrift(_) => prices::DRIFT,
             Self::Tolerance(tolerance) => prices::series(tolerance),
         }
     }
 
-    /// The cost of a number of states in a number of steps.
-    pub(crate) fn price(self, states: u64, steps: usize) -> f64 {
+    /// The cost of a number of states in a number of steps, most of them by collocation if losses are stiff.
+    pub(crate) fn price(self, states: u64, steps: usize, stiff: bool) -> f64 {
         let (states, steps) = (states as f64, steps as f64);
         match self {
-            Self::Tolerance(_) => prices::BEGIN + self.price_of_step() * steps + prices::WITHIN * states,
+            Self::Tolerance(_) => {
+                let dearer = if stiff { prices::COLLOCATION } else { 1.0 };
+                prices::BEGIN + dearer * self.price_of_step() * steps + prices::WITHIN * states
+            }
             _ => self.price_of_step() * steps.max(states),
         }
     }
@@ -66,9 +65,7 @@ impl StepControl {
     pub(crate) fn finer(self, share: f64) -> Self {
         let by = |root: f64| if share > 0.0 { (0.8 * root).clamp(1e-2, 0.5) } else { 0.5 };
         match self {
-            // Errors fall as the first or the second power of the step.
-            Self::Fixed(method @ Method::LinearisedImplicit, step) => Self::Fixed(method, step * by(share)),
-            Self::Fixed(method, step) => Self::Fixed(method, step * by(share.sqrt())),
+            // Errors fall as the second power of the step.
             Self::ExactDrift(step) => Self::ExactDrift(step * by(share.sqrt())),
             // Which costs a quarter more.
             Self::Tolerance(tolerance) => Self::Tolerance((0.01 * tolerance).max(LEAST_TOLERANCE)),
@@ -129,11 +126,7 @@ impl StepControl {
         least: usize,
         left: &mut usize,
     ) -> Result<State<f64>, Stop> {
-        let (step, method) = match self {
-            Self::Fixed(method, step) => (step, Some(method)),
-            Self::ExactDrift(step) => (step, None),
-            Self::Tolerance(_) => (duration, None),
-        };
+        let step = if let Self::ExactDrift(step) = self { step } else { duration };
         let (count, h) = parts(duration, step, least)?;
         if count > *left {
             return Err(Stop::OutOfSteps);
@@ -141,12 +134,7 @@ impl StepControl {
         let mut state = *start;
         for _ in 0..count {
             *left -= 1;
-            state = match method {
-                Some(method) => {
-                    method.step(system, &state, h).map_err(|error| Stop::Refused(error.into()))?
-                }
-                None => exact_drift::step(system, &state, h)?,
-            };
+            state = exact_drift::step(system, &state, h)?;
         }
         Ok(state)
     }

@@ -3,7 +3,7 @@
 use crate::step_control::StepControl;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System};
+use tumbling::step::{State, System};
 
 /// The ways to answer, the cheapest first. Each holds what it uses.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,17 +33,15 @@ pub enum Strategy {
     Elliptic(Box<FreeMotion>),
     /// The exact free motion between kicks of the torques.
     ExactDrift(Driven),
-    /// Taylor series with their error controlled.
+    /// Taylor series with their error controlled; collocation where damping is much faster than the motion.
     Adaptive(Driven),
-    /// Damping much faster than the motion: steps of a method that it does not limit.
-    Stiff(Driven),
 }
 
 impl Strategy {
     /// How a driven body is stepped.
     pub(crate) fn driven(&self) -> Option<&Driven> {
         match self {
-            Self::ExactDrift(driven) | Self::Adaptive(driven) | Self::Stiff(driven) => Some(driven),
+            Self::ExactDrift(driven) | Self::Adaptive(driven) => Some(driven),
             _ => None,
         }
     }
@@ -64,25 +62,16 @@ pub struct Driven {
     pub(crate) steps: usize,
     /// The instructions of all trial runs.
     pub(crate) trials: f64,
-    /// Whether damping is much faster than the motion.
+    /// Whether losses are much faster than the motion.
     pub(crate) stiff: bool,
 }
 
 impl Driven {
-    /// The stepping method; none for the exact drift between kicks, and where a tolerance decides.
-    #[must_use]
-    pub fn method(&self) -> Option<Method> {
-        match self.control {
-            StepControl::Fixed(method, _) => Some(method),
-            StepControl::Tolerance(_) | StepControl::ExactDrift(_) => None,
-        }
-    }
-
     /// The longest step, s; none where a tolerance decides.
     #[must_use]
     pub fn step(&self) -> Option<f64> {
         match self.control {
-            StepControl::Fixed(_, step) | StepControl::ExactDrift(step) => Some(step),
+            StepControl::ExactDrift(step) => Some(step),
             StepControl::Tolerance(_) => None,
         }
     }

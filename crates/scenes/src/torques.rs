@@ -116,6 +116,11 @@ impl Rates {
         let push = if momentum * spin > 0.0 { torque / (momentum * spin) } else { 0.0 };
         Self { spin, push, loss }
     }
+
+    /// Whether losses are much faster than the spin, and last for many of their time constants up to `end`, s.
+    pub(crate) fn are_stiff(&self, end: f64) -> bool {
+        self.loss > 30.0 * self.spin.max(1.0 / end) && self.loss * end > 300.0
+    }
 }
 
 /// Bounds of all torques together.

@@ -44,33 +44,25 @@ pub(crate) struct Trial<'a> {
     pub(crate) end: f64,
     /// Radians from start to end.
     pub(crate) turned: f64,
-    /// Time constants of the loss from start to end.
-    pub(crate) lost: f64,
 }
 
 impl Trial<'_> {
     /// The expected number of steps of a run.
     fn steps(&self, control: StepControl) -> f64 {
         match control {
-            StepControl::Fixed(_, step) | StepControl::ExactDrift(step) => self.end / step,
-            StepControl::Tolerance(_) => (self.turned / prices::RADIANS).max(0.3 * self.lost),
+            StepControl::ExactDrift(step) => self.end / step,
+            StepControl::Tolerance(_) => self.turned / prices::RADIANS,
         }
     }
 
     /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes
-    /// the coarser; in at most the steps of the budget in all, and no run that is known to take more than
-    /// `most`.
-    pub(crate) fn refined(
-        &self,
-        first: StepControl,
-        budget: &mut Budget,
-        most: f64,
-    ) -> Result<Chosen, Error> {
+    /// the coarser; in at most the steps of the budget in all.
+    pub(crate) fn refined(&self, first: StepControl, budget: &mut Budget) -> Result<Chosen, Error> {
         self.worth_trying(first, budget.left)?;
         let all = budget.left;
         let mut control = first;
-        let (mut best, mut before) = (f64::INFINITY, 0.0);
-        let mut coarse = self.run(control, None, budget, most);
+        let mut best = f64::INFINITY;
+        let mut coarse = self.run(control, None, budget);
         for _ in 0..ROUNDS {
             if coarse == Err(Stop::OutOfSteps) {
                 break;
@@ -78,22 +70,18 @@ impl Trial<'_> {
             let observed = coarse.as_ref().map_or(f64::INFINITY, |_| best);
             let finer =
                 control.finer(if observed.is_finite() { 0.5 * self.accuracy / observed } else { 0.0 });
-            if finer == control || self.steps(finer) > (budget.left as f64).min(most) {
+            if finer == control || self.steps(finer) > budget.left as f64 {
                 break;
             }
-            let fine = self.run(finer, Some(control), budget, most);
+            let fine = self.run(finer, Some(control), budget);
             let difference = match (&coarse, &fine) {
                 (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
                 _ => f64::INFINITY,
             };
-            // Steps that a loss is over within do not yet show how their errors fall: two differences must.
-            let shown = difference <= 0.6 * before || !self.outrun(control);
-            before = difference;
             // Halving the step halves an error at least: what is so much better than requested is right by
             // the coarser run already.
             for (control, run, share) in [(control, &coarse, 0.1), (finer, &fine, 0.5)] {
-                if shown
-                    && difference <= share * self.accuracy
+                if difference <= share * self.accuracy
                     && let Ok((_, steps)) = run
                 {
                     return Ok(Chosen { control, difference, steps: *steps });
@@ -101,7 +89,7 @@ impl Trial<'_> {
             }
             best = best.min(difference);
             // What was cut for the comparison alone is put back before it is compared with the next.
-            coarse = if self.cuts(finer, control) { self.run(finer, None, budget, most) } else { fine };
+            coarse = if self.cuts(finer, control) { self.run(finer, None, budget) } else { fine };
             control = finer;
         }
         match coarse {
@@ -128,12 +116,6 @@ impl Trial<'_> {
         Ok(())
     }
 
-    /// Whether a loss is over within one step.
-    fn outrun(&self, control: StepControl) -> bool {
-        let (StepControl::Fixed(_, step) | StepControl::ExactDrift(step)) = control else { return false };
-        self.lost * step > self.end
-    }
-
     /// Whether a finer step is not finer everywhere: between some of the times both are one step, or as many.
     fn cuts(&self, finer: StepControl, coarser: StepControl) -> bool {
         let mut from = 0.0;
@@ -145,9 +127,9 @@ impl Trial<'_> {
 
     /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either
     /// way would agree with itself.
-    fn run(&self, control: StepControl, over: Option<StepControl>, budget: &mut Budget, most: f64) -> Run {
+    fn run(&self, control: StepControl, over: Option<StepControl>, budget: &mut Budget) -> Run {
         let mut now = 0.0;
-        let whole = budget.left.min(most as usize);
+        let whole = budget.left;
         let mut of_run = whole;
         let mut states = Vec::with_capacity(self.times.len());
         let mut on = |of_run: &mut usize| {
@@ -162,7 +144,7 @@ impl Trial<'_> {
         let done = on(&mut of_run);
         let taken = whole - of_run;
         budget.left -= taken;
-        budget.spent += control.price(self.times.len() as u64, taken);
+        budget.spent += control.price(self.times.len() as u64, taken, false);
         done.map(|()| (states, taken))
     }
 
@@ -217,7 +199,6 @@ fn largest_angle(a: &[State<f64>], b: &[State<f64>]) -> f64 {
 mod tests {
     use super::*;
     use nalgebra::{Quaternion, Vector3};
-    use tumbling::step::Method;
 
     /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin
     /// is two thirds of it.
@@ -229,9 +210,9 @@ mod tests {
             momentum: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
         });
         let apart = |energy| {
-            let (times, accuracy, end, turned, lost) = (&[1.0][..], 0.1, 1.0, 10.0, 0.0);
+            let (times, accuracy, end, turned) = (&[1.0][..], 0.1, 1.0, 10.0);
             let outputs = Outputs { spin: true, energy, ..Outputs::NOTHING };
-            let trial = Trial { system: &system, start: &a, times, outputs, accuracy, end, turned, lost };
+            let trial = Trial { system: &system, start: &a, times, outputs, accuracy, end, turned };
             trial.apart(std::slice::from_ref(&a), std::slice::from_ref(&b))
         };
         assert!((apart(false) - 0.01).abs() < 1e-5);
@@ -246,15 +227,12 @@ mod tests {
         let system = System::free([1.0, 2.0, 2.5].try_into().unwrap()).unwrap();
         let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
         let times = &[0.01, 0.02, 1.0][..];
-        let (accuracy, end, turned, lost) = (0.1, 1.0, 1.0, 0.0);
+        let (accuracy, end, turned) = (0.1, 1.0, 1.0);
         let outputs = Outputs { spin: true, ..Outputs::NOTHING };
-        let trial = Trial { system: &system, start: &start, times, outputs, accuracy, end, turned, lost };
-        let [coarse, fine] = [0.5, 0.25].map(|step| StepControl::Fixed(Method::MoserVeselov8, step));
-        let steps =
-            |by, over| trial.run(by, over, &mut Budget { left: 1000, spent: 0.0 }, f64::INFINITY).unwrap().1;
+        let trial = Trial { system: &system, start: &start, times, outputs, accuracy, end, turned };
+        let [coarse, fine] = [0.5, 0.25].map(StepControl::ExactDrift);
+        let steps = |by, over| trial.run(by, over, &mut Budget { left: 1000, spent: 0.0 }).unwrap().1;
         assert_eq!((steps(coarse, None), steps(fine, None), steps(fine, Some(coarse))), (4, 6, 8));
-        assert!(
-            trial.cuts(fine, coarse) && !trial.cuts(StepControl::Fixed(Method::MoserVeselov8, 0.005), coarse)
-        );
+        assert!(trial.cuts(fine, coarse) && !trial.cuts(StepControl::ExactDrift(0.005), coarse));
     }
 }

@@ -3,8 +3,8 @@
 use crate::common::{ALL, BOTH, SPIN, apart, one, states};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::step::{Method, Torque};
-use tumbling_scenes::{Error, InitialState, Outputs, Scene, Start, Strategy, Times};
+use tumbling::step::Torque;
+use tumbling_scenes::{Error, InitialState, Outputs, Plan, Scene, Start, Strategy, Times};
 
 fn agree(a: &Scene, b: &Scene) -> f64 {
     let (a, b) = (a.plan(0).unwrap(), b.plan(0).unwrap());
@@ -61,11 +61,12 @@ fn stiff_damping_takes_few_steps_and_is_right() {
     let torque = Torque::Damping(Vector3::new(1e4, 2e4, 2e4));
     let scene = one(body, vec![torque], Times::Given(vec![1e-4, 1.0]), BOTH, 1e-4);
     let plan = scene.plan(0).unwrap();
-    // It is over so soon that a series, whose steps it keeps short, has few of them too.
-    let (Strategy::Stiff(driven) | Strategy::Adaptive(driven)) = plan.strategy() else {
-        panic!("{}", plan.explain())
+    let steps = |plan: &Plan<'_>| match plan.strategy() {
+        Strategy::Adaptive(driven) => driven.steps(),
+        _ => panic!("{}", plan.explain()),
     };
-    assert!(driven.steps() < 1000, "{}", plan.explain());
+    // It fades to nothing at once, in steps that decay keeps short.
+    assert!(steps(&plan) < 1000, "{}", plan.explain());
     let states = states(&plan);
     assert!((states[0].spin.unwrap().y - (-1.0_f64).exp()).abs() < 1e-4);
     assert!(states[1].spin.unwrap().norm() < 1e-6);
@@ -79,27 +80,25 @@ fn stiff_damping_takes_few_steps_and_is_right() {
         let drag = Torque::Damping(Vector3::new(c, c, c));
         let scene = one(body, vec![field.clone(), drag], Times::Given(vec![end]), BOTH, 1e-3);
         let plan = scene.plan(0).unwrap();
-        let Strategy::Stiff(driven) = plan.strategy() else { panic!("{}", plan.explain()) };
-        assert_eq!(driven.method(), Some(Method::LinearisedImplicit), "{}", plan.explain());
-        assert!(plan.explain().contains("which fast damping makes short"), "{}", plan.explain());
+        assert!(steps(&plan) < 100, "{}", plan.explain());
+        assert!(plan.explain().contains("collocation where damping is much faster"), "{}", plan.explain());
         let last = plan.states().last().unwrap().unwrap();
         let turned = last.attitude.unwrap() * Vector3::x();
         assert!((turned.angle(&Vector3::y()) - angle).abs() < 1e-3);
     }
 }
 
-/// Damping creeps for all of the run: the pair's steps are short, and still the fewest that are right. Or it
-/// fades within a hundredth of it, and kicks are cheaper than the pair.
+/// Damping creeps for all of the run, or fades within a hundredth of it.
 #[test]
-fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
+fn fast_damping_against_a_field_or_a_push_is_as_right_as_requested() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
     let needle = Torque::Aligning { arm: Vector3::x(), field: Vector3::new(0.0, 10.0, 0.0) };
     let even = Torque::Damping(Vector3::new(1000.0, 1000.0, 1000.0));
     let (push, uneven) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(5000.0, 1000.0, 2000.0));
     let pushed = vec![Torque::InBody(push), Torque::Damping(uneven)];
-    for (torques, times, by_pair) in [
-        (vec![needle, even], vec![1e-3, 1e-2, 1.0, 10.0, 50.0, 100.0], true),
-        (pushed.clone(), vec![1e-3, 1e-2, 0.1, 1.0, 3.0], false),
+    for (torques, times) in [
+        (vec![needle, even], vec![1e-3, 1e-2, 1.0, 10.0, 50.0, 100.0]),
+        (pushed.clone(), vec![1e-3, 1e-2, 0.1, 1.0, 3.0]),
     ] {
         let to = |accuracy| {
             let times = Times::Given(times.clone());
@@ -107,15 +106,6 @@ fn of_the_ways_through_fast_damping_the_cheapest_that_is_right_is_taken() {
         };
         let (scene, fine) = (to(1e-3), to(1e-9));
         let (plan, truth) = (scene.plan(0).unwrap(), fine.plan(0).unwrap());
-        // To nine digits the pair is the only one that gets there: what it costs bounds the others.
-        let Strategy::Adaptive(_) = truth.strategy() else { panic!("{}", truth.explain()) };
-        assert!(plan.cost().state <= truth.cost().state, "{}", plan.explain());
-        let reason = if by_pair {
-            "steps that fast damping does not shorten"
-        } else {
-            "which fast damping makes short"
-        };
-        assert!(plan.explain().contains(reason), "{}", plan.explain());
         let (mut fastest, mut richest) = (0.0_f64, 0.0_f64);
         for (state, right) in states(&plan).iter().zip(states(&truth)) {
             let (spin, energy) = (right.spin.unwrap(), right.energy.unwrap());
