@@ -108,3 +108,16 @@ fn extreme_damping_is_finite_or_refused_and_soon() {
         }
     }
 }
+
+/// Once at rest, however long the rest: nothing is left to step.
+#[test]
+fn a_spin_that_damping_stops_at_once_is_at_rest_to_the_end() {
+    let system = system(vec![Torque::Damping(Vector3::new(1e6, 2e6, 3.5e6))]);
+    let start = spinning(&system, [1.0, 1.0, 1.2]);
+    let mut budget = 1_000;
+    let end = adaptive(&system, &start, 1e4, 1e-9, &mut budget).unwrap();
+    assert_eq!(end.momentum, Vector3::zeros());
+    // It has turned by spin over rate about each axis.
+    let turned = 2.0 * end.attitude.imag();
+    assert!((turned - Vector3::new(1e-6, 1e-6, 1.2 / 1.4e6)).norm() < 1e-11, "{turned}");
+}

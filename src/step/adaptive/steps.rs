@@ -18,6 +18,9 @@ const DAMPED_STEPS: u32 = 4;
 /// by series.
 const FASTER: f64 = 16.0;
 
+/// A momentum that decays has none left after this number of decay times.
+const FADED: f64 = 800.0;
+
 /// What takes the steps of a run under torques that act in all of it.
 #[derive(Debug, Clone)]
 pub(super) enum Steps<T: nalgebra::Scalar> {
@@ -73,11 +76,14 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         if matches!(self, Self::Collocation(_)) {
             return Ok(());
         }
-        let watched = run.watch.flips.is_some() || run.watch.slopes.is_some();
-        if !watched && run.duration > 0.0 && damping_is_faster(run) {
+        let (watched, change) = (run.watch.flips.is_some() || run.watch.slopes.is_some(), change(run));
+        if !watched && run.duration > 0.0 && damping_is_faster(run, change) {
             *self = Self::Collocation(Collocation::new(run));
-        } else if run.stiff == STIFF_STEPS && (run.duration - run.time).abs() / run.last.abs() > budget as f64
-        {
+            return Ok(());
+        }
+        // To the end, or until nothing is left of the momentum.
+        let left = (run.duration - run.time).abs().min(FADED / change) / run.last.abs();
+        if run.stiff == STIFF_STEPS && left > budget as f64 {
             return Err(run.unfinished("losses far faster than the motion keep its steps short"));
         }
         Ok(())
@@ -94,13 +100,17 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 }
 
+/// The rate at which the momentum changes, relative to its size, 1/s.
+fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>) -> f64 {
+    let rate = run.system.rate_after(&run.state, &Run::number(run.time)).momentum;
+    over(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
+}
+
 /// Whether damping alone keeps steps short: while the motion, which it has slowed, takes far longer.
-fn damping_is_faster<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>) -> bool {
-    let (system, state) = (&run.system, &run.state);
+fn damping_is_faster<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>, change: f64) -> bool {
+    let system = &run.system;
     let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
-    let rate = system.rate_after(state, &Run::number(run.time)).momentum;
-    let change = over(largest(rate.as_slice()), largest(state.momentum.as_slice()));
-    let motion = largest(&[change, largest(system.omega(&state.momentum).as_slice())]);
+    let motion = largest(&[change, largest(system.omega(&run.state.momentum).as_slice())]);
     let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
     !dissipates && decay * run.last > STIFF && decay > FASTER * motion
 }
