@@ -1,10 +1,9 @@
 //! The law of motion as polynomials: what the recurrences of the series need of a body and its torques.
 
-use crate::attitude;
 use crate::number::Analytic;
 use crate::step::system::System;
 use crate::step::torque::Torque;
-use nalgebra::{Matrix3, Quaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -24,11 +23,33 @@ pub(super) struct WorldVector<T> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Gradient<T> {
     /// 1/s².
-    pub(super) strength: T,
-    /// In world axes, at time zero.
-    pub(super) direction: Vector3<T>,
+    strength: T,
     /// In world axes, rad/s.
-    pub(super) orbit: Vector3<T>,
+    orbit: Vector3<T>,
+    /// Its length, or less it, rad/s.
+    rate: T,
+    /// The direction's part along the orbit's axis, in world axes.
+    along: Vector3<T>,
+    /// The rest of it, at time zero and a quarter of a turn on.
+    across: [Vector3<T>; 2],
+}
+
+impl<T: Analytic + Copy> Gradient<T> {
+    fn new(strength: T, direction: &Vector3<T>, orbit: &Vector3<T>) -> Self {
+        let largest = orbit[orbit.map(|x| x.size()).imax()];
+        if largest.is_zero() {
+            let none = Vector3::repeat(T::zero());
+            return Self { strength, orbit: *orbit, rate: largest, along: *direction, across: [none; 2] };
+        }
+        // By the largest component, so that no square leaves the range.
+        let part = orbit.map(|x| x / largest);
+        let length = part.dot(&part).sqrt();
+        let axis = part.map(|x| x / length);
+        let ahead = axis.cross(direction);
+        let across = ahead.cross(&axis);
+        let along = direction - across;
+        Self { strength, orbit: *orbit, rate: largest * length, along, across: [across, ahead] }
+    }
 }
 
 /// How many rates periodic torques may have.
@@ -101,8 +122,7 @@ impl<T: Analytic + Copy> Law<T> {
                 Torque::Damping(_) => {}
                 Torque::Dissipation(strength) => law.dissipation += *strength,
                 Torque::GravityGradient { strength, direction, orbit } if law.gradient.is_none() => {
-                    let gradient = Gradient { strength: *strength, direction: *direction, orbit: *orbit };
-                    law.gradient = Some(gradient);
+                    law.gradient = Some(Gradient::new(*strength, direction, orbit));
                 }
                 Torque::Periodic { amplitude, rate, phase } => {
                     law.add_swing(&amplitude.component_mul(&inverse), *rate, phase)?;
@@ -259,7 +279,9 @@ pub(super) struct TideInUnits<T> {
 impl<T: Analytic + Copy> TideInUnits<T> {
     /// The direction at a time (s), in world axes.
     pub(super) fn direction_at(&self, time: T) -> Vector3<T> {
-        turned(&self.gradient.direction, &self.gradient.orbit, time)
+        let Gradient { rate, along, across: [across, ahead], .. } = &self.gradient;
+        let (sine, cosine) = Analytic::sin_cos(&(*rate * time));
+        Vector3::from_fn(|i, _| along[i] + across[i] * cosine + ahead[i] * sine)
     }
 }
 
@@ -289,13 +311,4 @@ impl<T> InUnits<T> {
     pub(super) fn swings(&self) -> &[SwingInUnits<T>] {
         &self.swings[..self.swing_count]
     }
-}
-
-/// A world vector that has turned at this rate (rad/s) for this time (s).
-fn turned<T: Analytic + Copy>(vector: &Vector3<T>, rate: &Vector3<T>, time: T) -> Vector3<T> {
-    if rate.iter().all(|x| x.is_zero()) || time.is_zero() {
-        return *vector;
-    }
-    let back: Quaternion<T> = attitude::turn(&rate.map(|x| -(x * time)));
-    attitude::rotate_inverse(&back, vector)
 }

@@ -5,11 +5,13 @@
 
 use super::columns::Columns;
 use super::law::{InUnits, LossInUnits, SWINGS, WorldInUnits};
-use super::sums::{Both, Doubled, Four, across, across_sums, add_scaled, four, pairs, scaled, sums, turn};
+use super::sums::{Both, Four, across, across_sums, add_scaled, four, own_sums, pairs, scaled, sums, turn};
 use super::switching::signed;
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
 use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
 use nalgebra::{Quaternion, Vector3};
 
 /// The largest order.
@@ -42,11 +44,11 @@ pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
     pub(super) order: usize,
     attitude: [Four<T>; N],
     spin: Both<T, N>,
-    /// World vectors in body axes.
-    world: [[Four<T>; N]; 3],
     /// Cosine and sine of each swing: the last coefficient alone.
     swings: [[T; 2]; SWINGS],
     // Few laws have them, and all runs are moved.
+    /// World vectors in body axes.
+    world: Vec<[Four<T>; N]>,
     loss: Option<Box<Loss<T, N>>>,
     tide: Option<Box<Tide<T, N>>>,
 }
@@ -60,8 +62,8 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             order: 0,
             attitude: rows,
             spin: both(),
-            world: [rows; 3],
             swings: [[T::zero(); 2]; SWINGS],
+            world: vec![rows; law.world().len()],
             loss: law.loss.map(|_| Box::new(Loss { momentum: rows, coupling: both() })),
             tide: law.tide.map(|_| Box::new(Tide { direction: both(), orbit: rows, turning: both() })),
         }
@@ -90,13 +92,13 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// Begins as another series does.
-    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>, law: &InUnits<T>) {
+    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>) {
         self.order = other.order;
         self.swings = other.swings;
         for power in 0..=other.order {
             self.attitude[power] = other.attitude[power];
             self.spin.set(power, other.spin.up[power]);
-            for (rows, others) in self.world.iter_mut().zip(&other.world).take(law.world().len()) {
+            for (rows, others) in self.world.iter_mut().zip(&other.world) {
                 rows[power] = others[power];
             }
             if let (Some(own), Some(other)) = (&mut self.loss, &other.loss) {
@@ -112,20 +114,29 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The coefficients of everything up to a power.
+    pub(super) fn extend_to(&mut self, order: usize, law: &InUnits<T>) {
+        if law.world().is_empty() && law.tide.is_none() {
+            self.extend_with::<false>(order, law);
+        } else {
+            self.extend_with::<true>(order, law);
+        }
+    }
+
+    /// The same, with a vector that is multiplied by the spin along with the attitude, or without.
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
-    pub(super) fn extend_to(&mut self, order: usize, law: &InUnits<T>) {
+    fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &InUnits<T>) {
         while self.order < order.min(N - 1) {
-            self.extend(law);
+            self.extend::<ACROSS>(law);
         }
     }
 
     /// The next coefficient of everything.
     #[inline(always)]
-    fn extend(&mut self, law: &InUnits<T>) {
+    fn extend<const ACROSS: bool>(&mut self, law: &InUnits<T>) {
         let n = self.order.min(N - 2);
         let over = T::one() / T::integer(n as u32 + 1);
-        let (attitude, spin) = (&self.attitude, &self.spin);
+        let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world().is_empty());
         // The sums last: all else is at hand before they are.
         let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
         if law.damped {
@@ -139,31 +150,40 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             let turn = swing.rate_in_units * over;
             (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
         }
-        let make = if law.world().is_empty() { sums::<T, N, false> } else { sums::<T, N, true> };
-        let sums = make(n + 1, attitude, &spin.up, &self.world[0], &spin.down);
-        if let [first, others @ ..] = law.world() {
-            first.push(&self.world[0][n], &mut rate);
-            self.world[0][n + 1] = scaled(&across(&sums.across), over);
-            for (rows, one) in self.world[1..].iter_mut().zip(others) {
-                one.push(&rows[n], &mut rate);
-                rows[n + 1] = scaled(&across(&across_sums(n + 1, rows, &spin.down)), over);
+        let vector = match (&*self.world, &self.tide) {
+            ([first, ..], _) => first,
+            (_, Some(own)) => &own.orbit,
+            _ => attitude,
+        };
+        let sums = sums::<T, N, ACROSS>(n + 1, attitude, vector, spin);
+        if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, law.world()) {
+            first.push(&rows[n], &mut rate);
+            rows[n + 1] = scaled(&across(&sums.across), over);
+            // Few laws have more, and a loop over none takes its time.
+            if !more.is_empty() {
+                for (rows, one) in more.iter_mut().zip(others) {
+                    one.push(&rows[n], &mut rate);
+                    rows[n + 1] = scaled(&across(&across_sums(n + 1, rows, spin)), over);
+                }
             }
         }
         self.attitude[n + 1] = scaled(&turn(&sums.turn), over / T::integer(2));
-        let pairs = pairs(&sums.pairs[0], &sums.pairs[1]);
+        let pairs = pairs(&sums.pairs);
         let free: Four<T> = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
         if let (Some(own), Some(loss)) = (&mut self.loss, &law.loss) {
             own.add(loss, &spin.up[n], &free, n, &mut rate);
         }
-        if let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
-            own.add(&tide.acceleration, &spin.down, n, over, &mut rate);
+        if ACROSS && let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
+            let turned = if alone { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
+            own.orbit[n + 1] = scaled(&across(&turned), over);
+            own.add(&tide.acceleration, n, over, &mut rate);
         }
         for i in 0..4 {
             rate[i] += free[i];
         }
         let spin = scaled(&rate, over);
         self.spin.set(n + 1, spin);
-        if let Some(own) = &mut self.tide {
+        if ACROSS && let Some(own) = &mut self.tide {
             let turning = core::array::from_fn(|i| spin[i] - own.orbit[n + 1][i]);
             own.turning.set(n + 1, turning);
         }
@@ -250,7 +270,7 @@ impl<T: Analytic + Copy, const N: usize> Loss<T, N> {
         let m = &law.moments;
         self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
         self.momentum[n] = core::array::from_fn(|i| m[i] * spin[i]);
-        let across = across(&across_sums(n + 1, &self.momentum, &self.coupling.down));
+        let across = across(&across_sums(n + 1, &self.momentum, &self.coupling));
         for i in 0..4 {
             rate[i] += law.acceleration[i] * across[i];
         }
@@ -258,18 +278,13 @@ impl<T: Analytic + Copy, const N: usize> Loss<T, N> {
 }
 
 impl<T: Analytic + Copy, const N: usize> Tide<T, N> {
-    /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of direction
-    /// and orbit.
-    fn add(&mut self, acceleration: &Four<T>, spin: &[Doubled<T>; N], n: usize, over: T, rate: &mut Four<T>) {
-        let Both { up, down } = &self.direction;
-        // Of these sums only the first and the second are used.
-        let [[xy, xz], [yz, _], _] = across_sums(n + 1, up, down);
-        let pairs = four([yz, xz, xy]);
+    /// Adds the angular acceleration by the gravity gradient, and makes the direction's next coefficient.
+    fn add(&mut self, acceleration: &Four<T>, n: usize, over: T, rate: &mut Four<T>) {
+        let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
+        let pairs = pairs(&own);
         for i in 0..4 {
             rate[i] -= acceleration[i] * pairs[i];
         }
-        let turned = scaled(&across(&across_sums(n + 1, up, &self.turning.down)), over);
-        self.direction.set(n + 1, turned);
-        self.orbit[n + 1] = scaled(&across(&across_sums(n + 1, &self.orbit, spin)), over);
+        self.direction.set(n + 1, scaled(&across(&turned), over));
     }
 }

@@ -4,7 +4,8 @@
 //! in rows of which the compiler takes two numbers at a time as a vector: a row times one component of the
 //! spin. So that both factors of a sum are read in the order of memory, the second stands there with its
 //! highest power first. What an order costs is as much the time until its last coefficient is made as the
-//! number of products, so what needs that comes last in each sum.
+//! number of products, so what needs that comes last in each sum. What was just stored is quick to load only
+//! as it was stored, so nothing new is loaded in other pairs.
 
 use crate::number::Analytic;
 
@@ -34,63 +35,86 @@ fn add_two<T: Analytic + Copy>(sum: &mut [T; 2], a: [T; 2], b: [T; 2]) {
     }
 }
 
-/// Each component of a vector, twice.
+/// The second component of a vector, its first and its third, each twice: the first two stand together in the
+/// middle.
 pub(super) type Doubled<T> = [[T; 2]; 3];
+
+#[inline(always)]
+fn doubled<T: Copy>(&[x, y, z, _]: &Four<T>) -> Doubled<T> {
+    [[y; 2], [x; 2], [z; 2]]
+}
 
 /// The sums of an order, as they are made: the compiler keeps numbers together that are stored together.
 pub(super) struct Sums<T> {
     /// Of the attitude's halves times each component of the spin.
     pub(super) turn: [[T; 2]; 6],
-    /// Of the spin's other components times the first and the second.
+    /// Of the spin's first two components times the third and the second.
     pub(super) pairs: [[T; 2]; 2],
-    /// Of the two other components of a vector times each.
-    pub(super) across: [[T; 2]; 3],
+    /// Of a vector with the spin.
+    pub(super) across: AcrossSums<T>,
+}
+
+/// The sums of a cross product `g x w`: of `g`'s first two components times `w`'s third, of its third times
+/// the second and the first of `w`, and of its first two times these.
+pub(super) type AcrossSums<T> = [[T; 2]; 3];
+
+#[inline(always)]
+fn add_across<T: Analytic + Copy>(sums: &mut AcrossSums<T>, g: &Four<T>, [y, x, z]: Doubled<T>) {
+    let other = [y[1], x[0]];
+    add_two(&mut sums[0], [g[0], g[1]], z);
+    add_two(&mut sums[1], [g[2]; 2], other);
+    add_two(&mut sums[2], [g[0], g[1]], other);
+}
+
+#[inline(always)]
+fn add_pairs<T: Analytic + Copy>(sums: &mut [[T; 2]; 2], v: &Four<T>, [y, _, z]: Doubled<T>) {
+    add_two(&mut sums[0], [v[0], v[1]], z);
+    add_two(&mut sums[1], [v[0], v[1]], y);
 }
 
 impl<T: Analytic + Copy> Sums<T> {
+    // In this order: each number is loaded once, and no sum leaves its register.
     #[inline(always)]
-    fn add<const ACROSS: bool>(&mut self, q: &Four<T>, v: &Four<T>, g: &Four<T>, [x, y, z]: Doubled<T>) {
-        let (one, two) = ([q[0], q[1]], [q[2], q[3]]);
-        add_two(&mut self.turn[0], one, x);
-        add_two(&mut self.turn[1], two, x);
-        add_two(&mut self.pairs[0], [v[1], v[2]], x);
+    fn add<const ACROSS: bool>(&mut self, q: &Four<T>, v: &Four<T>, g: &Four<T>, w: Doubled<T>) {
+        let ([y, x, z], one, two) = (w, [q[0], q[1]], [q[2], q[3]]);
+        add_two(&mut self.turn[4], one, z);
+        add_two(&mut self.turn[5], two, z);
+        add_two(&mut self.pairs[0], [v[0], v[1]], z);
         if ACROSS {
-            add_two(&mut self.across[0], [g[1], g[2]], x);
+            add_two(&mut self.across[0], [g[0], g[1]], z);
         }
         add_two(&mut self.turn[2], one, y);
         add_two(&mut self.turn[3], two, y);
-        add_two(&mut self.pairs[1], [v[2], v[3]], y);
+        add_two(&mut self.pairs[1], [v[0], v[1]], y);
+        add_two(&mut self.turn[0], one, x);
+        add_two(&mut self.turn[1], two, x);
         if ACROSS {
-            add_two(&mut self.across[1], [g[2], g[3]], y);
-        }
-        add_two(&mut self.turn[4], one, z);
-        add_two(&mut self.turn[5], two, z);
-        if ACROSS {
-            add_two(&mut self.across[2], [g[0], g[1]], z);
+            let other = [y[1], x[0]];
+            add_two(&mut self.across[1], [g[2]; 2], other);
+            add_two(&mut self.across[2], [g[0], g[1]], other);
         }
     }
 }
 
-/// The first `n` products of attitude `q`, spin `v` and, if requested, a vector `g`, from the lowest power
-/// up, with the spin `w` from the highest power down to the lowest.
-// Not inlined, as the next: see `Sums`.
+/// The first `n` products of attitude `q`, spin and, if requested, a vector `g`, from the lowest power up,
+/// with the spin from the highest power down to the lowest.
+// Not inlined, as the others: see `Sums`.
 #[inline(never)]
 pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
     n: usize,
     q: &[Four<T>; N],
-    v: &[Four<T>; N],
     g: &[Four<T>; N],
-    w: &[Doubled<T>; N],
+    Both { up: v, down }: &Both<T, N>,
 ) -> Sums<T> {
-    let n = n.min(N);
-    let w = &w[N - n..];
+    let n = n.clamp(1, N);
+    let w = &down[N - n..];
     let none = [T::zero(); 2];
     let mut sums = Sums { turn: [none; 6], pairs: [none; 2], across: [none; 3] };
     // The highest power of the spin last: it is still being made while the others are added.
     for k in 1..n {
         sums.add::<ACROSS>(&q[k], &v[k], &g[k], w[k]);
     }
-    sums.add::<ACROSS>(&q[0], &v[0], &g[0], w[0]);
+    sums.add::<ACROSS>(&q[0], &v[0], &g[0], doubled(&v[n - 1]));
     sums
 }
 
@@ -99,21 +123,36 @@ pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
 pub(super) fn across_sums<T: Analytic + Copy, const N: usize>(
     n: usize,
     g: &[Four<T>; N],
-    w: &[Doubled<T>; N],
-) -> [[T; 2]; 3] {
-    let n = n.min(N);
-    let w = &w[N - n..];
+    Both { up, down }: &Both<T, N>,
+) -> AcrossSums<T> {
+    let n = n.clamp(1, N);
+    let w = &down[N - n..];
     let mut sums = [[T::zero(); 2]; 3];
-    let mut add = |g: &Four<T>, [x, y, z]: Doubled<T>| {
-        add_two(&mut sums[0], [g[1], g[2]], x);
-        add_two(&mut sums[1], [g[2], g[3]], y);
-        add_two(&mut sums[2], [g[0], g[1]], z);
-    };
     for k in 1..n {
-        add(&g[k], w[k]);
+        add_across(&mut sums, &g[k], w[k]);
     }
-    add(&g[0], w[0]);
+    add_across(&mut sums, &g[0], doubled(&up[n - 1]));
     sums
+}
+
+/// The same, and the first `n` products of `g` with its own third component and its second.
+#[inline(never)]
+pub(super) fn own_sums<T: Analytic + Copy, const N: usize>(
+    n: usize,
+    Both { up: g, down: own }: &Both<T, N>,
+    Both { up, down }: &Both<T, N>,
+) -> (AcrossSums<T>, [[T; 2]; 2]) {
+    let n = n.clamp(1, N);
+    let (w, own) = (&down[N - n..], &own[N - n..]);
+    let none = [T::zero(); 2];
+    let (mut across, mut pairs) = ([none; 3], [none; 2]);
+    for k in 1..n {
+        add_across(&mut across, &g[k], w[k]);
+        add_pairs(&mut pairs, &g[k], own[k]);
+    }
+    add_across(&mut across, &g[0], doubled(&up[n - 1]));
+    add_pairs(&mut pairs, &g[0], doubled(&g[n - 1]));
+    (across, pairs)
 }
 
 /// Twice the rate of the attitude.
@@ -124,14 +163,14 @@ pub(super) fn turn<T: Analytic + Copy>([a, b, c, d, e, f]: &[[T; 2]; 6]) -> Four
 
 /// `g x w`.
 #[inline(always)]
-pub(super) fn across<T: Analytic + Copy>([s, t, u]: &[[T; 2]; 3]) -> Four<T> {
-    four([u[1] - t[0], s[1] - u[0], t[1] - s[0]])
+pub(super) fn across<T: Analytic + Copy>([s, t, u]: &AcrossSums<T>) -> Four<T> {
+    four([s[1] - t[0], t[1] - s[0], u[0] - u[1]])
 }
 
 /// The products `w2 w3`, `w3 w1`, `w1 w2`.
 #[inline(always)]
-pub(super) fn pairs<T: Analytic + Copy>(first: &[T; 2], second: &[T; 2]) -> Four<T> {
-    four([second[0], first[1], first[0]])
+pub(super) fn pairs<T: Analytic + Copy>([first, second]: &[[T; 2]; 2]) -> Four<T> {
+    four([first[1], first[0], second[0]])
 }
 
 /// Coefficients of a vector, from the lowest power up and from the highest down.
@@ -144,8 +183,7 @@ pub(super) struct Both<T, const N: usize> {
 impl<T: Copy, const N: usize> Both<T, N> {
     #[inline(always)]
     pub(super) fn set(&mut self, power: usize, value: Four<T>) {
-        let [x, y, z, _] = value;
         self.up[power] = value;
-        self.down[N - 1 - power] = [[x; 2], [y; 2], [z; 2]];
+        self.down[N - 1 - power] = doubled(&value);
     }
 }

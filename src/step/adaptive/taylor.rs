@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
+use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
@@ -20,7 +21,7 @@ pub(super) struct Taylor<T: nalgebra::Scalar> {
     /// The same in units of time of this number of seconds, a power of two.
     in_units: InUnits<T>,
     unit: f64,
-    series: Series<T, LENGTH>,
+    series: Box<Series<T, LENGTH>>,
     /// That of the first order about the end of a step: it tells the step's error, and begins the next.
     next: Series<T, 2>,
     /// Whether it is about the run's state.
@@ -34,7 +35,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     pub(super) fn new(system: &System<T>, tolerance: f64) -> Option<Self> {
         let law = Law::of(system)?;
         let in_units = law.in_units(T::one());
-        let (series, next) = (Series::new(&in_units), Series::new(&in_units));
+        let (series, next) = (Box::new(Series::new(&in_units)), Series::new(&in_units));
         Some(Self { law, in_units, unit: 1.0, series, next, ready: false, most: order(tolerance) })
     }
 
@@ -55,7 +56,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// The coefficients about the state now; the longest step that keeps the last of them below the
     /// tolerance, in units.
     fn fill(&mut self, weights: &[f64; 3], columns: Option<&Columns<T>>, far: f64, tolerance: f64) -> f64 {
-        self.series.begin_as(&self.next, &self.in_units);
+        self.series.begin_as(&self.next);
         let (mut power, mut below) = (far, false);
         if far > 1.0 {
             self.series.extend_to(self.most, &self.in_units);
@@ -77,7 +78,9 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let size = |order: usize| self.series.size(order, weights, columns);
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
-        exponential(if last < before { last } else { before })
+        let longest = exponential(if last < before { last } else { before });
+        // Rather than a short step at the end, one that is somewhat longer.
+        if far < 1.1 * longest { far } else { longest }
     }
 
     /// The end of a step of `x` units at a time (s after the start of the run), and its error: how far the
