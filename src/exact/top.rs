@@ -6,8 +6,11 @@ mod factor;
 mod integrals;
 mod mounted;
 mod nutation;
+mod precession;
 mod prepare;
 mod regime;
+#[cfg(test)]
+mod tests;
 
 pub use regime::TopRegime;
 
@@ -246,7 +249,7 @@ impl LagrangeTop {
     }
 
     /// The time from one highest place of the axis to the next, s: the period of the nutation. `None` where
-    /// the lean does not change, and where it does not come back.
+    /// the lean is constant, and on the separatrix, where the axis does not return.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         let Law::Nutation(nutation) = &self.law else { return None };
@@ -256,13 +259,15 @@ impl LagrangeTop {
     }
 
     /// How fast the axis goes round the vertical in the mean over a period, rad/s; counter-clockwise seen
-    /// from above is positive. Where the axis stands still it is zero. Where the axis passes exactly through
-    /// the vertical and so leaps to the other side, as a plane pendulum's, the leaps do not count.
+    /// from above is positive. Right to the rounding of the inputs times its condition number, however slow
+    /// it is relative to the spin. Zero where the axis stands still. Where the axis passes exactly through
+    /// the vertical and so leaps to the other side, as a plane pendulum's, the leaps do not count; on the
+    /// separatrix it is the rate that the axis comes to in the end.
     #[must_use]
     pub fn precession_rate(&self) -> f64 {
         match &self.law {
             Law::Steady(_) => 0.0,
-            Law::Nutation(nutation) => times_power_of_two(nutation.precession(), self.exponent),
+            Law::Nutation(nutation) => times_power_of_two(nutation.precession, self.exponent),
         }
     }
 

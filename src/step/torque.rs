@@ -276,7 +276,10 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
             Self::InBody(torque) | Self::InWorld(torque) => finite_vector("the torque", &vector(torque)),
             Self::Aligning { arm, field } => {
                 finite_vector("the arm", &vector(arm))?;
-                finite_vector("the field", &vector(field))
+                finite_vector(
+                    "the field, or the weight, or the stiffness times the direction of rest,",
+                    &vector(field),
+                )
             }
             Self::Damping(coefficients) => {
                 let coefficients = vector(coefficients);

@@ -1,5 +1,6 @@
 //! Adaptive runs under torques: against a table of many digits, another engine, and what is conserved.
 
+use crate::common::refused;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
@@ -468,4 +469,16 @@ fn a_refusal_counts_from_the_start_of_the_run() {
     let steps = 100_000 - whole - 3;
     let error = adaptive(&system, &start, 10.0, 1e-12, &mut { steps }).unwrap_err().to_string();
     assert!(error.contains("of 1e1 s") && error.contains(&format!("{steps} steps")), "{error}");
+}
+
+#[test]
+fn a_spring_too_stiff_for_a_number_is_refused_by_its_name() {
+    let body = Body::spinning(
+        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
+        UnitQuaternion::identity(),
+        &Vector3::x(),
+    );
+    let spring = Torque::spring(&Vector3::x(), &Vector3::new(0.0, 1e10, 3.0), 1e300);
+    let stepper = Stepper::<f64>::adaptive(&body.unwrap(), 1e-9, 100).unwrap().with_torques([spring]);
+    refused(stepper.map(drop), ErrorKind::NotFinite, "the stiffness");
 }

@@ -2,8 +2,9 @@
 //!
 //! A [`Chart`] sweeps one difficulty (a turn per step, a needle's thinness, a push, a damping, or a list of
 //! named cases); each of its [`Place`]s is one run of one method, judged with the rules of [`Fate`]: against
-//! the exact motion, or, under torques, against a table of many digits. No time is measured, so the same
-//! machine always draws the same atlas.
+//! the exact motion, or, under torques, against a table of many digits. A run in single precision is judged
+//! on the body that it is given, with rounded numbers. No time is measured, so the same machine always draws
+//! the same atlas.
 
 mod cases;
 mod driven;
@@ -193,7 +194,7 @@ pub fn atlas() -> Result<Vec<Place>, Wrong> {
 pub fn written(places: &[Place]) -> String {
     let mut text = String::from(
         "# What becomes of each method of the library on each hard case, judged against the exact motion, and under \
-         torques against data/atlas.json.\n\
+         torques against data/atlas.json; in f32 on the body of rounded numbers.\n\
          # Made by: cargo run --release -- atlas. No time is measured.\n\
          chart\tcase\trunner\tprecision\tfate\n",
     );

@@ -60,6 +60,22 @@ impl Drive {
         })
     }
 
+    /// With its numbers rounded to single precision.
+    pub(crate) fn in_single(&self) -> Self {
+        let vector = |v: &Vector3<f64>| v.map(single);
+        Self {
+            arm: vector(&self.arm),
+            weight: single(self.weight),
+            damping: vector(&self.damping),
+            world: vector(&self.world),
+            gradient: single(self.gradient),
+            orbit: single(self.orbit),
+            push: vector(&self.push),
+            rate: single(self.rate),
+            phases: self.phases.iter().map(|(seconds, pulse)| (*seconds, vector(pulse))).collect(),
+        }
+    }
+
     /// Whether it depends on the time within a phase.
     #[must_use]
     pub fn timed(&self) -> bool {
@@ -107,6 +123,13 @@ impl Drive {
         }
         Ok(systems)
     }
+}
+
+/// The number that single precision has of `x`: `x` itself where that is zero or infinite, or loses digits to
+/// the end of the range.
+pub(crate) fn single(x: f64) -> f64 {
+    let rounded = x as f32;
+    if rounded.is_normal() { f64::from(rounded) } else { x }
 }
 
 /// A time in which the same torques act.

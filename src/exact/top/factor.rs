@@ -79,8 +79,6 @@ pub(super) struct Direct {
     along_sin: [f64; 4],
     pub(super) factor: [f64; 2],
     pub(super) drift: DoubleDouble,
-    /// 1 or -1: the way its argument turns.
-    pub(super) sense: f64,
     pub(super) greatest: f64,
 }
 
@@ -148,7 +146,6 @@ impl Direct {
             .map(|x| x * shape.sense),
             factor: [1.0, 0.0],
             drift,
-            sense: shape.sense,
             greatest: shape.size,
         };
         let largest = if shape.first { [1.0, 0.0] } else { [0.0, 1.0] };
@@ -190,8 +187,6 @@ pub(super) struct Complementary {
     pub(super) drift: DoubleDouble,
     /// Turns that each half period adds.
     step: f64,
-    /// What the argument itself turns by in half a period.
-    pub(super) winding: f64,
     pub(super) greatest: f64,
 }
 
@@ -222,7 +217,6 @@ impl Complementary {
             factor: [1.0, 0.0],
             drift: DoubleDouble::ZERO,
             step: shape.sense * if shape.first { -depth } else { rest } / PI,
-            winding: shape.sense * 2.0 * rest,
             greatest: shape.size,
         };
         let largest = if shape.first { Ends::at_saddle(nome) } else { Ends::at_flip(nome) };

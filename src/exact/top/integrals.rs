@@ -2,6 +2,14 @@
 
 use super::cubic::Cubic;
 use crate::number::double_double::DoubleDouble;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
+
+/// Half units in the last place by which the numbers of a steady start may be off. The rate of a steady
+/// precession, `2 k / (L + sqrt(L² - 4 A k cos))` with the momentum `L` about the axis and the weight's
+/// torque `k`, takes ten operations, and its part across the axis a sine and a product; the attitude a sine,
+/// a cosine and a product of two.
+pub(super) const ROUNDINGS: f64 = 16.0;
 
 /// A start in units of one rate, with the body's axis of symmetry last, from the fixed point to the weight.
 pub(super) struct Start {
@@ -92,15 +100,34 @@ impl Integrals {
         if self.from_top.hi() < 1.0 { one - self.from_top } else { self.from_bottom - one }
     }
 
+    /// How the square of the rate of `u` grows with `u` at the start: zero where the axis is in balance.
+    fn slope(&self) -> DoubleDouble {
+        (self.along * self.about - self.height() * self.across_squared) * 2.0
+            - self.pull * self.from_bottom * self.from_top
+    }
+
+    /// Whether the axis neither rises nor leaves its balance by more than [`ROUNDINGS`] of the start explain.
+    /// About the start that square is `r² + s x - g x²`, with the rate `r`, the slope `s` and `x` the way
+    /// up, so that the axis swings by the root of `s² + 4 g r²` over `g`. A rounding of one number changes
+    /// `s` and `r` by its share in their terms.
+    pub(super) fn is_steady(&self) -> bool {
+        let [square, pull, along] = [self.across_squared, self.pull, self.along].map(|x| x.hi().abs());
+        let level = (self.from_bottom * self.from_top).hi();
+        let moving = (level * square).sqrt();
+        let bend = (self.third + self.pull * self.from_top).hi();
+        let sway = |slope: f64, rising: f64| slope * slope + 4.0 * bend * rising * rising;
+        let terms = 2.0 * along * moving + 2.0 * square + pull * level;
+        let rounding = ROUNDINGS * 0.5 * f64::EPSILON;
+        sway(self.slope().hi(), self.rising.hi()) <= sway(rounding * terms, rounding * moving)
+    }
+
     /// The roots, each from the start, the top or the bottom, whichever is near: so each has all its digits,
     /// and what lies between two of them is a sum.
     fn find_bounds(&mut self) {
         let (b, pull, square) = (self.along, self.pull, self.across_squared);
         let twice = |x: DoubleDouble| x * 2.0;
         let curve = twice(pull * self.height()) - square - b * b;
-        let slope =
-            twice(b * self.about) - twice(self.height() * square) - pull * self.from_bottom * self.from_top;
-        let from_start = Cubic([self.rising * self.rising, slope, curve, pull]);
+        let from_start = Cubic([self.rising * self.rising, self.slope(), curve, pull]);
         let (down, up) = (from_start.below(), from_start.above());
 
         let at_top = square - pull * self.from_top;

@@ -7,7 +7,7 @@ use crate::inertia::{Inertia, PrincipalMoments};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// How far two moments may differ, and an arm be off its axis, relative.
-const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-14;
 
 const OFF_AXIS: &str = "the part of the arm across the principal axis next to it, relative to the arm,";
 

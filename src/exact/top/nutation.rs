@@ -5,7 +5,6 @@ use crate::exact::elliptic::sin_cos_of_turns;
 use crate::exact::elliptic_motion::{Ends, Fold};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
-use core::f64::consts::TAU;
 
 /// All that an instant needs, in units of one rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,8 +14,8 @@ pub(super) struct Nutation {
     pub(super) half_period: DoubleDouble,
     /// How fast Jacobi's argument runs.
     pub(super) rate: f64,
-    /// Whether the axis passes straight down, and straight up.
-    pub(super) passes: [bool; 2],
+    /// How fast the axis goes round the vertical in the mean, in radians.
+    pub(super) precession: f64,
 }
 
 /// The series by which it is summed.
@@ -60,22 +59,6 @@ impl Nutation {
             Form::Complementary { fold, separatrix: true, .. } => fold.without_return(time).ends(),
             Form::Complementary { fold, .. } => fold.at(time).ends(),
             Form::Direct { .. } => Ends::at_flip(0.0),
-        }
-    }
-
-    /// How fast the axis goes round the vertical in the mean: nothing where it never comes round again.
-    pub(super) fn precession(&self) -> f64 {
-        let counted = |k: usize, x: f64| if self.passes[k] { 0.0 } else { x };
-        match &self.form {
-            Form::Direct { turns, factors: [alpha, beta, _], .. } => {
-                let drift = alpha.drift + beta.drift;
-                let winding = counted(0, alpha.sense) + counted(1, beta.sense);
-                TAU * (drift + *turns * winding).hi()
-            }
-            Form::Complementary { factors: [alpha, beta, _], .. } => {
-                let winding = counted(0, alpha.winding) + counted(1, beta.winding);
-                TAU * (alpha.drift + beta.drift).hi() + winding / self.half_period.hi()
-            }
         }
     }
 

@@ -155,7 +155,12 @@ impl Integrals {
             Form::Complementary { fold, nome, separatrix, factors }
         };
         let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
-        Nutation { form, half_period, rate: rate.hi(), passes: self.passes() }
+        Nutation {
+            form,
+            half_period,
+            rate: rate.hi(),
+            precession: self.precession(long, complement.hi(), quarter.hi()),
+        }
     }
 
     /// The sign that ties the spin across the axis to `alpha` and `beta`, where these keep more of its
@@ -165,11 +170,6 @@ impl Integrals {
         let about_lowest = self.at_bottom - self.along * self.bottoms[0];
         let small = share > 0.0 && share < 0.1 * alpha.share().min(beta.share());
         small.then(|| -alpha.sense * sense(about_lowest))
-    }
-
-    /// Whether the axis passes through the lowest point, and through the highest.
-    fn passes(&self) -> [bool; 2] {
-        [self.at_bottom.hi() == 0.0, self.at_top.hi() == 0.0]
     }
 }
 

@@ -14,13 +14,17 @@ use super::integrals::Integrals;
 ///     let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), lean);
 ///     LagrangeTop::new(moments, leaning, &omega.into(), &Vector3::z(), 2.0).map(|top| top.regime())
 /// };
-/// // Upright it stands if (0.5 spin)² is 4 x 1 x 2 at least.
+/// // Upright it is stable if (0.5 spin)² is at least 4 x 1 x 2.
 /// assert_eq!(regime(0.0, [0.0, 0.0, 6.0])?, TopRegime::Sleeping { stable: true });
 /// assert_eq!(regime(0.0, [0.0, 0.0, 5.0])?, TopRegime::Sleeping { stable: false });
 /// assert_eq!(regime(0.5, [0.0, 0.0, 9.0])?, TopRegime::Cusped);
 /// assert_eq!(regime(0.5, [0.0, 0.1, 9.0])?, TopRegime::Nutation);
 /// assert_eq!(regime(0.5, [0.0, -0.9, 9.0])?, TopRegime::Looping);
 /// assert_eq!(regime(0.5, [0.1, 0.3, 0.0])?, TopRegime::Pendulum);
+/// // Steady at 0.5 rad, where 1 x cos(0.5) x rate² - 0.5 x 9 x rate + 2 is zero.
+/// let rate = 4.0 / (4.5 + (4.5_f64.powi(2) - 8.0 * 0.5_f64.cos()).sqrt());
+/// let spin = 9.0;
+/// assert_eq!(regime(0.5, [0.0, rate * 0.5_f64.sin(), spin])?, TopRegime::SteadyPrecession);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,15 +33,19 @@ pub enum TopRegime {
     /// Without weight or without an arm: a free symmetric body.
     Free,
     /// Exactly upright, turning about its axis or at rest: both the lean and the spin across the axis are 0,
-    /// not merely small. It is stable from the critical spin on, where the square of the momentum about the
-    /// axis is 4 x (moment across it) x weight x arm.
+    /// not merely small. It is stable where the square of the momentum about the axis is at least
+    /// 4 x (moment across it) x weight x arm.
     Sleeping {
         /// Whether a small push leaves it nearly upright.
         stable: bool,
     },
     /// Exactly straight down, turning about its axis or at rest: it leans by 180°, to the bit.
     Hanging,
-    /// It goes round at a constant lean and rate.
+    /// It goes round at a constant lean and rate, to the rounding of the numbers that it is given by: a start
+    /// computed in `f64` from one of the two steady rates counts as steady, up to 16 roundings (2⁻⁵³ each)
+    /// of the terms in balance. The two values of [`lean`](super::LagrangeTop::lean) may then differ by the
+    /// swing that these roundings leave. A [`Body`](crate::Body) keeps its momentum in world axes: that
+    /// rounds by more than this if the body spins much faster than it precesses.
     SteadyPrecession,
     /// It rises and sinks, and always goes round the same way.
     Nutation,
@@ -45,7 +53,7 @@ pub enum TopRegime {
     Cusped,
     /// It rises and sinks, and goes backward for a part of each loop.
     Looping,
-    /// It has no momentum about its axis: a spherical or a plane pendulum.
+    /// It has no momentum about its axis: a spherical or a plane pendulum, or one that goes round on a cone.
     Pendulum,
     /// It comes from exactly upright and returns there, without end.
     Separatrix,
@@ -67,7 +75,7 @@ impl TopRegime {
         if along.hi() == 0.0 {
             return Self::Pendulum;
         }
-        if down.hi() == 0.0 && up.hi() == 0.0 {
+        if integrals.is_steady() {
             return Self::SteadyPrecession;
         }
         let (low, high) = (*about + *along * *down, *about - *along * *up);

@@ -2,6 +2,7 @@
 
 use super::cases::Case;
 use super::{BUDGET, Fate, Judged, Precision, Runner, TOLERANCES};
+use crate::drive::single;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 use tumbling::dynamics::observe;
@@ -40,21 +41,27 @@ impl Judged for Case {
             Runner::Stepper(method) => Some(method),
             Runner::Exact | Runner::Adaptive => None,
         };
+        let given = if precision == Precision::Single { &self.in_single() } else { self };
         let end = match (runner, precision) {
             (Runner::Exact, Precision::Single) => return None,
-            (Runner::Exact, Precision::Double) => self.exactly(),
-            (_, Precision::Double) => self.stepped::<f64>(method, TOLERANCES[0]),
-            (_, Precision::Single) => self.stepped::<f32>(method, TOLERANCES[1]),
+            (Runner::Exact, Precision::Double) => given.exactly(),
+            (_, Precision::Double) => given.stepped::<f64>(method, TOLERANCES[0]),
+            (_, Precision::Single) => given.stepped::<f32>(method, TOLERANCES[1]),
         };
         Some(match end {
             End::Refused => Fate::Refused,
             End::NotFinite => Fate::NotFinite,
-            End::Seen(seen) => self.fate(&seen).unwrap_or(Fate::Refused),
+            End::Seen(seen) => given.fate(&seen).unwrap_or(Fate::Refused),
         })
     }
 }
 
 impl Case {
+    /// The body that single precision is given, of rounded numbers.
+    fn in_single(&self) -> Self {
+        Self { moments: self.moments.map(single), omega: self.omega.map(single), ..self.clone() }
+    }
+
     fn system(&self) -> Result<System<f64>, tumbling::Error> {
         let moments = Vector3::from(self.moments);
         if self.damping == 0.0 {
