@@ -40,7 +40,7 @@ const UNKNOWN: f64 = 40.0;
 /// The longest step, in radians of the spin.
 const COARSEST: f64 = 2.0;
 /// Loosest and tightest tolerance, powers of ten.
-const TOLERANCES: std::ops::RangeInclusive<i32> = 3..=14;
+const TOLERANCES: std::ops::RangeInclusive<i32> = 3..=15;
 /// A ladder ends when this many rungs in a row have not brought the attitude nearer.
 const NO_BETTER: u32 = 3;
 /// The least time to take, s: what is shorter is run several times over.
