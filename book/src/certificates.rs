@@ -2,7 +2,6 @@
 
 use crate::files::write_changed;
 use crate::{paths, say};
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -79,19 +78,6 @@ fn table(certificates: &[Certificate]) -> String {
         all.iter_mut().zip(row).for_each(|(sum, n)| *sum += n);
     }
     let _ = writeln!(text, "| all | {} | {} | {} | {} |", all[0], all[1], all[2], all[3]);
-    let long: BTreeMap<&str, usize> =
-        certificates.iter().flat_map(|c| &c.long).fold(BTreeMap::new(), |mut all, (name, _)| {
-            *all.entry(*name).or_default() += 1;
-            all
-        });
-    if !long.is_empty() {
-        let count: usize = long.values().sum();
-        let _ = writeln!(
-            text,
-            "\n{count} claims are too long for Coq's `field` to decide in a second, and have no theorem:\n"
-        );
-        long.iter().for_each(|(name, count)| text += &format!("- {name}: {count}\n"));
-    }
     let without: Vec<_> = certificates.iter().flat_map(|c| &c.without).collect();
     if !without.is_empty() {
         let _ = writeln!(

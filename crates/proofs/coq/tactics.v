@@ -55,17 +55,3 @@ Tactic Notation "cut_to" ident(t) constr(form) tactic3(proof) :=
 
 (* Puts what they stand for in place of all named parts. *)
 Ltac unnamed := repeat match goal with t := _ : R |- _ => subst t end.
-
-(* Relations whose coefficients are no whole numbers are none for `field`: of w² = 1/2 it is given (2 w)² = 2. *)
-Ltac halved :=
-  match goal with
-  | H : ?w ^ 2 = 1 / 2 |- _ =>
-      let K := fresh "K" in
-      assert (K : exists u, w = u / 2 /\ u ^ 2 = 2)
-        by (exists (2 * w); split; [lra | replace ((2 * w) ^ 2) with (4 * w ^ 2) by ring; lra]);
-      let u := fresh "u" in let E := fresh "E" in
-      destruct K as (u & E & K); subst w; clear H; field [K]
-  end.
-
-Tactic Notation (at level 0) "field" "[" constr_list(rules) "]" :=
-  first [let G := Get_goal in field_lookup (PackField FIELD) [rules] G | halved].

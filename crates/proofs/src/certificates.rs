@@ -14,7 +14,7 @@ use crate::proof::{Outcome, Proof, Residue};
 use crate::proofs::proofs;
 use crate::record::{Claim, Entry, recorded};
 use std::fmt::Write as _;
-use theorem::{Theorem, Without};
+use theorem::Theorem;
 
 /// One file of theorems: those of the proofs of one part of the library.
 #[derive(Debug, Clone)]
@@ -33,8 +33,6 @@ pub struct Certificate {
     pub counterexamples: usize,
     /// The number of mutants whose claim a theorem refutes.
     pub mutants: usize,
-    /// Claims whose proof would take too long, each with the name of its proof.
-    pub long: Vec<(&'static str, String)>,
     /// Claims for which no theorem could be written, each with its proof.
     pub missing: Vec<String>,
 }
@@ -55,13 +53,10 @@ pub fn certificates() -> Vec<Certificate> {
     all
 }
 
-/// A proof whose claims are too much for `field`: second derivatives where roots tie all moments.
-const TOO_MUCH: &str = "sensitivity-of-the-spin";
-
 const HEADER: &str = "\
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 ";
 
 impl Certificate {
@@ -74,7 +69,6 @@ impl Certificate {
             theorems: 0,
             counterexamples: 0,
             mutants: 0,
-            long: Vec::new(),
             missing: Vec::new(),
         }
     }
@@ -93,24 +87,16 @@ impl Certificate {
         let _ = write!(self.text, "\n\n(** {}: {} *)\n", proof.name, plain(proof.statement));
         for (k, claim) in claims.iter().enumerate() {
             let name = format!("{name}_{}", k + 1);
-            if !claim.holds {
-                match Theorem::fails(&name, claim) {
-                    Some(theorem) => {
-                        self.counterexamples += 1;
-                        self.write(&theorem);
-                    }
-                    None => self.missing.push(format!("{}: {}", proof.name, claim.words)),
-                }
-                continue;
-            }
-            match Theorem::holds(&name, claim) {
-                Ok(_) if proof.name == TOO_MUCH => self.long.push((proof.name, claim.words.clone())),
-                Ok(theorem) => {
-                    self.theorems += 1;
+            let (theorem, count) = match claim.holds {
+                true => (Theorem::holds(&name, claim), &mut self.theorems),
+                false => (Theorem::fails(&name, claim), &mut self.counterexamples),
+            };
+            match theorem {
+                Some(theorem) => {
+                    *count += 1;
                     self.write(&theorem);
                 }
-                Err(Without::Long) => self.long.push((proof.name, claim.words.clone())),
-                Err(Without::Empty) => self.missing.push(format!("{}: {}", proof.name, claim.words)),
+                None => self.missing.push(format!("{}: {}", proof.name, claim.words)),
             }
         }
         for (k, mutant) in proof.mutants.iter().enumerate() {
@@ -118,12 +104,11 @@ impl Certificate {
             let name = format!("{name}_mutant_{}", k + 1);
             let _ = write!(self.text, "\n(* With {}. *)\n", plain(mutant.change));
             match refutation(&name, &outcome, &entries) {
-                Ok(theorems) => {
+                Some(theorems) => {
                     self.mutants += 1;
                     theorems.iter().for_each(|theorem| self.write(theorem));
                 }
-                Err(Without::Long) => self.long.push((proof.name, mutant.change.to_owned())),
-                Err(Without::Empty) => self.missing.push(format!("{} with {}", proof.name, mutant.change)),
+                None => self.missing.push(format!("{} with {}", proof.name, mutant.change)),
             }
         }
     }
@@ -135,7 +120,7 @@ impl Certificate {
 
 /// What refutes a mutant: numbers for which its last claim fails; or, if it claims that something fails, that
 /// it holds.
-fn refutation(name: &str, outcome: &Outcome, entries: &[Entry]) -> Result<Vec<Theorem>, Without> {
+fn refutation(name: &str, outcome: &Outcome, entries: &[Entry]) -> Option<Vec<Theorem>> {
     if let (Err(Residue::Missing { .. }), [before @ .., Entry::Broken(false)]) = (outcome, entries) {
         let from = before.iter().rposition(|entry| matches!(entry, Entry::Broken(_))).map_or(0, |at| at + 1);
         let held = claimed(&before[from..]);
@@ -144,9 +129,9 @@ fn refutation(name: &str, outcome: &Outcome, entries: &[Entry]) -> Result<Vec<Th
     }
     match entries.last() {
         Some(Entry::Claimed(claim)) if !claim.holds => {
-            Theorem::fails(name, claim).map(|theorem| vec![theorem]).ok_or(Without::Empty)
+            Theorem::fails(name, claim).map(|theorem| vec![theorem])
         }
-        _ => Err(Without::Empty),
+        _ => None,
     }
 }
 

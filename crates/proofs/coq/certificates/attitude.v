@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** attitudes-are-rotations: The matrix of every unit quaternion is a rotation: R R^T = 1, and its determinant is 1, so it mirrors nothing. *)
@@ -15,8 +15,7 @@ Theorem attitudes_are_rotations_1 :
   t_1 * t_1 + (t_2 * t_2 + t_3 * t_3) = 1.
 Proof.
   intros w x y z H_1 t_1 t_2 t_3 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, xy *)
@@ -28,7 +27,7 @@ Theorem attitudes_are_rotations_2 :
     (x * y + w * z))) = 0.
 Proof.
   intros w x y z H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, xz *)
@@ -40,7 +39,7 @@ Theorem attitudes_are_rotations_3 :
     (x * z - w * y))) = 0.
 Proof.
   intros w x y z H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, yx *)
@@ -52,7 +51,7 @@ Theorem attitudes_are_rotations_4 :
     - y * y - z * z)) = 0.
 Proof.
   intros w x y z H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, yy *)
@@ -65,8 +64,7 @@ Theorem attitudes_are_rotations_5 :
   t_1 * t_1 + (t_2 * t_2 + t_3 * t_3) = 1.
 Proof.
   intros w x y z H_1 t_1 t_2 t_3 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, yz *)
@@ -78,7 +76,7 @@ Theorem attitudes_are_rotations_6 :
     (x * z - w * y))) = 0.
 Proof.
   intros w x y z H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, zx *)
@@ -90,7 +88,7 @@ Theorem attitudes_are_rotations_7 :
     y * y - z * z)) = 0.
 Proof.
   intros w x y z H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, zy *)
@@ -102,7 +100,7 @@ Theorem attitudes_are_rotations_8 :
     (x * y + w * z))) = 0.
 Proof.
   intros w x y z H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* R R^T = 1, zz *)
@@ -115,8 +113,7 @@ Theorem attitudes_are_rotations_9 :
   t_1 * t_1 + (t_2 * t_2 + t_3 * t_3) = 1.
 Proof.
   intros w x y z H_1 t_1 t_2 t_3 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* the determinant of R *)
@@ -133,8 +130,7 @@ Theorem attitudes_are_rotations_10 :
     (t_3 * t_5 - t_6 * t_2) + (x * z + w * y + (x * z + w * y)) * (t_6 * t_4 - t_1 * t_5) = 1.
 Proof.
   intros w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* With one entry's sign changed. *)
@@ -194,8 +190,7 @@ Theorem attitudes_multiply_as_rotations_1 :
     y + w * z)) + (w2 * w2 + x2 * x2 - y2 * y2 - z2 * z2) * (w * w + x * x - y * y - z * z)).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 t_2 t_3 t_4 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), xy *)
@@ -208,8 +203,7 @@ Theorem attitudes_multiply_as_rotations_2 :
     * y2 - z2 * z2) * (x * y - w * z + (x * y - w * z))).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), xz *)
@@ -222,8 +216,7 @@ Theorem attitudes_multiply_as_rotations_3 :
     y2 * y2 - z2 * z2) * (x * z + w * y + (x * z + w * y))).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), yx *)
@@ -236,8 +229,7 @@ Theorem attitudes_multiply_as_rotations_4 :
     * y2 + w2 * z2)) * (w * w + x * x - y * y - z * z)).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), yy *)
@@ -252,8 +244,7 @@ Theorem attitudes_multiply_as_rotations_5 :
     z * z) + (x2 * y2 + w2 * z2 + (x2 * y2 + w2 * z2)) * (x * y - w * z + (x * y - w * z))).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 t_2 t_3 t_4 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), yz *)
@@ -266,8 +257,7 @@ Theorem attitudes_multiply_as_rotations_6 :
     * y2 + w2 * z2)) * (x * z + w * y + (x * z + w * y))).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), zx *)
@@ -280,8 +270,7 @@ Theorem attitudes_multiply_as_rotations_7 :
     (x2 * z2 - w2 * y2)) * (w * w + x * x - y * y - z * z)).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), zy *)
@@ -294,8 +283,7 @@ Theorem attitudes_multiply_as_rotations_8 :
     * z2 - w2 * y2)) * (x * y - w * z + (x * y - w * z))).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* R(p q), zz *)
@@ -310,8 +298,7 @@ Theorem attitudes_multiply_as_rotations_9 :
     w * x)) + (x2 * z2 - w2 * y2 + (x2 * z2 - w2 * y2)) * (x * z + w * y + (x * z + w * y))).
 Proof.
   intros w w2 x x2 y y2 z z2  t_1 t_2 t_3 t_4 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* With the factors swapped. *)
@@ -348,7 +335,7 @@ Theorem attitude_rate_1 :
     (x * y - w * z + (x * y - w * z)) * omega3.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', xy *)
@@ -361,7 +348,7 @@ Theorem attitude_rate_2 :
     * x - y * y - z * z) * (- omega3).
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', xz *)
@@ -374,7 +361,7 @@ Theorem attitude_rate_3 :
     + x * x - y * y - z * z) * omega2.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', yx *)
@@ -387,7 +374,7 @@ Theorem attitude_rate_4 :
     - x * x + y * y - z * z) * omega3.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', yy *)
@@ -400,7 +387,7 @@ Theorem attitude_rate_5 :
     * y + w * z + (x * y + w * z)) * (- omega3).
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', yz *)
@@ -413,7 +400,7 @@ Theorem attitude_rate_6 :
     * y + w * z + (x * y + w * z)) * omega2.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', zx *)
@@ -426,7 +413,7 @@ Theorem attitude_rate_7 :
     w * x + (y * z + w * x)) * omega3.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', zy *)
@@ -439,7 +426,7 @@ Theorem attitude_rate_8 :
     y + (x * z - w * y)) * (- omega3).
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* R', zz *)
@@ -452,7 +439,7 @@ Theorem attitude_rate_9 :
     + (x * z - w * y + (x * z - w * y)) * omega2.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* the rate of |q|² *)
@@ -464,7 +451,7 @@ Theorem attitude_rate_10 :
     omega3 + x * omega2 - y * omega1) / 2) = 0.
 Proof.
   intros omega1 omega2 omega3 w x y z H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With the half left out. *)

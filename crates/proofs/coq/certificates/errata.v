@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** errata-rate-about-the-smallest-axis: With the momentum (s B13 dn, -B21 sn, B31 cn) of λ t, s = ±1, Euler's equations want the rate -s λ3. *)
@@ -24,8 +24,7 @@ Theorem errata_rate_about_the_smallest_axis_1 :
     p) * cn / x3 ^ 2)) / x1 ^ 2.
 Proof.
   intros cn dn k m p q r s sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -47,8 +46,7 @@ Theorem errata_rate_about_the_smallest_axis_2 :
     z * dn / x1 ^ 2)) / x2 ^ 2.
 Proof.
   intros cn dn k m p q r s sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -70,8 +68,7 @@ Theorem errata_rate_about_the_smallest_axis_3 :
     * sn)) / x2 ^ 2)) / x3 ^ 2.
 Proof.
   intros cn dn k m p q r s sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* With the rate s λ3. *)
@@ -123,8 +120,7 @@ Theorem errata_rate_about_the_largest_axis_1 :
     z * dn / x3 ^ 2)) / x1 ^ 2.
 Proof.
   intros cn dn k m p q r s sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -146,8 +142,7 @@ Theorem errata_rate_about_the_largest_axis_2 :
     q) * cn / x1 ^ 2)) / x2 ^ 2.
 Proof.
   intros cn dn k m p q r s sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -169,8 +164,7 @@ Theorem errata_rate_about_the_largest_axis_3 :
     * sn)) / x2 ^ 2)) / x3 ^ 2.
 Proof.
   intros cn dn k m p q r s sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* With the rate s λ1. *)
@@ -222,8 +216,7 @@ Theorem errata_signs_on_the_separatrix_1 :
     * z / (x2 * r) * sech / x3 ^ 2)) / x1 ^ 2.
 Proof.
   intros p q r s s_ sech tanh x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -244,8 +237,7 @@ Theorem errata_signs_on_the_separatrix_2 :
     * x3 * p * z / (x2 * r) * sech / x3 ^ 2 * (s * x1 * q * z / (x2 * r) * sech / x1 ^ 2)) / x2 ^ 2.
 Proof.
   intros p q r s s_ sech tanh x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -267,8 +259,7 @@ Theorem errata_signs_on_the_separatrix_3 :
     / x1 ^ 2 * (z * tanh / x2 ^ 2)) / x3 ^ 2.
 Proof.
   intros p q r s s_ sech tanh x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* With one sign for both ends in the rate. *)
@@ -341,7 +332,7 @@ Theorem errata_rate_of_the_angle_1 :
     - ((G + m3) * (m1 / I1) + (- m1) * (m3 / I3)) / 2 = 0.
 Proof.
   intros G I1 I2 I3 m1 m2 m3 H_1  D_1 D_2 D_3 D_4.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* q' - q w / 2 *)
@@ -357,7 +348,7 @@ Theorem errata_rate_of_the_angle_2 :
     2))) - ((G + m3) * (m2 / I2) - m2 * (m3 / I3)) / 2 = 0.
 Proof.
   intros G I1 I2 I3 m1 m2 m3 H_1  D_1 D_2 D_3 D_4.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* q' - q w / 2 *)
@@ -372,7 +363,7 @@ Theorem errata_rate_of_the_angle_3 :
     ((G + m3) * (m3 / I3) + m2 * (m2 / I2) - (- m1) * (m1 / I1)) / 2 = 0.
 Proof.
   intros G I1 I2 I3 m1 m2 m3 H_1  D_1 D_2 D_3 D_4.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* q' - q w / 2 *)
@@ -386,8 +377,7 @@ Theorem errata_rate_of_the_angle_4 :
   t_1 - (G + m3) * (t_1 / ((G + m3) * 2)) - (- (m2 * (m1 / I1)) - (- m1) * (m2 / I2)) / 2 = 0.
 Proof.
   intros G I1 I2 m1 m2 m3 H_1 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With a minus in the numerator. *)
@@ -442,8 +432,7 @@ Theorem errata_sign_of_the_angle_1 :
 Proof.
   intros G cn dn k m p q r sn x1 x2 x3 z H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4 D_5 D_6 D_7
     D_8 D_9 D_10 D_11.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* With a plus before the arctangent. *)
@@ -540,7 +529,7 @@ Theorem errata_characteristic_on_the_separatrix_1 :
     - I3))) = 1.
 Proof.
   intros G I1 I2 I3   D_1 D_2 D_3 D_4 D_5.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With any energy. *)
@@ -571,7 +560,7 @@ Theorem errata_acceleration_1 :
   o1 * (- (sn * dn * lambda)) = o1 * (- (sn * dn)) * lambda.
 Proof.
   intros dn lambda m o1 sn H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* w', y *)
@@ -582,7 +571,7 @@ Theorem errata_acceleration_2 :
   o2 * (cn * dn * lambda) = o2 * (cn * dn) * lambda.
 Proof.
   intros cn dn lambda m o2 sn H_1 H_2  .
-  ring [H_1 H_2].
+  rational.
 Qed.
 
 (* w', z *)
@@ -592,7 +581,7 @@ Theorem errata_acceleration_3 :
   o3 * (- (m * (sn * cn * lambda))) = (- (o3 * m * sn * cn)) * lambda.
 Proof.
   intros cn lambda m o3 sn H_1  .
-  ring [H_1].
+  rational.
 Qed.
 
 (* With the first two exchanged. *)
@@ -629,8 +618,7 @@ Theorem errata_precession_1 :
     + I2 * t_2) / (I1 ^ 2 * t_1 + I2 ^ 2 * t_2).
 Proof.
   intros D I1 I2 I3 M cn sn H_1 t_1 t_2 D_1 D_2 D_3 D_4 D_5 D_6 D_7.
-  unnamed.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With a minus before the quotient. *)

@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** euler-from-constant-momentum: Differentiate R I w, with R' as the attitude's own rate: it equals the world's torque exactly if I w' = (I w) x w + torque. For every tensor, attitude, spin and torque. *)
@@ -33,8 +33,7 @@ Theorem euler_from_constant_momentum_1 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz alpha1 alpha2 alpha3 omega1 omega2 omega3 tau1 tau2 tau3 w x
     y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 .
-  unnamed.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* the rate of R I w, z *)
@@ -65,8 +64,7 @@ Theorem euler_from_constant_momentum_2 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz alpha1 alpha2 alpha3 omega1 omega2 omega3 tau1 tau2 tau3 w x
     y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 .
-  unnamed.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With w x (I w) for (I w) x w. *)
@@ -213,8 +211,7 @@ Theorem momentum_form_1 :
     omega1)) * omega2 + tau1.
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz omega1 omega2 omega3 tau1  t_1 t_2 t_3 t_4 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* L', y *)
@@ -233,8 +230,7 @@ Theorem momentum_form_2 :
     omega1)) * omega3 + tau2.
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz omega1 omega2 omega3 tau2  t_1 t_2 t_3 t_4 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* L', z *)
@@ -253,8 +249,7 @@ Theorem momentum_form_3 :
     omega1)) * omega1 + tau3.
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz omega1 omega2 omega3 tau3  t_1 t_2 t_3 t_4 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With (J L) x L for L x (J L). *)
@@ -316,7 +311,7 @@ Theorem principal_form_1 :
   (I2 - I3) * (omega2 * omega3) + tau1 = I2 * omega2 * omega3 - I3 * omega3 * omega2 + tau1.
 Proof.
   intros I2 I3 omega2 omega3 tau1   .
-  ring.
+  rational.
 Qed.
 
 (* the coupling, y *)
@@ -325,7 +320,7 @@ Theorem principal_form_2 :
   (I3 - I1) * (omega3 * omega1) + tau2 = I3 * omega3 * omega1 - I1 * omega1 * omega3 + tau2.
 Proof.
   intros I1 I3 omega1 omega3 tau2   .
-  ring.
+  rational.
 Qed.
 
 (* the coupling, z *)
@@ -334,7 +329,7 @@ Theorem principal_form_3 :
   (I1 - I2) * (omega1 * omega2) + tau3 = I1 * omega1 * omega2 - I2 * omega2 * omega1 + tau3.
 Proof.
   intros I1 I2 omega1 omega2 tau3   .
-  ring.
+  rational.
 Qed.
 
 (* I w', x *)
@@ -345,7 +340,7 @@ Theorem principal_form_4 :
     tau1.
 Proof.
   intros I1 I2 I3 omega2 omega3 tau1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* I w', y *)
@@ -356,7 +351,7 @@ Theorem principal_form_5 :
     tau2.
 Proof.
   intros I1 I2 I3 omega1 omega3 tau2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* I w', z *)
@@ -367,7 +362,7 @@ Theorem principal_form_6 :
     tau3.
 Proof.
   intros I1 I2 I3 omega1 omega2 tau3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the sign of one equation. *)
@@ -423,8 +418,7 @@ Theorem spin_rate_in_both_frames_1 :
   t_1 + t_2 * alpha1 + t_3 * alpha2 + t_4 * alpha3 = t_4 * alpha3 + (t_3 * alpha2 + t_2 * alpha1).
 Proof.
   intros alpha1 alpha2 alpha3 omega1 omega2 omega3 w x y z H_1 t_1 t_2 t_3 t_4 .
-  unnamed.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* the rate of R w, z *)
@@ -443,8 +437,7 @@ Theorem spin_rate_in_both_frames_2 :
     alpha1).
 Proof.
   intros alpha1 alpha2 alpha3 omega1 omega2 omega3 w x y z H_1 t_1 t_2 t_3 t_4 .
-  unnamed.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With the attitude turning about a fixed axis in place of the spin. *)
@@ -490,8 +483,7 @@ Theorem energy_1 :
     L3 + t_6)) / 2 * (L1 * t_3 - L2 * t_5 + tau3) = t_1 * tau1 + t_4 * tau2 + t_6 * tau3.
 Proof.
   intros J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 tau1 tau2 tau3  t_1 t_2 t_3 t_4 t_5 t_6 .
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by I w' = (I w) x w + torque *)
@@ -506,7 +498,7 @@ Theorem energy_2 :
     tau3.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3 tau1 tau2 tau3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the torque taken twice. *)
@@ -587,8 +579,7 @@ Theorem length_of_momentum_1 :
     (L1 * t_2 - L2 * t_3 + tau3) = (L1 * tau1 + L2 * tau2 + L3 * tau3) * 2.
 Proof.
   intros J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 tau1 tau2 tau3  t_1 t_2 t_3 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* by I w' = (I w) x w + torque *)
@@ -603,7 +594,7 @@ Theorem length_of_momentum_2 :
     tau1 + I2 * omega2 * tau2 + I3 * omega3 * tau3) * 2.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3 tau1 tau2 tau3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the sign of one of Euler's equations. *)
@@ -668,7 +659,7 @@ Theorem spin_is_not_conserved_2 :
     - I2) * (I2 - I3) * (I3 - I1) / (I1 * I2 * I3)) * (omega1 * omega2 * omega3).
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two equal moments *)
@@ -680,7 +671,7 @@ Theorem spin_is_not_conserved_3 :
     (omega3 * omega1) / I2) + (omega3 + omega3) * ((I2 - I2) * (omega1 * omega2) / I3) = 0.
 Proof.
   intros I2 I3 omega1 omega2 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two equal moments *)
@@ -692,7 +683,7 @@ Theorem spin_is_not_conserved_4 :
     (omega3 * omega1) / I3) + (omega3 + omega3) * ((I1 - I3) * (omega1 * omega2) / I3) = 0.
 Proof.
   intros I1 I3 omega1 omega2 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two equal moments *)
@@ -704,7 +695,7 @@ Theorem spin_is_not_conserved_5 :
     (omega3 * omega1) / I2) + (omega3 + omega3) * ((I1 - I2) * (omega1 * omega2) / I1) = 0.
 Proof.
   intros I1 I2 omega1 omega2 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the law of a ball. *)
@@ -714,7 +705,7 @@ Theorem spin_is_not_conserved_mutant_1_1 :
   0 = 0.
 Proof.
   intros    .
-  ring.
+  rational.
 Qed.
 
 (* With a steady spin. *)
@@ -724,5 +715,5 @@ Theorem spin_is_not_conserved_mutant_2_1 :
   0 = 0.
 Proof.
   intros    .
-  ring.
+  rational.
 Qed.

@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** symmetric-top: With I1 = I2 the spin circles the third axis at the rate (I3 - I1) w3 / I1: w1 = A cos, w2 = A sin, w3 constant. *)
@@ -12,7 +12,7 @@ Theorem symmetric_top_1 :
   A * (- ((I3 - I1) * omega3 / I1 * sin)) = (I1 - I3) * (A * sin * omega3) / I1.
 Proof.
   intros A I1 I3 omega3 sin   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -23,7 +23,7 @@ Theorem symmetric_top_2 :
   A * ((I3 - I1) * omega3 / I1 * cos) = (I3 - I1) * (omega3 * (A * cos)) / I1.
 Proof.
   intros A I1 I3 cos omega3 sin H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -34,7 +34,7 @@ Theorem symmetric_top_3 :
   0 = (I1 - I1) * (A * cos * (A * sin)) / I3.
 Proof.
   intros A I1 I3 cos sin H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With the other way round. *)
@@ -82,8 +82,7 @@ Theorem separatrix_1 :
     / x1 ^ 2.
 Proof.
   intros Omega p q r sech tanh x1 x2 x3 H_1 H_2 H_3 H_4 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4]; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -101,7 +100,7 @@ Theorem separatrix_2 :
     r) * sech * (Omega * q * x2 / (x1 * r) * sech)) / x2 ^ 2.
 Proof.
   intros Omega p q r sech tanh x1 x2 x3 H_1 H_2 H_3 H_4  D_1 D_2 D_3 D_4.
-  field [H_1 H_2 H_3 H_4]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -120,8 +119,7 @@ Theorem separatrix_3 :
     / x3 ^ 2.
 Proof.
   intros Omega p q r sech tanh x1 x2 x3 H_1 H_2 H_3 H_4 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4]; nonzero.
+  rational.
 Qed.
 
 (* L² - 2 E I2 *)
@@ -141,8 +139,7 @@ Theorem separatrix_4 :
     ^ 2 * t_2)) / 2 * x2 ^ 2 * 2 = 0.
 Proof.
   intros Omega p q r sech tanh x1 x2 x3 H_1 H_2 H_3 H_4 t_1 t_2 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4]; nonzero.
+  rational.
 Qed.
 
 (* With one amplitude with the wrong sign. *)
@@ -213,8 +210,7 @@ Theorem circling_the_largest_axis_1 :
     Q * q / p / (x2 * q) * sn * (Q / (x3 * r) * dn)) / x1 ^ 2.
 Proof.
   intros Q cn dn k m p q r sn x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -238,8 +234,7 @@ Theorem circling_the_largest_axis_2 :
     (x3 * r) * dn * (k * Q * q / p / (x1 * r) * cn)) / x2 ^ 2.
 Proof.
   intros Q cn dn k m p q r sn x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -263,8 +258,7 @@ Theorem circling_the_largest_axis_3 :
     * (k * Q * q / p / (x2 * q) * sn)) / x3 ^ 2.
 Proof.
   intros Q cn dn k m p q r sn x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* With the rate reversed. *)
@@ -351,8 +345,7 @@ Theorem circling_the_smallest_axis_1 :
     * (k * Q * p / q / (x3 * r) * cn)) / x1 ^ 2.
 Proof.
   intros Q cn dn k m p q r sn x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -376,8 +369,7 @@ Theorem circling_the_smallest_axis_2 :
     Q * p / q / (x3 * r) * cn * (Q / (x1 * r) * dn)) / x2 ^ 2.
 Proof.
   intros Q cn dn k m p q r sn x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -401,8 +393,7 @@ Theorem circling_the_smallest_axis_3 :
     (x1 * r) * dn * (k * Q * p / q / (x2 * p) * sn)) / x3 ^ 2.
 Proof.
   intros Q cn dn k m p q r sn x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* With the rate reversed. *)
@@ -446,7 +437,7 @@ Theorem which_side_1 :
     * omega3 ^ 2 - I1 * (I2 - I1) * omega1 ^ 2.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* 2 E I3 - L² *)
@@ -457,7 +448,7 @@ Theorem which_side_2 :
     I1) * omega1 ^ 2 + I2 * (I3 - I2) * omega2 ^ 2.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* L² - 2 E I1 *)
@@ -468,7 +459,7 @@ Theorem which_side_3 :
     * omega2 ^ 2 + I3 * (I3 - I1) * omega3 ^ 2.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* With a plus between the squares. *)
@@ -493,7 +484,7 @@ Theorem jacobi_by_thetas_1 :
   ((r + s) / 2) ^ 2 + ((r - s) / 2) ^ 2 = (r ^ 2 + s ^ 2) / 2.
 Proof.
   intros r s   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1/2)² *)
@@ -502,7 +493,7 @@ Theorem jacobi_by_thetas_2 :
   (n + (1 / 2)) ^ 2 = n ^ 2 + n + (1 / 4).
 Proof.
   intros n   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1)² *)
@@ -511,7 +502,7 @@ Theorem jacobi_by_thetas_3 :
   (n + 1) ^ 2 = n ^ 2 + 2 * n + 1.
 Proof.
   intros n   .
-  ring.
+  rational.
 Qed.
 
 (* sn² + cn² *)
@@ -523,7 +514,7 @@ Theorem jacobi_by_thetas_4 :
     B * A) * (A * V + B * U) / (A * U - B * V) = 1.
 Proof.
   intros A B U V   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* dn² + k² sn² *)
@@ -536,7 +527,7 @@ Theorem jacobi_by_thetas_5 :
     A + B * B) ^ 2 * ((A * A + B * B) / (A * B + B * A) * (B * U - A * V) / (A * U - B * V)) = 1.
 Proof.
   intros A B U V   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With a sign in a square. *)
@@ -571,7 +562,7 @@ Theorem attitude_by_thetas_1 :
   ((r + s) / 2) ^ 2 + ((r - s) / 2) ^ 2 = (r ^ 2 + s ^ 2) / 2.
 Proof.
   intros r s   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1/2)² *)
@@ -580,7 +571,7 @@ Theorem attitude_by_thetas_2 :
   (n + (1 / 2)) ^ 2 = n ^ 2 + n + (1 / 4).
 Proof.
   intros n   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1)² *)
@@ -589,7 +580,7 @@ Theorem attitude_by_thetas_3 :
   (n + 1) ^ 2 = n ^ 2 + 2 * n + 1.
 Proof.
   intros n   .
-  ring.
+  rational.
 Qed.
 
 (* With a plus between the two products. *)
@@ -616,7 +607,7 @@ Theorem attitude_by_complementary_thetas_1 :
   ((r + s) / 2) ^ 2 + ((r - s) / 2) ^ 2 = (r ^ 2 + s ^ 2) / 2.
 Proof.
   intros r s   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1/2)² *)
@@ -625,7 +616,7 @@ Theorem attitude_by_complementary_thetas_2 :
   (n + (1 / 2)) ^ 2 = n ^ 2 + n + (1 / 4).
 Proof.
   intros n   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1)² *)
@@ -634,7 +625,7 @@ Theorem attitude_by_complementary_thetas_3 :
   (n + 1) ^ 2 = n ^ 2 + 2 * n + 1.
 Proof.
   intros n   .
-  ring.
+  rational.
 Qed.
 
 (* With the theta of the direct series. *)
@@ -659,7 +650,7 @@ Theorem half_periods_1 :
   ((r + s) / 2) ^ 2 + ((r - s) / 2) ^ 2 = (r ^ 2 + s ^ 2) / 2.
 Proof.
   intros r s   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1/2)² *)
@@ -668,7 +659,7 @@ Theorem half_periods_2 :
   (n + (1 / 2)) ^ 2 = n ^ 2 + n + (1 / 4).
 Proof.
   intros n   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* (n + 1)² *)
@@ -677,7 +668,7 @@ Theorem half_periods_3 :
   (n + 1) ^ 2 = n ^ 2 + 2 * n + 1.
 Proof.
   intros n   .
-  ring.
+  rational.
 Qed.
 
 (* With b without alternating signs. *)
@@ -712,8 +703,7 @@ Theorem klein_momentum_1 :
     (x1 ^ 2 - x2 ^ 2) * (h * q * Q / (x1 * r) * cn * (h * Q / x2 * sn)) / x3 ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w' *)
@@ -736,8 +726,7 @@ Theorem klein_momentum_2 :
     x2 * sn * (sigma * (Q / (x3 * r)) * dn)) / x1 ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w' *)
@@ -760,8 +749,7 @@ Theorem klein_momentum_3 :
     * Q / (x1 * r) * cn)) / x2 ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* 2E *)
@@ -784,8 +772,7 @@ Theorem klein_momentum_4 :
     * 2 = Q ^ 2 * (1 + h ^ 2 * q ^ 2) / r ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* L² *)
@@ -810,8 +797,7 @@ Theorem klein_momentum_5 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* the momentum *)
@@ -837,8 +823,7 @@ Theorem klein_momentum_6 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* the momentum *)
@@ -861,8 +846,7 @@ Theorem klein_momentum_7 :
     r)).
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* the momentum *)
@@ -884,8 +868,7 @@ Theorem klein_momentum_8 :
   t_1 * t_2 + t_2 * t_1 = x2 ^ 2 * (h * Q / x2 * sn) * (t_1 * sigma / (Q * e / r)).
 Proof.
   intros Q dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w' *)
@@ -908,8 +891,7 @@ Theorem klein_momentum_9 :
     (x2 ^ 2 - x1 ^ 2) * (h * Q / x2 * sn * (h * q * Q / (x1 * r) * cn)) / x3 ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w' *)
@@ -932,8 +914,7 @@ Theorem klein_momentum_10 :
     (Q / (x3 * r)) * dn)) / x2 ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* w' *)
@@ -956,8 +937,7 @@ Theorem klein_momentum_11 :
     (Q / (x3 * r)) * dn * (h * Q / x2 * sn)) / x1 ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* 2E *)
@@ -980,8 +960,7 @@ Theorem klein_momentum_12 :
     * 2 = Q ^ 2 * (1 + h ^ 2 * q ^ 2) / r ^ 2.
 Proof.
   intros Q cn dn h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* L² *)
@@ -1006,8 +985,7 @@ Theorem klein_momentum_13 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* the momentum *)
@@ -1033,8 +1011,7 @@ Theorem klein_momentum_14 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* the momentum *)
@@ -1056,8 +1033,7 @@ Theorem klein_momentum_15 :
   - (t_1 * (- t_2)) + t_2 * t_1 = x2 ^ 2 * (h * Q / x2 * sn) * (t_1 * sigma / (Q * e / r)).
 Proof.
   intros Q dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* the momentum *)
@@ -1079,8 +1055,7 @@ Theorem klein_momentum_16 :
   t_1 * t_2 + t_2 * t_1 = x1 ^ 2 * (h * q * Q / (x1 * r) * cn) * (t_1 * sigma / (Q * e / r)).
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 D_1 D_2 D_3 D_4.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7]; nonzero.
+  rational.
 Qed.
 
 (* With the zero on the other side. *)
@@ -1173,8 +1148,7 @@ Theorem klein_attitude_1 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4 D_5 D_6 D_7 D_8.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1211,8 +1185,7 @@ Theorem klein_attitude_2 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 t_4 t_5
     t_6 t_7 D_1 D_2 D_3 D_4 D_5 D_6 D_7 D_8.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1249,8 +1222,7 @@ Theorem klein_attitude_3 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 t_4 t_5
     t_6 t_7 D_1 D_2 D_3 D_4 D_5 D_6 D_7 D_8.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1281,8 +1253,7 @@ Theorem klein_attitude_4 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1314,8 +1285,7 @@ Theorem klein_attitude_5 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4 D_5 D_6 D_7 D_8.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1352,8 +1322,7 @@ Theorem klein_attitude_6 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 t_4 t_5
     t_6 t_7 D_1 D_2 D_3 D_4 D_5 D_6 D_7 D_8.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1390,8 +1359,7 @@ Theorem klein_attitude_7 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 t_4 t_5
     t_6 t_7 D_1 D_2 D_3 D_4 D_5 D_6 D_7 D_8.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -1422,8 +1390,7 @@ Theorem klein_attitude_8 :
 Proof.
   intros Q cn dn e h p q r sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8 t_1 t_2 t_3 D_1 D_2
     D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5 H_6 H_7 H_8]; nonzero.
+  rational.
 Qed.
 
 (* With the zero on the other side. *)
@@ -1517,7 +1484,7 @@ Theorem limit_coin_1 :
   sigma * tau * q * Q / (x1 * x1 * x3) = (x3 ^ 2 - x1 ^ 2) * (sigma * (Q / (x3 * q))) / x1 ^ 2.
 Proof.
   intros Q q sigma tau x1 x3 H_1 H_2 H_3  D_1 D_2 D_3.
-  field [H_1 H_2 H_3]; nonzero.
+  rational.
 Qed.
 
 (* the amplitudes *)
@@ -1528,7 +1495,7 @@ Theorem limit_coin_2 :
   h * q * Q / (x1 * q) = h * Q / x1.
 Proof.
   intros Q h q x1   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the rate of a *)
@@ -1545,8 +1512,7 @@ Theorem limit_coin_3 :
   0 / e / 2 * (cn * t_1) + 0 / e / 2 * (- (sn * t_1)) = 0.
 Proof.
   intros Q cn e h q sigma sn tau x1 x3 H_1 H_2 H_3 H_4 t_1 D_1 D_2 D_3.
-  unnamed.
-  field [H_1 H_2 H_3 H_4]; nonzero.
+  rational.
 Qed.
 
 (* With the rate reversed. *)
@@ -1586,7 +1552,7 @@ Theorem limit_separatrix_1 :
     tau * q * Q / (x1 * x2 * x3))).
 Proof.
   intros Q cn p q sigma sn tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5  D_1 D_2 D_3 D_4.
-  field [H_1 H_2 H_3 H_4 H_5]; nonzero.
+  rational.
 Qed.
 
 (* L² *)
@@ -1600,7 +1566,7 @@ Theorem limit_separatrix_2 :
   (Q * (x2 * r / p) / r) ^ 2 = Q ^ 2 * (1 + (1 / p) ^ 2 * q ^ 2) / r ^ 2 * x2 ^ 2.
 Proof.
   intros Q p q r tau x1 x2 H_1 H_2 H_3  D_1 D_2.
-  field [H_1 H_2 H_3]; nonzero.
+  rational.
 Qed.
 
 (* the turn *)
@@ -1624,8 +1590,7 @@ Theorem limit_separatrix_3 :
     / p) ^ 2)) / (1 + x3 / (x2 * r / p)) = sigma * (Q * (x2 * r / p) / r) / x2 ^ 2.
 Proof.
   intros Q p q r sigma tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 t_1 D_1 D_2 D_3 D_4 D_5 D_6 D_7.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5]; nonzero.
+  rational.
 Qed.
 
 (* With cn and dn opposite. *)
@@ -1664,7 +1629,7 @@ Theorem limit_steady_1 :
   0 / x3 * sn - 0 / x3 * cn = 0.
 Proof.
   intros cn p q sn tau x1 x3 H_1 H_2 H_3  D_1.
-  field [H_1 H_2 H_3]; nonzero.
+  rational.
 Qed.
 
 (* the turn *)
@@ -1687,8 +1652,7 @@ Theorem limit_steady_2 :
     (x3 * r)).
 Proof.
   intros Q p q r sigma tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field [H_1 H_2 H_3 H_4 H_5]; nonzero.
+  rational.
 Qed.
 
 (* With the spin the other way. *)
@@ -1732,8 +1696,7 @@ Theorem gauss_mean_1 :
     b) / 2) ^ 2) * (t_1 ^ 2 + a * b) * 4.
 Proof.
   intros a b t  t_1 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* u rises from below all numbers to above all *)
@@ -1746,8 +1709,10 @@ Theorem gauss_mean_2 :
 Proof.
   intros a b t H_1 H_2 H_3  .
   unnamed.
-  apply (above_zero _ ((1 / 2) * a * b + (1 / 2) * t ^ 2) (t ^ 2)); [positive | positive | field;
-    nonzero].
+  assert (t <> 0) by (apply Rgt_not_eq; positive).
+  assert (t ^ 2 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ ((1 / 2) * a * b + (1 / 2) * t ^ 2) (t ^ 2)); [positive | positive |
+    rational].
 Qed.
 
 (* of two equal numbers *)
@@ -1759,7 +1724,7 @@ Theorem gauss_mean_3 :
   m / cos * cos + (0 / cos - m * sin / cos ^ 2) * (- sin) = (m * sin / cos) ^ 2 / m + m.
 Proof.
   intros cos m sin H_1  D_1 D_2.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* the quarter period *)
@@ -1771,7 +1736,7 @@ Theorem gauss_mean_4 :
     ((kp * sin / cos) ^ 2 + 1) * ((kp * sin / cos) ^ 2 + kp ^ 2).
 Proof.
   intros cos kp sin H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With a plus in the change of variable. *)
@@ -1815,7 +1780,7 @@ Theorem last_mean_1 :
   m - d ^ 2 / (m * 16) - (m + g) / 2 = (m - g) ^ 2 / (m * 4).
 Proof.
   intros d g m H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* With twice as much taken off. *)
@@ -1841,7 +1806,7 @@ Theorem carlson_duplication_1 :
   t + X * Y + Y * Z + Z * X + X ^ 2 - t = (X + Y) * (Z + X).
 Proof.
   intros X Y Z t   .
-  ring.
+  rational.
 Qed.
 
 (* s + y *)
@@ -1850,7 +1815,7 @@ Theorem carlson_duplication_2 :
   t + X * Y + Y * Z + Z * X + Y ^ 2 - t = (X + Y) * (Y + Z).
 Proof.
   intros X Y Z t   .
-  ring.
+  rational.
 Qed.
 
 (* s + z *)
@@ -1859,7 +1824,7 @@ Theorem carlson_duplication_3 :
   t + X * Y + Y * Z + Z * X + Z ^ 2 - t = (Y + Z) * (Z + X).
 Proof.
   intros X Y Z t   .
-  ring.
+  rational.
 Qed.
 
 (* the integrand of R_F *)
@@ -1875,7 +1840,7 @@ Theorem carlson_duplication_4 :
     + Z) * (Z + X)) = 1 / (2 * (X * Y * Z)).
 Proof.
   intros X Y Z   D_1 D_2 D_3 D_4 D_5 D_6.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the integrand of R_D *)
@@ -1895,8 +1860,7 @@ Theorem carlson_duplication_5 :
     Z))).
 Proof.
   intros X Y Z  t_1 D_1 D_2 D_3 D_4 D_5 D_6.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With a product of roots the other way. *)
@@ -1943,7 +1907,7 @@ Theorem carlson_series_1 :
   (t - a) * (t - b) * (t + (a + b)) = t ^ 3 + (a * b - (- (a + b)) ^ 2) * t - a * b * (- (a + b)).
 Proof.
   intros a b t   .
-  ring.
+  rational.
 Qed.
 
 (* five distances *)
@@ -1955,7 +1919,7 @@ Theorem carlson_series_2 :
     * ((- (a + b)) / 3) ^ 2 * ((- (a + b)) / 3).
 Proof.
   intros a b t   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* With a coefficient of R_F. *)
@@ -1991,7 +1955,7 @@ Theorem legendre_by_carlson_1 :
   s ^ 2 / sin ^ 2 - 1 + (1 - s ^ 2) = (s * cos / sin) ^ 2.
 Proof.
   intros cos s sin H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* t + y *)
@@ -2002,7 +1966,7 @@ Theorem legendre_by_carlson_2 :
   s ^ 2 / sin ^ 2 - 1 + (1 - m * s ^ 2) = (s * Delta / sin) ^ 2.
 Proof.
   intros Delta m s sin H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* t + z *)
@@ -2012,7 +1976,7 @@ Theorem legendre_by_carlson_3 :
   s ^ 2 / sin ^ 2 - 1 + 1 = (s / sin) ^ 2.
 Proof.
   intros s sin   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the argument *)
@@ -2028,7 +1992,7 @@ Theorem legendre_by_carlson_4 :
     Delta / sin) * (s / sin))) = 1 / Delta.
 Proof.
   intros Delta cos m s sin H_1 H_2  D_1 D_2 D_3 D_4.
-  field [H_1 H_2]; nonzero.
+  rational.
 Qed.
 
 (* its derivative *)
@@ -2045,7 +2009,7 @@ Theorem legendre_by_carlson_5 :
     (sin ^ 2 / (2 * Delta))).
 Proof.
   intros Delta cos m s sin H_1 H_2  D_1 D_2 D_3 D_4.
-  field [H_1 H_2]; nonzero.
+  rational.
 Qed.
 
 (* the cosine of what is left *)
@@ -2058,7 +2022,7 @@ Theorem legendre_by_carlson_6 :
   (kp * sn / dn) ^ 2 = 1 - (cn / dn) ^ 2.
 Proof.
   intros cn dn kp m sn H_1 H_2 H_3  D_1.
-  field [H_1 H_2 H_3]; nonzero.
+  rational.
 Qed.
 
 (* its dn *)
@@ -2071,7 +2035,7 @@ Theorem legendre_by_carlson_7 :
   (kp / dn) ^ 2 = 1 - m * (cn / dn) ^ 2.
 Proof.
   intros cn dn kp m sn H_1 H_2 H_3  D_1.
-  field [H_1 H_2 H_3]; nonzero.
+  rational.
 Qed.
 
 (* its rate *)
@@ -2085,7 +2049,7 @@ Theorem legendre_by_carlson_8 :
     * sn / dn * (kp / dn)).
 Proof.
   intros cn dn kp m sn H_1 H_2 H_3  D_1.
-  field [H_1 H_2 H_3]; nonzero.
+  rational.
 Qed.
 
 (* the zero's cosine *)
@@ -2100,7 +2064,7 @@ Theorem legendre_by_carlson_9 :
   (x1 * q / (x2 * r)) ^ 2 + (x3 * p / (x2 * r)) ^ 2 - 1 = 0.
 Proof.
   intros p q r tau x1 x2 x3 H_1 H_2 H_3 H_4  D_1 D_2.
-  field [H_1 H_2 H_3 H_4]; nonzero.
+  rational.
 Qed.
 
 (* the zero's dn *)
@@ -2117,7 +2081,7 @@ Theorem legendre_by_carlson_10 :
   (p * e / (x2 * r)) ^ 2 + (x1 * q / (x2 * r)) ^ 2 * kp ^ 2 - 1 = 0.
 Proof.
   intros e h kp p q r tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6  D_1 D_2.
-  field [H_1 H_2 H_3 H_4 H_5 H_6]; nonzero.
+  rational.
 Qed.
 
 (* With the parameter's sign. *)
@@ -2165,7 +2129,7 @@ Theorem variational_equations_1 :
     omega3 + omega2 * W3).
 Proof.
   intros I1 I2 I3 W1 W2 W3 omega2 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* W', y *)
@@ -2176,7 +2140,7 @@ Theorem variational_equations_2 :
     omega1 + omega3 * W1).
 Proof.
   intros I1 I2 I3 W1 W2 W3 omega1 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* W', z *)
@@ -2187,7 +2151,7 @@ Theorem variational_equations_3 :
     omega2 + omega1 * W2).
 Proof.
   intros I1 I2 I3 W1 W2 W3 omega1 omega2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, x *)
@@ -2198,7 +2162,7 @@ Theorem variational_equations_4 :
     omega3).
 Proof.
   intros I1 I2 I3 omega2 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, y *)
@@ -2208,7 +2172,7 @@ Theorem variational_equations_5 :
   (- (omega1 * omega3)) * (1 / I2) = - (1 / I2 * omega3 * omega1).
 Proof.
   intros I2 omega1 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, z *)
@@ -2218,7 +2182,7 @@ Theorem variational_equations_6 :
   omega1 * omega2 * (1 / I3) = 1 / I3 * omega1 * omega2.
 Proof.
   intros I3 omega1 omega2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, x *)
@@ -2228,7 +2192,7 @@ Theorem variational_equations_7 :
   (omega3 * omega3 - omega2 * omega2) * (1 / I1) = 1 / I1 * (omega3 - omega2) * (omega3 + omega2).
 Proof.
   intros I1 omega2 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, y *)
@@ -2240,7 +2204,7 @@ Theorem variational_equations_8 :
     / I3) * omega2 * omega1.
 Proof.
   intros I1 I2 I3 omega1 omega2   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, z *)
@@ -2252,7 +2216,7 @@ Theorem variational_equations_9 :
     I2) * (1 / I3) * omega3 * omega1).
 Proof.
   intros I1 I2 I3 omega1 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, x *)
@@ -2262,7 +2226,7 @@ Theorem variational_equations_10 :
   omega2 * omega3 * (1 / I1) = 1 / I1 * omega2 * omega3.
 Proof.
   intros I1 omega2 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, y *)
@@ -2273,7 +2237,7 @@ Theorem variational_equations_11 :
     omega1).
 Proof.
   intros I1 I2 I3 omega1 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, z *)
@@ -2283,7 +2247,7 @@ Theorem variational_equations_12 :
   (- (omega2 * omega1)) * (1 / I3) = - (1 / I3 * omega1 * omega2).
 Proof.
   intros I3 omega1 omega2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, x *)
@@ -2295,7 +2259,7 @@ Theorem variational_equations_13 :
     I3) * (1 / I1) * omega1 * omega2).
 Proof.
   intros I1 I2 I3 omega1 omega2   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, y *)
@@ -2305,7 +2269,7 @@ Theorem variational_equations_14 :
   (omega1 * omega1 - omega3 * omega3) * (1 / I2) = 1 / I2 * (omega1 - omega3) * (omega1 + omega3).
 Proof.
   intros I2 omega1 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, z *)
@@ -2317,7 +2281,7 @@ Theorem variational_equations_15 :
     / I1) * omega3 * omega2.
 Proof.
   intros I1 I2 I3 omega2 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, x *)
@@ -2327,7 +2291,7 @@ Theorem variational_equations_16 :
   (- (omega3 * omega2)) * (1 / I1) = - (1 / I1 * omega2 * omega3).
 Proof.
   intros I1 omega2 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, y *)
@@ -2337,7 +2301,7 @@ Theorem variational_equations_17 :
   omega3 * omega1 * (1 / I2) = 1 / I2 * omega3 * omega1.
 Proof.
   intros I2 omega1 omega3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a moment, z *)
@@ -2348,7 +2312,7 @@ Theorem variational_equations_18 :
     omega2).
 Proof.
   intros I1 I2 I3 omega1 omega2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, x *)
@@ -2360,7 +2324,7 @@ Theorem variational_equations_19 :
     / I2) * omega1 * omega3.
 Proof.
   intros I1 I2 I3 omega1 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, y *)
@@ -2372,7 +2336,7 @@ Theorem variational_equations_20 :
     I1) * (1 / I2) * omega2 * omega3).
 Proof.
   intros I1 I2 I3 omega2 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* by a product, z *)
@@ -2382,7 +2346,7 @@ Theorem variational_equations_21 :
   (omega2 * omega2 - omega1 * omega1) * (1 / I3) = 1 / I3 * (omega2 - omega1) * (omega2 + omega1).
 Proof.
   intros I3 omega1 omega2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With a minus between the products. *)
@@ -2400,6 +2364,2342 @@ Qed.
 
 
 (** sensitivity-of-the-spin: The closed form's derivatives by its two constants and by the moments, with the derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first order. For every body, about either axis, in either sense. *)
+
+(* by Q, component 1 *)
+Theorem sensitivity_of_the_spin_1 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * tau * q / (x1 * x2 * x3) in
+  let t_2 := sigma * (0 / (x3 * r)) * dn in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := - (sn * dn * (t * t_1)) in
+  let t_5 := sigma * (0 / (x3 * r)) * dn in
+  let t_6 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_7 := - (t_6 * (t * t_1)) - 0 / (2 * dn) in
+  let t_8 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_1)) +
+    t_2 * (cn * dn * t_3)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (dn * (t * t_1) + sn * dn
+    * t_3))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2 * p ^
+    2 * cn * (t * t_1) + t_6 * t_3) - 0 / (2 * dn))) in
+  let t_10 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_1)) +
+    t_2 * (dn * (t * t_1) + cn * dn * t_11)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (sn *
+    dn * t_11))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2 *
+    p ^ 2 * sn * (t * t_1) + t_6 * t_11) - 0 / (2 * dn))) in
+  let t_13 := t * (0 / (x1 * x2 * x3)) in
+  let t_14 := sigma * (0 / (x3 * r)) * dn + sigma * (1 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * (t * t_1)) + t_2 * (cn * (t * t_1) + cn * dn * t_13)) +
+    ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_4 + t_5 * (- (sn * (t * t_1) + sn *
+    dn * t_13))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r)))
+    * t_7 + t_8 * (- (t_6 * t_13) - (0 / (2 * dn) - 0 / (2 * dn) ^ 2))) in
+  let t_15 := t_1 + t * (0 / (x1 * x2 * x3)) in
+  let t_16 := t_9 * (cn * dn * t_10) + t_12 * (- (sn * dn * t_10)) + t_14 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_10)) + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t *
+    t_1)) + t_2 * (cn * dn * t_15)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (sn * dn *
+    t_15))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_6 * t_15)
+    - 0 / (2 * dn)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3)) in
+  let t_18 := t_16 + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t *
+    t_1)) + t_2 * (cn * dn * t_17)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (sn * dn *
+    t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_6 * t_17)
+    - 0 / (2 * dn)))) * (t_10 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_19 := h * q * Q / (x1 * r) in
+  let t_20 := (x1 ^ 2 - x2 ^ 2) * (h * q / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (h / x2 *
+    sn)) / x3 ^ 2 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (0 / x2
+    * sn + h * Q / x2)) / x3 ^ 2 * (cn * dn * (t * t_1)) + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) * cn +
+    t_19) * (h * Q / x2 * sn) + t_19 * cn * (0 / x2 * sn)) / x3 ^ 2 * t_4 in
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_18 = t_20 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (0 / x2 *
+    sn)) / x3 ^ 2 * t_7.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by Q, component 2 *)
+Theorem sensitivity_of_the_spin_2 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * tau * q / (x1 * x2 * x3) in
+  let t_2 := t * (0 / (x1 * x2 * x3)) in
+  let t_3 := - (sn * dn * (t * t_1)) in
+  let t_4 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := - (t_5 * (t * t_1)) - 0 / (2 * dn) in
+  let t_7 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn *
+    (cn * dn * t_2)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (dn * (t * t_1) + sn *
+    dn * t_2))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * (t * t_1)
+    + t_5 * t_2) - 0 / (2 * dn))) in
+  let t_8 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := 0 / (x1 * r) * cn + h * q / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn
+    * (t * t_1)) + 0 / (x1 * r) * cn * (dn * (t * t_1) + cn * dn * t_9)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r) + 0 / (x1 * r)) * t_3 + t_4 * (- (sn * dn * t_9))) + ((0 / (x1 * r) * cn + 0 / (x1 *
+    r)) * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * (t * t_1) + t_5 * t_9) - 0 / (2 * dn)))
+    in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn *
+    (cn * (t * t_1) + cn * dn * t_11)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (sn *
+    (t * t_1) + sn * dn * t_11))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_5 * t_11) -
+    (0 / (2 * dn) - 0 / (2 * dn) ^ 2))) in
+  let t_13 := t_1 + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t_7 * (cn * dn * t_8) + t_10 * (- (sn * dn * t_8)) + t_12 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_8)) + (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn
+    * (cn * dn * t_13)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (sn * dn * t_13))) +
+    (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_5 * t_13) - 0 / (2 * dn)))) in
+  let t_15 := t * (0 / (x1 * x2 * x3)) in
+  let t_16 := (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn *
+    (cn * dn * t_15)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (sn * dn * t_15))) + (0
+    / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_5 * t_15) - 0 / (2 * dn)))) * (t_8 * sn ^ 2 /
+    (2 * dn ^ 2)) in
+  let t_17 := sigma * (Q / (x3 * r)) * dn in
+  let t_18 := (x2 ^ 2 - x3 ^ 2) * (h / x2 * sn * t_17 + h * Q / x2 * sn * (sigma * (1 / (x3 * r)) *
+    dn)) / x1 ^ 2 + (x2 ^ 2 - x3 ^ 2) * ((0 / x2 * sn + h * Q / x2) * t_17 + h * Q / x2 * sn *
+    (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * (cn * dn * (t * t_1)) + (x2 ^ 2 - x3 ^ 2) * (0 / x2 *
+    sn * t_17 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * t_3 in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_14 + t_16 = t_18 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_17 + h * Q / x2 * sn * (sigma * (0 / (x3
+    * r)) * dn + sigma * (Q / (x3 * r)))) / x1 ^ 2 * t_6.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by Q, component 3 *)
+Theorem sensitivity_of_the_spin_3 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * tau * q / (x1 * x2 * x3) in
+  let t_2 := 0 / x2 * sn + h * Q / x2 in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := - (sn * dn * (t * t_1)) in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := - (t_5 * (t * t_1)) - 0 / (2 * dn) in
+  let t_7 := 0 / x2 * sn + h / x2 + ((0 / x2 * sn + 0 / x2 + 0 / x2) * (cn * dn * (t * t_1)) + t_2 *
+    (cn * dn * t_3)) + ((0 / x2 * sn + 0 / x2) * t_4 + 0 / x2 * sn * (- (dn * (t * t_1) + sn * dn *
+    t_3))) + ((0 / x2 * sn + 0 / x2) * t_6 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * (t * t_1) + t_5
+    * t_3) - 0 / (2 * dn))) in
+  let t_8 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_1)) + t_2 * (dn * (t * t_1)
+    + cn * dn * t_9)) + (0 / x2 * sn * t_4 + 0 / x2 * sn * (- (sn * dn * t_9))) + (0 / x2 * sn * t_6
+    + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * (t * t_1) + t_5 * t_9) - 0 / (2 * dn)))) * (- (sn * dn
+    * t_8)) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_1)) + t_2 * (cn * (t * t_1)
+    + cn * dn * t_11)) + (0 / x2 * sn * t_4 + 0 / x2 * sn * (- (sn * (t * t_1) + sn * dn * t_11))) +
+    (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_5 * t_11) - (0 / (2 * dn) - 0 / (2 * dn) ^ 2)))) * (-
+    (h ^ 2 * p ^ 2 * sn * cn * t_8)) in
+  let t_13 := t_1 + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t * (0 / (x1 * x2 * x3)) in
+  let t_15 := t_7 * (cn * dn * t_8) + t_10 + t_12 + (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn *
+    dn * (t * t_1)) + t_2 * (cn * dn * t_13)) + (0 / x2 * sn * t_4 + 0 / x2 * sn * (- (sn * dn *
+    t_13))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_5 * t_13) - 0 / (2 * dn)))) + (0 / x2 * sn +
+    ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_1)) + t_2 * (cn * dn * t_14)) + (0 / x2 * sn * t_4 +
+    0 / x2 * sn * (- (sn * dn * t_14))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_5 * t_14) - 0 /
+    (2 * dn)))) * (t_8 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_16 := h * q * Q / (x1 * r) in
+  let t_17 := sigma * (Q / (x3 * r)) * dn in
+  let t_18 := (x3 ^ 2 - x1 ^ 2) * (sigma * (1 / (x3 * r)) * dn * (t_16 * cn) + t_17 * (h * q / (x1 *
+    r) * cn)) / x2 ^ 2 + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_16 * cn) + t_17 * (0
+    / (x1 * r) * cn)) / x2 ^ 2 * (cn * dn * (t * t_1)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r))
+    * dn * (t_16 * cn) + t_17 * (0 / (x1 * r) * cn + t_16)) / x2 ^ 2 * t_4 in
+  x2 <> 0 ->
+  x1 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  r <> 0 ->
+  t_15 = t_18 + (x3 ^ 2 - x1 ^ 2) * ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r))) * (t_16
+    * cn) + t_17 * (0 / (x1 * r) * cn)) / x2 ^ 2 * t_6.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by h, component 1 *)
+Theorem sensitivity_of_the_spin_4 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := sigma * (0 / (x3 * r)) * dn in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := sigma * (0 / (x3 * r)) * dn in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_7 := - (t_5 * t_1) - t_6 / (2 * dn) in
+  let t_8 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (cn * dn * t_3)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (dn * t_1 + sn
+    * dn * t_3))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2
+    * p ^ 2 * cn * t_1 + t_5 * t_3) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_10 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (dn * t_1 + cn * dn * t_11)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn
+    * dn * t_11))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2
+    * p ^ 2 * sn * t_1 + t_5 * t_11) - 0 / (2 * dn))) in
+  let t_13 := t * (0 / (x1 * x2 * x3)) in
+  let t_14 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * t_1) + t_2 * (cn * t_1 + cn * dn * t_13)) + ((sigma * (0 /
+    (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (- (sn * dn * t_1)) + t_4 * (- (sn * t_1 + sn * dn *
+    t_13))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r))) * t_7
+    + t_8 * (- (t_5 * t_13) - (0 / (2 * dn) - t_6 * 2 / (2 * dn) ^ 2))) in
+  let t_15 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_16 := t_9 * (cn * dn * t_10) + t_12 * (- (sn * dn * t_10)) + t_14 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_10)) + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) +
+    t_2 * (cn * dn * t_15)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn * dn
+    * t_15))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_5 *
+    t_15) - 0 / (2 * dn)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_18 := (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (cn * dn * t_17)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn * dn *
+    t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_5 * t_17)
+    - 0 / (2 * dn)))) * (t_10 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_19 := h * q * Q / (x1 * r) in
+  let t_20 := (x1 ^ 2 - x2 ^ 2) * (q * Q / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (Q / x2 *
+    sn)) / x3 ^ 2 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (0 / x2
+    * sn + h * Q / x2)) / x3 ^ 2 * (cn * dn * t_1) + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) * cn + t_19)
+    * (h * Q / x2 * sn) + t_19 * cn * (0 / x2 * sn)) / x3 ^ 2 * (- (sn * dn * t_1)) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_16 + t_18 = t_20 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_19 * cn * (0 /
+    x2 * sn)) / x3 ^ 2 * t_7.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by h, component 2 *)
+Theorem sensitivity_of_the_spin_5 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := t * (0 / (x1 * x2 * x3)) in
+  let t_3 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_4 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_5 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_6 := - (t_4 * t_1) - t_5 / (2 * dn) in
+  let t_7 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn * dn
+    * t_2)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (dn * t_1 + sn *
+    dn * t_2))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * t_1 + t_4
+    * t_2) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_8 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := 0 / (x1 * r) * cn + q * Q / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn
+    * t_1) + 0 / (x1 * r) * cn * (dn * t_1 + cn * dn * t_9)) + ((0 / (x1 * r) * cn + 0 / (x1 * r) +
+    0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (sn * dn * t_9))) + ((0 / (x1 * r) * cn + 0 / (x1
+    * r)) * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * t_1 + t_4 * t_9) - 0 / (2 * dn))) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn *
+    t_1 + cn * dn * t_11)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (-
+    (sn * t_1 + sn * dn * t_11))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_4 * t_11) -
+    (0 / (2 * dn) - t_5 * 2 / (2 * dn) ^ 2))) in
+  let t_13 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t_7 * (cn * dn * t_8) + t_10 * (- (sn * dn * t_8)) + t_12 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_8)) + (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn
+    * dn * t_13)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (sn * dn *
+    t_13))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_4 * t_13) - 0 / (2 * dn)))) in
+  let t_15 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_16 := (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn *
+    dn * t_15)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (sn * dn *
+    t_15))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_4 * t_15) - 0 / (2 * dn)))) *
+    (t_8 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_17 := sigma * (Q / (x3 * r)) * dn in
+  let t_18 := (x2 ^ 2 - x3 ^ 2) * (Q / x2 * sn * t_17 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) *
+    dn)) / x1 ^ 2 + (x2 ^ 2 - x3 ^ 2) * ((0 / x2 * sn + h * Q / x2) * t_17 + h * Q / x2 * sn *
+    (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * (cn * dn * t_1) + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn *
+    t_17 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * (- (sn * dn * t_1)) in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_14 + t_16 = t_18 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_17 + h * Q / x2 * sn * (sigma * (0 / (x3
+    * r)) * dn + sigma * (Q / (x3 * r)))) / x1 ^ 2 * t_6.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by h, component 3 *)
+Theorem sensitivity_of_the_spin_6 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := 0 / x2 * sn + h * Q / x2 in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_5 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_6 := - (t_4 * t_1) - t_5 / (2 * dn) in
+  let t_7 := 0 / x2 * sn + Q / x2 + ((0 / x2 * sn + 0 / x2 + 0 / x2) * (cn * dn * t_1) + t_2 * (cn *
+    dn * t_3)) + ((0 / x2 * sn + 0 / x2) * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (dn * t_1 + sn *
+    dn * t_3))) + ((0 / x2 * sn + 0 / x2) * t_6 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * t_1 + t_4 *
+    t_3) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_8 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_1) + t_2 * (dn * t_1 + cn * dn *
+    t_9)) + (0 / x2 * sn * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (sn * dn * t_9))) + (0 / x2 * sn *
+    t_6 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * t_1 + t_4 * t_9) - 0 / (2 * dn)))) * (- (sn * dn *
+    t_8)) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_1) + t_2 * (cn * t_1 + cn * dn *
+    t_11)) + (0 / x2 * sn * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (sn * t_1 + sn * dn * t_11))) +
+    (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_4 * t_11) - (0 / (2 * dn) - t_5 * 2 / (2 * dn) ^ 2))))
+    * (- (h ^ 2 * p ^ 2 * sn * cn * t_8)) in
+  let t_13 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_15 := t_7 * (cn * dn * t_8) + t_10 + t_12 + (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn *
+    dn * t_1) + t_2 * (cn * dn * t_13)) + (0 / x2 * sn * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (sn
+    * dn * t_13))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_4 * t_13) - 0 / (2 * dn)))) + (0 / x2
+    * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_1) + t_2 * (cn * dn * t_14)) + (0 / x2 * sn * (-
+    (sn * dn * t_1)) + 0 / x2 * sn * (- (sn * dn * t_14))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (-
+    (t_4 * t_14) - 0 / (2 * dn)))) * (t_8 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_16 := h * q * Q / (x1 * r) in
+  let t_17 := sigma * (Q / (x3 * r)) * dn in
+  let t_18 := (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_16 * cn) + t_17 * (q * Q / (x1 *
+    r) * cn)) / x2 ^ 2 + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_16 * cn) + t_17 * (0
+    / (x1 * r) * cn)) / x2 ^ 2 * (cn * dn * t_1) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn
+    * (t_16 * cn) + t_17 * (0 / (x1 * r) * cn + t_16)) / x2 ^ 2 * (- (sn * dn * t_1)) in
+  x2 <> 0 ->
+  x1 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  r <> 0 ->
+  t_15 = t_18 + (x3 ^ 2 - x1 ^ 2) * ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r))) * (t_16
+    * cn) + t_17 * (0 / (x1 * r) * cn)) / x2 ^ 2 * t_6.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by x1, component 1 *)
+Theorem sensitivity_of_the_spin_7 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * (0 / (x3 * r)) * dn in
+  let t_2 := sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) in
+  let t_3 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x2 * x3) / (x1 * x2 * x3) ^ 2 + t_3 * (x1 /
+    x2) + t_4 * (x1 / x3) in
+  let t_6 := sigma * (0 / (x3 * r)) * dn in
+  let t_7 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_8 := - (sn * dn * (t * t_5)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn in
+  let t_10 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_7)) + (sigma * (0 /
+    (x3 * r)) * dn * t_8 + t_9 * (- (dn * (t * t_5) + sn * dn * t_7))) in
+  let t_11 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_12 := - (t_11 * (t * t_5)) - 0 / (2 * dn) in
+  let t_13 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_14 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_15 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_16 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (dn * (t * t_5) + cn * dn * t_15))
+    + (sigma * (0 / (x3 * r)) * dn * t_8 + t_9 * (- (sn * dn * t_15))) in
+  let t_17 := (t_10 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_12 + t_13 * (- (h
+    ^ 2 * p ^ 2 * cn * (t * t_5) + t_11 * t_7) - 0 / (2 * dn)))) * (cn * dn * t_14) + (t_16 +
+    ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_12 + t_13 * (- (h ^ 2 * p ^ 2 * sn *
+    (t * t_5) + t_11 * t_15) - 0 / (2 * dn)))) * (- (sn * dn * t_14)) in
+  let t_18 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_19 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (x1 / x2) + t_1 * (0 / x2)) + ((sigma * (0 / (x3 * r) - 0 / (x3 * r) ^
+    2) * dn + t_2) * (x1 / x3) + t_2 * dn * (0 / x3)) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 /
+    (x3 * r))) * (cn * dn * (t * t_5)) + t_6 * (cn * (t * t_5) + cn * dn * t_18)) in
+  let t_20 := t_5 + t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 /
+    (x1 * x2 * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^
+    2) * (x1 / x3) + t_4 * (0 / x3))) in
+  let t_21 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_20)) + (sigma * (0 /
+    (x3 * r)) * dn * t_8 + t_9 * (- (sn * dn * t_20))) in
+  let t_22 := t_17 + (t_19 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_8 + t_9 *
+    (- (sn * (t * t_5) + sn * dn * t_18))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))
+    + sigma * (0 / (x3 * r))) * t_12 + t_13 * (- (t_11 * t_18) - (0 / (2 * dn) - 0 / (2 * dn) ^
+    2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_14)) + (t_21 + ((sigma * (0 / (x3 * r)) * dn + sigma *
+    (0 / (x3 * r))) * t_12 + t_13 * (- (t_11 * t_20) - 0 / (2 * dn)))) in
+  let t_23 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_24 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_23)) + (sigma * (0 /
+    (x3 * r)) * dn * t_8 + t_9 * (- (sn * dn * t_23))) in
+  let t_25 := h * q * Q / (x1 * r) in
+  let t_26 := t_25 * cn * (h * Q / x2 * sn) in
+  let t_27 := (2 * x1 * t_26 + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) - h * q * Q * r / (x1 * r) ^ 2) *
+    cn * (h * Q / x2 * sn) + t_25 * cn * (0 / x2 * sn))) / x3 ^ 2 + ((- (2 * x2)) * t_26 + (x1 ^ 2 -
+    x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_25 * cn * ((0 / x2 - h * Q / x2 ^ 2) *
+    sn))) / x3 ^ 2 * (x1 / x2) in
+  let t_28 := t_27 + ((x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_25 * cn * (0 /
+    x2 * sn)) / x3 ^ 2 - (x1 ^ 2 - x2 ^ 2) * t_26 * (2 * x3) / (x3 ^ 2) ^ 2) * (x1 / x3) + (x1 ^ 2 -
+    x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_25 * cn * (0 / x2 * sn + h * Q / x2)) / x3
+    ^ 2 * (cn * dn * (t * t_5)) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_22 + (t_24 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_12 + t_13 * (- (t_11 *
+    t_23) - 0 / (2 * dn)))) * (t_14 * sn ^ 2 / (2 * dn ^ 2)) = t_28 + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1
+    * r) * cn + t_25) * (h * Q / x2 * sn) + t_25 * cn * (0 / x2 * sn)) / x3 ^ 2 * t_8 + (x1 ^ 2 - x2
+    ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_25 * cn * (0 / x2 * sn)) / x3 ^ 2 * t_12.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25 t_26
+    t_27 t_28 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by x1, component 2 *)
+Theorem sensitivity_of_the_spin_8 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_2 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x2 * x3) / (x1 * x2 * x3) ^ 2 + t_1 * (x1 /
+    x2) + t_2 * (x1 / x3) in
+  let t_4 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_1 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_2 * (0 / x3))) in
+  let t_5 := - (sn * dn * (t * t_3)) in
+  let t_6 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_7 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * dn * t_4)) + ((0 / (x1 * r) * cn + 0
+    / (x1 * r)) * t_5 + t_6 * (- (dn * (t * t_3) + sn * dn * t_4))) in
+  let t_8 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_9 := - (t_8 * (t * t_3)) - 0 / (2 * dn) in
+  let t_10 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_1 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_2 * (0 / x3))) in
+  let t_12 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) - h * q * Q * r / (x1 * r) ^ 2)
+    + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (x1 / x2) + 0 / (x1 * r) * cn * (0 / x2)) + ((0 / (x1 *
+    r) * cn + 0 / (x1 * r)) * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r)) * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (dn * (t * t_3) + cn * dn * t_11)) in
+  let t_13 := (t_7 + (0 / (x1 * r) * cn * t_9 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_3) + t_8 * t_4) - 0 / (2 * dn)))) * (cn * dn * t_10) + (t_12 + ((0 / (x1 * r) * cn + 0 / (x1 *
+    r) + 0 / (x1 * r)) * t_5 + t_6 * (- (sn * dn * t_11))) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) *
+    t_9 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * (t * t_3) + t_8 * t_11) - 0 / (2 * dn)))) *
+    (- (sn * dn * t_10)) in
+  let t_14 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_1 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_2 * (0 / x3))) in
+  let t_15 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * (t * t_3) + cn * dn * t_14)) + ((0 /
+    (x1 * r) * cn + 0 / (x1 * r)) * t_5 + t_6 * (- (sn * (t * t_3) + sn * dn * t_14))) in
+  let t_16 := t_3 + t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 /
+    (x1 * x2 * x3) ^ 2) * (x1 / x2) + t_1 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^
+    2) * (x1 / x3) + t_2 * (0 / x3))) in
+  let t_17 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * dn * t_16)) + ((0 / (x1 * r) * cn +
+    0 / (x1 * r)) * t_5 + t_6 * (- (sn * dn * t_16))) in
+  let t_18 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_1 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_2 * (0 / x3))) in
+  let t_19 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * dn * t_18)) + ((0 / (x1 * r) * cn +
+    0 / (x1 * r)) * t_5 + t_6 * (- (sn * dn * t_18))) in
+  let t_20 := t_13 + (t_15 + (0 / (x1 * r) * cn * t_9 + 0 / (x1 * r) * cn * (- (t_8 * t_14) - (0 /
+    (2 * dn) - 0 / (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_10)) + (t_17 + (0 / (x1 * r) *
+    cn * t_9 + 0 / (x1 * r) * cn * (- (t_8 * t_16) - 0 / (2 * dn)))) + (t_19 + (0 / (x1 * r) * cn *
+    t_9 + 0 / (x1 * r) * cn * (- (t_8 * t_18) - 0 / (2 * dn)))) * (t_10 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_21 := sigma * (Q / (x3 * r)) * dn in
+  let t_22 := h * Q / x2 * sn * t_21 in
+  let t_23 := (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) *
+    dn)) / x1 ^ 2 - (x2 ^ 2 - x3 ^ 2) * t_22 * (2 * x1) / (x1 ^ 2) ^ 2 + (2 * x2 * t_22 + (x2 ^ 2 -
+    x3 ^ 2) * ((0 / x2 - h * Q / x2 ^ 2) * sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) *
+    dn))) / x1 ^ 2 * (x1 / x2) in
+  let t_24 := t_23 + ((- (2 * x3)) * t_22 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_21 + h * Q / x2 *
+    sn * (sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) * dn))) / x1 ^ 2 * (x1 / x3) + (x2 ^ 2 - x3
+    ^ 2) * ((0 / x2 * sn + h * Q / x2) * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn)) /
+    x1 ^ 2 * (cn * dn * (t * t_3)) in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_20 = t_24 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r))
+    * dn)) / x1 ^ 2 * t_5 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_21 + h * Q / x2 * sn * (sigma * (0
+    / (x3 * r)) * dn + sigma * (Q / (x3 * r)))) / x1 ^ 2 * t_9.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 D_1 D_2
+    D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by x1, component 3 *)
+Theorem sensitivity_of_the_spin_9 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / x2 - h * Q / x2 ^ 2 in
+  let t_2 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x2 * x3) / (x1 * x2 * x3) ^ 2 + t_2 * (x1 /
+    x2) + t_3 * (x1 / x3) in
+  let t_5 := 0 / x2 * sn + h * Q / x2 in
+  let t_6 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_7 := - (sn * dn * (t * t_4)) in
+  let t_8 := 0 / x2 * sn + 0 / x2 + (((0 / x2 - 0 / x2 ^ 2) * sn + t_1) * (x1 / x2) + t_1 * sn * (0
+    / x2)) + ((0 / x2 * sn + 0 / x2) * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2
+    + 0 / x2) * (cn * dn * (t * t_4)) + t_5 * (cn * dn * t_6)) + ((0 / x2 * sn + 0 / x2) * t_7 + 0 /
+    x2 * sn * (- (dn * (t * t_4) + sn * dn * t_6))) in
+  let t_9 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_10 := - (t_9 * (t * t_4)) - 0 / (2 * dn) in
+  let t_11 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_12 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_13 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_4)) +
+    t_5 * (dn * (t * t_4) + cn * dn * t_12)) + (0 / x2 * sn * t_7 + 0 / x2 * sn * (- (sn * dn *
+    t_12))) in
+  let t_14 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_15 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_4)) +
+    t_5 * (cn * (t * t_4) + cn * dn * t_14)) + (0 / x2 * sn * t_7 + 0 / x2 * sn * (- (sn * (t * t_4)
+    + sn * dn * t_14))) in
+  let t_16 := (t_8 + ((0 / x2 * sn + 0 / x2) * t_10 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_4) + t_9 * t_6) - 0 / (2 * dn)))) * (cn * dn * t_11) + (t_13 + (0 / x2 * sn * t_10 + 0 / x2 *
+    sn * (- (h ^ 2 * p ^ 2 * sn * (t * t_4) + t_9 * t_12) - 0 / (2 * dn)))) * (- (sn * dn * t_11)) +
+    (t_15 + (0 / x2 * sn * t_10 + 0 / x2 * sn * (- (t_9 * t_14) - (0 / (2 * dn) - 0 / (2 * dn) ^
+    2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_11)) in
+  let t_17 := t_4 + t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 /
+    (x1 * x2 * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^
+    2) * (x1 / x3) + t_3 * (0 / x3))) in
+  let t_18 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_4)) +
+    t_5 * (cn * dn * t_17)) + (0 / x2 * sn * t_7 + 0 / x2 * sn * (- (sn * dn * t_17))) + (0 / x2 *
+    sn * t_10 + 0 / x2 * sn * (- (t_9 * t_17) - 0 / (2 * dn))) in
+  let t_19 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_20 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_4)) +
+    t_5 * (cn * dn * t_19)) + (0 / x2 * sn * t_7 + 0 / x2 * sn * (- (sn * dn * t_19))) + (0 / x2 *
+    sn * t_10 + 0 / x2 * sn * (- (t_9 * t_19) - 0 / (2 * dn))) in
+  let t_21 := sigma * (Q / (x3 * r)) * dn in
+  let t_22 := h * q * Q / (x1 * r) in
+  let t_23 := ((- (2 * x1)) * (t_21 * (t_22 * cn)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) *
+    dn * (t_22 * cn) + t_21 * ((0 / (x1 * r) - h * q * Q * r / (x1 * r) ^ 2) * cn))) / x2 ^ 2 + ((x3
+    ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_22 * cn) + t_21 * (0 / (x1 * r) * cn)) / x2 ^
+    2 - (x3 ^ 2 - x1 ^ 2) * (t_21 * (t_22 * cn)) * (2 * x2) / (x2 ^ 2) ^ 2) * (x1 / x2) in
+  let t_24 := t_23 + (2 * x3 * (t_21 * (t_22 * cn)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r) - Q
+    * r / (x3 * r) ^ 2) * dn * (t_22 * cn) + t_21 * (0 / (x1 * r) * cn))) / x2 ^ 2 * (x1 / x3) + (x3
+    ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_22 * cn) + t_21 * (0 / (x1 * r) * cn)) / x2 ^
+    2 * (cn * dn * (t * t_4)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_22 * cn) +
+    t_21 * (0 / (x1 * r) * cn + t_22)) / x2 ^ 2 * t_7 in
+  x2 <> 0 ->
+  x3 <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  r <> 0 ->
+  t_16 + t_18 + t_20 * (t_11 * sn ^ 2 / (2 * dn ^ 2)) = t_24 + (x3 ^ 2 - x1 ^ 2) * ((sigma * (0 /
+    (x3 * r)) * dn + sigma * (Q / (x3 * r))) * (t_22 * cn) + t_21 * (0 / (x1 * r) * cn)) / x2 ^ 2 *
+    t_10.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 D_1 D_2
+    D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by p, component 1 *)
+Theorem sensitivity_of_the_spin_10 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * (0 / (x3 * r)) * dn in
+  let t_2 := sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) in
+  let t_3 := sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) in
+  let t_4 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_6 := 0 / (x1 * x2 * x3) + t_4 * (tau * p / x2) + t_5 * (tau * p / x3) + 0 / (x1 * x2 * x3) *
+    (p / r) in
+  let t_7 := t * t_6 - h ^ 2 * (2 * p) * J in
+  let t_8 := sigma * (0 / (x3 * r)) * dn in
+  let t_9 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_5 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_10 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_7) + t_8 * (cn * dn * t_9)) in
+  let t_11 := sigma * (0 / (x3 * r)) * dn in
+  let t_12 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_13 := h ^ 2 * (2 * p) * sn ^ 2 in
+  let t_14 := - (t_12 * t_7) - t_13 / (2 * dn) in
+  let t_15 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_16 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_5 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_7) + t_8 * (dn * t_7 + cn * dn * t_17)) in
+  let t_19 := (t_10 + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_7)) + t_11 * (- (dn * t_7 + sn
+    * dn * t_9))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_14 + t_15 * (- (h ^
+    2 * p ^ 2 * cn * t_7 + t_12 * t_9) - h ^ 2 * (2 * p) * (2 * sn) / (2 * dn)))) * (cn * dn * t_16)
+    + (t_18 + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_7)) + t_11 * (- (sn * dn * t_17))) +
+    ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_14 + t_15 * (- (h ^ 2 * p ^ 2 * sn *
+    t_7 + t_12 * t_17) - 0 / (2 * dn)))) * (- (sn * dn * t_16)) in
+  let t_20 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (tau * p / x2) + t_1 * (0 / x2)) + ((sigma * (0 / (x3 * r) - 0 / (x3 *
+    r) ^ 2) * dn + t_2) * (tau * p / x3) + t_2 * dn * (0 / x3)) + ((sigma * (0 / (x3 * r) - 0 / (x3
+    * r) ^ 2) * dn + t_3) * (p / r) + t_3 * dn * (0 / r)) in
+  let t_21 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_5 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_22 := t_20 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (cn * dn * t_7) + t_8
+    * (cn * t_7 + cn * dn * t_21)) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (-
+    (sn * dn * t_7)) + t_11 * (- (sn * t_7 + sn * dn * t_21))) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r))) * t_14 + t_15 * (- (t_12 * t_21) - (0 / (2 *
+    dn) - t_13 * 2 / (2 * dn) ^ 2))) in
+  let t_23 := t_6 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * p / x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) +
+    t_5 * (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_24 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_7) + t_8 * (cn * dn * t_23)) in
+  let t_25 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_5 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) - h ^ 2 * (2 * p) in
+  let t_26 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_7) + t_8 * (cn * dn * t_25)) in
+  let t_27 := t_19 + t_22 * (- (h ^ 2 * p ^ 2 * sn * cn * t_16)) + (t_24 + (sigma * (0 / (x3 * r)) *
+    dn * (- (sn * dn * t_7)) + t_11 * (- (sn * dn * t_23))) + ((sigma * (0 / (x3 * r)) * dn + sigma
+    * (0 / (x3 * r))) * t_14 + t_15 * (- (t_12 * t_23) - 0 / (2 * dn)))) + (t_26 + (sigma * (0 / (x3
+    * r)) * dn * (- (sn * dn * t_7)) + t_11 * (- (sn * dn * t_25))) + ((sigma * (0 / (x3 * r)) * dn
+    + sigma * (0 / (x3 * r))) * t_14 + t_15 * (- (t_12 * t_25) - 0 / (2 * dn)))) * (t_16 * sn ^ 2 /
+    (2 * dn ^ 2)) in
+  let t_28 := h * q * Q / (x1 * r) in
+  let t_29 := t_28 * cn * (h * Q / x2 * sn) in
+  let t_30 := (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_28 * cn * (0 / x2 *
+    sn)) / x3 ^ 2 + ((- (2 * x2)) * t_29 + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 *
+    sn) + t_28 * cn * ((0 / x2 - h * Q / x2 ^ 2) * sn))) / x3 ^ 2 * (tau * p / x2) + ((x1 ^ 2 - x2 ^
+    2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_28 * cn * (0 / x2 * sn)) / x3 ^ 2 - (x1 ^ 2 - x2
+    ^ 2) * t_29 * (2 * x3) / (x3 ^ 2) ^ 2) * (tau * p / x3) in
+  let t_31 := t_30 + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn * (h *
+    Q / x2 * sn) + t_28 * cn * (0 / x2 * sn)) / x3 ^ 2 * (p / r) + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r)
+    * cn * (h * Q / x2 * sn) + t_28 * cn * (0 / x2 * sn + h * Q / x2)) / x3 ^ 2 * (cn * dn * t_7) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_27 = t_31 + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) * cn + t_28) * (h * Q / x2 * sn) + t_28 * cn * (0
+    / x2 * sn)) / x3 ^ 2 * (- (sn * dn * t_7)) + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q /
+    x2 * sn) + t_28 * cn * (0 / x2 * sn)) / x3 ^ 2 * t_14.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25
+    t_26 t_27 t_28 t_29 t_30 t_31 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by p, component 2 *)
+Theorem sensitivity_of_the_spin_11 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2 in
+  let t_2 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) + t_2 * (tau * p / x2) + t_3 * (tau * p / x3) + 0 / (x1 * x2 * x3) *
+    (p / r) in
+  let t_5 := t * t_4 - h ^ 2 * (2 * p) * J in
+  let t_6 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_7 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 / x2))
+    + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0 / (x1
+    * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_5) + 0 / (x1
+    * r) * cn * (cn * dn * t_6)) in
+  let t_8 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_9 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_10 := h ^ 2 * (2 * p) * sn ^ 2 in
+  let t_11 := - (t_9 * t_5) - t_10 / (2 * dn) in
+  let t_12 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_13 := 0 / (x1 * r) * cn + 0 / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (tau * p /
+    x2) + 0 / (x1 * r) * cn * (0 / x2)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (tau * p / x3) + 0 /
+    (x1 * r) * cn * (0 / x3)) + (((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + t_1) * (p / r) + t_1 * cn
+    * (0 / r)) in
+  let t_14 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_15 := t_13 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn * t_5) + 0 / (x1 * r) * cn * (dn
+    * t_5 + cn * dn * t_14)) + ((0 / (x1 * r) * cn + 0 / (x1 * r) + 0 / (x1 * r)) * (- (sn * dn *
+    t_5)) + t_8 * (- (sn * dn * t_14))) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_11 + 0 / (x1 * r)
+    * cn * (- (h ^ 2 * p ^ 2 * sn * t_5 + t_9 * t_14) - 0 / (2 * dn))) in
+  let t_16 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_17 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 /
+    x2)) + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0
+    / (x1 * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_5) + 0
+    / (x1 * r) * cn * (cn * t_5 + cn * dn * t_16)) in
+  let t_18 := (t_7 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_5)) + t_8 * (- (dn * t_5
+    + sn * dn * t_6))) + (0 / (x1 * r) * cn * t_11 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn *
+    t_5 + t_9 * t_6) - h ^ 2 * (2 * p) * (2 * sn) / (2 * dn)))) * (cn * dn * t_12) + t_15 * (- (sn *
+    dn * t_12)) + (t_17 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_5)) + t_8 * (- (sn *
+    t_5 + sn * dn * t_16))) + (0 / (x1 * r) * cn * t_11 + 0 / (x1 * r) * cn * (- (t_9 * t_16) - (0 /
+    (2 * dn) - t_10 * 2 / (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_12)) in
+  let t_19 := t_4 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * p / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) +
+    t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_20 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 /
+    x2)) + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0
+    / (x1 * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_5) + 0
+    / (x1 * r) * cn * (cn * dn * t_19)) in
+  let t_21 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) - h ^ 2 * (2 * p) in
+  let t_22 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 /
+    x2)) + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0
+    / (x1 * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_5) + 0
+    / (x1 * r) * cn * (cn * dn * t_21)) in
+  let t_23 := t_18 + (t_20 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_5)) + t_8 * (-
+    (sn * dn * t_19))) + (0 / (x1 * r) * cn * t_11 + 0 / (x1 * r) * cn * (- (t_9 * t_19) - 0 / (2 *
+    dn)))) + (t_22 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_5)) + t_8 * (- (sn * dn *
+    t_21))) + (0 / (x1 * r) * cn * t_11 + 0 / (x1 * r) * cn * (- (t_9 * t_21) - 0 / (2 * dn)))) *
+    (t_12 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_24 := sigma * (Q / (x3 * r)) * dn in
+  let t_25 := h * Q / x2 * sn * t_24 in
+  let t_26 := (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_24 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) *
+    dn)) / x1 ^ 2 + (2 * x2 * t_25 + (x2 ^ 2 - x3 ^ 2) * ((0 / x2 - h * Q / x2 ^ 2) * sn * t_24 + h
+    * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn))) / x1 ^ 2 * (tau * p / x2) + ((- (2 * x3)) * t_25
+    + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_24 + h * Q / x2 * sn * (sigma * (0 / (x3 * r) - Q * r /
+    (x3 * r) ^ 2) * dn))) / x1 ^ 2 * (tau * p / x3) in
+  let t_27 := t_26 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_24 + h * Q / x2 * sn * (sigma * (0 / (x3 *
+    r) - Q * x3 / (x3 * r) ^ 2) * dn)) / x1 ^ 2 * (p / r) + (x2 ^ 2 - x3 ^ 2) * ((0 / x2 * sn + h *
+    Q / x2) * t_24 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * (cn * dn * t_5) +
+    (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_24 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn)) / x1
+    ^ 2 * (- (sn * dn * t_5)) in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_23 = t_27 + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_24 + h * Q / x2 * sn * (sigma * (0 / (x3 * r))
+    * dn + sigma * (Q / (x3 * r)))) / x1 ^ 2 * t_11.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25
+    t_26 t_27 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by p, component 3 *)
+Theorem sensitivity_of_the_spin_12 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / x2 - h * Q / x2 ^ 2 in
+  let t_2 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) + t_2 * (tau * p / x2) + t_3 * (tau * p / x3) + 0 / (x1 * x2 * x3) *
+    (p / r) in
+  let t_5 := t * t_4 - h ^ 2 * (2 * p) * J in
+  let t_6 := 0 / x2 * sn + h * Q / x2 in
+  let t_7 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_8 := 0 / x2 * sn + 0 / x2 + (((0 / x2 - 0 / x2 ^ 2) * sn + t_1) * (tau * p / x2) + t_1 * sn
+    * (0 / x2)) + ((0 / x2 * sn + 0 / x2) * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn
+    + 0 / x2) * (p / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2 + 0 / x2) * (cn * dn *
+    t_5) + t_6 * (cn * dn * t_7)) in
+  let t_9 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_10 := h ^ 2 * (2 * p) * sn ^ 2 in
+  let t_11 := - (t_9 * t_5) - t_10 / (2 * dn) in
+  let t_12 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_13 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_14 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_5) + t_6 * (dn * t_5 + cn * dn * t_13)) in
+  let t_15 := (t_8 + ((0 / x2 * sn + 0 / x2) * (- (sn * dn * t_5)) + 0 / x2 * sn * (- (dn * t_5 + sn
+    * dn * t_7))) + ((0 / x2 * sn + 0 / x2) * t_11 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * t_5 +
+    t_9 * t_7) - h ^ 2 * (2 * p) * (2 * sn) / (2 * dn)))) * (cn * dn * t_12) + (t_14 + (0 / x2 * sn
+    * (- (sn * dn * t_5)) + 0 / x2 * sn * (- (sn * dn * t_13))) + (0 / x2 * sn * t_11 + 0 / x2 * sn
+    * (- (h ^ 2 * p ^ 2 * sn * t_5 + t_9 * t_13) - 0 / (2 * dn)))) * (- (sn * dn * t_12)) in
+  let t_16 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_17 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_5) + t_6 * (cn * t_5 + cn * dn * t_16)) in
+  let t_18 := t_4 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * p / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) +
+    t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_19 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_5) + t_6 * (cn * dn * t_18)) + (0 / x2 * sn * (-
+    (sn * dn * t_5)) + 0 / x2 * sn * (- (sn * dn * t_18))) in
+  let t_20 := t_15 + (t_17 + (0 / x2 * sn * (- (sn * dn * t_5)) + 0 / x2 * sn * (- (sn * t_5 + sn *
+    dn * t_16))) + (0 / x2 * sn * t_11 + 0 / x2 * sn * (- (t_9 * t_16) - (0 / (2 * dn) - t_10 * 2 /
+    (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_12)) + (t_19 + (0 / x2 * sn * t_11 + 0 / x2 *
+    sn * (- (t_9 * t_18) - 0 / (2 * dn)))) in
+  let t_21 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_3 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) - h ^ 2 * (2 * p) in
+  let t_22 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_5) + t_6 * (cn * dn * t_21)) + (0 / x2 * sn * (-
+    (sn * dn * t_5)) + 0 / x2 * sn * (- (sn * dn * t_21))) in
+  let t_23 := h * q * Q / (x1 * r) in
+  let t_24 := sigma * (Q / (x3 * r)) * dn in
+  let t_25 := (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_23 * cn) + t_24 * (0 / (x1 * r)
+    * cn)) / x2 ^ 2 + ((x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_23 * cn) + t_24 * (0 /
+    (x1 * r) * cn)) / x2 ^ 2 - (x3 ^ 2 - x1 ^ 2) * (t_24 * (t_23 * cn)) * (2 * x2) / (x2 ^ 2) ^ 2) *
+    (tau * p / x2) + (2 * x3 * (t_24 * (t_23 * cn)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r) - Q
+    * r / (x3 * r) ^ 2) * dn * (t_23 * cn) + t_24 * (0 / (x1 * r) * cn))) / x2 ^ 2 * (tau * p / x3)
+    in
+  let t_26 := t_25 + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) * dn *
+    (t_23 * cn) + t_24 * ((0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn)) / x2 ^ 2 * (p / r) +
+    (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_23 * cn) + t_24 * (0 / (x1 * r) * cn)) /
+    x2 ^ 2 * (cn * dn * t_5) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_23 * cn) + t_24
+    * (0 / (x1 * r) * cn + t_23)) / x2 ^ 2 * (- (sn * dn * t_5)) in
+  x2 <> 0 ->
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_20 + (t_22 + (0 / x2 * sn * t_11 + 0 / x2 * sn * (- (t_9 * t_21) - 0 / (2 * dn)))) * (t_12 * sn
+    ^ 2 / (2 * dn ^ 2)) = t_26 + (x3 ^ 2 - x1 ^ 2) * ((sigma * (0 / (x3 * r)) * dn + sigma * (Q /
+    (x3 * r))) * (t_23 * cn) + t_24 * (0 / (x1 * r) * cn)) / x2 ^ 2 * t_11.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25
+    t_26 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by q, component 1 *)
+Theorem sensitivity_of_the_spin_13 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) in
+  let t_2 := sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) in
+  let t_3 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := sigma * tau * Q / (x1 * x2 * x3) + t_3 * (tau * q / x3) + 0 / (x1 * x2 * x3) * (q / r)
+    in
+  let t_5 := sigma * (0 / (x3 * r)) * dn in
+  let t_6 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_7 := - (sn * dn * (t * t_4)) in
+  let t_8 := sigma * (0 / (x3 * r)) * dn in
+  let t_9 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_4)) + t_5 * (cn * dn * t_6))
+    + (sigma * (0 / (x3 * r)) * dn * t_7 + t_8 * (- (dn * (t * t_4) + sn * dn * t_6))) in
+  let t_10 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_11 := - (t_10 * (t * t_4)) - 0 / (2 * dn) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_13 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_14 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_15 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_4)) + t_5 * (dn * (t * t_4) +
+    cn * dn * t_14)) in
+  let t_16 := (t_9 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_11 + t_12 * (- (h ^
+    2 * p ^ 2 * cn * (t * t_4) + t_10 * t_6) - 0 / (2 * dn)))) * (cn * dn * t_13) + (t_15 + (sigma *
+    (0 / (x3 * r)) * dn * t_7 + t_8 * (- (sn * dn * t_14))) + ((sigma * (0 / (x3 * r)) * dn + sigma
+    * (0 / (x3 * r))) * t_11 + t_12 * (- (h ^ 2 * p ^ 2 * sn * (t * t_4) + t_10 * t_14) - 0 / (2 *
+    dn)))) * (- (sn * dn * t_13)) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r) - 0 /
+    (x3 * r) ^ 2) * dn + t_1) * (tau * q / x3) + t_1 * dn * (0 / x3)) + ((sigma * (0 / (x3 * r) - 0
+    / (x3 * r) ^ 2) * dn + t_2) * (q / r) + t_2 * dn * (0 / r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * (t * t_4)) + t_5 * (cn * (t * t_4) + cn * dn * t_17)) in
+  let t_19 := t_4 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * q / x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_20 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_4)) + t_5 * (cn * dn * t_19))
+    + (sigma * (0 / (x3 * r)) * dn * t_7 + t_8 * (- (sn * dn * t_19))) in
+  let t_21 := t_16 + (t_18 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 *
+    (- (sn * (t * t_4) + sn * dn * t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))
+    + sigma * (0 / (x3 * r))) * t_11 + t_12 * (- (t_10 * t_17) - (0 / (2 * dn) - 0 / (2 * dn) ^
+    2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_13)) + (t_20 + ((sigma * (0 / (x3 * r)) * dn + sigma *
+    (0 / (x3 * r))) * t_11 + t_12 * (- (t_10 * t_19) - 0 / (2 * dn)))) in
+  let t_22 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_23 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_4)) + t_5 * (cn * dn * t_22))
+    + (sigma * (0 / (x3 * r)) * dn * t_7 + t_8 * (- (sn * dn * t_22))) in
+  let t_24 := h * q * Q / (x1 * r) in
+  let t_25 := (x1 ^ 2 - x2 ^ 2) * (h * Q / (x1 * r) * cn * (h * Q / x2 * sn) + t_24 * cn * (0 / x2 *
+    sn)) / x3 ^ 2 + ((x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_24 * cn * (0 /
+    x2 * sn)) / x3 ^ 2 - (x1 ^ 2 - x2 ^ 2) * (t_24 * cn * (h * Q / x2 * sn)) * (2 * x3) / (x3 ^ 2) ^
+    2) * (tau * q / x3) in
+  let t_26 := t_25 + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn * (h *
+    Q / x2 * sn) + t_24 * cn * (0 / x2 * sn)) / x3 ^ 2 * (q / r) + (x1 ^ 2 - x2 ^ 2) * (0 / (x1 * r)
+    * cn * (h * Q / x2 * sn) + t_24 * cn * (0 / x2 * sn + h * Q / x2)) / x3 ^ 2 * (cn * dn * (t *
+    t_4)) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_21 + (t_23 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_11 + t_12 * (- (t_10 *
+    t_22) - 0 / (2 * dn)))) * (t_13 * sn ^ 2 / (2 * dn ^ 2)) = t_26 + (x1 ^ 2 - x2 ^ 2) * ((0 / (x1
+    * r) * cn + t_24) * (h * Q / x2 * sn) + t_24 * cn * (0 / x2 * sn)) / x3 ^ 2 * t_7 + (x1 ^ 2 - x2
+    ^ 2) * (0 / (x1 * r) * cn * (h * Q / x2 * sn) + t_24 * cn * (0 / x2 * sn)) / x3 ^ 2 * t_11.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25 t_26
+    D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by q, component 2 *)
+Theorem sensitivity_of_the_spin_14 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2 in
+  let t_2 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := sigma * tau * Q / (x1 * x2 * x3) + t_2 * (tau * q / x3) + 0 / (x1 * x2 * x3) * (q / r)
+    in
+  let t_4 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_5 := - (sn * dn * (t * t_3)) in
+  let t_6 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_7 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 / x3))
+    + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn *
+    (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * dn * t_4)) + ((0 / (x1 * r) * cn + 0 / (x1 *
+    r)) * t_5 + t_6 * (- (dn * (t * t_3) + sn * dn * t_4))) in
+  let t_8 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_9 := - (t_8 * (t * t_3)) - 0 / (2 * dn) in
+  let t_10 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_12 := 0 / (x1 * r) * cn + h * Q / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (tau * q
+    / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + t_1) * (q /
+    r) + t_1 * cn * (0 / r)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn * (t * t_3)) + 0 / (x1
+    * r) * cn * (dn * (t * t_3) + cn * dn * t_11)) in
+  let t_13 := (t_7 + (0 / (x1 * r) * cn * t_9 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_3) + t_8 * t_4) - 0 / (2 * dn)))) * (cn * dn * t_10) + (t_12 + ((0 / (x1 * r) * cn + 0 / (x1 *
+    r) + 0 / (x1 * r)) * t_5 + t_6 * (- (sn * dn * t_11))) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) *
+    t_9 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * (t * t_3) + t_8 * t_11) - 0 / (2 * dn)))) *
+    (- (sn * dn * t_10)) in
+  let t_14 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_15 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 /
+    x3)) + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) *
+    cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * (t * t_3) + cn * dn * t_14)) + ((0 / (x1
+    * r) * cn + 0 / (x1 * r)) * t_5 + t_6 * (- (sn * (t * t_3) + sn * dn * t_14))) in
+  let t_16 := t_3 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * q / x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_17 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 /
+    x3)) + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) *
+    cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * dn * t_16)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r)) * t_5 + t_6 * (- (sn * dn * t_16))) in
+  let t_18 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_19 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 /
+    x3)) + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) *
+    cn * (cn * dn * (t * t_3)) + 0 / (x1 * r) * cn * (cn * dn * t_18)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r)) * t_5 + t_6 * (- (sn * dn * t_18))) in
+  let t_20 := t_13 + (t_15 + (0 / (x1 * r) * cn * t_9 + 0 / (x1 * r) * cn * (- (t_8 * t_14) - (0 /
+    (2 * dn) - 0 / (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_10)) + (t_17 + (0 / (x1 * r) *
+    cn * t_9 + 0 / (x1 * r) * cn * (- (t_8 * t_16) - 0 / (2 * dn)))) + (t_19 + (0 / (x1 * r) * cn *
+    t_9 + 0 / (x1 * r) * cn * (- (t_8 * t_18) - 0 / (2 * dn)))) * (t_10 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_21 := sigma * (Q / (x3 * r)) * dn in
+  let t_22 := (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) *
+    dn)) / x1 ^ 2 + ((- (2 * x3)) * (h * Q / x2 * sn * t_21) + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn *
+    t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) * dn))) / x1 ^ 2 * (tau
+    * q / x3) + (x2 ^ 2 - x3 ^ 2) * (0 / x2 * sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r) -
+    Q * x3 / (x3 * r) ^ 2) * dn)) / x1 ^ 2 * (q / r) in
+  let t_23 := t_22 + (x2 ^ 2 - x3 ^ 2) * ((0 / x2 * sn + h * Q / x2) * t_21 + h * Q / x2 * sn *
+    (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * (cn * dn * (t * t_3)) + (x2 ^ 2 - x3 ^ 2) * (0 / x2 *
+    sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn)) / x1 ^ 2 * t_5 + (x2 ^ 2 - x3 ^ 2)
+    * (0 / x2 * sn * t_21 + h * Q / x2 * sn * (sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 *
+    r)))) / x1 ^ 2 * t_9 in
+  x1 <> 0 ->
+  r <> 0 ->
+  x3 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_20 = t_23.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 D_1 D_2 D_3
+    D_4 D_5.
+  rational.
+Qed.
+
+(* by q, component 3 *)
+Theorem sensitivity_of_the_spin_15 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / (x1 * x2 * x3) - sigma * tau * q * Q * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_2 := sigma * tau * Q / (x1 * x2 * x3) + t_1 * (tau * q / x3) + 0 / (x1 * x2 * x3) * (q / r)
+    in
+  let t_3 := 0 / x2 * sn + h * Q / x2 in
+  let t_4 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_1 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_5 := - (sn * dn * (t * t_2)) in
+  let t_6 := 0 / x2 * sn + 0 / x2 + ((0 / x2 * sn + 0 / x2) * (tau * q / x3) + 0 / x2 * sn * (0 /
+    x3)) + ((0 / x2 * sn + 0 / x2) * (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2 + 0 /
+    x2) * (cn * dn * (t * t_2)) + t_3 * (cn * dn * t_4)) + ((0 / x2 * sn + 0 / x2) * t_5 + 0 / x2 *
+    sn * (- (dn * (t * t_2) + sn * dn * t_4))) in
+  let t_7 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_8 := - (t_7 * (t * t_2)) - 0 / (2 * dn) in
+  let t_9 := sigma * tau * q * Q / (x1 * x2 * x3) in
+  let t_10 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_1 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_11 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_2)) + t_3 * (dn *
+    (t * t_2) + cn * dn * t_10)) + (0 / x2 * sn * t_5 + 0 / x2 * sn * (- (sn * dn * t_10))) in
+  let t_12 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_1 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_13 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_2)) + t_3 * (cn *
+    (t * t_2) + cn * dn * t_12)) + (0 / x2 * sn * t_5 + 0 / x2 * sn * (- (sn * (t * t_2) + sn * dn *
+    t_12))) in
+  let t_14 := (t_6 + ((0 / x2 * sn + 0 / x2) * t_8 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_2) + t_7 * t_4) - 0 / (2 * dn)))) * (cn * dn * t_9) + (t_11 + (0 / x2 * sn * t_8 + 0 / x2 * sn
+    * (- (h ^ 2 * p ^ 2 * sn * (t * t_2) + t_7 * t_10) - 0 / (2 * dn)))) * (- (sn * dn * t_9)) +
+    (t_13 + (0 / x2 * sn * t_8 + 0 / x2 * sn * (- (t_7 * t_12) - (0 / (2 * dn) - 0 / (2 * dn) ^
+    2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * t_9)) in
+  let t_15 := t_2 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * q / x3) + t_1 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_16 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_2)) + t_3 * (cn *
+    dn * t_15)) + (0 / x2 * sn * t_5 + 0 / x2 * sn * (- (sn * dn * t_15))) + (0 / x2 * sn * t_8 + 0
+    / x2 * sn * (- (t_7 * t_15) - 0 / (2 * dn))) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_1 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_2)) + t_3 * (cn *
+    dn * t_17)) + (0 / x2 * sn * t_5 + 0 / x2 * sn * (- (sn * dn * t_17))) + (0 / x2 * sn * t_8 + 0
+    / x2 * sn * (- (t_7 * t_17) - 0 / (2 * dn))) in
+  let t_19 := h * q * Q / (x1 * r) in
+  let t_20 := sigma * (Q / (x3 * r)) * dn in
+  let t_21 := (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_19 * cn) + t_20 * (h * Q / (x1 *
+    r) * cn)) / x2 ^ 2 + (2 * x3 * (t_20 * (t_19 * cn)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)
+    - Q * r / (x3 * r) ^ 2) * dn * (t_19 * cn) + t_20 * (0 / (x1 * r) * cn))) / x2 ^ 2 * (tau * q /
+    x3) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) * dn * (t_19 * cn) +
+    t_20 * ((0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn)) / x2 ^ 2 * (q / r) in
+  let t_22 := t_21 + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (t_19 * cn) + t_20 * (0 /
+    (x1 * r) * cn)) / x2 ^ 2 * (cn * dn * (t * t_2)) + (x3 ^ 2 - x1 ^ 2) * (sigma * (0 / (x3 * r)) *
+    dn * (t_19 * cn) + t_20 * (0 / (x1 * r) * cn + t_19)) / x2 ^ 2 * t_5 + (x3 ^ 2 - x1 ^ 2) *
+    ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r))) * (t_19 * cn) + t_20 * (0 / (x1 * r) *
+    cn)) / x2 ^ 2 * t_8 in
+  x2 <> 0 ->
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_14 + t_16 + t_18 * (t_9 * sn ^ 2 / (2 * dn ^ 2)) = t_22.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 D_1 D_2 D_3 D_4
+    D_5.
+  rational.
+Qed.
+
+(* by Q, component 1 *)
+Theorem sensitivity_of_the_spin_16 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := (- sigma) * tau * q / (x1 * x2 * x3) in
+  let t_2 := sigma * (0 / (x3 * r)) * dn in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := - (sn * dn * (t * t_1)) in
+  let t_5 := sigma * (0 / (x3 * r)) * dn in
+  let t_6 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_7 := - (t_6 * (t * t_1)) - 0 / (2 * dn) in
+  let t_8 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_1)) +
+    t_2 * (cn * dn * t_3)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (dn * (t * t_1) + sn * dn
+    * t_3))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2 * p ^
+    2 * cn * (t * t_1) + t_6 * t_3) - 0 / (2 * dn))) in
+  let t_10 := (- sigma) * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_1)) +
+    t_2 * (dn * (t * t_1) + cn * dn * t_11)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (sn *
+    dn * t_11))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2 *
+    p ^ 2 * sn * (t * t_1) + t_6 * t_11) - 0 / (2 * dn))) in
+  let t_13 := t * (0 / (x1 * x2 * x3)) in
+  let t_14 := sigma * (0 / (x3 * r)) * dn + sigma * (1 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * (t * t_1)) + t_2 * (cn * (t * t_1) + cn * dn * t_13)) +
+    ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_4 + t_5 * (- (sn * (t * t_1) + sn *
+    dn * t_13))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r)))
+    * t_7 + t_8 * (- (t_6 * t_13) - (0 / (2 * dn) - 0 / (2 * dn) ^ 2))) in
+  let t_15 := t_1 + t * (0 / (x1 * x2 * x3)) in
+  let t_16 := t_9 * (cn * dn * t_10) + t_12 * (- (sn * dn * t_10)) + t_14 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_10)) + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t *
+    t_1)) + t_2 * (cn * dn * t_15)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (sn * dn *
+    t_15))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_6 * t_15)
+    - 0 / (2 * dn)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3)) in
+  let t_18 := t_16 + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t *
+    t_1)) + t_2 * (cn * dn * t_17)) + (sigma * (0 / (x3 * r)) * dn * t_4 + t_5 * (- (sn * dn *
+    t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_6 * t_17)
+    - 0 / (2 * dn)))) * (t_10 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_19 := h * q * Q / (x1 * r) in
+  let t_20 := (x2 ^ 2 - x1 ^ 2) * (h / x2 * sn * (t_19 * cn) + h * Q / x2 * sn * (h * q / (x1 * r) *
+    cn)) / x3 ^ 2 + (x2 ^ 2 - x1 ^ 2) * ((0 / x2 * sn + h * Q / x2) * (t_19 * cn) + h * Q / x2 * sn
+    * (0 / (x1 * r) * cn)) / x3 ^ 2 * (cn * dn * (t * t_1)) + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn *
+    (t_19 * cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn + t_19)) / x3 ^ 2 * t_4 in
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_18 = t_20 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_19 * cn) + h * Q / x2 * sn * (0 / (x1 * r) *
+    cn)) / x3 ^ 2 * t_7.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by Q, component 2 *)
+Theorem sensitivity_of_the_spin_17 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := (- sigma) * tau * q / (x1 * x2 * x3) in
+  let t_2 := 0 / x2 * sn + h * Q / x2 in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := - (sn * dn * (t * t_1)) in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := - (t_5 * (t * t_1)) - 0 / (2 * dn) in
+  let t_7 := 0 / x2 * sn + h / x2 + ((0 / x2 * sn + 0 / x2 + 0 / x2) * (cn * dn * (t * t_1)) + t_2 *
+    (cn * dn * t_3)) + ((0 / x2 * sn + 0 / x2) * t_4 + 0 / x2 * sn * (- (dn * (t * t_1) + sn * dn *
+    t_3))) + ((0 / x2 * sn + 0 / x2) * t_6 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * (t * t_1) + t_5
+    * t_3) - 0 / (2 * dn))) in
+  let t_8 := (- sigma) * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_1)) + t_2 * (dn * (t * t_1)
+    + cn * dn * t_9)) + (0 / x2 * sn * t_4 + 0 / x2 * sn * (- (sn * dn * t_9))) + (0 / x2 * sn * t_6
+    + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * (t * t_1) + t_5 * t_9) - 0 / (2 * dn)))) * (- (sn * dn
+    * t_8)) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_1)) + t_2 * (cn * (t * t_1)
+    + cn * dn * t_11)) + (0 / x2 * sn * t_4 + 0 / x2 * sn * (- (sn * (t * t_1) + sn * dn * t_11))) +
+    (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_5 * t_11) - (0 / (2 * dn) - 0 / (2 * dn) ^ 2)))) * (-
+    (h ^ 2 * p ^ 2 * sn * cn * t_8)) in
+  let t_13 := t_1 + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t * (0 / (x1 * x2 * x3)) in
+  let t_15 := t_7 * (cn * dn * t_8) + t_10 + t_12 + (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn *
+    dn * (t * t_1)) + t_2 * (cn * dn * t_13)) + (0 / x2 * sn * t_4 + 0 / x2 * sn * (- (sn * dn *
+    t_13))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_5 * t_13) - 0 / (2 * dn)))) + (0 / x2 * sn +
+    ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_1)) + t_2 * (cn * dn * t_14)) + (0 / x2 * sn * t_4 +
+    0 / x2 * sn * (- (sn * dn * t_14))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_5 * t_14) - 0 /
+    (2 * dn)))) * (t_8 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_16 := sigma * (Q / (x3 * r)) * dn in
+  let t_17 := h * q * Q / (x1 * r) in
+  let t_18 := (x1 ^ 2 - x3 ^ 2) * (h * q / (x1 * r) * cn * t_16 + t_17 * cn * (sigma * (1 / (x3 *
+    r)) * dn)) / x2 ^ 2 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_16 + t_17 * cn * (sigma * (0 /
+    (x3 * r)) * dn)) / x2 ^ 2 * (cn * dn * (t * t_1)) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) * cn +
+    t_17) * t_16 + t_17 * cn * (sigma * (0 / (x3 * r)) * dn)) / x2 ^ 2 * t_4 in
+  x2 <> 0 ->
+  x1 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  r <> 0 ->
+  t_15 = t_18 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_16 + t_17 * cn * (sigma * (0 / (x3 * r))
+    * dn + sigma * (Q / (x3 * r)))) / x2 ^ 2 * t_6.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by Q, component 3 *)
+Theorem sensitivity_of_the_spin_18 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := (- sigma) * tau * q / (x1 * x2 * x3) in
+  let t_2 := t * (0 / (x1 * x2 * x3)) in
+  let t_3 := - (sn * dn * (t * t_1)) in
+  let t_4 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := - (t_5 * (t * t_1)) - 0 / (2 * dn) in
+  let t_7 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn *
+    (cn * dn * t_2)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (dn * (t * t_1) + sn *
+    dn * t_2))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * (t * t_1)
+    + t_5 * t_2) - 0 / (2 * dn))) in
+  let t_8 := (- sigma) * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := 0 / (x1 * r) * cn + h * q / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn
+    * (t * t_1)) + 0 / (x1 * r) * cn * (dn * (t * t_1) + cn * dn * t_9)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r) + 0 / (x1 * r)) * t_3 + t_4 * (- (sn * dn * t_9))) + ((0 / (x1 * r) * cn + 0 / (x1 *
+    r)) * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * (t * t_1) + t_5 * t_9) - 0 / (2 * dn)))
+    in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn *
+    (cn * (t * t_1) + cn * dn * t_11)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (sn *
+    (t * t_1) + sn * dn * t_11))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_5 * t_11) -
+    (0 / (2 * dn) - 0 / (2 * dn) ^ 2))) in
+  let t_13 := t_1 + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t_7 * (cn * dn * t_8) + t_10 * (- (sn * dn * t_8)) + t_12 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_8)) + (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn
+    * (cn * dn * t_13)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (sn * dn * t_13))) +
+    (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_5 * t_13) - 0 / (2 * dn)))) in
+  let t_15 := t * (0 / (x1 * x2 * x3)) in
+  let t_16 := (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * (t * t_1)) + 0 / (x1 * r) * cn *
+    (cn * dn * t_15)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_3 + t_4 * (- (sn * dn * t_15))) + (0
+    / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_5 * t_15) - 0 / (2 * dn)))) * (t_8 * sn ^ 2 /
+    (2 * dn ^ 2)) in
+  let t_17 := sigma * (Q / (x3 * r)) * dn in
+  let t_18 := (x3 ^ 2 - x2 ^ 2) * (sigma * (1 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_17 * (h / x2
+    * sn)) / x1 ^ 2 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_17 *
+    (0 / x2 * sn + h * Q / x2)) / x1 ^ 2 * (cn * dn * (t * t_1)) + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 /
+    (x3 * r)) * dn * (h * Q / x2 * sn) + t_17 * (0 / x2 * sn)) / x1 ^ 2 * t_3 in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_14 + t_16 = t_18 + (x3 ^ 2 - x2 ^ 2) * ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r))) *
+    (h * Q / x2 * sn) + t_17 * (0 / x2 * sn)) / x1 ^ 2 * t_6.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by h, component 1 *)
+Theorem sensitivity_of_the_spin_19 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := sigma * (0 / (x3 * r)) * dn in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := sigma * (0 / (x3 * r)) * dn in
+  let t_5 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_6 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_7 := - (t_5 * t_1) - t_6 / (2 * dn) in
+  let t_8 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (cn * dn * t_3)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (dn * t_1 + sn
+    * dn * t_3))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2
+    * p ^ 2 * cn * t_1 + t_5 * t_3) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_10 := (- sigma) * tau * q * Q / (x1 * x2 * x3) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (dn * t_1 + cn * dn * t_11)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn
+    * dn * t_11))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (h ^ 2
+    * p ^ 2 * sn * t_1 + t_5 * t_11) - 0 / (2 * dn))) in
+  let t_13 := t * (0 / (x1 * x2 * x3)) in
+  let t_14 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * t_1) + t_2 * (cn * t_1 + cn * dn * t_13)) + ((sigma * (0 /
+    (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (- (sn * dn * t_1)) + t_4 * (- (sn * t_1 + sn * dn *
+    t_13))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r))) * t_7
+    + t_8 * (- (t_5 * t_13) - (0 / (2 * dn) - t_6 * 2 / (2 * dn) ^ 2))) in
+  let t_15 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_16 := t_9 * (cn * dn * t_10) + t_12 * (- (sn * dn * t_10)) + t_14 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_10)) + (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) +
+    t_2 * (cn * dn * t_15)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn * dn
+    * t_15))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_5 *
+    t_15) - 0 / (2 * dn)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_18 := (sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (cn * dn * t_1) + t_2 *
+    (cn * dn * t_17)) + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_1)) + t_4 * (- (sn * dn *
+    t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_7 + t_8 * (- (t_5 * t_17)
+    - 0 / (2 * dn)))) * (t_10 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_19 := h * q * Q / (x1 * r) in
+  let t_20 := (x2 ^ 2 - x1 ^ 2) * (Q / x2 * sn * (t_19 * cn) + h * Q / x2 * sn * (q * Q / (x1 * r) *
+    cn)) / x3 ^ 2 + (x2 ^ 2 - x1 ^ 2) * ((0 / x2 * sn + h * Q / x2) * (t_19 * cn) + h * Q / x2 * sn
+    * (0 / (x1 * r) * cn)) / x3 ^ 2 * (cn * dn * t_1) + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_19 *
+    cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn + t_19)) / x3 ^ 2 * (- (sn * dn * t_1)) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_16 + t_18 = t_20 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_19 * cn) + h * Q / x2 * sn * (0 / (x1 *
+    r) * cn)) / x3 ^ 2 * t_7.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by h, component 2 *)
+Theorem sensitivity_of_the_spin_20 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := 0 / x2 * sn + h * Q / x2 in
+  let t_3 := t * (0 / (x1 * x2 * x3)) in
+  let t_4 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_5 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_6 := - (t_4 * t_1) - t_5 / (2 * dn) in
+  let t_7 := 0 / x2 * sn + Q / x2 + ((0 / x2 * sn + 0 / x2 + 0 / x2) * (cn * dn * t_1) + t_2 * (cn *
+    dn * t_3)) + ((0 / x2 * sn + 0 / x2) * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (dn * t_1 + sn *
+    dn * t_3))) + ((0 / x2 * sn + 0 / x2) * t_6 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * t_1 + t_4 *
+    t_3) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_8 := (- sigma) * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_1) + t_2 * (dn * t_1 + cn * dn *
+    t_9)) + (0 / x2 * sn * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (sn * dn * t_9))) + (0 / x2 * sn *
+    t_6 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * t_1 + t_4 * t_9) - 0 / (2 * dn)))) * (- (sn * dn *
+    t_8)) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_1) + t_2 * (cn * t_1 + cn * dn *
+    t_11)) + (0 / x2 * sn * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (sn * t_1 + sn * dn * t_11))) +
+    (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_4 * t_11) - (0 / (2 * dn) - t_5 * 2 / (2 * dn) ^ 2))))
+    * (- (h ^ 2 * p ^ 2 * sn * cn * t_8)) in
+  let t_13 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_15 := t_7 * (cn * dn * t_8) + t_10 + t_12 + (0 / x2 * sn + ((0 / x2 * sn + 0 / x2) * (cn *
+    dn * t_1) + t_2 * (cn * dn * t_13)) + (0 / x2 * sn * (- (sn * dn * t_1)) + 0 / x2 * sn * (- (sn
+    * dn * t_13))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (t_4 * t_13) - 0 / (2 * dn)))) + (0 / x2
+    * sn + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_1) + t_2 * (cn * dn * t_14)) + (0 / x2 * sn * (-
+    (sn * dn * t_1)) + 0 / x2 * sn * (- (sn * dn * t_14))) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (-
+    (t_4 * t_14) - 0 / (2 * dn)))) * (t_8 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_16 := sigma * (Q / (x3 * r)) * dn in
+  let t_17 := h * q * Q / (x1 * r) in
+  let t_18 := (x1 ^ 2 - x3 ^ 2) * (q * Q / (x1 * r) * cn * t_16 + t_17 * cn * (sigma * (0 / (x3 *
+    r)) * dn)) / x2 ^ 2 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_16 + t_17 * cn * (sigma * (0 /
+    (x3 * r)) * dn)) / x2 ^ 2 * (cn * dn * t_1) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) * cn + t_17) *
+    t_16 + t_17 * cn * (sigma * (0 / (x3 * r)) * dn)) / x2 ^ 2 * (- (sn * dn * t_1)) in
+  x2 <> 0 ->
+  x1 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  r <> 0 ->
+  t_15 = t_18 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_16 + t_17 * cn * (sigma * (0 / (x3 * r))
+    * dn + sigma * (Q / (x3 * r)))) / x2 ^ 2 * t_6.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by h, component 3 *)
+Theorem sensitivity_of_the_spin_21 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 * J in
+  let t_2 := t * (0 / (x1 * x2 * x3)) in
+  let t_3 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_4 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_5 := 2 * h * p ^ 2 * sn ^ 2 in
+  let t_6 := - (t_4 * t_1) - t_5 / (2 * dn) in
+  let t_7 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn * dn
+    * t_2)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (dn * t_1 + sn *
+    dn * t_2))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * t_1 + t_4
+    * t_2) - 2 * h * p ^ 2 * (2 * sn) / (2 * dn))) in
+  let t_8 := (- sigma) * tau * q * Q / (x1 * x2 * x3) in
+  let t_9 := t * (0 / (x1 * x2 * x3)) in
+  let t_10 := 0 / (x1 * r) * cn + q * Q / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn
+    * t_1) + 0 / (x1 * r) * cn * (dn * t_1 + cn * dn * t_9)) + ((0 / (x1 * r) * cn + 0 / (x1 * r) +
+    0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (sn * dn * t_9))) + ((0 / (x1 * r) * cn + 0 / (x1
+    * r)) * t_6 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * t_1 + t_4 * t_9) - 0 / (2 * dn))) in
+  let t_11 := t * (0 / (x1 * x2 * x3)) in
+  let t_12 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn *
+    t_1 + cn * dn * t_11)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (-
+    (sn * t_1 + sn * dn * t_11))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_4 * t_11) -
+    (0 / (2 * dn) - t_5 * 2 / (2 * dn) ^ 2))) in
+  let t_13 := 0 / (x1 * x2 * x3) + t * (0 / (x1 * x2 * x3)) in
+  let t_14 := t_7 * (cn * dn * t_8) + t_10 * (- (sn * dn * t_8)) + t_12 * (- (h ^ 2 * p ^ 2 * sn *
+    cn * t_8)) + (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn
+    * dn * t_13)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (sn * dn *
+    t_13))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_4 * t_13) - 0 / (2 * dn)))) in
+  let t_15 := t * (0 / (x1 * x2 * x3)) - 2 * h * p ^ 2 in
+  let t_16 := (0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (cn * dn * t_1) + 0 / (x1 * r) * cn * (cn *
+    dn * t_15)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_1)) + t_3 * (- (sn * dn *
+    t_15))) + (0 / (x1 * r) * cn * t_6 + 0 / (x1 * r) * cn * (- (t_4 * t_15) - 0 / (2 * dn)))) *
+    (t_8 * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_17 := sigma * (Q / (x3 * r)) * dn in
+  let t_18 := (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_17 * (Q / x2
+    * sn)) / x1 ^ 2 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_17 *
+    (0 / x2 * sn + h * Q / x2)) / x1 ^ 2 * (cn * dn * t_1) + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 *
+    r)) * dn * (h * Q / x2 * sn) + t_17 * (0 / x2 * sn)) / x1 ^ 2 * (- (sn * dn * t_1)) in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_14 + t_16 = t_18 + (x3 ^ 2 - x2 ^ 2) * ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r))) *
+    (h * Q / x2 * sn) + t_17 * (0 / x2 * sn)) / x1 ^ 2 * t_6.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by x1, component 1 *)
+Theorem sensitivity_of_the_spin_22 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * (0 / (x3 * r)) * dn in
+  let t_2 := sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) in
+  let t_3 := (- sigma) * tau * q * Q in
+  let t_4 := 0 / (x1 * x2 * x3) - t_3 * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := 0 / (x1 * x2 * x3) - t_3 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_6 := 0 / (x1 * x2 * x3) - t_3 * (x2 * x3) / (x1 * x2 * x3) ^ 2 + t_4 * (x1 / x2) + t_5 * (x1
+    / x3) in
+  let t_7 := sigma * (0 / (x3 * r)) * dn in
+  let t_8 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_5 * (0 / x3))) in
+  let t_9 := - (sn * dn * (t * t_6)) in
+  let t_10 := sigma * (0 / (x3 * r)) * dn in
+  let t_11 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_6)) + t_7 * (cn * dn * t_8)) + (sigma * (0 /
+    (x3 * r)) * dn * t_9 + t_10 * (- (dn * (t * t_6) + sn * dn * t_8))) in
+  let t_12 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_13 := - (t_12 * (t * t_6)) - 0 / (2 * dn) in
+  let t_14 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_15 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_5 * (0 / x3))) in
+  let t_16 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_6)) + t_7 * (dn * (t * t_6) + cn * dn * t_15))
+    + (sigma * (0 / (x3 * r)) * dn * t_9 + t_10 * (- (sn * dn * t_15))) in
+  let t_17 := (t_11 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_13 + t_14 * (- (h
+    ^ 2 * p ^ 2 * cn * (t * t_6) + t_12 * t_8) - 0 / (2 * dn)))) * (cn * dn * (t_3 / (x1 * x2 *
+    x3))) + (t_16 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_13 + t_14 * (- (h ^
+    2 * p ^ 2 * sn * (t * t_6) + t_12 * t_15) - 0 / (2 * dn)))) * (- (sn * dn * (t_3 / (x1 * x2 *
+    x3)))) in
+  let t_18 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_5 * (0 / x3))) in
+  let t_19 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (x1 / x2) + t_1 * (0 / x2)) + ((sigma * (0 / (x3 * r) - 0 / (x3 * r) ^
+    2) * dn + t_2) * (x1 / x3) + t_2 * dn * (0 / x3)) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 /
+    (x3 * r))) * (cn * dn * (t * t_6)) + t_7 * (cn * (t * t_6) + cn * dn * t_18)) in
+  let t_20 := (t_19 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_9 + t_10 * (- (sn
+    * (t * t_6) + sn * dn * t_18))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma
+    * (0 / (x3 * r))) * t_13 + t_14 * (- (t_12 * t_18) - (0 / (2 * dn) - 0 / (2 * dn) ^ 2)))) * (-
+    (h ^ 2 * p ^ 2 * sn * cn * (t_3 / (x1 * x2 * x3)))) in
+  let t_21 := t_6 + t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 /
+    (x1 * x2 * x3) ^ 2) * (x1 / x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^
+    2) * (x1 / x3) + t_5 * (0 / x3))) in
+  let t_22 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_6)) + t_7 * (cn * dn * t_21)) + (sigma * (0 /
+    (x3 * r)) * dn * t_9 + t_10 * (- (sn * dn * t_21))) in
+  let t_23 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_4 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_5 * (0 / x3))) in
+  let t_24 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (x1 / x2) + t_1 * (0 /
+    x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (x1 / x3) + t_2 * dn * (0 / x3)) +
+    (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_6)) + t_7 * (cn * dn * t_23)) + (sigma * (0 /
+    (x3 * r)) * dn * t_9 + t_10 * (- (sn * dn * t_23))) in
+  let t_25 := h * q * Q / (x1 * r) in
+  let t_26 := h * Q / x2 * sn * (t_25 * cn) in
+  let t_27 := ((- (2 * x1)) * t_26 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_25 * cn) + h * Q / x2 *
+    sn * ((0 / (x1 * r) - h * q * Q * r / (x1 * r) ^ 2) * cn))) / x3 ^ 2 + (2 * x2 * t_26 + (x2 ^ 2
+    - x1 ^ 2) * ((0 / x2 - h * Q / x2 ^ 2) * sn * (t_25 * cn) + h * Q / x2 * sn * (0 / (x1 * r) *
+    cn))) / x3 ^ 2 * (x1 / x2) in
+  let t_28 := t_27 + ((x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_25 * cn) + h * Q / x2 * sn * (0 / (x1 *
+    r) * cn)) / x3 ^ 2 - (x2 ^ 2 - x1 ^ 2) * t_26 * (2 * x3) / (x3 ^ 2) ^ 2) * (x1 / x3) + (x2 ^ 2 -
+    x1 ^ 2) * ((0 / x2 * sn + h * Q / x2) * (t_25 * cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn)) /
+    x3 ^ 2 * (cn * dn * (t * t_6)) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_17 + t_20 + (t_22 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_13 + t_14 * (-
+    (t_12 * t_21) - 0 / (2 * dn)))) + (t_24 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 *
+    r))) * t_13 + t_14 * (- (t_12 * t_23) - 0 / (2 * dn)))) * (t_3 / (x1 * x2 * x3) * sn ^ 2 / (2 *
+    dn ^ 2)) = t_28 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_25 * cn) + h * Q / x2 * sn * (0 / (x1 *
+    r) * cn + t_25)) / x3 ^ 2 * t_9 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_25 * cn) + h * Q / x2 *
+    sn * (0 / (x1 * r) * cn)) / x3 ^ 2 * t_13.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25 t_26
+    t_27 t_28 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by x1, component 2 *)
+Theorem sensitivity_of_the_spin_23 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / x2 - h * Q / x2 ^ 2 in
+  let t_2 := (- sigma) * tau * q * Q in
+  let t_3 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := 0 / (x1 * x2 * x3) - t_2 * (x2 * x3) / (x1 * x2 * x3) ^ 2 + t_3 * (x1 / x2) + t_4 * (x1
+    / x3) in
+  let t_6 := 0 / x2 * sn + h * Q / x2 in
+  let t_7 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_8 := - (sn * dn * (t * t_5)) in
+  let t_9 := 0 / x2 * sn + 0 / x2 + (((0 / x2 - 0 / x2 ^ 2) * sn + t_1) * (x1 / x2) + t_1 * sn * (0
+    / x2)) + ((0 / x2 * sn + 0 / x2) * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2
+    + 0 / x2) * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_7)) + ((0 / x2 * sn + 0 / x2) * t_8 + 0 /
+    x2 * sn * (- (dn * (t * t_5) + sn * dn * t_7))) in
+  let t_10 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_11 := - (t_10 * (t * t_5)) - 0 / (2 * dn) in
+  let t_12 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_13 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_5)) +
+    t_6 * (dn * (t * t_5) + cn * dn * t_12)) + (0 / x2 * sn * t_8 + 0 / x2 * sn * (- (sn * dn *
+    t_12))) in
+  let t_14 := (t_9 + ((0 / x2 * sn + 0 / x2) * t_11 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_5) + t_10 * t_7) - 0 / (2 * dn)))) * (cn * dn * (t_2 / (x1 * x2 * x3))) + (t_13 + (0 / x2 * sn
+    * t_11 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * (t * t_5) + t_10 * t_12) - 0 / (2 * dn)))) * (-
+    (sn * dn * (t_2 / (x1 * x2 * x3)))) in
+  let t_15 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_16 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_5)) +
+    t_6 * (cn * (t * t_5) + cn * dn * t_15)) + (0 / x2 * sn * t_8 + 0 / x2 * sn * (- (sn * (t * t_5)
+    + sn * dn * t_15))) in
+  let t_17 := t_5 + t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 /
+    (x1 * x2 * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^
+    2) * (x1 / x3) + t_4 * (0 / x3))) in
+  let t_18 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_5)) +
+    t_6 * (cn * dn * t_17)) + (0 / x2 * sn * t_8 + 0 / x2 * sn * (- (sn * dn * t_17))) + (0 / x2 *
+    sn * t_11 + 0 / x2 * sn * (- (t_10 * t_17) - 0 / (2 * dn))) in
+  let t_19 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_4 * (0 / x3))) in
+  let t_20 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (x1 / x2) + t_1 * sn * (0 / x2)) + (0 / x2
+    * sn * (x1 / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_5)) +
+    t_6 * (cn * dn * t_19)) + (0 / x2 * sn * t_8 + 0 / x2 * sn * (- (sn * dn * t_19))) + (0 / x2 *
+    sn * t_11 + 0 / x2 * sn * (- (t_10 * t_19) - 0 / (2 * dn))) in
+  let t_21 := h * q * Q / (x1 * r) in
+  let t_22 := sigma * (Q / (x3 * r)) * dn in
+  let t_23 := (2 * x1 * (t_21 * cn * t_22) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) - h * q * Q * r /
+    (x1 * r) ^ 2) * cn * t_22 + t_21 * cn * (sigma * (0 / (x3 * r)) * dn))) / x2 ^ 2 + ((x1 ^ 2 - x3
+    ^ 2) * (0 / (x1 * r) * cn * t_22 + t_21 * cn * (sigma * (0 / (x3 * r)) * dn)) / x2 ^ 2 - (x1 ^ 2
+    - x3 ^ 2) * (t_21 * cn * t_22) * (2 * x2) / (x2 ^ 2) ^ 2) * (x1 / x2) in
+  let t_24 := t_23 + ((- (2 * x3)) * (t_21 * cn * t_22) + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn *
+    t_22 + t_21 * cn * (sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) * dn))) / x2 ^ 2 * (x1 / x3) +
+    (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_22 + t_21 * cn * (sigma * (0 / (x3 * r)) * dn)) / x2
+    ^ 2 * (cn * dn * (t * t_5)) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) * cn + t_21) * t_22 + t_21 * cn
+    * (sigma * (0 / (x3 * r)) * dn)) / x2 ^ 2 * t_8 in
+  x2 <> 0 ->
+  x3 <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  r <> 0 ->
+  t_14 + (t_16 + (0 / x2 * sn * t_11 + 0 / x2 * sn * (- (t_10 * t_15) - (0 / (2 * dn) - 0 / (2 * dn)
+    ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * (t_2 / (x1 * x2 * x3)))) + t_18 + t_20 * (t_2 / (x1 * x2
+    * x3) * sn ^ 2 / (2 * dn ^ 2)) = t_24 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_22 + t_21 *
+    cn * (sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)))) / x2 ^ 2 * t_11.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 D_1 D_2
+    D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by x1, component 3 *)
+Theorem sensitivity_of_the_spin_24 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := (- sigma) * tau * q * Q in
+  let t_2 := 0 / (x1 * x2 * x3) - t_1 * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := 0 / (x1 * x2 * x3) - t_1 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) - t_1 * (x2 * x3) / (x1 * x2 * x3) ^ 2 + t_2 * (x1 / x2) + t_3 * (x1
+    / x3) in
+  let t_5 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_6 := - (sn * dn * (t * t_4)) in
+  let t_7 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_8 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * dn * t_5)) + ((0 / (x1 * r) * cn + 0
+    / (x1 * r)) * t_6 + t_7 * (- (dn * (t * t_4) + sn * dn * t_5))) in
+  let t_9 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_10 := - (t_9 * (t * t_4)) - 0 / (2 * dn) in
+  let t_11 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_12 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) - h * q * Q * r / (x1 * r) ^ 2)
+    + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (x1 / x2) + 0 / (x1 * r) * cn * (0 / x2)) + ((0 / (x1 *
+    r) * cn + 0 / (x1 * r)) * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r)) * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (dn * (t * t_4) + cn * dn * t_11)) in
+  let t_13 := (t_8 + (0 / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_4) + t_9 * t_5) - 0 / (2 * dn)))) * (cn * dn * (t_1 / (x1 * x2 * x3))) + (t_12 + ((0 / (x1 *
+    r) * cn + 0 / (x1 * r) + 0 / (x1 * r)) * t_6 + t_7 * (- (sn * dn * t_11))) + ((0 / (x1 * r) * cn
+    + 0 / (x1 * r)) * t_10 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * (t * t_4) + t_9 * t_11) -
+    0 / (2 * dn)))) * (- (sn * dn * (t_1 / (x1 * x2 * x3)))) in
+  let t_14 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_15 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * (t * t_4) + cn * dn * t_14)) + ((0 /
+    (x1 * r) * cn + 0 / (x1 * r)) * t_6 + t_7 * (- (sn * (t * t_4) + sn * dn * t_14))) in
+  let t_16 := t_4 + t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 /
+    (x1 * x2 * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^
+    2) * (x1 / x3) + t_3 * (0 / x3))) in
+  let t_17 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * dn * t_16)) + ((0 / (x1 * r) * cn +
+    0 / (x1 * r)) * t_6 + t_7 * (- (sn * dn * t_16))) in
+  let t_18 := t * (0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2 + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2
+    * x3) ^ 2) * (x1 / x2) + t_2 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (x1
+    / x3) + t_3 * (0 / x3))) in
+  let t_19 := (0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + (0 / (x1 * r) * cn * (x1 / x2) + 0 / (x1 * r)
+    * cn * (0 / x2)) + (0 / (x1 * r) * cn * (x1 / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (0 / (x1 *
+    r) * cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * dn * t_18)) + ((0 / (x1 * r) * cn +
+    0 / (x1 * r)) * t_6 + t_7 * (- (sn * dn * t_18))) in
+  let t_20 := t_13 + (t_15 + (0 / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (t_9 * t_14) - (0 /
+    (2 * dn) - 0 / (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * (t_1 / (x1 * x2 * x3)))) + (t_17
+    + (0 / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (t_9 * t_16) - 0 / (2 * dn)))) + (t_19 + (0
+    / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (t_9 * t_18) - 0 / (2 * dn)))) * (t_1 / (x1 * x2
+    * x3) * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_21 := sigma * (Q / (x3 * r)) * dn in
+  let t_22 := t_21 * (h * Q / x2 * sn) in
+  let t_23 := (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 * (0 / x2
+    * sn)) / x1 ^ 2 - (x3 ^ 2 - x2 ^ 2) * t_22 * (2 * x1) / (x1 ^ 2) ^ 2 + ((- (2 * x2)) * t_22 +
+    (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 * ((0 / x2 - h * Q /
+    x2 ^ 2) * sn))) / x1 ^ 2 * (x1 / x2) in
+  let t_24 := t_23 + (2 * x3 * t_22 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r) - Q * r / (x3 * r)
+    ^ 2) * dn * (h * Q / x2 * sn) + t_21 * (0 / x2 * sn))) / x1 ^ 2 * (x1 / x3) + (x3 ^ 2 - x2 ^ 2)
+    * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 * (0 / x2 * sn + h * Q / x2)) / x1 ^ 2
+    * (cn * dn * (t * t_4)) in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_20 = t_24 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 * (0 /
+    x2 * sn)) / x1 ^ 2 * t_6 + (x3 ^ 2 - x2 ^ 2) * ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3
+    * r))) * (h * Q / x2 * sn) + t_21 * (0 / x2 * sn)) / x1 ^ 2 * t_10.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 D_1 D_2
+    D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by p, component 1 *)
+Theorem sensitivity_of_the_spin_25 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * (0 / (x3 * r)) * dn in
+  let t_2 := sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) in
+  let t_3 := sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) in
+  let t_4 := (- sigma) * tau * q * Q in
+  let t_5 := 0 / (x1 * x2 * x3) - t_4 * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_6 := 0 / (x1 * x2 * x3) - t_4 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_7 := 0 / (x1 * x2 * x3) + t_5 * (tau * p / x2) + t_6 * (tau * p / x3) + 0 / (x1 * x2 * x3) *
+    (p / r) in
+  let t_8 := t * t_7 - h ^ 2 * (2 * p) * J in
+  let t_9 := sigma * (0 / (x3 * r)) * dn in
+  let t_10 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_5 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_6 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_11 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_8) + t_9 * (cn * dn * t_10)) in
+  let t_12 := sigma * (0 / (x3 * r)) * dn in
+  let t_13 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_14 := h ^ 2 * (2 * p) * sn ^ 2 in
+  let t_15 := - (t_13 * t_8) - t_14 / (2 * dn) in
+  let t_16 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_5 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_6 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_8) + t_9 * (dn * t_8 + cn * dn * t_17)) in
+  let t_19 := (t_11 + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_8)) + t_12 * (- (dn * t_8 + sn
+    * dn * t_10))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_15 + t_16 * (- (h ^
+    2 * p ^ 2 * cn * t_8 + t_13 * t_10) - h ^ 2 * (2 * p) * (2 * sn) / (2 * dn)))) * (cn * dn * (t_4
+    / (x1 * x2 * x3))) + (t_18 + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_8)) + t_12 * (- (sn
+    * dn * t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_15 + t_16 * (- (h ^
+    2 * p ^ 2 * sn * t_8 + t_13 * t_17) - 0 / (2 * dn)))) * (- (sn * dn * (t_4 / (x1 * x2 * x3))))
+    in
+  let t_20 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (tau * p / x2) + t_1 * (0 / x2)) + ((sigma * (0 / (x3 * r) - 0 / (x3 *
+    r) ^ 2) * dn + t_2) * (tau * p / x3) + t_2 * dn * (0 / x3)) + ((sigma * (0 / (x3 * r) - 0 / (x3
+    * r) ^ 2) * dn + t_3) * (p / r) + t_3 * dn * (0 / r)) in
+  let t_21 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_5 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_6 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_22 := t_20 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (cn * dn * t_8) + t_9
+    * (cn * t_8 + cn * dn * t_21)) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * (-
+    (sn * dn * t_8)) + t_12 * (- (sn * t_8 + sn * dn * t_21))) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r)) + sigma * (0 / (x3 * r))) * t_15 + t_16 * (- (t_13 * t_21) - (0 / (2 *
+    dn) - t_14 * 2 / (2 * dn) ^ 2))) in
+  let t_23 := t_7 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * p / x2) + t_5 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) +
+    t_6 * (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_24 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_8) + t_9 * (cn * dn * t_23)) in
+  let t_25 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_5 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_6 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) - h ^ 2 * (2 * p) in
+  let t_26 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r)) * dn * (tau * p / x2) + t_1 * (0
+    / x2)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau * p / x3) + t_2 * dn * (0 / x3))
+    + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (p / r) + t_3 * dn * (0 / r)) + (sigma * (0
+    / (x3 * r)) * dn * (cn * dn * t_8) + t_9 * (cn * dn * t_25)) in
+  let t_27 := t_19 + t_22 * (- (h ^ 2 * p ^ 2 * sn * cn * (t_4 / (x1 * x2 * x3)))) + (t_24 + (sigma
+    * (0 / (x3 * r)) * dn * (- (sn * dn * t_8)) + t_12 * (- (sn * dn * t_23))) + ((sigma * (0 / (x3
+    * r)) * dn + sigma * (0 / (x3 * r))) * t_15 + t_16 * (- (t_13 * t_23) - 0 / (2 * dn)))) + (t_26
+    + (sigma * (0 / (x3 * r)) * dn * (- (sn * dn * t_8)) + t_12 * (- (sn * dn * t_25))) + ((sigma *
+    (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_15 + t_16 * (- (t_13 * t_25) - 0 / (2 * dn))))
+    * (t_4 / (x1 * x2 * x3) * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_28 := h * q * Q / (x1 * r) in
+  let t_29 := h * Q / x2 * sn * (t_28 * cn) in
+  let t_30 := (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_28 * cn) + h * Q / x2 * sn * (0 / (x1 * r) *
+    cn)) / x3 ^ 2 + (2 * x2 * t_29 + (x2 ^ 2 - x1 ^ 2) * ((0 / x2 - h * Q / x2 ^ 2) * sn * (t_28 *
+    cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn))) / x3 ^ 2 * (tau * p / x2) + ((x2 ^ 2 - x1 ^ 2) *
+    (0 / x2 * sn * (t_28 * cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn)) / x3 ^ 2 - (x2 ^ 2 - x1 ^ 2)
+    * t_29 * (2 * x3) / (x3 ^ 2) ^ 2) * (tau * p / x3) in
+  let t_31 := t_30 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_28 * cn) + h * Q / x2 * sn * ((0 / (x1 *
+    r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn)) / x3 ^ 2 * (p / r) + (x2 ^ 2 - x1 ^ 2) * ((0 / x2 *
+    sn + h * Q / x2) * (t_28 * cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn)) / x3 ^ 2 * (cn * dn *
+    t_8) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_27 = t_31 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_28 * cn) + h * Q / x2 * sn * (0 / (x1 * r) *
+    cn + t_28)) / x3 ^ 2 * (- (sn * dn * t_8)) + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_28 * cn) + h
+    * Q / x2 * sn * (0 / (x1 * r) * cn)) / x3 ^ 2 * t_15.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25
+    t_26 t_27 t_28 t_29 t_30 t_31 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by p, component 2 *)
+Theorem sensitivity_of_the_spin_26 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / x2 - h * Q / x2 ^ 2 in
+  let t_2 := (- sigma) * tau * q * Q in
+  let t_3 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := 0 / (x1 * x2 * x3) + t_3 * (tau * p / x2) + t_4 * (tau * p / x3) + 0 / (x1 * x2 * x3) *
+    (p / r) in
+  let t_6 := t * t_5 - h ^ 2 * (2 * p) * J in
+  let t_7 := 0 / x2 * sn + h * Q / x2 in
+  let t_8 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_9 := 0 / x2 * sn + 0 / x2 + (((0 / x2 - 0 / x2 ^ 2) * sn + t_1) * (tau * p / x2) + t_1 * sn
+    * (0 / x2)) + ((0 / x2 * sn + 0 / x2) * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + ((0 / x2 * sn
+    + 0 / x2) * (p / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2 + 0 / x2) * (cn * dn *
+    t_6) + t_7 * (cn * dn * t_8)) in
+  let t_10 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_11 := h ^ 2 * (2 * p) * sn ^ 2 in
+  let t_12 := - (t_10 * t_6) - t_11 / (2 * dn) in
+  let t_13 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_14 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_6) + t_7 * (dn * t_6 + cn * dn * t_13)) in
+  let t_15 := (t_9 + ((0 / x2 * sn + 0 / x2) * (- (sn * dn * t_6)) + 0 / x2 * sn * (- (dn * t_6 + sn
+    * dn * t_8))) + ((0 / x2 * sn + 0 / x2) * t_12 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * t_6 +
+    t_10 * t_8) - h ^ 2 * (2 * p) * (2 * sn) / (2 * dn)))) * (cn * dn * (t_2 / (x1 * x2 * x3))) +
+    (t_14 + (0 / x2 * sn * (- (sn * dn * t_6)) + 0 / x2 * sn * (- (sn * dn * t_13))) + (0 / x2 * sn
+    * t_12 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * t_6 + t_10 * t_13) - 0 / (2 * dn)))) * (- (sn *
+    dn * (t_2 / (x1 * x2 * x3)))) in
+  let t_16 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_17 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_6) + t_7 * (cn * t_6 + cn * dn * t_16)) in
+  let t_18 := t_5 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * p / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) +
+    t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_19 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_6) + t_7 * (cn * dn * t_18)) + (0 / x2 * sn * (-
+    (sn * dn * t_6)) + 0 / x2 * sn * (- (sn * dn * t_18))) in
+  let t_20 := t_15 + (t_17 + (0 / x2 * sn * (- (sn * dn * t_6)) + 0 / x2 * sn * (- (sn * t_6 + sn *
+    dn * t_16))) + (0 / x2 * sn * t_12 + 0 / x2 * sn * (- (t_10 * t_16) - (0 / (2 * dn) - t_11 * 2 /
+    (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * (t_2 / (x1 * x2 * x3)))) + (t_19 + (0 / x2 * sn
+    * t_12 + 0 / x2 * sn * (- (t_10 * t_18) - 0 / (2 * dn)))) in
+  let t_21 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) - h ^ 2 * (2 * p) in
+  let t_22 := 0 / x2 * sn + ((0 / x2 - 0 / x2 ^ 2) * sn * (tau * p / x2) + t_1 * sn * (0 / x2)) + (0
+    / x2 * sn * (tau * p / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn * (p / r) + 0 / x2 * sn * (0
+    / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * t_6) + t_7 * (cn * dn * t_21)) + (0 / x2 * sn * (-
+    (sn * dn * t_6)) + 0 / x2 * sn * (- (sn * dn * t_21))) in
+  let t_23 := sigma * (Q / (x3 * r)) * dn in
+  let t_24 := h * q * Q / (x1 * r) in
+  let t_25 := (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_23 + t_24 * cn * (sigma * (0 / (x3 * r)) *
+    dn)) / x2 ^ 2 + ((x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_23 + t_24 * cn * (sigma * (0 / (x3 *
+    r)) * dn)) / x2 ^ 2 - (x1 ^ 2 - x3 ^ 2) * (t_24 * cn * t_23) * (2 * x2) / (x2 ^ 2) ^ 2) * (tau *
+    p / x2) + ((- (2 * x3)) * (t_24 * cn * t_23) + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_23 +
+    t_24 * cn * (sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) * dn))) / x2 ^ 2 * (tau * p / x3) in
+  let t_26 := t_25 + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn * t_23
+    + t_24 * cn * (sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) * dn)) / x2 ^ 2 * (p / r) + (x1 ^
+    2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_23 + t_24 * cn * (sigma * (0 / (x3 * r)) * dn)) / x2 ^ 2 *
+    (cn * dn * t_6) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) * cn + t_24) * t_23 + t_24 * cn * (sigma *
+    (0 / (x3 * r)) * dn)) / x2 ^ 2 * (- (sn * dn * t_6)) in
+  x2 <> 0 ->
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_20 + (t_22 + (0 / x2 * sn * t_12 + 0 / x2 * sn * (- (t_10 * t_21) - 0 / (2 * dn)))) * (t_2 / (x1
+    * x2 * x3) * sn ^ 2 / (2 * dn ^ 2)) = t_26 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_23 +
+    t_24 * cn * (sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)))) / x2 ^ 2 * t_12.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25
+    t_26 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by p, component 3 *)
+Theorem sensitivity_of_the_spin_27 :
+  forall J Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2 in
+  let t_2 := (- sigma) * tau * q * Q in
+  let t_3 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x3) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := 0 / (x1 * x2 * x3) + t_3 * (tau * p / x2) + t_4 * (tau * p / x3) + 0 / (x1 * x2 * x3) *
+    (p / r) in
+  let t_6 := t * t_5 - h ^ 2 * (2 * p) * J in
+  let t_7 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_8 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 / x2))
+    + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0 / (x1
+    * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_6) + 0 / (x1
+    * r) * cn * (cn * dn * t_7)) in
+  let t_9 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_10 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_11 := h ^ 2 * (2 * p) * sn ^ 2 in
+  let t_12 := - (t_10 * t_6) - t_11 / (2 * dn) in
+  let t_13 := 0 / (x1 * r) * cn + 0 / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (tau * p /
+    x2) + 0 / (x1 * r) * cn * (0 / x2)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (tau * p / x3) + 0 /
+    (x1 * r) * cn * (0 / x3)) + (((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + t_1) * (p / r) + t_1 * cn
+    * (0 / r)) in
+  let t_14 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_15 := t_13 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn * t_6) + 0 / (x1 * r) * cn * (dn
+    * t_6 + cn * dn * t_14)) + ((0 / (x1 * r) * cn + 0 / (x1 * r) + 0 / (x1 * r)) * (- (sn * dn *
+    t_6)) + t_9 * (- (sn * dn * t_14))) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * t_12 + 0 / (x1 * r)
+    * cn * (- (h ^ 2 * p ^ 2 * sn * t_6 + t_10 * t_14) - 0 / (2 * dn))) in
+  let t_16 := (t_8 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_6)) + t_9 * (- (dn * t_6
+    + sn * dn * t_7))) + (0 / (x1 * r) * cn * t_12 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn *
+    t_6 + t_10 * t_7) - h ^ 2 * (2 * p) * (2 * sn) / (2 * dn)))) * (cn * dn * (t_2 / (x1 * x2 *
+    x3))) + t_15 * (- (sn * dn * (t_2 / (x1 * x2 * x3)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 /
+    x2)) + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0
+    / (x1 * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_6) + 0
+    / (x1 * r) * cn * (cn * t_6 + cn * dn * t_17)) in
+  let t_19 := t_5 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * p / x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) +
+    t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_20 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 /
+    x2)) + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0
+    / (x1 * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_6) + 0
+    / (x1 * r) * cn * (cn * dn * t_19)) in
+  let t_21 := t_16 + (t_18 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_6)) + t_9 * (-
+    (sn * t_6 + sn * dn * t_17))) + (0 / (x1 * r) * cn * t_12 + 0 / (x1 * r) * cn * (- (t_10 * t_17)
+    - (0 / (2 * dn) - t_11 * 2 / (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * (t_2 / (x1 * x2 *
+    x3)))) + (t_20 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_6)) + t_9 * (- (sn * dn *
+    t_19))) + (0 / (x1 * r) * cn * t_12 + 0 / (x1 * r) * cn * (- (t_10 * t_19) - 0 / (2 * dn)))) in
+  let t_22 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p /
+    x2) + t_3 * (0 / x2)) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * p / x3) + t_4 *
+    (0 / x3)) + (0 / (x1 * x2 * x3) * (p / r) + 0 / (x1 * x2 * x3) * (0 / r))) - h ^ 2 * (2 * p) in
+  let t_23 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * p / x2) + 0 / (x1 * r) * cn * (0 /
+    x2)) + (0 / (x1 * r) * cn * (tau * p / x3) + 0 / (x1 * r) * cn * (0 / x3)) + ((0 / (x1 * r) - 0
+    / (x1 * r) ^ 2) * cn * (p / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn * (cn * dn * t_6) + 0
+    / (x1 * r) * cn * (cn * dn * t_22)) in
+  let t_24 := sigma * (Q / (x3 * r)) * dn in
+  let t_25 := t_24 * (h * Q / x2 * sn) in
+  let t_26 := (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_24 * (0 / x2
+    * sn)) / x1 ^ 2 + ((- (2 * x2)) * t_25 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h *
+    Q / x2 * sn) + t_24 * ((0 / x2 - h * Q / x2 ^ 2) * sn))) / x1 ^ 2 * (tau * p / x2) + (2 * x3 *
+    t_25 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) * dn * (h * Q / x2 *
+    sn) + t_24 * (0 / x2 * sn))) / x1 ^ 2 * (tau * p / x3) in
+  let t_27 := t_26 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) * dn * (h *
+    Q / x2 * sn) + t_24 * (0 / x2 * sn)) / x1 ^ 2 * (p / r) + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3
+    * r)) * dn * (h * Q / x2 * sn) + t_24 * (0 / x2 * sn + h * Q / x2)) / x1 ^ 2 * (cn * dn * t_6) +
+    (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_24 * (0 / x2 * sn)) /
+    x1 ^ 2 * (- (sn * dn * t_6)) in
+  x1 <> 0 ->
+  r <> 0 ->
+  x2 <> 0 ->
+  x3 <> 0 ->
+  dn <> 0 ->
+  t_21 + (t_23 + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (- (sn * dn * t_6)) + t_9 * (- (sn * dn *
+    t_22))) + (0 / (x1 * r) * cn * t_12 + 0 / (x1 * r) * cn * (- (t_10 * t_22) - 0 / (2 * dn)))) *
+    (t_2 / (x1 * x2 * x3) * sn ^ 2 / (2 * dn ^ 2)) = t_27 + (x3 ^ 2 - x2 ^ 2) * ((sigma * (0 / (x3 *
+    r)) * dn + sigma * (Q / (x3 * r))) * (h * Q / x2 * sn) + t_24 * (0 / x2 * sn)) / x1 ^ 2 * t_12.
+Proof.
+  intros J Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5
+    t_6 t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25
+    t_26 t_27 D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by q, component 1 *)
+Theorem sensitivity_of_the_spin_28 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) in
+  let t_2 := sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) in
+  let t_3 := (- sigma) * tau * q * Q in
+  let t_4 := 0 / (x1 * x2 * x3) - t_3 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_5 := (- sigma) * tau * Q / (x1 * x2 * x3) + t_4 * (tau * q / x3) + 0 / (x1 * x2 * x3) * (q /
+    r) in
+  let t_6 := sigma * (0 / (x3 * r)) * dn in
+  let t_7 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_8 := - (sn * dn * (t * t_5)) in
+  let t_9 := sigma * (0 / (x3 * r)) * dn in
+  let t_10 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_7))
+    + (sigma * (0 / (x3 * r)) * dn * t_8 + t_9 * (- (dn * (t * t_5) + sn * dn * t_7))) in
+  let t_11 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_12 := - (t_11 * (t * t_5)) - 0 / (2 * dn) in
+  let t_13 := sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)) in
+  let t_14 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_15 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (dn * (t * t_5) +
+    cn * dn * t_14)) in
+  let t_16 := (t_10 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_12 + t_13 * (- (h
+    ^ 2 * p ^ 2 * cn * (t * t_5) + t_11 * t_7) - 0 / (2 * dn)))) * (cn * dn * (t_3 / (x1 * x2 *
+    x3))) + (t_15 + (sigma * (0 / (x3 * r)) * dn * t_8 + t_9 * (- (sn * dn * t_14))) + ((sigma * (0
+    / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_12 + t_13 * (- (h ^ 2 * p ^ 2 * sn * (t * t_5) +
+    t_11 * t_14) - 0 / (2 * dn)))) * (- (sn * dn * (t_3 / (x1 * x2 * x3)))) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + ((sigma * (0 / (x3 * r) - 0 /
+    (x3 * r) ^ 2) * dn + t_1) * (tau * q / x3) + t_1 * dn * (0 / x3)) + ((sigma * (0 / (x3 * r) - 0
+    / (x3 * r) ^ 2) * dn + t_2) * (q / r) + t_2 * dn * (0 / r)) + ((sigma * (0 / (x3 * r)) * dn +
+    sigma * (0 / (x3 * r))) * (cn * dn * (t * t_5)) + t_6 * (cn * (t * t_5) + cn * dn * t_17)) in
+  let t_19 := (t_18 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_8 + t_9 * (- (sn *
+    (t * t_5) + sn * dn * t_17))) + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r)) + sigma *
+    (0 / (x3 * r))) * t_12 + t_13 * (- (t_11 * t_17) - (0 / (2 * dn) - 0 / (2 * dn) ^ 2)))) * (- (h
+    ^ 2 * p ^ 2 * sn * cn * (t_3 / (x1 * x2 * x3)))) in
+  let t_20 := t_5 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * q / x3) + t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_21 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_20))
+    + (sigma * (0 / (x3 * r)) * dn * t_8 + t_9 * (- (sn * dn * t_20))) in
+  let t_22 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_4 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_23 := sigma * (0 / (x3 * r)) * dn + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (tau *
+    q / x3) + t_1 * dn * (0 / x3)) + (sigma * (0 / (x3 * r) - 0 / (x3 * r) ^ 2) * dn * (q / r) + t_2
+    * dn * (0 / r)) + (sigma * (0 / (x3 * r)) * dn * (cn * dn * (t * t_5)) + t_6 * (cn * dn * t_22))
+    + (sigma * (0 / (x3 * r)) * dn * t_8 + t_9 * (- (sn * dn * t_22))) in
+  let t_24 := h * q * Q / (x1 * r) in
+  let t_25 := (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_24 * cn) + h * Q / x2 * sn * (h * Q / (x1 * r) *
+    cn)) / x3 ^ 2 + ((x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_24 * cn) + h * Q / x2 * sn * (0 / (x1 *
+    r) * cn)) / x3 ^ 2 - (x2 ^ 2 - x1 ^ 2) * (h * Q / x2 * sn * (t_24 * cn)) * (2 * x3) / (x3 ^ 2) ^
+    2) * (tau * q / x3) in
+  let t_26 := t_25 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_24 * cn) + h * Q / x2 * sn * ((0 / (x1 *
+    r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn)) / x3 ^ 2 * (q / r) + (x2 ^ 2 - x1 ^ 2) * ((0 / x2 *
+    sn + h * Q / x2) * (t_24 * cn) + h * Q / x2 * sn * (0 / (x1 * r) * cn)) / x3 ^ 2 * (cn * dn * (t
+    * t_5)) in
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_16 + t_19 + (t_21 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 * r))) * t_12 + t_13 * (-
+    (t_11 * t_20) - 0 / (2 * dn)))) + (t_23 + ((sigma * (0 / (x3 * r)) * dn + sigma * (0 / (x3 *
+    r))) * t_12 + t_13 * (- (t_11 * t_22) - 0 / (2 * dn)))) * (t_3 / (x1 * x2 * x3) * sn ^ 2 / (2 *
+    dn ^ 2)) = t_26 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_24 * cn) + h * Q / x2 * sn * (0 / (x1 *
+    r) * cn + t_24)) / x3 ^ 2 * t_8 + (x2 ^ 2 - x1 ^ 2) * (0 / x2 * sn * (t_24 * cn) + h * Q / x2 *
+    sn * (0 / (x1 * r) * cn)) / x3 ^ 2 * t_12.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 t_25 t_26
+    D_1 D_2 D_3 D_4 D_5.
+  rational.
+Qed.
+
+(* by q, component 2 *)
+Theorem sensitivity_of_the_spin_29 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := (- sigma) * tau * q * Q in
+  let t_2 := 0 / (x1 * x2 * x3) - t_1 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_3 := (- sigma) * tau * Q / (x1 * x2 * x3) + t_2 * (tau * q / x3) + 0 / (x1 * x2 * x3) * (q /
+    r) in
+  let t_4 := 0 / x2 * sn + h * Q / x2 in
+  let t_5 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_6 := - (sn * dn * (t * t_3)) in
+  let t_7 := 0 / x2 * sn + 0 / x2 + ((0 / x2 * sn + 0 / x2) * (tau * q / x3) + 0 / x2 * sn * (0 /
+    x3)) + ((0 / x2 * sn + 0 / x2) * (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2 + 0 /
+    x2) * (cn * dn * (t * t_3)) + t_4 * (cn * dn * t_5)) + ((0 / x2 * sn + 0 / x2) * t_6 + 0 / x2 *
+    sn * (- (dn * (t * t_3) + sn * dn * t_5))) in
+  let t_8 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_9 := - (t_8 * (t * t_3)) - 0 / (2 * dn) in
+  let t_10 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_11 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_3)) + t_4 * (dn *
+    (t * t_3) + cn * dn * t_10)) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (sn * dn * t_10))) in
+  let t_12 := (t_7 + ((0 / x2 * sn + 0 / x2) * t_9 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_3) + t_8 * t_5) - 0 / (2 * dn)))) * (cn * dn * (t_1 / (x1 * x2 * x3))) + (t_11 + (0 / x2 * sn
+    * t_9 + 0 / x2 * sn * (- (h ^ 2 * p ^ 2 * sn * (t * t_3) + t_8 * t_10) - 0 / (2 * dn)))) * (-
+    (sn * dn * (t_1 / (x1 * x2 * x3)))) in
+  let t_13 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_14 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_3)) + t_4 * (cn *
+    (t * t_3) + cn * dn * t_13)) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (sn * (t * t_3) + sn * dn *
+    t_13))) in
+  let t_15 := t_3 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * q / x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_16 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_3)) + t_4 * (cn *
+    dn * t_15)) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (sn * dn * t_15))) + (0 / x2 * sn * t_9 + 0
+    / x2 * sn * (- (t_8 * t_15) - 0 / (2 * dn))) in
+  let t_17 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_2 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_18 := 0 / x2 * sn + (0 / x2 * sn * (tau * q / x3) + 0 / x2 * sn * (0 / x3)) + (0 / x2 * sn *
+    (q / r) + 0 / x2 * sn * (0 / r)) + ((0 / x2 * sn + 0 / x2) * (cn * dn * (t * t_3)) + t_4 * (cn *
+    dn * t_17)) + (0 / x2 * sn * t_6 + 0 / x2 * sn * (- (sn * dn * t_17))) + (0 / x2 * sn * t_9 + 0
+    / x2 * sn * (- (t_8 * t_17) - 0 / (2 * dn))) in
+  let t_19 := sigma * (Q / (x3 * r)) * dn in
+  let t_20 := h * q * Q / (x1 * r) in
+  let t_21 := (x1 ^ 2 - x3 ^ 2) * (h * Q / (x1 * r) * cn * t_19 + t_20 * cn * (sigma * (0 / (x3 *
+    r)) * dn)) / x2 ^ 2 + ((- (2 * x3)) * (t_20 * cn * t_19) + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) *
+    cn * t_19 + t_20 * cn * (sigma * (0 / (x3 * r) - Q * r / (x3 * r) ^ 2) * dn))) / x2 ^ 2 * (tau *
+    q / x3) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2) * cn * t_19 + t_20
+    * cn * (sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) * dn)) / x2 ^ 2 * (q / r) in
+  let t_22 := t_21 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1 * r) * cn * t_19 + t_20 * cn * (sigma * (0 / (x3 *
+    r)) * dn)) / x2 ^ 2 * (cn * dn * (t * t_3)) + (x1 ^ 2 - x3 ^ 2) * ((0 / (x1 * r) * cn + t_20) *
+    t_19 + t_20 * cn * (sigma * (0 / (x3 * r)) * dn)) / x2 ^ 2 * t_6 + (x1 ^ 2 - x3 ^ 2) * (0 / (x1
+    * r) * cn * t_19 + t_20 * cn * (sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r)))) / x2 ^ 2
+    * t_9 in
+  x2 <> 0 ->
+  x3 <> 0 ->
+  r <> 0 ->
+  x1 <> 0 ->
+  dn <> 0 ->
+  t_12 + (t_14 + (0 / x2 * sn * t_9 + 0 / x2 * sn * (- (t_8 * t_13) - (0 / (2 * dn) - 0 / (2 * dn) ^
+    2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * (t_1 / (x1 * x2 * x3)))) + t_16 + t_18 * (t_1 / (x1 * x2 *
+    x3) * sn ^ 2 / (2 * dn ^ 2)) = t_22.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 D_1 D_2 D_3 D_4
+    D_5.
+  rational.
+Qed.
+
+(* by q, component 3 *)
+Theorem sensitivity_of_the_spin_30 :
+  forall Q cn dn h p q r sigma sn t tau x1 x2 x3 : R,
+  cn ^ 2 = - sn ^ 2 + 1 ->
+  dn ^ 2 = - (h ^ 2 * p ^ 2 * sn ^ 2) + 1 ->
+  x2 ^ 2 = p ^ 2 * tau + x1 ^ 2 ->
+  x3 ^ 2 = p ^ 2 * tau + q ^ 2 * tau + x1 ^ 2 ->
+  r ^ 2 = p ^ 2 + q ^ 2 ->
+  sigma ^ 2 = 1 ->
+  tau ^ 2 = 1 ->
+  let t_1 := 0 / (x1 * r) - h * q * Q * x1 / (x1 * r) ^ 2 in
+  let t_2 := (- sigma) * tau * q * Q in
+  let t_3 := 0 / (x1 * x2 * x3) - t_2 * (x1 * x2) / (x1 * x2 * x3) ^ 2 in
+  let t_4 := (- sigma) * tau * Q / (x1 * x2 * x3) + t_3 * (tau * q / x3) + 0 / (x1 * x2 * x3) * (q /
+    r) in
+  let t_5 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_6 := - (sn * dn * (t * t_4)) in
+  let t_7 := 0 / (x1 * r) * cn + h * q * Q / (x1 * r) in
+  let t_8 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 / x3))
+    + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) * cn *
+    (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * dn * t_5)) + ((0 / (x1 * r) * cn + 0 / (x1 *
+    r)) * t_6 + t_7 * (- (dn * (t * t_4) + sn * dn * t_5))) in
+  let t_9 := h ^ 2 * p ^ 2 * sn * cn in
+  let t_10 := - (t_9 * (t * t_4)) - 0 / (2 * dn) in
+  let t_11 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_12 := 0 / (x1 * r) * cn + h * Q / (x1 * r) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (tau * q
+    / x3) + 0 / (x1 * r) * cn * (0 / x3)) + (((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn + t_1) * (q /
+    r) + t_1 * cn * (0 / r)) + ((0 / (x1 * r) * cn + 0 / (x1 * r)) * (cn * dn * (t * t_4)) + 0 / (x1
+    * r) * cn * (dn * (t * t_4) + cn * dn * t_11)) in
+  let t_13 := (t_8 + (0 / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * cn * (t *
+    t_4) + t_9 * t_5) - 0 / (2 * dn)))) * (cn * dn * (t_2 / (x1 * x2 * x3))) + (t_12 + ((0 / (x1 *
+    r) * cn + 0 / (x1 * r) + 0 / (x1 * r)) * t_6 + t_7 * (- (sn * dn * t_11))) + ((0 / (x1 * r) * cn
+    + 0 / (x1 * r)) * t_10 + 0 / (x1 * r) * cn * (- (h ^ 2 * p ^ 2 * sn * (t * t_4) + t_9 * t_11) -
+    0 / (2 * dn)))) * (- (sn * dn * (t_2 / (x1 * x2 * x3)))) in
+  let t_14 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_15 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 /
+    x3)) + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) *
+    cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * (t * t_4) + cn * dn * t_14)) + ((0 / (x1
+    * r) * cn + 0 / (x1 * r)) * t_6 + t_7 * (- (sn * (t * t_4) + sn * dn * t_14))) in
+  let t_16 := t_4 + t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau
+    * q / x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_17 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 /
+    x3)) + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) *
+    cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * dn * t_16)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r)) * t_6 + t_7 * (- (sn * dn * t_16))) in
+  let t_18 := t * (0 / (x1 * x2 * x3) + ((0 / (x1 * x2 * x3) - 0 / (x1 * x2 * x3) ^ 2) * (tau * q /
+    x3) + t_3 * (0 / x3)) + (0 / (x1 * x2 * x3) * (q / r) + 0 / (x1 * x2 * x3) * (0 / r))) in
+  let t_19 := 0 / (x1 * r) * cn + (0 / (x1 * r) * cn * (tau * q / x3) + 0 / (x1 * r) * cn * (0 /
+    x3)) + ((0 / (x1 * r) - 0 / (x1 * r) ^ 2) * cn * (q / r) + t_1 * cn * (0 / r)) + (0 / (x1 * r) *
+    cn * (cn * dn * (t * t_4)) + 0 / (x1 * r) * cn * (cn * dn * t_18)) + ((0 / (x1 * r) * cn + 0 /
+    (x1 * r)) * t_6 + t_7 * (- (sn * dn * t_18))) in
+  let t_20 := t_13 + (t_15 + (0 / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (t_9 * t_14) - (0 /
+    (2 * dn) - 0 / (2 * dn) ^ 2)))) * (- (h ^ 2 * p ^ 2 * sn * cn * (t_2 / (x1 * x2 * x3)))) + (t_17
+    + (0 / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (t_9 * t_16) - 0 / (2 * dn)))) + (t_19 + (0
+    / (x1 * r) * cn * t_10 + 0 / (x1 * r) * cn * (- (t_9 * t_18) - 0 / (2 * dn)))) * (t_2 / (x1 * x2
+    * x3) * sn ^ 2 / (2 * dn ^ 2)) in
+  let t_21 := sigma * (Q / (x3 * r)) * dn in
+  let t_22 := (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 * (0 / x2
+    * sn)) / x1 ^ 2 + (2 * x3 * (t_21 * (h * Q / x2 * sn)) + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 *
+    r) - Q * r / (x3 * r) ^ 2) * dn * (h * Q / x2 * sn) + t_21 * (0 / x2 * sn))) / x1 ^ 2 * (tau * q
+    / x3) + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r) - Q * x3 / (x3 * r) ^ 2) * dn * (h * Q / x2 *
+    sn) + t_21 * (0 / x2 * sn)) / x1 ^ 2 * (q / r) in
+  let t_23 := t_22 + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 / (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 *
+    (0 / x2 * sn + h * Q / x2)) / x1 ^ 2 * (cn * dn * (t * t_4)) + (x3 ^ 2 - x2 ^ 2) * (sigma * (0 /
+    (x3 * r)) * dn * (h * Q / x2 * sn) + t_21 * (0 / x2 * sn)) / x1 ^ 2 * t_6 + (x3 ^ 2 - x2 ^ 2) *
+    ((sigma * (0 / (x3 * r)) * dn + sigma * (Q / (x3 * r))) * (h * Q / x2 * sn) + t_21 * (0 / x2 *
+    sn)) / x1 ^ 2 * t_10 in
+  x1 <> 0 ->
+  r <> 0 ->
+  x3 <> 0 ->
+  x2 <> 0 ->
+  dn <> 0 ->
+  t_20 = t_23.
+Proof.
+  intros Q cn dn h p q r sigma sn t tau x1 x2 x3 H_1 H_2 H_3 H_4 H_5 H_6 H_7 t_1 t_2 t_3 t_4 t_5 t_6
+    t_7 t_8 t_9 t_10 t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 D_1 D_2 D_3
+    D_4 D_5.
+  rational.
+Qed.
 
 (* With that derivative growing the other way. *)
 
@@ -2481,7 +4781,7 @@ Theorem sensitivity_at_the_start_1 :
   cn * cn - AX * sn * (- (sn / AX)) = 1.
 Proof.
   intros AX cn sn H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 2, column 1 *)
@@ -2493,7 +4793,7 @@ Theorem sensitivity_at_the_start_2 :
   cn / (AX / AM) * sn + AM * cn * (- (sn / AX)) = 0.
 Proof.
   intros AM AX cn sn H_1  D_1 D_2.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 3, column 1 *)
@@ -2508,7 +4808,7 @@ Theorem sensitivity_at_the_start_3 :
     (sn / AX))) = 0.
 Proof.
   intros AC AX cn dn m sn H_1 H_2  D_1 D_2 D_3.
-  field [H_1 H_2]; nonzero.
+  rational.
 Qed.
 
 (* row 1, column 2 *)
@@ -2519,7 +4819,7 @@ Theorem sensitivity_at_the_start_4 :
   AX / AM * sn * cn - AX * sn * (cn / AM) = 0.
 Proof.
   intros AM AX cn sn H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 2, column 2 *)
@@ -2530,7 +4830,7 @@ Theorem sensitivity_at_the_start_5 :
   sn * sn + AM * cn * (cn / AM) = 1.
 Proof.
   intros AM cn sn H_1  D_1.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 3, column 2 *)
@@ -2545,7 +4845,7 @@ Theorem sensitivity_at_the_start_6 :
     * AM * sn / AC ^ 2)) / (2 * dn) - m * cn / dn * (cn / AM)) = 0.
 Proof.
   intros AC AM cn dn m sn H_1 H_2  D_1 D_2 D_3.
-  field [H_1 H_2]; nonzero.
+  rational.
 Qed.
 
 (* row 3, column 3 *)
@@ -2557,7 +4857,7 @@ Theorem sensitivity_at_the_start_7 :
   dn * dn + AC * sn * (sn * (2 * m * dn / AC) / (2 * dn)) = 1.
 Proof.
   intros AC dn m sn H_1  D_1 D_2.
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 1, column 4 *)
@@ -2567,7 +4867,7 @@ Theorem sensitivity_at_the_start_8 :
   (1 / 2) * AX * sn ^ 2 * r * cn - AX * sn * ((1 / 2) * sn * cn * r) = 0.
 Proof.
   intros AX cn r sn H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 2, column 4 *)
@@ -2577,7 +4877,7 @@ Theorem sensitivity_at_the_start_9 :
   (- ((1 / 2) * AM * cn ^ 2 * r)) * sn + AM * cn * ((1 / 2) * sn * cn * r) = 0.
 Proof.
   intros AM cn r sn H_1  .
-  field [H_1]; nonzero.
+  rational.
 Qed.
 
 (* row 3, column 4 *)
@@ -2590,7 +4890,7 @@ Theorem sensitivity_at_the_start_10 :
     * (r + t)))) / (2 * dn) - m * cn / dn * ((1 / 2) * sn * cn * r)) = 0.
 Proof.
   intros AC cn dn m r sn t H_1 H_2  D_1.
-  field [H_1 H_2]; nonzero.
+  rational.
 Qed.
 
 (* With the phase shifted the other way. *)
@@ -2620,7 +4920,7 @@ Theorem sensitivity_of_the_attitude_1 :
     * e2)) + q2 * (W3 - (omega1 * e2 - omega2 * e1)) - q3 * (W2 - (omega3 * e1 - omega1 * e3))) / 2.
 Proof.
   intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -2633,7 +4933,7 @@ Theorem sensitivity_of_the_attitude_2 :
     * e3)) - q1 * (W3 - (omega1 * e2 - omega2 * e1)) + q3 * (W1 - (omega2 * e3 - omega3 * e2))) / 2.
 Proof.
   intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -2646,7 +4946,7 @@ Theorem sensitivity_of_the_attitude_3 :
     * e1)) + q1 * (W2 - (omega3 * e1 - omega1 * e3)) - q2 * (W1 - (omega2 * e3 - omega3 * e2))) / 2.
 Proof.
   intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* q' *)
@@ -2660,7 +4960,7 @@ Theorem sensitivity_of_the_attitude_4 :
     e1))) / 2.
 Proof.
   intros W1 W2 W3 e1 e2 e3 omega1 omega2 omega3 q0 q1 q2 q3   .
-  field; nonzero.
+  rational.
 Qed.
 
 (* in the room, x *)
@@ -2675,8 +4975,7 @@ Theorem sensitivity_of_the_attitude_5 :
     (I3 * omega3) + t_1)).
 Proof.
   intros I1 I2 I3 W2 W3 dxy dxz dyy dyz dzz e1 e2 e3 omega1 omega2 omega3  t_1 t_2 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* in the room, y *)
@@ -2691,8 +4990,7 @@ Theorem sensitivity_of_the_attitude_6 :
     (I1 * omega1) + t_1)).
 Proof.
   intros I1 I2 I3 W1 W3 dxx dxy dxz dyz dzz e1 e2 e3 omega1 omega2 omega3  t_1 t_2 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* in the room, z *)
@@ -2707,8 +5005,7 @@ Theorem sensitivity_of_the_attitude_7 :
     (I2 * omega2) + t_1)).
 Proof.
   intros I1 I2 I3 W1 W2 dxx dxy dxz dyy dyz e1 e2 e3 omega1 omega2 omega3  t_1 t_2 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* e . M *)
@@ -2720,7 +5017,7 @@ Theorem sensitivity_of_the_attitude_8 :
     omega2 - I2 * omega2 * omega1)) = W1 * (I1 * omega1) + W2 * (I2 * omega2) + W3 * (I3 * omega3).
 Proof.
   intros I1 I2 I3 W1 W2 W3 e1 e2 e3 omega1 omega2 omega3   .
-  ring.
+  rational.
 Qed.
 
 (* the energy *)
@@ -2751,8 +5048,7 @@ Theorem sensitivity_of_the_attitude_9 :
 Proof.
   intros I1 I2 I3 W1 W2 W3 dxx dxy dxz dyy dyz dzz omega1 omega2 omega3  t_1 t_2 t_3 t_4 t_5 t_6 t_7
     t_8 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* e, x *)
@@ -2763,7 +5059,7 @@ Theorem sensitivity_of_the_attitude_10 :
     e1 * (I1 * omega1 * (I1 * omega1) + I2 * omega2 * (I2 * omega2) + I3 * omega3 * (I3 * omega3)).
 Proof.
   intros I1 I2 I3 e1 e2 e3 omega1 omega2 omega3   .
-  ring.
+  rational.
 Qed.
 
 (* e, y *)
@@ -2774,7 +5070,7 @@ Theorem sensitivity_of_the_attitude_11 :
     e2 * (I1 * omega1 * (I1 * omega1) + I2 * omega2 * (I2 * omega2) + I3 * omega3 * (I3 * omega3)).
 Proof.
   intros I1 I2 I3 e1 e2 e3 omega1 omega2 omega3   .
-  ring.
+  rational.
 Qed.
 
 (* e, z *)
@@ -2785,7 +5081,7 @@ Theorem sensitivity_of_the_attitude_12 :
     e3 * (I1 * omega1 * (I1 * omega1) + I2 * omega2 * (I2 * omega2) + I3 * omega3 * (I3 * omega3)).
 Proof.
   intros I1 I2 I3 e1 e2 e3 omega1 omega2 omega3   .
-  ring.
+  rational.
 Qed.
 
 (* With e carried along the other way. *)
@@ -2815,7 +5111,7 @@ Theorem sensitivity_by_products_1 :
     I3) * omega2) + (omega3 * omega3 - omega2 * omega2) / I1.
 Proof.
   intros I1 I2 I3 omega2 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -2829,7 +5125,7 @@ Theorem sensitivity_by_products_2 :
     omega2) / I3) / I2.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -2843,7 +5139,7 @@ Theorem sensitivity_by_products_3 :
     omega1) / I2) / I3.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', x *)
@@ -2857,7 +5153,7 @@ Theorem sensitivity_by_products_4 :
     omega2) / I3) / I1.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -2869,7 +5165,7 @@ Theorem sensitivity_by_products_5 :
     I1) * omega1)) + (omega1 * omega1 - omega3 * omega3) / I2.
 Proof.
   intros I1 I2 I3 omega1 omega3   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -2883,7 +5179,7 @@ Theorem sensitivity_by_products_6 :
     omega3) / I1) / I3.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', x *)
@@ -2897,7 +5193,7 @@ Theorem sensitivity_by_products_7 :
     omega1) / I2) / I1.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', y *)
@@ -2911,7 +5207,7 @@ Theorem sensitivity_by_products_8 :
     omega3) / I1) / I2.
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w', z *)
@@ -2923,7 +5219,7 @@ Theorem sensitivity_by_products_9 :
     I2) * omega1) + (omega2 * omega2 - omega1 * omega1) / I3.
 Proof.
   intros I1 I2 I3 omega1 omega2   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With turned the other way. *)

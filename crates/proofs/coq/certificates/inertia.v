@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** point-mass: The tensor of a point, applied to a spin w, is its angular momentum m r x (w x r), for every point and spin. *)
@@ -12,7 +12,7 @@ Theorem point_mass_1 :
     (r2 * (omega1 * r2 - omega2 * r1) - r3 * (omega3 * r1 - omega1 * r3)) * m.
 Proof.
   intros m omega1 omega2 omega3 r1 r2 r3   .
-  ring.
+  rational.
 Qed.
 
 (* L = I w, y *)
@@ -22,7 +22,7 @@ Theorem point_mass_2 :
     (r3 * (omega2 * r3 - omega3 * r2) - r1 * (omega1 * r2 - omega2 * r1)) * m.
 Proof.
   intros m omega1 omega2 omega3 r1 r2 r3   .
-  ring.
+  rational.
 Qed.
 
 (* L = I w, z *)
@@ -32,7 +32,7 @@ Theorem point_mass_3 :
     (r1 * (omega3 * r1 - omega1 * r3) - r2 * (omega2 * r3 - omega3 * r2)) * m.
 Proof.
   intros m omega1 omega2 omega3 r1 r2 r3   .
-  ring.
+  rational.
 Qed.
 
 (* With the products without their minus. *)
@@ -74,8 +74,7 @@ Theorem every_body_obeys_the_triangle_inequality_1 :
     n1)) + n3 * (t_3 * n3 + ((- (m * r2 * r3)) * n2 + (- (m * r1 * r3)) * n1))) = m * t_4 * t_4.
 Proof.
   intros m n1 n2 n3 r1 r2 r3  t_1 t_2 t_3 t_4 .
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the products without their minus. *)
@@ -115,8 +114,7 @@ Theorem parallel_axes_1 :
     m_s + m_t) * (t_1 - d2) * (t_1 - d2) + (m_r + m_s + m_t) * (t_2 - d3) * (t_2 - d3)).
 Proof.
   intros d2 d3 m_r m_s m_t r2 r3 s2 s3 t2 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, xy *)
@@ -130,8 +128,7 @@ Theorem parallel_axes_2 :
     - (m_r + m_s + m_t) * (t_1 - d1) * (t_2 - d2).
 Proof.
   intros d1 d2 m_r m_s m_t r1 r2 s1 s2 t1 t2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, xz *)
@@ -145,8 +142,7 @@ Theorem parallel_axes_3 :
     - (m_r + m_s + m_t) * (t_1 - d1) * (t_2 - d3).
 Proof.
   intros d1 d3 m_r m_s m_t r1 r3 s1 s3 t1 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, yx *)
@@ -160,8 +156,7 @@ Theorem parallel_axes_4 :
     - (m_r + m_s + m_t) * (t_1 - d1) * (t_2 - d2).
 Proof.
   intros d1 d2 m_r m_s m_t r1 r2 s1 s2 t1 t2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, yy *)
@@ -177,8 +172,7 @@ Theorem parallel_axes_5 :
     m_s + m_t) * (t_1 - d3) * (t_1 - d3) + (m_r + m_s + m_t) * (t_2 - d1) * (t_2 - d1)).
 Proof.
   intros d1 d3 m_r m_s m_t r1 r3 s1 s3 t1 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, yz *)
@@ -192,8 +186,7 @@ Theorem parallel_axes_6 :
     - (m_r + m_s + m_t) * (t_1 - d2) * (t_2 - d3).
 Proof.
   intros d2 d3 m_r m_s m_t r2 r3 s2 s3 t2 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, zx *)
@@ -207,8 +200,7 @@ Theorem parallel_axes_7 :
     - (m_r + m_s + m_t) * (t_1 - d1) * (t_2 - d3).
 Proof.
   intros d1 d3 m_r m_s m_t r1 r3 s1 s3 t1 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, zy *)
@@ -222,8 +214,7 @@ Theorem parallel_axes_8 :
     - (m_r + m_s + m_t) * (t_1 - d2) * (t_2 - d3).
 Proof.
   intros d2 d3 m_r m_s m_t r2 r3 s2 s3 t2 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the tensor about d, zz *)
@@ -239,8 +230,7 @@ Theorem parallel_axes_9 :
     m_s + m_t) * (t_1 - d1) * (t_1 - d1) + (m_r + m_s + m_t) * (t_2 - d2) * (t_2 - d2)).
 Proof.
   intros d1 d2 m_r m_s m_t r1 r2 s1 s2 t1 t2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With subtracted, not added. *)
@@ -276,7 +266,7 @@ Theorem parts_of_a_body_1 :
     m_t) / (m_s + m_t) * (m_s + m_t) + r1 * m_r) / (m_s + m_t + m_r).
 Proof.
   intros d1 m_r m_s m_t r1 s1 t1   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* centre, y *)
@@ -289,7 +279,7 @@ Theorem parts_of_a_body_2 :
     m_t) / (m_s + m_t) * (m_s + m_t) + r2 * m_r) / (m_s + m_t + m_r).
 Proof.
   intros d2 m_r m_s m_t r2 s2 t2   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* centre, z *)
@@ -302,7 +292,7 @@ Theorem parts_of_a_body_3 :
     m_t) / (m_s + m_t) * (m_s + m_t) + r3 * m_r) / (m_s + m_t + m_r).
 Proof.
   intros d3 m_r m_s m_t r3 s3 t3   D_1 D_2 D_3.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, xx *)
@@ -325,8 +315,7 @@ Theorem parts_of_a_body_4 :
     (r2 - t_5) * (r2 - t_5) + m_r * (r3 - t_6) * (r3 - t_6)).
 Proof.
   intros d2 d3 m_r m_s m_t r2 r3 s2 s3 t2 t3  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, xy *)
@@ -346,8 +335,7 @@ Theorem parts_of_a_body_5 :
     t_4) - (m_s + m_t) * (t_3 - t_5) * (t_4 - t_6) - m_r * (r1 - t_5) * (r2 - t_6).
 Proof.
   intros d1 d2 m_r m_s m_t r1 r2 s1 s2 t1 t2  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, xz *)
@@ -367,8 +355,7 @@ Theorem parts_of_a_body_6 :
     t_4) - (m_s + m_t) * (t_3 - t_5) * (t_4 - t_6) - m_r * (r1 - t_5) * (r3 - t_6).
 Proof.
   intros d1 d3 m_r m_s m_t r1 r3 s1 s3 t1 t3  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, yx *)
@@ -388,8 +375,7 @@ Theorem parts_of_a_body_7 :
     t_4) - (m_s + m_t) * (t_3 - t_5) * (t_4 - t_6) - m_r * (r1 - t_5) * (r2 - t_6).
 Proof.
   intros d1 d2 m_r m_s m_t r1 r2 s1 s2 t1 t2  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, yy *)
@@ -412,8 +398,7 @@ Theorem parts_of_a_body_8 :
     (r3 - t_5) * (r3 - t_5) + m_r * (r1 - t_6) * (r1 - t_6)).
 Proof.
   intros d1 d3 m_r m_s m_t r1 r3 s1 s3 t1 t3  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, yz *)
@@ -433,8 +418,7 @@ Theorem parts_of_a_body_9 :
     t_4) - (m_s + m_t) * (t_3 - t_5) * (t_4 - t_6) - m_r * (r2 - t_5) * (r3 - t_6).
 Proof.
   intros d2 d3 m_r m_s m_t r2 r3 s2 s3 t2 t3  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, zx *)
@@ -454,8 +438,7 @@ Theorem parts_of_a_body_10 :
     t_4) - (m_s + m_t) * (t_3 - t_5) * (t_4 - t_6) - m_r * (r1 - t_5) * (r3 - t_6).
 Proof.
   intros d1 d3 m_r m_s m_t r1 r3 s1 s3 t1 t3  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, zy *)
@@ -475,8 +458,7 @@ Theorem parts_of_a_body_11 :
     t_4) - (m_s + m_t) * (t_3 - t_5) * (t_4 - t_6) - m_r * (r2 - t_5) * (r3 - t_6).
 Proof.
   intros d2 d3 m_r m_s m_t r2 r3 s2 s3 t2 t3  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* inertia, zz *)
@@ -499,8 +481,7 @@ Theorem parts_of_a_body_12 :
     (r1 - t_5) * (r1 - t_5) + m_r * (r2 - t_6) * (r2 - t_6)).
 Proof.
   intros d1 d2 m_r m_s m_t r1 r2 s1 s2 t1 t2  t_1 t_2 t_3 t_4 t_5 t_6 D_1 D_2 D_3.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, xx *)
@@ -514,8 +495,7 @@ Theorem parts_of_a_body_13 :
     (m_s + m_t) * (s3 - t3) * (s3 - t3).
 Proof.
   intros m_s m_t s2 s3 t2 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, xy *)
@@ -528,8 +508,7 @@ Theorem parts_of_a_body_14 :
     (s1 - t1) * (s2 - t2)).
 Proof.
   intros m_s m_t s1 s2 t1 t2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, xz *)
@@ -542,8 +521,7 @@ Theorem parts_of_a_body_15 :
     (s1 - t1) * (s3 - t3)).
 Proof.
   intros m_s m_t s1 s3 t1 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, yx *)
@@ -556,8 +534,7 @@ Theorem parts_of_a_body_16 :
     (s1 - t1) * (s2 - t2)).
 Proof.
   intros m_s m_t s1 s2 t1 t2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, yy *)
@@ -571,8 +548,7 @@ Theorem parts_of_a_body_17 :
     (m_s + m_t) * (s1 - t1) * (s1 - t1).
 Proof.
   intros m_s m_t s1 s3 t1 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, yz *)
@@ -585,8 +561,7 @@ Theorem parts_of_a_body_18 :
     (s2 - t2) * (s3 - t3)).
 Proof.
   intros m_s m_t s2 s3 t2 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, zx *)
@@ -599,8 +574,7 @@ Theorem parts_of_a_body_19 :
     (s1 - t1) * (s3 - t3)).
 Proof.
   intros m_s m_t s1 s3 t1 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, zy *)
@@ -613,8 +587,7 @@ Theorem parts_of_a_body_20 :
     (s2 - t2) * (s3 - t3)).
 Proof.
   intros m_s m_t s2 s3 t2 t3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* two points, zz *)
@@ -628,8 +601,7 @@ Theorem parts_of_a_body_21 :
     (m_s + m_t) * (s2 - t2) * (s2 - t2).
 Proof.
   intros m_s m_t s1 s2 t1 t2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, xx *)
@@ -641,8 +613,7 @@ Theorem parts_of_a_body_22 :
   m + (m * t_1 * t_1 + m * t_2 * t_2) = m.
 Proof.
   intros d2 d3 m r2 r3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, xy *)
@@ -652,7 +623,7 @@ Theorem parts_of_a_body_23 :
   - (m * (r1 - d1 - (r1 - d1) * m / m) * (r2 - d2 - (r2 - d2) * m / m)) = 0.
 Proof.
   intros d1 d2 m r1 r2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, xz *)
@@ -662,7 +633,7 @@ Theorem parts_of_a_body_24 :
   - (m * (r1 - d1 - (r1 - d1) * m / m) * (r3 - d3 - (r3 - d3) * m / m)) = 0.
 Proof.
   intros d1 d3 m r1 r3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, yx *)
@@ -672,7 +643,7 @@ Theorem parts_of_a_body_25 :
   - (m * (r1 - d1 - (r1 - d1) * m / m) * (r2 - d2 - (r2 - d2) * m / m)) = 0.
 Proof.
   intros d1 d2 m r1 r2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, yy *)
@@ -684,8 +655,7 @@ Theorem parts_of_a_body_26 :
   m + (m * t_1 * t_1 + m * t_2 * t_2) = m.
 Proof.
   intros d1 d3 m r1 r3  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, yz *)
@@ -695,7 +665,7 @@ Theorem parts_of_a_body_27 :
   - (m * (r2 - d2 - (r2 - d2) * m / m) * (r3 - d3 - (r3 - d3) * m / m)) = 0.
 Proof.
   intros d2 d3 m r2 r3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, zx *)
@@ -705,7 +675,7 @@ Theorem parts_of_a_body_28 :
   - (m * (r1 - d1 - (r1 - d1) * m / m) * (r3 - d3 - (r3 - d3) * m / m)) = 0.
 Proof.
   intros d1 d3 m r1 r3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, zy *)
@@ -715,7 +685,7 @@ Theorem parts_of_a_body_29 :
   - (m * (r2 - d2 - (r2 - d2) * m / m) * (r3 - d3 - (r3 - d3) * m / m)) = 0.
 Proof.
   intros d2 d3 m r2 r3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* one part alone, zz *)
@@ -727,8 +697,7 @@ Theorem parts_of_a_body_30 :
   m + (m * t_1 * t_1 + m * t_2 * t_2) = m.
 Proof.
   intros d1 d2 m r1 r2  t_1 t_2 D_1.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the parts' tensors added without their distances. *)
@@ -783,25 +752,7 @@ Theorem turning_back_1 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (- (2 * I_xz * y ^ 2) - 2 * I_xz * z ^ 2 - 2 * I_yz * w * z + 2 * I_yz * x * y + 2 *
-    I_zz * w * y + 2 * I_zz * x * z + I_xz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (- (2 * I_xy * y ^ 2) - 2 * I_xy * z ^ 2 - 2 * I_yy * w * z + 2 * I_yy * x * y + 2 *
-    I_yz * w * y + 2 * I_yz * x * z + I_xy) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (- (2 * I_xx * y ^ 2) - 2 * I_xx * z ^ 2 - 2 * I_xy * w * z + 2 * I_xy * x * y + 2 *
-    I_xz * w * y + 2 * I_xz * x * z + I_xx) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  subst t_10.
-  cut_to t_11 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_12 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  subst t_14.
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, xy *)
@@ -839,25 +790,7 @@ Theorem turning_back_2 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (- (2 * I_xz * y ^ 2) - 2 * I_xz * z ^ 2 - 2 * I_yz * w * z + 2 * I_yz * x * y + 2 *
-    I_zz * w * y + 2 * I_zz * x * z + I_xz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (- (2 * I_xy * y ^ 2) - 2 * I_xy * z ^ 2 - 2 * I_yy * w * z + 2 * I_yy * x * y + 2 *
-    I_yz * w * y + 2 * I_yz * x * z + I_xy) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (- (2 * I_xx * y ^ 2) - 2 * I_xx * z ^ 2 - 2 * I_xy * w * z + 2 * I_xy * x * y + 2 *
-    I_xz * w * y + 2 * I_xz * x * z + I_xx) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_10 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_11 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_12 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  subst t_13.
-  subst t_14.
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, xz *)
@@ -895,25 +828,7 @@ Theorem turning_back_3 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (- (2 * I_xz * y ^ 2) - 2 * I_xz * z ^ 2 - 2 * I_yz * w * z + 2 * I_yz * x * y + 2 *
-    I_zz * w * y + 2 * I_zz * x * z + I_xz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (- (2 * I_xy * y ^ 2) - 2 * I_xy * z ^ 2 - 2 * I_yy * w * z + 2 * I_yy * x * y + 2 *
-    I_yz * w * y + 2 * I_yz * x * z + I_xy) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (- (2 * I_xx * y ^ 2) - 2 * I_xx * z ^ 2 - 2 * I_xy * w * z + 2 * I_xy * x * y + 2 *
-    I_xz * w * y + 2 * I_xz * x * z + I_xx) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  subst t_10.
-  cut_to t_11 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_12 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  subst t_14.
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, yx *)
@@ -951,25 +866,7 @@ Theorem turning_back_4 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (2 * I_xz * w * z + 2 * I_xz * x * y - 2 * I_yz * x ^ 2 - 2 * I_yz * z ^ 2 - 2 * I_zz *
-    w * x + 2 * I_zz * y * z + I_yz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (2 * I_xy * w * z + 2 * I_xy * x * y - 2 * I_yy * x ^ 2 - 2 * I_yy * z ^ 2 - 2 * I_yz *
-    w * x + 2 * I_yz * y * z + I_yy) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (2 * I_xx * w * z + 2 * I_xx * x * y - 2 * I_xy * x ^ 2 - 2 * I_xy * z ^ 2 - 2 * I_xz *
-    w * x + 2 * I_xz * y * z + I_xy) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_10 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_11 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_12 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  subst t_13.
-  subst t_14.
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, yy *)
@@ -1008,25 +905,7 @@ Theorem turning_back_5 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (2 * I_xz * w * z + 2 * I_xz * x * y - 2 * I_yz * x ^ 2 - 2 * I_yz * z ^ 2 - 2 * I_zz *
-    w * x + 2 * I_zz * y * z + I_yz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (2 * I_xy * w * z + 2 * I_xy * x * y - 2 * I_yy * x ^ 2 - 2 * I_yy * z ^ 2 - 2 * I_yz *
-    w * x + 2 * I_yz * y * z + I_yy) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (2 * I_xx * w * z + 2 * I_xx * x * y - 2 * I_xy * x ^ 2 - 2 * I_xy * z ^ 2 - 2 * I_xz *
-    w * x + 2 * I_xz * y * z + I_xy) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  subst t_10.
-  subst t_11.
-  cut_to t_12 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_14 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, yz *)
@@ -1064,25 +943,7 @@ Theorem turning_back_6 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (2 * I_xz * w * z + 2 * I_xz * x * y - 2 * I_yz * x ^ 2 - 2 * I_yz * z ^ 2 - 2 * I_zz *
-    w * x + 2 * I_zz * y * z + I_yz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (2 * I_xy * w * z + 2 * I_xy * x * y - 2 * I_yy * x ^ 2 - 2 * I_yy * z ^ 2 - 2 * I_yz *
-    w * x + 2 * I_yz * y * z + I_yy) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (2 * I_xx * w * z + 2 * I_xx * x * y - 2 * I_xy * x ^ 2 - 2 * I_xy * z ^ 2 - 2 * I_xz *
-    w * x + 2 * I_xz * y * z + I_xy) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  subst t_10.
-  subst t_11.
-  cut_to t_12 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_14 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, zx *)
@@ -1120,25 +981,7 @@ Theorem turning_back_7 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (- (2 * I_xz * w * y) + 2 * I_xz * x * z + 2 * I_yz * w * x + 2 * I_yz * y * z - 2 *
-    I_zz * x ^ 2 - 2 * I_zz * y ^ 2 + I_zz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * I_xy * w * y) + 2 * I_xy * x * z + 2 * I_yy * w * x + 2 * I_yy * y * z - 2 *
-    I_yz * x ^ 2 - 2 * I_yz * y ^ 2 + I_yz) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (- (2 * I_xx * w * y) + 2 * I_xx * x * z + 2 * I_xy * w * x + 2 * I_xy * y * z - 2 *
-    I_xz * x ^ 2 - 2 * I_xz * y ^ 2 + I_xz) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  subst t_10.
-  cut_to t_11 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_12 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  subst t_14.
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, zy *)
@@ -1176,25 +1019,7 @@ Theorem turning_back_8 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (- (2 * I_xz * w * y) + 2 * I_xz * x * z + 2 * I_yz * w * x + 2 * I_yz * y * z - 2 *
-    I_zz * x ^ 2 - 2 * I_zz * y ^ 2 + I_zz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * I_xy * w * y) + 2 * I_xy * x * z + 2 * I_yy * w * x + 2 * I_yy * y * z - 2 *
-    I_yz * x ^ 2 - 2 * I_yz * y ^ 2 + I_yz) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (- (2 * I_xx * w * y) + 2 * I_xx * x * z + 2 * I_xy * w * x + 2 * I_xy * y * z - 2 *
-    I_xz * x ^ 2 - 2 * I_xz * y ^ 2 + I_xz) ltac:(field [H_1]; nonzero).
-  cut_to t_7 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_8 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  subst t_10.
-  subst t_11.
-  cut_to t_12 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_14 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* there and back, zz *)
@@ -1233,25 +1058,7 @@ Theorem turning_back_9 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
     t_12 t_13 t_14 t_15 .
-  cut_to t_1 (- (2 * x ^ 2) - 2 * y ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_2 (2 * w * x + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_3 (- (2 * w * y) + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_4 (- (2 * I_xz * w * y) + 2 * I_xz * x * z + 2 * I_yz * w * x + 2 * I_yz * y * z - 2 *
-    I_zz * x ^ 2 - 2 * I_zz * y ^ 2 + I_zz) ltac:(field [H_1]; nonzero).
-  cut_to t_5 (- (2 * I_xy * w * y) + 2 * I_xy * x * z + 2 * I_yy * w * x + 2 * I_yy * y * z - 2 *
-    I_yz * x ^ 2 - 2 * I_yz * y ^ 2 + I_yz) ltac:(field [H_1]; nonzero).
-  cut_to t_6 (- (2 * I_xx * w * y) + 2 * I_xx * x * z + 2 * I_xy * w * x + 2 * I_xy * y * z - 2 *
-    I_xz * x ^ 2 - 2 * I_xz * y ^ 2 + I_xz) ltac:(field [H_1]; nonzero).
-  subst t_7.
-  cut_to t_8 (- (2 * w * x) + 2 * y * z) ltac:(field [H_1]; nonzero).
-  cut_to t_9 (- (2 * x ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  cut_to t_10 (2 * w * z + 2 * x * y) ltac:(field [H_1]; nonzero).
-  subst t_11.
-  cut_to t_12 (2 * w * y + 2 * x * z) ltac:(field [H_1]; nonzero).
-  cut_to t_13 (- (2 * w * z) + 2 * x * y) ltac:(field [H_1]; nonzero).
-  cut_to t_14 (- (2 * y ^ 2) - 2 * z ^ 2 + 1) ltac:(field [H_1]; nonzero).
-  subst t_15.
-  ring [H_1].
+  rational.
 Qed.
 
 (* With R^T J R in place of R J R^T. *)
@@ -1336,8 +1143,7 @@ Theorem moments_survive_turning_1 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz v1 v2 v3 w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
     t_11 t_12 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* the tensor along R v, y *)
@@ -1363,8 +1169,7 @@ Theorem moments_survive_turning_2 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz v1 v2 v3 w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
     t_11 t_12 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* the tensor along R v, z *)
@@ -1390,8 +1195,7 @@ Theorem moments_survive_turning_3 :
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz v1 v2 v3 w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
     t_11 t_12 .
-  unnamed.
-  ring [H_1].
+  rational.
 Qed.
 
 (* the trace *)
@@ -1415,8 +1219,81 @@ Theorem moments_survive_turning_4 :
   t_10 = I_xx + I_yy + I_zz.
 Proof.
   intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 .
-  unnamed.
-  ring [H_1].
+  rational.
+Qed.
+
+(* the second invariant *)
+Theorem moments_survive_turning_5 :
+  forall I_xx I_xy I_xz I_yy I_yz I_zz w x y z : R,
+  w ^ 2 = - x ^ 2 - y ^ 2 - z ^ 2 + 1 ->
+  let t_1 := y * z - w * x + (y * z - w * x) in
+  let t_2 := w * w - x * x + y * y - z * z in
+  let t_3 := x * y + w * z + (x * y + w * z) in
+  let t_4 := t_1 * I_zz + (t_2 * I_yz + t_3 * I_xz) in
+  let t_5 := t_1 * I_yz + (t_2 * I_yy + t_3 * I_xy) in
+  let t_6 := t_1 * I_xz + (t_2 * I_xy + t_3 * I_xx) in
+  let t_7 := t_4 * t_1 + (t_5 * t_2 + t_6 * t_3) in
+  let t_8 := w * w - x * x - y * y + z * z in
+  let t_9 := y * z + w * x + (y * z + w * x) in
+  let t_10 := x * z - w * y + (x * z - w * y) in
+  let t_11 := t_8 * I_zz + (t_9 * I_yz + t_10 * I_xz) in
+  let t_12 := t_8 * I_yz + (t_9 * I_yy + t_10 * I_xy) in
+  let t_13 := t_8 * I_xz + (t_9 * I_xy + t_10 * I_xx) in
+  let t_14 := t_11 * t_8 + (t_12 * t_9 + t_13 * t_10) in
+  let t_15 := x * z + w * y + (x * z + w * y) in
+  let t_16 := x * y - w * z + (x * y - w * z) in
+  let t_17 := w * w + x * x - y * y - z * z in
+  let t_18 := t_15 * I_zz + (t_16 * I_yz + t_17 * I_xz) in
+  let t_19 := t_15 * I_yz + (t_16 * I_yy + t_17 * I_xy) in
+  let t_20 := t_15 * I_xz + (t_16 * I_xy + t_17 * I_xx) in
+  let t_21 := t_18 * t_15 + (t_19 * t_16 + t_20 * t_17) in
+  t_7 * t_14 - (t_4 * t_8 + (t_5 * t_9 + t_6 * t_10)) * (t_11 * t_1 + (t_12 * t_2 + t_13 * t_3)) +
+    (t_14 * t_21 - (t_11 * t_15 + (t_12 * t_16 + t_13 * t_17)) * (t_18 * t_8 + (t_19 * t_9 + t_20 *
+    t_10))) + (t_21 * t_7 - (t_18 * t_1 + (t_19 * t_2 + t_20 * t_3)) * (t_4 * t_15 + (t_5 * t_16 +
+    t_6 * t_17))) = I_yy * I_zz - I_yz * I_yz + (I_zz * I_xx - I_xz * I_xz) + (I_xx * I_yy - I_xy *
+    I_xy).
+Proof.
+  intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
+    t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 .
+  rational.
+Qed.
+
+(* the determinant *)
+Theorem moments_survive_turning_6 :
+  forall I_xx I_xy I_xz I_yy I_yz I_zz w x y z : R,
+  w ^ 2 = - x ^ 2 - y ^ 2 - z ^ 2 + 1 ->
+  let t_1 := x * z + w * y + (x * z + w * y) in
+  let t_2 := x * y - w * z + (x * y - w * z) in
+  let t_3 := w * w + x * x - y * y - z * z in
+  let t_4 := t_1 * I_zz + (t_2 * I_yz + t_3 * I_xz) in
+  let t_5 := t_1 * I_yz + (t_2 * I_yy + t_3 * I_xy) in
+  let t_6 := t_1 * I_xz + (t_2 * I_xy + t_3 * I_xx) in
+  let t_7 := y * z - w * x + (y * z - w * x) in
+  let t_8 := w * w - x * x + y * y - z * z in
+  let t_9 := x * y + w * z + (x * y + w * z) in
+  let t_10 := t_7 * I_zz + (t_8 * I_yz + t_9 * I_xz) in
+  let t_11 := t_7 * I_yz + (t_8 * I_yy + t_9 * I_xy) in
+  let t_12 := t_7 * I_xz + (t_8 * I_xy + t_9 * I_xx) in
+  let t_13 := t_10 * t_7 + (t_11 * t_8 + t_12 * t_9) in
+  let t_14 := w * w - x * x - y * y + z * z in
+  let t_15 := y * z + w * x + (y * z + w * x) in
+  let t_16 := x * z - w * y + (x * z - w * y) in
+  let t_17 := t_14 * I_zz + (t_15 * I_yz + t_16 * I_xz) in
+  let t_18 := t_14 * I_yz + (t_15 * I_yy + t_16 * I_xy) in
+  let t_19 := t_14 * I_xz + (t_15 * I_xy + t_16 * I_xx) in
+  let t_20 := t_17 * t_14 + (t_18 * t_15 + t_19 * t_16) in
+  let t_21 := t_10 * t_14 + (t_11 * t_15 + t_12 * t_16) in
+  let t_22 := t_17 * t_7 + (t_18 * t_8 + t_19 * t_9) in
+  let t_23 := t_17 * t_1 + (t_18 * t_2 + t_19 * t_3) in
+  let t_24 := t_10 * t_1 + (t_11 * t_2 + t_12 * t_3) in
+  (t_4 * t_1 + (t_5 * t_2 + t_6 * t_3)) * (t_13 * t_20 - t_21 * t_22) + (t_4 * t_7 + (t_5 * t_8 +
+    t_6 * t_9)) * (t_21 * t_23 - t_24 * t_20) + (t_4 * t_14 + (t_5 * t_15 + t_6 * t_16)) * (t_24 *
+    t_22 - t_13 * t_23) = I_xx * (I_yy * I_zz - I_yz * I_yz) + I_xy * (I_yz * I_xz - I_xy * I_zz) +
+    I_xz * (I_xy * I_yz - I_yy * I_xz).
+Proof.
+  intros I_xx I_xy I_xz I_yy I_yz I_zz w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10 t_11
+    t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 .
+  rational.
 Qed.
 
 (* With one R left out. *)
@@ -1515,8 +1392,7 @@ Theorem spin_from_momentum_1 :
 Proof.
   intros J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 w x y z  t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
     t_11 t_12 t_13 t_14 t_15 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* w, y *)
@@ -1544,8 +1420,7 @@ Theorem spin_from_momentum_2 :
 Proof.
   intros J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 w x y z  t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
     t_11 t_12 t_13 t_14 t_15 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* w, z *)
@@ -1573,8 +1448,154 @@ Theorem spin_from_momentum_3 :
 Proof.
   intros J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 w x y z  t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
     t_11 t_12 t_13 t_14 t_15 .
-  unnamed.
-  ring.
+  rational.
+Qed.
+
+(* L = R I R^T w, x *)
+Theorem spin_from_momentum_4 :
+  forall I_xx I_xy I_xz I_yy I_yz I_zz L1 L2 L3 w x y z : R,
+  w ^ 2 = - x ^ 2 - y ^ 2 - z ^ 2 + 1 ->
+  let t_1 := x * z + w * y + (x * z + w * y) in
+  let t_2 := w * w - x * x - y * y + z * z in
+  let t_3 := y * z + w * x + (y * z + w * x) in
+  let t_4 := x * z - w * y + (x * z - w * y) in
+  let t_5 := t_2 * (I_xx * I_yy - I_xy * I_xy) + (t_3 * (I_xz * I_xy - I_xx * I_yz) + t_4 * (I_xy *
+    I_yz - I_xz * I_yy)) in
+  let t_6 := t_2 * (I_xz * I_xy - I_yz * I_xx) + (t_3 * (I_zz * I_xx - I_xz * I_xz) + t_4 * (I_yz *
+    I_xz - I_zz * I_xy)) in
+  let t_7 := t_2 * (I_xy * I_yz - I_yy * I_xz) + (t_3 * (I_yz * I_xz - I_xy * I_zz) + t_4 * (I_yy *
+    I_zz - I_yz * I_yz)) in
+  let t_8 := y * z - w * x + (y * z - w * x) in
+  let t_9 := w * w - x * x + y * y - z * z in
+  let t_10 := x * y + w * z + (x * y + w * z) in
+  let t_11 := x * y - w * z + (x * y - w * z) in
+  let t_12 := w * w + x * x - y * y - z * z in
+  let t_13 := (t_5 * t_2 + (t_6 * t_3 + t_7 * t_4)) * L3 + ((t_5 * t_8 + (t_6 * t_9 + t_7 * t_10)) *
+    L2 + (t_5 * t_1 + (t_6 * t_11 + t_7 * t_12)) * L1) in
+  let t_14 := t_8 * (I_xx * I_yy - I_xy * I_xy) + (t_9 * (I_xz * I_xy - I_xx * I_yz) + t_10 * (I_xy
+    * I_yz - I_xz * I_yy)) in
+  let t_15 := t_8 * (I_xz * I_xy - I_yz * I_xx) + (t_9 * (I_zz * I_xx - I_xz * I_xz) + t_10 * (I_yz
+    * I_xz - I_zz * I_xy)) in
+  let t_16 := t_8 * (I_xy * I_yz - I_yy * I_xz) + (t_9 * (I_yz * I_xz - I_xy * I_zz) + t_10 * (I_yy
+    * I_zz - I_yz * I_yz)) in
+  let t_17 := (t_14 * t_2 + (t_15 * t_3 + t_16 * t_4)) * L3 + ((t_14 * t_8 + (t_15 * t_9 + t_16 *
+    t_10)) * L2 + (t_14 * t_1 + (t_15 * t_11 + t_16 * t_12)) * L1) in
+  let t_18 := t_1 * (I_xx * I_yy - I_xy * I_xy) + (t_11 * (I_xz * I_xy - I_xx * I_yz) + t_12 * (I_xy
+    * I_yz - I_xz * I_yy)) in
+  let t_19 := t_1 * (I_xz * I_xy - I_yz * I_xx) + (t_11 * (I_zz * I_xx - I_xz * I_xz) + t_12 * (I_yz
+    * I_xz - I_zz * I_xy)) in
+  let t_20 := t_1 * (I_xy * I_yz - I_yy * I_xz) + (t_11 * (I_yz * I_xz - I_xy * I_zz) + t_12 * (I_yy
+    * I_zz - I_yz * I_yz)) in
+  let t_21 := (t_18 * t_2 + (t_19 * t_3 + t_20 * t_4)) * L3 + ((t_18 * t_8 + (t_19 * t_9 + t_20 *
+    t_10)) * L2 + (t_18 * t_1 + (t_19 * t_11 + t_20 * t_12)) * L1) in
+  let t_22 := t_2 * t_13 + (t_8 * t_17 + t_1 * t_21) in
+  let t_23 := t_3 * t_13 + (t_9 * t_17 + t_11 * t_21) in
+  let t_24 := t_4 * t_13 + (t_10 * t_17 + t_12 * t_21) in
+  t_1 * (I_zz * t_22 + (I_yz * t_23 + I_xz * t_24)) + (t_11 * (I_yz * t_22 + (I_yy * t_23 + I_xy *
+    t_24)) + t_12 * (I_xz * t_22 + (I_xy * t_23 + I_xx * t_24))) = L1 * (I_xx * (I_yy * I_zz - I_yz
+    * I_yz) + I_xy * (I_yz * I_xz - I_xy * I_zz) + I_xz * (I_xy * I_yz - I_yy * I_xz)).
+Proof.
+  intros I_xx I_xy I_xz I_yy I_yz I_zz L1 L2 L3 w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
+    t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 .
+  rational.
+Qed.
+
+(* L = R I R^T w, y *)
+Theorem spin_from_momentum_5 :
+  forall I_xx I_xy I_xz I_yy I_yz I_zz L1 L2 L3 w x y z : R,
+  w ^ 2 = - x ^ 2 - y ^ 2 - z ^ 2 + 1 ->
+  let t_1 := y * z - w * x + (y * z - w * x) in
+  let t_2 := w * w - x * x - y * y + z * z in
+  let t_3 := y * z + w * x + (y * z + w * x) in
+  let t_4 := x * z - w * y + (x * z - w * y) in
+  let t_5 := t_2 * (I_xx * I_yy - I_xy * I_xy) + (t_3 * (I_xz * I_xy - I_xx * I_yz) + t_4 * (I_xy *
+    I_yz - I_xz * I_yy)) in
+  let t_6 := t_2 * (I_xz * I_xy - I_yz * I_xx) + (t_3 * (I_zz * I_xx - I_xz * I_xz) + t_4 * (I_yz *
+    I_xz - I_zz * I_xy)) in
+  let t_7 := t_2 * (I_xy * I_yz - I_yy * I_xz) + (t_3 * (I_yz * I_xz - I_xy * I_zz) + t_4 * (I_yy *
+    I_zz - I_yz * I_yz)) in
+  let t_8 := w * w - x * x + y * y - z * z in
+  let t_9 := x * y + w * z + (x * y + w * z) in
+  let t_10 := x * z + w * y + (x * z + w * y) in
+  let t_11 := x * y - w * z + (x * y - w * z) in
+  let t_12 := w * w + x * x - y * y - z * z in
+  let t_13 := (t_5 * t_2 + (t_6 * t_3 + t_7 * t_4)) * L3 + ((t_5 * t_1 + (t_6 * t_8 + t_7 * t_9)) *
+    L2 + (t_5 * t_10 + (t_6 * t_11 + t_7 * t_12)) * L1) in
+  let t_14 := t_1 * (I_xx * I_yy - I_xy * I_xy) + (t_8 * (I_xz * I_xy - I_xx * I_yz) + t_9 * (I_xy *
+    I_yz - I_xz * I_yy)) in
+  let t_15 := t_1 * (I_xz * I_xy - I_yz * I_xx) + (t_8 * (I_zz * I_xx - I_xz * I_xz) + t_9 * (I_yz *
+    I_xz - I_zz * I_xy)) in
+  let t_16 := t_1 * (I_xy * I_yz - I_yy * I_xz) + (t_8 * (I_yz * I_xz - I_xy * I_zz) + t_9 * (I_yy *
+    I_zz - I_yz * I_yz)) in
+  let t_17 := (t_14 * t_2 + (t_15 * t_3 + t_16 * t_4)) * L3 + ((t_14 * t_1 + (t_15 * t_8 + t_16 *
+    t_9)) * L2 + (t_14 * t_10 + (t_15 * t_11 + t_16 * t_12)) * L1) in
+  let t_18 := t_10 * (I_xx * I_yy - I_xy * I_xy) + (t_11 * (I_xz * I_xy - I_xx * I_yz) + t_12 *
+    (I_xy * I_yz - I_xz * I_yy)) in
+  let t_19 := t_10 * (I_xz * I_xy - I_yz * I_xx) + (t_11 * (I_zz * I_xx - I_xz * I_xz) + t_12 *
+    (I_yz * I_xz - I_zz * I_xy)) in
+  let t_20 := t_10 * (I_xy * I_yz - I_yy * I_xz) + (t_11 * (I_yz * I_xz - I_xy * I_zz) + t_12 *
+    (I_yy * I_zz - I_yz * I_yz)) in
+  let t_21 := (t_18 * t_2 + (t_19 * t_3 + t_20 * t_4)) * L3 + ((t_18 * t_1 + (t_19 * t_8 + t_20 *
+    t_9)) * L2 + (t_18 * t_10 + (t_19 * t_11 + t_20 * t_12)) * L1) in
+  let t_22 := t_2 * t_13 + (t_1 * t_17 + t_10 * t_21) in
+  let t_23 := t_3 * t_13 + (t_8 * t_17 + t_11 * t_21) in
+  let t_24 := t_4 * t_13 + (t_9 * t_17 + t_12 * t_21) in
+  t_1 * (I_zz * t_22 + (I_yz * t_23 + I_xz * t_24)) + (t_8 * (I_yz * t_22 + (I_yy * t_23 + I_xy *
+    t_24)) + t_9 * (I_xz * t_22 + (I_xy * t_23 + I_xx * t_24))) = L2 * (I_xx * (I_yy * I_zz - I_yz *
+    I_yz) + I_xy * (I_yz * I_xz - I_xy * I_zz) + I_xz * (I_xy * I_yz - I_yy * I_xz)).
+Proof.
+  intros I_xx I_xy I_xz I_yy I_yz I_zz L1 L2 L3 w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
+    t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 .
+  rational.
+Qed.
+
+(* L = R I R^T w, z *)
+Theorem spin_from_momentum_6 :
+  forall I_xx I_xy I_xz I_yy I_yz I_zz L1 L2 L3 w x y z : R,
+  w ^ 2 = - x ^ 2 - y ^ 2 - z ^ 2 + 1 ->
+  let t_1 := w * w - x * x - y * y + z * z in
+  let t_2 := y * z + w * x + (y * z + w * x) in
+  let t_3 := x * z - w * y + (x * z - w * y) in
+  let t_4 := t_1 * (I_xx * I_yy - I_xy * I_xy) + (t_2 * (I_xz * I_xy - I_xx * I_yz) + t_3 * (I_xy *
+    I_yz - I_xz * I_yy)) in
+  let t_5 := t_1 * (I_xz * I_xy - I_yz * I_xx) + (t_2 * (I_zz * I_xx - I_xz * I_xz) + t_3 * (I_yz *
+    I_xz - I_zz * I_xy)) in
+  let t_6 := t_1 * (I_xy * I_yz - I_yy * I_xz) + (t_2 * (I_yz * I_xz - I_xy * I_zz) + t_3 * (I_yy *
+    I_zz - I_yz * I_yz)) in
+  let t_7 := y * z - w * x + (y * z - w * x) in
+  let t_8 := w * w - x * x + y * y - z * z in
+  let t_9 := x * y + w * z + (x * y + w * z) in
+  let t_10 := x * z + w * y + (x * z + w * y) in
+  let t_11 := x * y - w * z + (x * y - w * z) in
+  let t_12 := w * w + x * x - y * y - z * z in
+  let t_13 := (t_4 * t_1 + (t_5 * t_2 + t_6 * t_3)) * L3 + ((t_4 * t_7 + (t_5 * t_8 + t_6 * t_9)) *
+    L2 + (t_4 * t_10 + (t_5 * t_11 + t_6 * t_12)) * L1) in
+  let t_14 := t_7 * (I_xx * I_yy - I_xy * I_xy) + (t_8 * (I_xz * I_xy - I_xx * I_yz) + t_9 * (I_xy *
+    I_yz - I_xz * I_yy)) in
+  let t_15 := t_7 * (I_xz * I_xy - I_yz * I_xx) + (t_8 * (I_zz * I_xx - I_xz * I_xz) + t_9 * (I_yz *
+    I_xz - I_zz * I_xy)) in
+  let t_16 := t_7 * (I_xy * I_yz - I_yy * I_xz) + (t_8 * (I_yz * I_xz - I_xy * I_zz) + t_9 * (I_yy *
+    I_zz - I_yz * I_yz)) in
+  let t_17 := (t_14 * t_1 + (t_15 * t_2 + t_16 * t_3)) * L3 + ((t_14 * t_7 + (t_15 * t_8 + t_16 *
+    t_9)) * L2 + (t_14 * t_10 + (t_15 * t_11 + t_16 * t_12)) * L1) in
+  let t_18 := t_10 * (I_xx * I_yy - I_xy * I_xy) + (t_11 * (I_xz * I_xy - I_xx * I_yz) + t_12 *
+    (I_xy * I_yz - I_xz * I_yy)) in
+  let t_19 := t_10 * (I_xz * I_xy - I_yz * I_xx) + (t_11 * (I_zz * I_xx - I_xz * I_xz) + t_12 *
+    (I_yz * I_xz - I_zz * I_xy)) in
+  let t_20 := t_10 * (I_xy * I_yz - I_yy * I_xz) + (t_11 * (I_yz * I_xz - I_xy * I_zz) + t_12 *
+    (I_yy * I_zz - I_yz * I_yz)) in
+  let t_21 := (t_18 * t_1 + (t_19 * t_2 + t_20 * t_3)) * L3 + ((t_18 * t_7 + (t_19 * t_8 + t_20 *
+    t_9)) * L2 + (t_18 * t_10 + (t_19 * t_11 + t_20 * t_12)) * L1) in
+  let t_22 := t_1 * t_13 + (t_7 * t_17 + t_10 * t_21) in
+  let t_23 := t_2 * t_13 + (t_8 * t_17 + t_11 * t_21) in
+  let t_24 := t_3 * t_13 + (t_9 * t_17 + t_12 * t_21) in
+  t_1 * (I_zz * t_22 + (I_yz * t_23 + I_xz * t_24)) + (t_2 * (I_yz * t_22 + (I_yy * t_23 + I_xy *
+    t_24)) + t_3 * (I_xz * t_22 + (I_xy * t_23 + I_xx * t_24))) = L3 * (I_xx * (I_yy * I_zz - I_yz *
+    I_yz) + I_xy * (I_yz * I_xz - I_xy * I_zz) + I_xz * (I_xy * I_yz - I_yy * I_xz)).
+Proof.
+  intros I_xx I_xy I_xz I_yy I_yz I_zz L1 L2 L3 w x y z H_1 t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
+    t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 t_23 t_24 .
+  rational.
 Qed.
 
 (* With R and R^T swapped. *)
@@ -1661,8 +1682,7 @@ Theorem gap_of_a_box_1 :
   (- (t_1 - t_2)) / (t_1 + t_2) = (a ^ 2 - b ^ 2) / (a ^ 2 + b ^ 2 + 2 * c ^ 2).
 Proof.
   intros a b c m  t_1 t_2 D_1 D_2.
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With edges a and b swapped. *)
@@ -1711,7 +1731,8 @@ Theorem gap_is_zero_on_principal_axes_alone_1 :
 Proof.
   intros I1 a H_1 H_2  .
   unnamed.
-  apply (above_zero _ (a ^ 2) (1)); [positive | positive | field; nonzero].
+  assert (1 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (a ^ 2) (1)); [positive | positive | rational].
 Qed.
 
 (* the factor of a pair *)
@@ -1724,7 +1745,8 @@ Theorem gap_is_zero_on_principal_axes_alone_2 :
 Proof.
   intros I1 a b H_1 H_2 H_3  .
   unnamed.
-  apply (above_zero _ (b ^ 2) (1)); [positive | positive | field; nonzero].
+  assert (1 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (b ^ 2) (1)); [positive | positive | rational].
 Qed.
 
 (* the factor of a pair *)
@@ -1737,7 +1759,8 @@ Theorem gap_is_zero_on_principal_axes_alone_3 :
 Proof.
   intros I1 a b H_1 H_2 H_3  .
   unnamed.
-  apply (above_zero _ (a ^ 2 + 2 * a * b + b ^ 2) (1)); [positive | positive | field; nonzero].
+  assert (1 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (a ^ 2 + 2 * a * b + b ^ 2) (1)); [positive | positive | rational].
 Qed.
 
 (* |L x w|² *)
@@ -1750,8 +1773,7 @@ Theorem gap_is_zero_on_principal_axes_alone_4 :
     + a + b)) ^ 2 * omega2 ^ 2 * omega3 ^ 2 + (I1 + a + b - I1) ^ 2 * omega3 ^ 2 * omega1 ^ 2.
 Proof.
   intros I1 a b omega1 omega2 omega3  t_1 t_2 t_3 .
-  unnamed.
-  ring.
+  rational.
 Qed.
 
 (* With one pair left out. *)
@@ -1798,7 +1820,10 @@ Theorem momentum_leans_to_the_heavier_axis_1 :
 Proof.
   intros I1 a omega1 omega2 H_1 H_2 H_3 H_4  .
   unnamed.
-  apply (above_zero _ (a * omega2) (I1 * omega1)); [positive | positive | field; nonzero].
+  assert (I1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (omega1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 * omega1 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (a * omega2) (I1 * omega1)); [positive | positive | rational].
 Qed.
 
 (* the lean *)
@@ -1813,8 +1838,10 @@ Theorem momentum_leans_to_the_heavier_axis_2 :
 Proof.
   intros I1 a b omega2 omega3 H_1 H_2 H_3 H_4 H_5  .
   unnamed.
-  apply (above_zero _ (b * omega3) (I1 * omega2 + a * omega2)); [positive | positive | field;
-    nonzero].
+  assert (I1 + a <> 0) by (apply Rgt_not_eq; positive).
+  assert (omega2 <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 * omega2 + a * omega2 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (b * omega3) (I1 * omega2 + a * omega2)); [positive | positive | rational].
 Qed.
 
 (* the lean *)
@@ -1829,8 +1856,10 @@ Theorem momentum_leans_to_the_heavier_axis_3 :
 Proof.
   intros I1 a b omega1 omega3 H_1 H_2 H_3 H_4 H_5  .
   unnamed.
-  apply (above_zero _ (a * omega3 + b * omega3) (I1 * omega1)); [positive | positive | field;
-    nonzero].
+  assert (I1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (omega1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 * omega1 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (a * omega3 + b * omega3) (I1 * omega1)); [positive | positive | rational].
 Qed.
 
 (* With towards the lighter axis. *)
@@ -1865,8 +1894,9 @@ Theorem gap_is_never_a_right_angle_1 :
 Proof.
   intros I1 I2 I3 omega1 omega2 omega3 H_1 H_2 H_3 H_4 H_5 H_6  .
   unnamed.
+  assert (1 <> 0) by (apply Rgt_not_eq; positive).
   apply (above_zero _ (I1 * omega1 ^ 2 + I2 * omega2 ^ 2 + I3 * omega3 ^ 2) (1)); [positive |
-    positive | field; nonzero].
+    positive | rational].
 Qed.
 
 (* With one moment with a minus. *)
@@ -1901,8 +1931,9 @@ Theorem largest_gap_1 :
 Proof.
   intros I J t H_1 H_2 H_3  .
   unnamed.
+  assert (1 <> 0) by (apply Rgt_not_eq; positive).
   apply (above_zero _ (4 * I * J ^ 3 * t ^ 4 + 8 * I ^ 2 * J ^ 2 * t ^ 2 + 4 * I ^ 3 * J) (1));
-    [positive | positive | field; nonzero].
+    [positive | positive | rational].
 Qed.
 
 (* the tangent squared *)
@@ -1916,7 +1947,7 @@ Theorem largest_gap_2 :
     ^ 2 / (4 * I * J * (I + J * t ^ 2) ^ 2).
 Proof.
   intros I J t   D_1 D_2 D_3 D_4.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With 4 becomes 2. *)

@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 From Coquelicot Require Import Coquelicot.
 
 (** Degrees between spin and momentum of a box with edges 2, 1 and 3 m, spun along (1, 1, 0). It rounds to 7.4. *)

@@ -1,9 +1,46 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** energy-in-both-frames: Half of w.L is the same number in body and world axes, for every body and attitude. *)
+
+(* half of w.L *)
+Theorem energy_in_both_frames_1 :
+  forall J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 w x y z : R,
+  let t_1 := x * z + w * y + (x * z + w * y) in
+  let t_2 := x * y - w * z + (x * y - w * z) in
+  let t_3 := w * w + x * x - y * y - z * z in
+  let t_4 := t_1 * J_zz + (t_2 * J_yz + t_3 * J_xz) in
+  let t_5 := w * w - x * x - y * y + z * z in
+  let t_6 := t_1 * J_yz + (t_2 * J_yy + t_3 * J_xy) in
+  let t_7 := y * z + w * x + (y * z + w * x) in
+  let t_8 := t_1 * J_xz + (t_2 * J_xy + t_3 * J_xx) in
+  let t_9 := x * z - w * y + (x * z - w * y) in
+  let t_10 := y * z - w * x + (y * z - w * x) in
+  let t_11 := w * w - x * x + y * y - z * z in
+  let t_12 := x * y + w * z + (x * y + w * z) in
+  let t_13 := t_10 * J_zz + (t_11 * J_yz + t_12 * J_xz) in
+  let t_14 := t_10 * J_yz + (t_11 * J_yy + t_12 * J_xy) in
+  let t_15 := t_10 * J_xz + (t_11 * J_xy + t_12 * J_xx) in
+  let t_16 := t_5 * J_zz + (t_7 * J_yz + t_9 * J_xz) in
+  let t_17 := t_5 * J_yz + (t_7 * J_yy + t_9 * J_xy) in
+  let t_18 := t_5 * J_xz + (t_7 * J_xy + t_9 * J_xx) in
+  let t_19 := ((t_4 * t_5 + (t_6 * t_7 + t_8 * t_9)) * L3 + ((t_4 * t_10 + (t_6 * t_11 + t_8 *
+    t_12)) * L2 + (t_4 * t_1 + (t_6 * t_2 + t_8 * t_3)) * L1)) * L1 + ((t_13 * t_5 + (t_14 * t_7 +
+    t_15 * t_9)) * L3 + ((t_13 * t_10 + (t_14 * t_11 + t_15 * t_12)) * L2 + (t_13 * t_1 + (t_14 *
+    t_2 + t_15 * t_3)) * L1)) * L2 + ((t_16 * t_5 + (t_17 * t_7 + t_18 * t_9)) * L3 + ((t_16 * t_10
+    + (t_17 * t_11 + t_18 * t_12)) * L2 + (t_16 * t_1 + (t_17 * t_2 + t_18 * t_3)) * L1)) * L3 in
+  let t_20 := t_5 * L3 + (t_10 * L2 + t_1 * L1) in
+  let t_21 := t_7 * L3 + (t_11 * L2 + t_2 * L1) in
+  let t_22 := t_9 * L3 + (t_12 * L2 + t_3 * L1) in
+  t_19 / 2 = ((J_xz * t_20 + (J_xy * t_21 + J_xx * t_22)) * t_22 + (J_yz * t_20 + (J_yy * t_21 +
+    J_xy * t_22)) * t_21 + (J_zz * t_20 + (J_yz * t_21 + J_xz * t_22)) * t_20) / 2.
+Proof.
+  intros J_xx J_xy J_xz J_yy J_yz J_zz L1 L2 L3 w x y z  t_1 t_2 t_3 t_4 t_5 t_6 t_7 t_8 t_9 t_10
+    t_11 t_12 t_13 t_14 t_15 t_16 t_17 t_18 t_19 t_20 t_21 t_22 .
+  rational.
+Qed.
 
 (* the kinetic energy of a point *)
 Theorem energy_in_both_frames_2 :
@@ -17,8 +54,7 @@ Theorem energy_in_both_frames_2 :
     2.
 Proof.
   intros m omega1 omega2 omega3 r1 r2 r3  t_1 .
-  unnamed.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the inverse not turned. *)

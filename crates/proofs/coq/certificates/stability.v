@@ -1,6 +1,6 @@
 (* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
    compute them. *)
-Require Import Tumbling.tactics.
+Require Import Tumbling.tactics Tumbling.decide.
 
 
 (** steady-spins: A spin about a principal axis does not change, for every body and every axis. *)
@@ -12,7 +12,7 @@ Theorem steady_spins_1 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 1, y *)
@@ -22,7 +22,7 @@ Theorem steady_spins_2 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 1, z *)
@@ -32,7 +32,7 @@ Theorem steady_spins_3 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 2, x *)
@@ -42,7 +42,7 @@ Theorem steady_spins_4 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 2, y *)
@@ -52,7 +52,7 @@ Theorem steady_spins_5 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 2, z *)
@@ -62,7 +62,7 @@ Theorem steady_spins_6 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 3, x *)
@@ -72,7 +72,7 @@ Theorem steady_spins_7 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 3, y *)
@@ -82,7 +82,7 @@ Theorem steady_spins_8 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* w' about axis 3, z *)
@@ -92,7 +92,7 @@ Theorem steady_spins_9 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With w1 w1 for w2 w3 in the second equation. *)
@@ -117,7 +117,7 @@ Theorem rates_of_the_wobble_1 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -127,7 +127,7 @@ Theorem rates_of_the_wobble_2 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -137,7 +137,7 @@ Theorem rates_of_the_wobble_3 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -147,7 +147,7 @@ Theorem rates_of_the_wobble_4 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -157,7 +157,7 @@ Theorem rates_of_the_wobble_5 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the rate squared about axis 1 *)
@@ -169,7 +169,7 @@ Theorem rates_of_the_wobble_6 :
     / I3).
 Proof.
   intros I1 I2 I3 Omega   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -179,7 +179,7 @@ Theorem rates_of_the_wobble_7 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -189,7 +189,7 @@ Theorem rates_of_the_wobble_8 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -199,7 +199,7 @@ Theorem rates_of_the_wobble_9 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -209,7 +209,7 @@ Theorem rates_of_the_wobble_10 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -219,7 +219,7 @@ Theorem rates_of_the_wobble_11 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the rate squared about axis 2 *)
@@ -231,7 +231,7 @@ Theorem rates_of_the_wobble_12 :
     / I1).
 Proof.
   intros I1 I2 I3 Omega   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -241,7 +241,7 @@ Theorem rates_of_the_wobble_13 :
   0 / I3 = 0.
 Proof.
   intros I3   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -251,7 +251,7 @@ Theorem rates_of_the_wobble_14 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -261,7 +261,7 @@ Theorem rates_of_the_wobble_15 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -271,7 +271,7 @@ Theorem rates_of_the_wobble_16 :
   0 / I1 = 0.
 Proof.
   intros I1   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* a slope that should vanish *)
@@ -281,7 +281,7 @@ Theorem rates_of_the_wobble_17 :
   0 / I2 = 0.
 Proof.
   intros I2   D_1.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the rate squared about axis 3 *)
@@ -293,7 +293,7 @@ Theorem rates_of_the_wobble_18 :
     / I2).
 Proof.
   intros I1 I2 I3 Omega   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* With the sign. *)
@@ -339,8 +339,11 @@ Theorem the_middle_axis_1 :
 Proof.
   intros I1 Omega a b H_1 H_2 H_3 H_4  .
   unnamed.
+  assert (I1 + a <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 + a + b <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 ^ 2 + 2 * I1 * a + I1 * b + a ^ 2 + a * b <> 0) by (apply Rgt_not_eq; positive).
   apply (above_zero _ (Omega ^ 2 * a ^ 2 + Omega ^ 2 * a * b) (I1 ^ 2 + 2 * I1 * a + I1 * b + a ^ 2
-    + a * b)); [positive | positive | field; nonzero].
+    + a * b)); [positive | positive | rational].
 Qed.
 
 (* the rate squared about axis 2 *)
@@ -354,8 +357,11 @@ Theorem the_middle_axis_2 :
 Proof.
   intros I1 Omega a b H_1 H_2 H_3 H_4  .
   unnamed.
-  apply (above_zero _ (Omega ^ 2 * a * b) (I1 ^ 2 + I1 * a + I1 * b)); [positive | positive | field;
-    nonzero].
+  assert (I1 + a + b <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 ^ 2 + I1 * a + I1 * b <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (Omega ^ 2 * a * b) (I1 ^ 2 + I1 * a + I1 * b)); [positive | positive |
+    rational].
 Qed.
 
 (* the rate squared about axis 3 *)
@@ -369,8 +375,11 @@ Theorem the_middle_axis_3 :
 Proof.
   intros I1 Omega a b H_1 H_2 H_3 H_4  .
   unnamed.
+  assert (I1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 + a <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 ^ 2 + I1 * a <> 0) by (apply Rgt_not_eq; positive).
   apply (above_zero _ (Omega ^ 2 * a * b + Omega ^ 2 * b ^ 2) (I1 ^ 2 + I1 * a)); [positive |
-    positive | field; nonzero].
+    positive | rational].
 Qed.
 
 (* With the sign. *)
@@ -416,7 +425,7 @@ Theorem equal_moments_1 :
   Omega * Omega * ((I1 - I1) / I1) * ((I1 + a - I1) / (I1 + a)) = 0.
 Proof.
   intros I1 Omega a   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the rate squared of an equal pair *)
@@ -427,7 +436,7 @@ Theorem equal_moments_2 :
   Omega * Omega * ((I1 - (I1 + a)) / (I1 + a)) * ((I1 - I1) / I1) = 0.
 Proof.
   intros I1 Omega a   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the swing about the lone axis *)
@@ -440,7 +449,9 @@ Theorem equal_moments_3 :
 Proof.
   intros I1 Omega a H_1 H_2 H_3  .
   unnamed.
-  apply (above_zero _ (Omega ^ 2 * a ^ 2) (I1 ^ 2)); [positive | positive | field; nonzero].
+  assert (I1 <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 ^ 2 <> 0) by (apply Rgt_not_eq; positive).
+  apply (above_zero _ (Omega ^ 2 * a ^ 2) (I1 ^ 2)); [positive | positive | rational].
 Qed.
 
 (* the rate squared of an equal pair *)
@@ -451,7 +462,7 @@ Theorem equal_moments_4 :
   Omega * Omega * ((I1 + a - (I1 + a)) / (I1 + a)) * ((I1 - (I1 + a)) / I1) = 0.
 Proof.
   intros I1 Omega a   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the rate squared of an equal pair *)
@@ -462,7 +473,7 @@ Theorem equal_moments_5 :
   Omega * Omega * ((I1 + a - I1) / I1) * ((I1 + a - (I1 + a)) / (I1 + a)) = 0.
 Proof.
   intros I1 Omega a   D_1 D_2.
-  field; nonzero.
+  rational.
 Qed.
 
 (* the swing about the lone axis *)
@@ -475,8 +486,10 @@ Theorem equal_moments_6 :
 Proof.
   intros I1 Omega a H_1 H_2 H_3  .
   unnamed.
+  assert (I1 + a <> 0) by (apply Rgt_not_eq; positive).
+  assert (I1 ^ 2 + 2 * I1 * a + a ^ 2 <> 0) by (apply Rgt_not_eq; positive).
   apply (above_zero _ (Omega ^ 2 * a ^ 2) (I1 ^ 2 + 2 * I1 * a + a ^ 2)); [positive | positive |
-    field; nonzero].
+    rational].
 Qed.
 
 (* With w² added. *)

@@ -17,6 +17,8 @@ pub(super) struct Statement {
     pub(super) squares: Vec<(Symbol, Polynomial)>,
     /// What is divided by, in factors, other than what the variables' sign keeps from zero.
     pub(super) divisors: Vec<Expression>,
+    /// What is divided by and above zero, since every variable is.
+    pub(super) signed: Vec<Expression>,
     /// Whether every variable is above zero.
     pub(super) positive: bool,
     pub(super) printer: Printer,
@@ -49,8 +51,9 @@ impl Statement {
             });
         }
         let mut known = BTreeSet::new();
-        divisors.retain(|d| !(positive && one_sign(d)) && known.insert(printer.print(d)));
-        Self { left, right, symbols, squares, divisors, positive, printer }
+        divisors.retain(|d| known.insert(printer.print(d)));
+        let (signed, divisors) = divisors.into_iter().partition::<Vec<_>, _>(|d| positive && one_sign(d));
+        Self { left, right, symbols, squares, divisors, signed, positive, printer }
     }
 
     /// The variables' names, in one line.
@@ -88,27 +91,6 @@ impl Statement {
         }
         all
     }
-
-    /// The number of operations, shared parts counted wherever they occur.
-    pub(super) fn operations(&self) -> u64 {
-        let mut known = HashMap::new();
-        for definition in self.printer.definitions() {
-            let weight = weight(&definition.expression, &known);
-            known.insert(definition.expression.address(), weight);
-        }
-        self.operations_with(&known)
-    }
-
-    /// The number of operations of both sides where some parts have a number of their own.
-    pub(super) fn operations_with(&self, known: &HashMap<usize, u64>) -> u64 {
-        weight(&self.left, known).saturating_add(weight(&self.right, known))
-    }
-}
-
-/// The number of operations where some parts, by their addresses, have a number of their own.
-pub(super) fn weight(x: &Expression, known: &HashMap<usize, u64>) -> u64 {
-    let own = known.get(&x.address()).copied();
-    own.unwrap_or_else(|| x.parts().iter().fold(1, |sum, part| sum.saturating_add(weight(part, known))))
 }
 
 /// The factors of a divisor that are no numbers.
