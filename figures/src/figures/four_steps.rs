@@ -59,7 +59,7 @@ pub(super) fn draw() -> Drawing {
     canvas.line(plot.at(last.0, last.1), plot.at(last.0 + 0.5 * STEP, SHOWN[1]), Pen::new(Ink::Wrong, 2.6));
     for (t, y, text, ink) in [
         (3.0, 1.043, "Euler: straight ahead", Ink::Wrong),
-        (24.0, 1.026, "turns about one axis: sways", Ink::Text),
+        (24.0, 1.026, "three rotations: sways", Ink::Text),
         (3.0, 0.949, "bold: Moser-Veselov keeps it", Ink::Text),
         (38.0, 0.968, "Runge-Kutta 4: sinks", Ink::Wrong),
     ] {
@@ -70,8 +70,8 @@ pub(super) fn draw() -> Drawing {
         canvas,
         description: format!(
             "Energy of the box with a spin of (1, 1, 1) rad/s, as a share of the first, over {end:.0} s in steps of {STEP} s. Euler's method \
-             leaves the sheet upward at the first step. Runge and Kutta's sinks to {:.0} % after {:.0} s. The turns about one axis sway \
-             by up to {:.1} %. Moser and Veselov's method stays level.",
+             leaves the sheet upward at the first step. Runge and Kutta's sinks to {:.0} % after {:.0} s. The splitting into three rotations \
+             sways by up to {:.1} %. Moser and Veselov's method stays level.",
             100.0 * classical.last().map_or(1.0, |p| p.1),
             classical.last().map_or(0.0, |p| p.0),
             100.0 * spread(&turns),

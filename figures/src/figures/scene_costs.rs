@@ -14,8 +14,8 @@ const ROWS: [(&str, &str, bool); 8] = [
     ("ball", "a ball", true),
     ("two equal moments", "a coin", true),
     (GENERAL, "the box", true),
-    ("three moments and a weight; to 1e-2", "pulled, to two digits", true),
-    ("three moments and a weight; to 1e-8", "pulled, to eight digits", true),
+    ("three moments and a weight; to 1e-2", "weighted, two digits", true),
+    ("three moments and a weight; to 1e-8", "weighted, eight digits", true),
 ];
 
 pub(super) fn draw() -> Drawing {

@@ -157,7 +157,7 @@ pub(super) fn circumstances(record: &Record<Work>) -> String {
 const NAMED: [(&str, &str, f64, f64); 3] = [
     ("DOP853 (differential-equations)", "DOP853, a general solver", 1.0, 2e-12),
     ("Runge-Kutta 4", "Runge-Kutta 4", 1.0, 2e-8),
-    ("three rotations", "turns about one axis", 1.0, 5e-5),
+    ("three rotations", "three rotations", 1.0, 5e-5),
 ];
 
 /// The least error that any stepper has within a time, s: the frontier.

@@ -191,5 +191,5 @@ pub(super) fn box_gap() -> Scope {
     let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
     let across = -coupling(&moments, &omega).z.clone();
     let along = omega.dot(&(diagonal(&moments) * &omega));
-    the_box().with(Scope::IT, across / along)
+    the_box().with(r"\tan(\text{gap})", across / along)
 }

@@ -11,18 +11,24 @@ use tumbling::dynamics::euler::angular_acceleration;
 
 /// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
 pub(super) fn at_any_time() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(false));
+    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(1, false));
+    ONCE.clone()
+}
+
+/// The same where across, middle and circled axis follow each other the other way.
+pub(super) fn in_the_other_order() -> Scope {
+    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(-1, false));
     ONCE.clone()
 }
 
 /// The same at the saddle, where the spin across vanishes.
 pub(super) fn at_the_saddle() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(true));
+    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(1, true));
     ONCE.clone()
 }
 
-fn of_motion(saddle: bool) -> Scope {
-    let Ok(motion) = motion(1, Change::None) else { return Scope::default() };
+fn of_motion(sense: i64, saddle: bool) -> Scope {
+    let Ok(motion) = motion(sense, Change::None) else { return Scope::default() };
     let [one, zero, kp] = [Fraction::one(), Fraction::zero(), Fraction::variable("kp")];
     let put = |x: &Fraction| {
         if !saddle {
@@ -34,17 +40,23 @@ fn of_motion(saddle: bool) -> Scope {
     let [h, p, q, r, big] = variables(["h", "p", "q", "r", "Q"]);
     let Motion { moments, amplitudes, zero: [beta, gamma, delta], .. } = &motion;
     let mut scope = with_errors(Scope::default());
+    let [i, omega] = [moments, &motion.omega].map(|x| motion.arranged(x, sense));
+    let rates = angular_acceleration(&i, &omega, &Vector::zeros());
+    let places = if sense > 0 { [1, 2, 0] } else { [2, 1, 0] };
     for (k, name) in ["X", "M", "C"].into_iter().enumerate() {
         scope = scope
             .with(&format!("I_{name}"), moments[k].clone())
             .with(&format!("A_{name}"), amplitudes[k].clone())
-            .with(&format!(r"\omega_{name}"), put(&motion.omega[k]));
+            .with(&format!(r"\omega_{name}"), put(&motion.omega[k]))
+            .with(&format!(r"\dot{{\omega}}_{name}"), put(&rates[places[k]]));
     }
     for name in ["sn", "cn", "dn"] {
-        scope = scope.with(&format!(r"\operatorname{{{name}}}(u)"), put(&Fraction::variable(name)));
+        let function = Fraction::variable(name);
+        scope = scope
+            .with(&format!(r"\operatorname{{{name}}}(u)"), put(&function))
+            .with(&format!(r"\operatorname{{{name}}}(u_0)"), function);
     }
-    let twice = &motion.twice_energy;
-    let momentum = &motion.momentum;
+    let (twice, momentum) = (&motion.twice_energy, &motion.momentum);
     let circled = put(&Fraction::variable("dn")) * gamma / delta;
     let tilt =
         (&h * variables(["x2"])[0].clone() * &r / Fraction::variable("e")) / (&one + &kp * gamma / delta);
@@ -60,17 +72,14 @@ fn of_motion(saddle: bool) -> Scope {
         .with("k", &h * &p)
         .with("k'", kp.clone())
         .with(r"\zeta", &kp * &amplitudes[2])
-        .with("s", Fraction::one())
+        .with("s", Fraction::from(sense))
         .with(r"\sigma", Fraction::variable("sigma"))
         .with(r"\tau", Fraction::variable("tau"))
         .with(r"\eta", motion.rate.clone())
-        .with("x_0", Fraction::variable("sn"))
-        .with("y_0", Fraction::variable("cn"))
-        .with("z_0", Fraction::variable("dn"))
         .with(r"\beta", beta.clone())
         .with(r"\gamma", gamma.clone())
         .with(r"\delta", delta.clone())
-        .with("n", circled)
+        .with(r"\chi", circled)
         .with(r"\kappa", tilt)
         .with(r"\dot{\psi}", put(&motion.turning))
         .with("R", &moments[1] * q.pow(2) / (&moments[0] * r.pow(2)))
@@ -181,7 +190,7 @@ fn of_attitude() -> Scope {
         scope = scope.with(&format!("h_{n}"), waves(n, 1)).with(&format!("l_{n}"), waves(n, -1));
     }
     for n in 1..=2 {
-        scope = scope.with(&format!("c_{n}"), odd(n, 1)).with(&format!("d_{n}"), odd(n, -1));
+        scope = scope.with(&format!("H_{n}"), odd(n, 1)).with(&format!("J_{n}"), odd(n, -1));
     }
     scope
         .with("g", &q / &f)
@@ -207,8 +216,8 @@ pub(super) fn complementary() -> Scope {
 }
 
 fn of_complementary() -> Scope {
-    let [v, g] = variables(["v", "g"]);
-    let nome = &v * &g;
+    let [v, other] = variables(["v", "V"]);
+    let nome = &v * &other;
     let even = |sign: i64| {
         (1..=3_i32).fold(Fraction::one(), |sum, n| {
             let sign = if n % 2 == 1 { Fraction::from(sign) } else { Fraction::one() };
@@ -235,7 +244,7 @@ fn of_complementary() -> Scope {
         .with("m_4", squares(-1))
         .with("q'", nome.clone())
         .with("v", v.clone())
-        .with("g", g)
+        .with("V", other)
         .with(r"\theta'_1", odd(-1))
         .with(r"\theta'_2", odd(1))
         .with(r"\theta'_3", even(1))
@@ -254,7 +263,7 @@ fn of_complementary_attitude() -> Scope {
     let mut scope = Scope::default();
     let mut sums = [Fraction::zero(), Fraction::zero(), Fraction::zero(), Fraction::zero()];
     for n in 0..=4_i32 {
-        let [c, d] = ["C", "S"].map(|name| Fraction::variable(&format!("{name}{n}")));
+        let [c, d] = ["U", "Y"].map(|name| Fraction::variable(&format!("{name}{}", 2 * n + 1)));
         // exp((2n+1)x/2) and its inverse, times exp(-x/2).
         let grows = power(&p, n * n + n) * power(&e, -n);
         let falls = if n < 4 { power(&p, n * n + n) * power(&e, n + 1) } else { Fraction::zero() };
@@ -263,7 +272,7 @@ fn of_complementary_attitude() -> Scope {
         sums[1] += -(&d * (&grows - &falls)) * &s;
         sums[2] += &c * (&grows - &falls) * &sign;
         sums[3] += -(&d * (&grows + &falls)) * &s * sign;
-        scope = scope.with(&format!("C_{n}"), c).with(&format!("S_{n}"), d);
+        scope = scope.with(&format!("U_{}", 2 * n + 1), c).with(&format!("Y_{}", 2 * n + 1), d);
     }
     let [a_1, a_2, b_1, b_2] = sums;
     scope
@@ -311,10 +320,10 @@ pub(super) fn drift_at_the_saddle() -> Scope {
     let (mut real, mut turned, mut scope) = (Fraction::one(), Fraction::zero(), Scope::default());
     for n in 1..=3_i64 {
         let size = p.pow((n * n) as u32) * Fraction::from(2);
-        let [cos, sin] = ["C", "S"].map(|wave| Fraction::variable(&format!("{wave}'{}", 2 * n)));
+        let [cos, sin] = ["U", "Y"].map(|wave| Fraction::variable(&format!("{wave}{}", 2 * n)));
         real += &size * &cos;
         turned += -(&s * size * &sin * Fraction::from(n));
-        scope = scope.with(&format!("C'_{}", 2 * n), cos).with(&format!("S'_{}", 2 * n), sin);
+        scope = scope.with(&format!("U_{}", 2 * n), cos).with(&format!("Y_{}", 2 * n), sin);
     }
     let two = Fraction::from(2);
     scope
@@ -335,14 +344,14 @@ pub(super) fn flips() -> Scope {
     Scope::default()
         .with("u_0", &two * &count * &quarter - &eta * &t)
         .with("t_N", t)
-        .with("T", two * &nu * half_period)
+        .with(r"\upsilon", two * &nu * half_period)
         .with("N", count)
         .with("K", quarter)
         .with(r"\eta", eta)
         .with(r"\nu", nu)
 }
 
-/// A change of the spin, by the library's equations to first order; `a`, `b` and `c` from this axis on.
+/// A change of the spin, by the library's equations to first order; the axes counted from this one on.
 pub(super) fn variation(axis: usize) -> Scope {
     let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
     let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
@@ -350,16 +359,14 @@ pub(super) fn variation(axis: usize) -> Scope {
         let part = |k: usize| x.derivative(&format!("omega{}", k + 1).as_str().into()) * &change[k];
         part(0) + part(1) + part(2)
     };
-    let axes = [axis, (axis + 1) % 3, (axis + 2) % 3];
-    let [a, b, c] = axes;
-    let names = axes.into_iter().zip(["a", "b", "c"]);
-    let scope = names.fold(Scope::default(), |scope, (axis, name)| {
+    let scope = (1..=3).fold(Scope::default(), |scope, n| {
+        let place = (axis + n - 1) % 3;
         scope
-            .with(&format!("W_{name}"), change[axis].clone())
-            .with(&format!(r"\omega_{name}"), omega[axis].clone())
+            .with(&format!("I_{n}"), moments[place].clone())
+            .with(&format!("W_{n}"), change[place].clone())
+            .with(&format!(r"\omega_{n}"), omega[place].clone())
     });
-    let factor = (&moments[b] - &moments[c]) / &moments[a];
-    scope.with(r"\dot{W}_a", moved(&rate[a])).with("k_a", factor)
+    scope.with(r"\dot{W}_1", moved(&rate[axis]))
 }
 
 /// Carlson's series for `count` numbers, whose integrand falls with the power `first/2` of their mean: the
@@ -368,9 +375,9 @@ pub(super) fn carlson(count: u32, first: i64) -> Scope {
     let mut scope = Scope::default();
     let mut rest = Fraction::zero();
     for n in 2..=count {
-        let sum = Fraction::variable(&format!("E{n}"));
+        let sum = Fraction::variable(&format!("B{n}"));
         rest += &sum * Fraction::variable("h").pow(n) * alternating(n as usize);
-        scope = scope.with(&format!("E_{n}"), sum);
+        scope = scope.with(&format!("B_{n}"), sum);
     }
     // The binomial series of the power -1/2.
     let (mut term, mut sum) = (Fraction::one(), Fraction::zero());

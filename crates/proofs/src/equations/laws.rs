@@ -138,6 +138,9 @@ const fn law(left: &'static str, cases: &'static [fn() -> Scope], says: &'static
     }
 }
 
+/// Of the axes across, middle and circled: cyclic and not.
+const BOTH_ORDERS: &[fn() -> Scope] = &[closed::at_any_time, closed::in_the_other_order];
+
 const fn bare(tex: &'static str, cases: &'static [fn() -> Scope], says: &'static str) -> Law {
     Law { bare: true, ..law(tex, cases, says) }
 }
@@ -177,6 +180,7 @@ laws! {
     COIN_SPIN = law(r"\boldsymbol{\omega}", &[tops::coin], "the spin, with the rate by euler::angular_acceleration");
     COIN_AXIS = law(r"\dot{\mathbf{e}}", &[tops::coin], "the rate of the axis");
     STEADY_TOP = law("Wh", &[tops::steady_top], "the torque that keeps a precessing momentum going round");
+    NODDING_TOP = law(r"\lambda^2", &[tops::nodding], "the second rate of the lean, with both momenta constant");
     SLEEPING_TOP = law(r"I_3^2\omega_3^2", &[tops::sleeping_top], "where the two rates of an upright precession are one");
     JACOBI_SN = law(r"\operatorname{sn}'", &[tops::jacobi], "the rates with which the closed form satisfies euler::angular_acceleration");
     JACOBI_CN = law(r"\operatorname{cn}'", &[tops::jacobi], "the same");
@@ -189,6 +193,16 @@ laws! {
     JACOBI_A1 = law("a_1^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
     JACOBI_A2 = law("a_2^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
     JACOBI_A3 = law("a_3^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    CLOSED_EULER_X = law(r"I_X\dot{\omega}_X", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
+    CLOSED_EULER_M = law(r"I_M\dot{\omega}_M", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
+    CLOSED_EULER_C = law(r"I_C\dot{\omega}_C", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
+    CLOSED_DISTANCES = law("d_{CX}", &[closed::at_any_time], "the distances of the moments");
+    CLOSED_DISTANCES_BY_MOMENTS = law("I_Md_{CX}", &[closed::at_any_time], "the same times the moments");
+    CLOSED_WITHOUT_C = law("2EI_C-L^2", &[closed::at_any_time], "observe::energy and the momentum without the circled component");
+    CLOSED_WITHOUT_X = law("L^2-2EI_X", &[closed::at_any_time], "the same without the component across");
+    CLOSED_ELLIPSE = law(r"\frac{\omega_X^2}{A_X^2}+\frac{\omega_M^2}{A_M^2}", &[closed::at_any_time], "two components of the closed form");
+    CLOSED_CIRCLED = law(r"\omega_C^2", &[closed::at_any_time], "the third component of the closed form");
+    CLOSED_BALANCE = law(r"I_M\eta A_M", BOTH_ORDERS, "euler::angular_acceleration of the middle component");
     CLOSED_ENERGY = law("2E", &[closed::at_any_time], "observe::energy of the closed form");
     CLOSED_MOMENTUM = law("L^2", &[closed::at_any_time], "the length of its momentum");
     CLOSED_DISCRIMINANT = law("D", &[closed::at_any_time], "the discriminant of the closed form");
@@ -199,7 +213,7 @@ laws! {
     CLOSED_AX = law("A_X^2", &[closed::at_any_time], "an amplitude of the closed form");
     CLOSED_AM = law("A_M^2", &[closed::at_any_time], "an amplitude of the closed form");
     CLOSED_AC = law("A_C^2", &[closed::at_any_time], "an amplitude of the closed form");
-    CLOSED_RATE = law(r"\eta", &[closed::at_any_time], "the rate with which it satisfies euler::angular_acceleration");
+    CLOSED_RATE = law(r"\eta", BOTH_ORDERS, "the rate with which it satisfies euler::angular_acceleration");
     CLOSED_RATE_SQUARED = law(r"\eta^2", &[closed::at_any_time], "the square of that rate");
     CLOSED_X = law(r"\omega_X", &[closed::at_any_time], "a component of the closed form");
     CLOSED_M = law(r"\omega_M", &[closed::at_any_time], "a component of the closed form");
@@ -212,14 +226,14 @@ laws! {
     COMPLEMENTARY_N_3 = law("m_3", &[closed::complementary], "the sum of its first terms");
     COMPLEMENTARY_N_4 = law("m_4", &[closed::complementary], "the sum of its first terms");
     CLOSED_FLIP = law("t_N", &[closed::flips], "the time where the argument is zero");
-    CLOSED_TWIST = law("T", &[closed::flips], "twice the phase that the drift adds in half a period");
-    VARIATION = law(r"\dot{W}_a", &[|| closed::variation(0), || closed::variation(1), || closed::variation(2)], "the derivative of euler::angular_acceleration along a change of the spin");
+    CLOSED_TWIST = law(r"\upsilon", &[closed::flips], "twice the phase that the drift adds in half a period");
+    VARIATION = law(r"I_1\dot{W}_1", &[|| closed::variation(0), || closed::variation(1), || closed::variation(2)], "the derivative of euler::angular_acceleration along a change of the spin");
     CARLSON_FIRST = law("r_F", &[|| closed::carlson(3, 1)], "the binomial series of the integrand, integrated term by term");
     CARLSON_SECOND = law("r_D", &[|| closed::carlson(5, 3)], "the binomial series of the integrand, integrated term by term");
-    CLOSED_SN = law("x_0", &[closed::at_any_time], "sn, from the spin");
-    CLOSED_CN = law("y_0", &[closed::at_any_time], "cn, from the spin");
-    CLOSED_DN = law("z_0", &[closed::at_any_time], "dn, from the spin");
-    CLOSED_SHARE = law("n", &[closed::at_any_time], "the share with which a + b j satisfies attitude::rate");
+    CLOSED_SN = law(r"\operatorname{sn}(u_0)", &[closed::at_any_time], "sn, from the spin");
+    CLOSED_CN = law(r"\operatorname{cn}(u_0)", &[closed::at_any_time], "cn, from the spin");
+    CLOSED_DN = law(r"\operatorname{dn}(u_0)", &[closed::at_any_time], "dn, from the spin");
+    CLOSED_SHARE = law(r"\chi", &[closed::at_any_time], "the share with which a + b j satisfies attitude::rate");
     CLOSED_BETA = law(r"\beta^2", &[closed::at_any_time], "of the zero with which a + b j satisfies attitude::rate");
     CLOSED_GAMMA = law(r"\gamma^2", &[closed::at_any_time], "of the same zero");
     CLOSED_DELTA = law(r"\delta^2", &[closed::at_any_time], "of the same zero");
@@ -240,10 +254,10 @@ laws! {
     ZERO_L2 = law("l_2", &[closed::attitude], "exponentials of the theta zero");
     ZERO_H3 = law("h_3", &[closed::attitude], "exponentials of the theta zero");
     ZERO_L3 = law("l_3", &[closed::attitude], "exponentials of the theta zero");
-    ZERO_C1 = law("c_1", &[closed::attitude], "exponentials of the theta zero");
-    ZERO_D1 = law("d_1", &[closed::attitude], "exponentials of the theta zero");
-    ZERO_C2 = law("c_2", &[closed::attitude], "exponentials of the theta zero");
-    ZERO_D2 = law("d_2", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_C1 = law("H_1", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_D1 = law("J_1", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_C2 = law("H_2", &[closed::attitude], "exponentials of the theta zero");
+    ZERO_D2 = law("J_2", &[closed::attitude], "exponentials of the theta zero");
     ZERO_TURNING = law(r"\rho", &[closed::attitude], "the rate of the angle of a where the phase is zero");
     DIRECT_A1 = law("a_1", &[closed::attitude], "the sum of the terms of a theta function at a shifted phase");
     DIRECT_A2 = law("a_2", &[closed::attitude], "the sum of the terms of a theta function at a shifted phase");
@@ -260,11 +274,12 @@ laws! {
     SLOPES = bare("b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's");
     TWICE_THE_ENERGY = bare(r"\mathbf{L}\cdot\boldsymbol{\omega}", &[bodies::twice_the_energy], "twice the sum of m v²/2 of any points", );
     GYROSCOPIC_TORQUE = bare(r"(I\boldsymbol{\omega})\times\boldsymbol{\omega}", &[motion::gyroscopic], "euler::tensor_times_acceleration without torque", );
+    ENERGY_RATE = law(r"\dot{E}", &[motion::power], "the rate of observe::energy by euler::angular_acceleration");
     POWER = bare(r"\boldsymbol{\omega}\cdot I\dot{\boldsymbol{\omega}}", &[motion::power], "the rate of observe::energy by euler::angular_acceleration", );
     MIDDLE_MOMENT = law("I_2", &[motion::in_order], "symbols::ordered_moments");
     LARGEST_MOMENT = law("I_3", &[motion::in_order], "symbols::ordered_moments");
     GROWTH = Law { attained: &[equal_moments], ..law(r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle") };
-    GAP_OF_A_BOX = bare("(a^2-b^2)/(a^2+b^2+2c^2)", &[bodies::box_gap], "the tangent of the gap by solid::Cuboid::moments and euler::coupling", );
+    GAP_OF_A_BOX = law(r"\tan(\text{gap})", &[bodies::box_gap], "the tangent of the gap by solid::Cuboid::moments and euler::coupling", );
     MOMENTUM = law(r"\mathbf{L}", &[body], "the momentum of any points is inertia::point_mass of them times the spin", );
     MOMENTUM_BY_ENTRY = law(r"\begin{pmatrix}L_x\\L_y\\L_z\end{pmatrix}", &[body], "the momentum of any points is inertia::point_mass of them times the spin, entry by entry");
     TENSOR_OF_A_PIECE = law(r"I_{\text{piece}}", &[piece], "inertia::point_mass");

@@ -302,6 +302,8 @@ pub(super) fn power() -> Scope {
         .with("I", tensor)
         .with(r"\boldsymbol{\omega}", omega)
         .with(r"\dot{\boldsymbol{\omega}}", acceleration)
+        .with(r"\boldsymbol{\tau}", vector("tau"))
+        .with(r"\dot{E}", it.clone())
         .with(Scope::IT, it)
 }
 

@@ -64,22 +64,47 @@ pub(super) fn sleeping_top() -> Scope {
 }
 
 fn precessing(spin: Fraction, sin: Fraction, cos: Fraction) -> Scope {
-    let [i1, i3, rate, length] = variables(["I1", "I3", "Omega", "h"]);
+    let length = Fraction::variable("h");
+    let weight = required_torque(&spin, &sin, &cos) / (&sin * &length);
+    of_top(spin, cos).with("h", length).with("W", weight)
+}
+
+fn of_top(spin: Fraction, cos: Fraction) -> Scope {
+    let [i1, i3, rate] = variables(["I1", "I3", "Omega"]);
+    let scope = Scope::default().with("I_1", i1).with("I_3", i3).with(r"\Omega", rate);
+    scope.with(r"\omega_3", spin).with(r"\cos(\theta)", cos)
+}
+
+/// The torque, about the level axis across the lean, that a steady precession requires.
+fn required_torque(spin: &Fraction, sin: &Fraction, cos: &Fraction) -> Fraction {
+    let [i1, i3, rate] = variables(["I1", "I3", "Omega"]);
     let up = Vector::new(Fraction::zero(), Fraction::zero(), Fraction::one());
-    let axis = Vector::new(sin, Fraction::zero(), cos.clone());
+    let axis = Vector::new(sin.clone(), Fraction::zero(), cos.clone());
     // With a lean whose cosine is `cos` this part of the spin is across the axis.
     let across = (&up - &axis * cos.clone()) * rate.clone();
-    let momentum = across * i1.clone() + &axis * (&i3 * &spin);
-    let torque = up.cross(&momentum) * rate.clone();
-    let level = up.cross(&axis);
-    Scope::default()
-        .with("I_1", i1)
-        .with("I_3", i3)
-        .with(r"\Omega", rate)
-        .with(r"\omega_3", spin)
-        .with("h", length.clone())
-        .with("W", &torque.y / &(&level.y * &length))
-        .with(r"\cos(\theta)", cos)
+    let momentum = across * i1 + &axis * (i3 * spin);
+    (up.cross(&momentum) * rate).y.clone()
+}
+
+/// A small nod about a steady precession: its second rate by the lean, where the momentum about the vertical
+/// and that about the axis are constant; nothing has a meaning if the former is not.
+pub(super) fn nodding() -> Scope {
+    let [i1, i3, rate, spin] = variables(["I1", "I3", "Omega", "omega3"]);
+    let [sin, cos, pull] = variables(["sin", "cos", "Wh"]);
+    let along = &i3 * &spin;
+    let faster = (&along - Fraction::from(2_i64) * &i1 * &rate * &cos) / (&i1 * &sin);
+    let by_lean = Derivation::new([("sin", cos.clone()), ("cos", -sin.clone()), ("Omega", faster)]);
+    let about_vertical = &i1 * &rate * sin.pow(2) + &along * &cos;
+    if !by_lean.of(&about_vertical).is_zero() {
+        return Scope::default();
+    }
+    let required = required_torque(&spin, &sin, &cos);
+    let steady = &required / &sin;
+    let square = by_lean.of(&(required - &pull * &sin)) / i1;
+    of_top(spin, cos)
+        .with(r"\sin(\theta)", sin)
+        .with(r"\lambda", Value::Root(square.substitute(&"Wh".into(), &steady)))
+        .under(Relations::circle("cos", "sin"))
 }
 
 /// Jacobi's functions and their rates.
