@@ -84,8 +84,8 @@ impl<T: Analytic + Copy + FromPrimitive> Weights<T> {
             for i in 0..3 {
                 momentum[i] += weight[i] * rate.momentum[i];
             }
-            for i in 0..4 {
-                attitude[i] += weight[3] * rate.attitude.coords[i];
+            for (sum, slope) in attitude.iter_mut().zip(&rate.attitude.coords) {
+                *sum += weight[3] * *slope;
             }
         }
         State { attitude: Quaternion::from_vector(attitude.into()), momentum: momentum.into() }
