@@ -117,7 +117,7 @@ impl Rates {
         Self { spin, push, loss }
     }
 
-    /// Whether losses are much faster than the spin, and last for many of their time constants up to `end`, s.
+    /// Whether losses are much faster than the spin, and last many of their time constants until `end`, s.
     pub(crate) fn are_stiff(&self, end: f64) -> bool {
         self.loss > 30.0 * self.spin.max(1.0 / end) && self.loss * end > 300.0
     }

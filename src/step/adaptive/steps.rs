@@ -1,5 +1,5 @@
-//! What takes the steps of a run: series, a pair where a torque is a function, or collocation where damping is
-//! far faster than the motion.
+//! What takes the steps of a run: series, a pair where a torque is a function, or collocation where damping
+//! is far faster than the motion.
 
 use super::collocation::Collocation;
 use super::pair::Pair;
