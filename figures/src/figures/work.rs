@@ -264,7 +264,7 @@ fn bodies(name: &str) -> Drawing {
         let best =
             best.filter(|(name, _)| !name.starts_with("exact motion")).min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((name, error)) = best {
-            sentences.push(format!("{}: the least, {error:.0e}, has {name}", story.title));
+            sentences.push(format!("{} {error:.0e}, {name}", story.title));
         }
     }
     key(&canvas, (16.0, 48.0 + 218.0 * f64::from(rows)));
@@ -272,7 +272,7 @@ fn bodies(name: &str) -> Drawing {
         canvas,
         description: format!(
             "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
-             both logarithmic. {}. {}",
+             both logarithmic. The least error on each body: {}. {}",
             sentences.join("; "),
             circumstances(&record)
         ),
