@@ -1,7 +1,7 @@
 //! Damping far faster than the motion: steps as long as the motion allows.
 
 use super::driven::off;
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;
 use tumbling::step::{AdaptiveRun, State, System, Torque, adaptive};
@@ -16,7 +16,7 @@ fn spinning(system: &System<f64>, omega: [f64; 3]) -> State<f64> {
 
 /// The state after 8 s is from two programs with 40 digits, one by Taylor series and one by extrapolation.
 #[test]
-fn uneven_damping_of_512_a_second_takes_forty_steps() {
+fn uneven_damping_of_512_a_second_takes_few_steps() {
     let system = system(vec![Torque::Damping(Vector3::new(0.03125, 1024.0, 0.0625))]);
     let start = spinning(&system, [2.0, 1.0, 3.0]);
     let truth = State {
@@ -28,8 +28,10 @@ fn uneven_damping_of_512_a_second_takes_forty_steps() {
         ),
         momentum: Vector3::new(1.490_178_329_609_934_6, 0.010_568_728_642_485_697, 6.051_328_833_472_498),
     };
-    for (tolerance, bound) in [(1e-4, 3e-5), (1e-8, 1e-8), (1e-12, 1e-11), (1e-14, 1e-13)] {
-        let mut budget = 40;
+    for (tolerance, bound, steps) in
+        [(1e-4, 3e-5, 30), (1e-8, 1e-8, 30), (1e-12, 1e-11, 30), (1e-14, 1e-13, 60)]
+    {
+        let mut budget = steps;
         let end = adaptive(&system, &start, 8.0, tolerance, &mut budget).unwrap();
         assert!(off(&end, &truth) < bound, "{tolerance:e}: {:e}", off(&end, &truth));
     }
@@ -120,4 +122,66 @@ fn a_spin_that_damping_stops_at_once_is_at_rest_to_the_end() {
     // It has turned by spin over rate about each axis.
     let turned = 2.0 * end.attitude.imag();
     assert!((turned - Vector3::new(1e-6, 1e-6, 1.2 / 1.4e6)).norm() < 1e-11, "{turned}");
+}
+
+/// A piece ends at 0.3 s, so near to 1 s that times from there on round.
+#[test]
+fn the_last_instant_before_the_end_is_reached() {
+    let push = Torque::during(-1.0, 0.3, Torque::InBody(Vector3::new(0.1, 0.2, 0.3)));
+    let system = system(vec![push]);
+    let start = spinning(&system, [1.0, -2.0, 0.5]);
+    let mut run = AdaptiveRun::new(&system, &start, 1.0, 1e-9).unwrap();
+    let before = run.at(1.0_f64.next_down(), &mut 1000).unwrap();
+    assert!(off(&before, &run.at(1.0, &mut 1000).unwrap()) < 1e-14);
+}
+
+/// Three periodic torques, of which the series hold two: explicit steps of a pair, then collocation, then
+/// the pair again once the third has pushed the body up to speed.
+#[test]
+fn a_run_that_changes_its_steps_gives_states_at_the_times_requested() {
+    let push = |rate: f64, size: f64| Torque::Periodic {
+        amplitude: Vector3::new(0.3, 0.1, 0.2) * size,
+        rate,
+        phase: 0.4,
+    };
+    let torques = |loss: Torque<f64>| vec![push(0.5, 1.0), push(0.8, -2.0), push(0.03, 60.0), loss];
+    let damping = Vector3::new(0.1, 800.0, 0.2);
+    let solved = system(torques(Torque::Damping(damping)));
+    let explicit = system(torques(Torque::function(move |_, _, omega| -damping.component_mul(omega))));
+    let start = spinning(&solved, [0.2, 0.0, 0.1]);
+    let mut run = AdaptiveRun::new(&solved, &start, 6.0, 1e-10).unwrap();
+    let mut slowly = AdaptiveRun::new(&explicit, &start, 6.0, 1e-12).unwrap();
+    for k in 1..=120 {
+        let time = 0.05 * f64::from(k);
+        let (state, truth) = (run.at(time, &mut 100_000).unwrap(), slowly.at(time, &mut 1_000_000).unwrap());
+        assert!(off(&state, &truth) < 1e-7, "{time}: {:e}", off(&state, &truth));
+    }
+}
+
+/// A needle creeps along a field against its damping, with `tan(angle / 2)` falling as `exp(-m B t / c)`.
+#[test]
+fn an_overdamped_needle_creeps_in_few_steps() {
+    for damping in [1e4, 1e8, 1e10] {
+        let field = Torque::Aligning { arm: Vector3::x(), field: Vector3::new(0.0, damping, 0.0) };
+        let system = system(vec![field, Torque::Damping(Vector3::repeat(damping))]);
+        let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
+        for tolerance in [1e-6, 1e-10] {
+            let mut budget = 300;
+            let end = adaptive(&system, &rest, 3.0, tolerance, &mut budget).unwrap();
+            let needle = UnitQuaternion::from_quaternion(end.attitude) * Vector3::x();
+            let angle = 2.0 * (-3.0_f64).exp().atan();
+            assert!((needle.angle(&Vector3::y()) - angle).abs() < 1e-6 + 10.0 / damping, "{damping:e}");
+        }
+    }
+}
+
+/// Two axes are damped in an instant, the third in a second.
+#[test]
+fn a_fast_spin_about_the_free_axis_is_not_refused_before_it_slows() {
+    let moments = PrincipalMoments::new(1.0, 1.0, 1.5).unwrap();
+    let system = System::with(moments, vec![Torque::Damping(Vector3::new(1e5, 1e5, 1.5))]).unwrap();
+    let start = spinning(&system, [0.0, 0.0, 1e4]);
+    let mut budget = 1_000_000;
+    let end = adaptive(&system, &start, 20.0, 1e-8, &mut budget).unwrap();
+    assert!((end.momentum.z / (1.5e4 * (-20.0_f64).exp()) - 1.0).abs() < 1e-5, "{}", end.momentum);
 }

@@ -9,7 +9,9 @@ use crate::error::Error;
 use crate::number::Analytic;
 use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, Vector3, Vector4};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
 /// How often the states at the nodes are made better before a shorter step is tried.
@@ -21,7 +23,7 @@ const DEARER: f64 = 10.0;
 /// Damping over a step below this is iterated with all else.
 const SLOW: f64 = 0.1;
 
-/// The polynomial of the last step: its rates at the nodes.
+/// The polynomial of the last step: its states at the nodes.
 #[derive(Debug, Clone)]
 pub(super) struct Collocation<T: nalgebra::Scalar> {
     radau: Radau,
@@ -108,7 +110,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
         let tolerance = run.tolerance.max(32.0 * T::rounding());
         for _ in 0..TRIES {
             let (h, last) = run.fitted(self.next)?;
-            let error = if self.solve(run, h) { self.error(run, h) } else { f64::NAN };
+            let error = if self.solve(run, h) { self.error(run) } else { f64::NAN };
             let mut end = self.states[0];
             end.momentum.apply(|x| {
                 if x.size() < smallest::<T>() {
@@ -130,14 +132,15 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
         Err(run.no_step(self.next))
     }
 
-    /// States and rates at the nodes of a step of `h` seconds; whether they were found.
+    /// The states at the nodes of a step of `h` seconds; whether they were found.
     fn solve(&mut self, run: &Run<'_, T>, h: f64) -> bool {
         let start = run.state;
         let weights = Weights::new(&self.radau, &self.decay, h);
         self.states.fill(start);
         let unit = largest(start.momentum.as_slice()).max(smallest::<T>() / run.tolerance);
-        let goal = (0.01 * run.tolerance).max(4.0 * T::rounding());
-        let mut before = 0.0;
+        let goal = 0.01 * run.tolerance;
+        // Of the last rounds, the last first: attitude and momentum may move in turns.
+        let mut before = [0.0; 2];
         for round in 0..ROUNDS {
             for ((rate, state), node) in self.rates.iter_mut().zip(&self.states).zip(&self.radau.nodes) {
                 *rate = run.system.rate_after(state, &Run::number(run.time + node * h));
@@ -154,50 +157,51 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
                 moved = largest(&[moved, turned, pushed / unit]);
                 self.states[node] = state;
             }
-            // What each round leaves of the one before, it leaves of itself.
-            let share = over(moved, before).min(0.9);
-            if moved * share <= goal {
-                for (rate, state) in self.rates.iter_mut().zip(&self.states) {
-                    for (i, decay) in weights.decay.iter().enumerate() {
-                        rate.momentum[i] -= *decay * state.momentum[i];
-                    }
-                }
+            // What two rounds leave of the two before, they leave of themselves.
+            let share = over(moved, before[1]).min(0.9);
+            if moved <= 4.0 * T::rounding() || (moved + before[0]) * share <= (1.0 - share) * goal {
                 return true;
             }
-            if moved.is_nan() || (round > 2 && moved > before) {
+            if moved.is_nan() || (round > 3 && moved > before[1]) {
                 return false;
             }
-            before = moved;
+            before = [moved, before[0]];
         }
         false
     }
 
     /// The error of the polynomial, by how its last coefficients of Legendre's polynomials fall.
-    fn error(&self, run: &Run<'_, T>, h: f64) -> f64 {
+    fn error(&self, run: &Run<'_, T>) -> f64 {
         let unit = largest(run.state.momentum.as_slice())
             .max(largest(self.states[0].momentum.as_slice()))
             .max(smallest::<T>() / run.tolerance);
+        let size = |order: usize| {
+            let none =
+                Rate { attitude: Quaternion::from_vector(Vector4::zeros()), momentum: Vector3::zeros() };
+            let sum =
+                self.radau.coefficients[order].iter().zip(&self.states).fold(none, |sum, (c, state)| {
+                    let state = Rate { attitude: state.attitude, momentum: state.momentum };
+                    sum.plus(&state, Run::number(*c))
+                });
+            largest(&[largest(sum.attitude.coords.as_slice()), largest(sum.momentum.as_slice()) / unit])
+        };
         let count = self.radau.nodes.len();
-        let [most, before] = [count - 1, count - 3].map(|order| {
-            let both = [order, order - 1].map(|order| {
-                let mut sum = self.rates[0].times(&T::zero());
-                for (c, rate) in self.radau.coefficients[order].iter().zip(&self.rates) {
-                    sum = sum.plus(rate, Run::number(*c * h));
-                }
-                let size = largest(sum.attitude.coords.as_slice());
-                largest(&[size, largest(sum.momentum.as_slice()) / unit]) / (4 * order + 2) as f64
-            });
-            largest(&both)
-        });
+        let [most, before] = [count - 1, count - 3].map(|order| largest(&[size(order), size(order - 1)]));
+        // Of two orders one can be small by chance. What is left out is three orders above the larger.
         let fall = over(most, before).min(1.0);
-        most * fall
+        most * fall * fall.sqrt()
     }
 
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
     pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> State<T> {
+        let (first, others) = self.radau.shares(time / self.length);
         let mut there = *start;
-        for (w, rate) in self.radau.integral(time / self.length).iter().zip(&self.rates) {
-            there = there.plus(rate, Run::number(w * self.length));
+        there.attitude.coords *= Run::<T>::number(first);
+        there.momentum *= Run::<T>::number(first);
+        for (share, state) in others.iter().zip(&self.states) {
+            let share = Run::<T>::number(*share);
+            there.attitude.coords += state.attitude.coords * share;
+            there.momentum += state.momentum * share;
         }
         run.project(&mut there);
         there

@@ -98,7 +98,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
     /// Whether the steps taken go as far as this time.
     fn reached(&self, time: f64) -> bool {
         let (from, until, run) = (self.run.from, self.until, &self.run);
-        let within = time == until || (time - from).abs() < (until - from).abs();
+        let within = if from < until { time <= until } else { time >= until };
         within && (run.time == run.duration || (time - from).abs() <= run.time.abs())
     }
 
@@ -108,6 +108,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         if run.time == run.duration {
             return self.next_piece();
         }
+        self.steps.choose(run, *budget)?;
         let (whole, before) = (run.duration, (run.state, run.time));
         let dense = !matches!(self.steps, Steps::Pair(_));
         if !dense && (time - run.from).abs() < (self.until - run.from).abs() {

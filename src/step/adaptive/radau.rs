@@ -45,7 +45,7 @@ impl Radau {
     }
 
     /// What the values are multiplied by for the integral from 0 to a share of the interval.
-    pub(super) fn integral(&self, share: f64) -> Row {
+    fn integral(&self, share: f64) -> Row {
         let x = 2.0 * share - 1.0;
         let at = legendre(x, self.nodes.len());
         let mut sum = [0.0; MOST];
@@ -57,6 +57,20 @@ impl Radau {
             }
         }
         sum
+    }
+
+    /// What the values at 0 and at the nodes are multiplied by for the value at a share of the interval, by
+    /// the polynomial through all of them.
+    pub(super) fn shares(&self, share: f64) -> (f64, Row) {
+        let product = |place: f64, own: usize| {
+            let others = self.nodes.iter().enumerate().filter(|(j, _)| *j != own);
+            others.map(|(_, node)| (share - node) / (place - node)).product::<f64>()
+        };
+        let mut row = [0.0; MOST];
+        for (j, (weight, &node)) in row.iter_mut().zip(&self.nodes).enumerate() {
+            *weight = share / node * product(node, j);
+        }
+        (product(0.0, self.nodes.len()), row)
     }
 
     /// The integrals `A`, with a decay of the result at this rate: `(1 + rate A)^-1 A`, by elimination.

@@ -14,9 +14,9 @@ use num_traits::FromPrimitive;
 /// After this number of stiff steps, damping is solved for.
 const DAMPED_STEPS: u32 = 4;
 
-/// Where it is this number of times faster than the motion: a step by collocation takes about as long as ten
-/// by series.
-const FASTER: f64 = 16.0;
+/// Where it is this number of times faster than the motion: a step by collocation, of about a radian, takes
+/// as long as some ten by series, of some seven decay times.
+const FASTER: f64 = 64.0;
 
 /// A momentum that decays has none left after this number of decay times.
 const FADED: f64 = 800.0;
@@ -53,15 +53,21 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         Err(Refusal::Undefined { what, why }.into())
     }
 
+    /// What takes the next step: it may be another than took the last.
+    pub(super) fn choose(&mut self, run: &Run<'_, T>, budget: usize) -> Result<(), Error> {
+        let solves = matches!(self, Self::Collocation(_));
+        if run.stiff == 0 && solves {
+            *self = Self::new(run)?;
+        } else if run.stiff >= DAMPED_STEPS && !solves {
+            self.meet_losses(run, budget)?;
+        }
+        Ok(())
+    }
+
     /// One step further.
     pub(super) fn advance(&mut self, run: &mut Run<'_, T>, budget: &mut usize) -> Result<(), Error> {
         if *budget == 0 {
             return Err(run.unfinished("all its steps are taken"));
-        }
-        if run.stiff >= DAMPED_STEPS {
-            self.meet_losses(run, *budget)?;
-        } else if run.stiff == 0 && matches!(self, Self::Collocation(_)) {
-            *self = Self::new(run)?;
         }
         *budget -= 1;
         match self {
@@ -71,14 +77,22 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         }
     }
 
-    /// After some steps held back by losses: solves for those that are damping.
+    /// After some steps held back by losses: solves for those that are damping, once the motion is slow.
     fn meet_losses(&mut self, run: &Run<'_, T>, budget: usize) -> Result<(), Error> {
-        if matches!(self, Self::Collocation(_)) {
-            return Ok(());
-        }
-        let (watched, change) = (run.watch.flips.is_some() || run.watch.slopes.is_some(), change(run));
-        if !watched && run.duration > 0.0 && damping_is_faster(run, change) {
-            *self = Self::Collocation(Collocation::new(run));
+        let (system, state) = (&run.system, &run.state);
+        let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
+        let change = change(run);
+        let watched = run.watch.flips.is_some() || run.watch.slopes.is_some();
+        let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
+        if !watched && !dissipates && decay * run.last > STIFF {
+            let periodic = |torque: &Torque<T>| match torque {
+                Torque::Periodic { rate, .. } => rate.size(),
+                _ => 0.0,
+            };
+            let rate = system.torques().iter().map(periodic).fold(change, f64::max);
+            if decay > FASTER * largest(system.omega(&state.momentum).as_slice()).max(rate) {
+                *self = Self::Collocation(Collocation::new(run));
+            }
             return Ok(());
         }
         // To the end, or until nothing is left of the momentum.
@@ -104,13 +118,4 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
 fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>) -> f64 {
     let rate = run.system.rate_after(&run.state, &Run::number(run.time)).momentum;
     over(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
-}
-
-/// Whether damping alone keeps steps short: while the motion, which it has slowed, takes far longer.
-fn damping_is_faster<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>, change: f64) -> bool {
-    let system = &run.system;
-    let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
-    let motion = largest(&[change, largest(system.omega(&run.state.momentum).as_slice())]);
-    let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
-    !dissipates && decay * run.last > STIFF && decay > FASTER * motion
 }
