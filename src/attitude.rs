@@ -1,6 +1,6 @@
 //! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
 
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Field, Ring};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
@@ -138,7 +138,7 @@ pub(crate) fn matrix(attitude: UnitQuaternion<f64>) -> Result<Matrix3<f64>, Erro
 /// A length that is not finite, or not 1 to a billionth.
 pub fn checked(attitude: UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
     let q = attitude.quaternion();
-    let norm = finite("the length of the attitude quaternion", q.norm())?;
+    let norm = finite(Subject::AttitudeLength, q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {
         return Err(Refusal::NotUnit { norm, tolerance: UNIT_TOLERANCE }.into());
     }

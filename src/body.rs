@@ -9,7 +9,7 @@ pub(crate) use state::along;
 pub use state::{Rate, State};
 
 use crate::attitude;
-use crate::error::{Error, Refusal, finite_vector};
+use crate::error::{Error, Refusal, Subject, finite_vector};
 use crate::inertia::{Inertia, length, omega_world, product};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -65,20 +65,20 @@ impl Body {
         attitude: UnitQuaternion<f64>,
         momentum_world: &Vector3<f64>,
     ) -> Result<Self, Error> {
-        finite_vector("the angular momentum", momentum_world)?;
+        finite_vector(Subject::AngularMomentum, momentum_world)?;
         let attitude = attitude::checked(attitude)?;
         let rotation = attitude::rotation_matrix(attitude.quaternion());
         let body = Self { inertia, inverse, attitude, rotation, momentum: *momentum_world };
         let omega = body.omega_body();
         // With room for the rounding of a turn, so that they are finite along all axes.
-        for (what, vector) in [("the angular momentum", momentum_world), ("the spin", &omega)] {
+        for (what, vector) in [(Subject::AngularMomentum, momentum_world), (Subject::Spin, &omega)] {
             let value = length(vector) * (1.0 + 1e-12);
             if !value.is_finite() {
                 return Err(Refusal::OutOfRange { what, value }.into());
             }
         }
         if omega == Vector3::zeros() && *momentum_world != Vector3::zeros() {
-            return Err(Refusal::OutOfRange { what: "the spin", value: 0.0 }.into());
+            return Err(Refusal::OutOfRange { what: Subject::Spin, value: 0.0 }.into());
         }
         Ok(body)
     }
@@ -92,11 +92,11 @@ impl Body {
         attitude: UnitQuaternion<f64>,
         omega_body: &Vector3<f64>,
     ) -> Result<Self, Error> {
-        finite_vector("the spin", omega_body)?;
+        finite_vector(Subject::Spin, omega_body)?;
         let momentum = product(&attitude::matrix(attitude)?, &product(&inertia.matrix(), omega_body));
         let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
         if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
-            return Err(Refusal::OutOfRange { what: "the angular momentum", value }.into());
+            return Err(Refusal::OutOfRange { what: Subject::AngularMomentum, value }.into());
         }
         Self::new(inertia, attitude, &momentum)
     }

@@ -2,10 +2,12 @@
 
 mod mesh_refusal;
 mod refusal;
+mod subject;
 mod tensor_refusal;
 
 pub(crate) use mesh_refusal::MeshRefusal;
 pub(crate) use refusal::Refusal;
+pub use subject::Subject;
 pub(crate) use tensor_refusal::TensorRefusal;
 
 use alloc::boxed::Box;
@@ -73,10 +75,9 @@ impl Error {
         self.refusal.kind()
     }
 
-    /// What was refused, as its sentence names it: "the mass", "the edge along x". For programs that find
-    /// words of their own.
+    /// What was refused; of a part of a whole, what of that part.
     #[must_use]
-    pub fn subject(&self) -> &'static str {
+    pub fn subject(&self) -> Subject {
         self.refusal.subject()
     }
 
@@ -84,7 +85,7 @@ impl Error {
     /// `f64`.
     #[must_use]
     pub fn unrepresentable(what: &'static str, value: f64) -> Self {
-        Refusal::OutOfRange { what, value }.into()
+        Refusal::OutOfRange { what: Subject::Other(what), value }.into()
     }
 
     /// The same as the error of part `index` (from 0) of a whole.
@@ -129,21 +130,21 @@ impl core::error::Error for Error {
 }
 
 /// `value` if it is finite.
-pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
+pub(crate) fn finite(what: Subject, value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Refusal::NotFinite { what, value }.into()) }
 }
 
 /// `value` if it is finite and above zero.
-pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
+pub(crate) fn positive(what: Subject, value: f64) -> Result<f64, Error> {
     if finite(what, value)? > 0.0 { Ok(value) } else { Err(Refusal::NotPositive { what, value }.into()) }
 }
 
 /// `value` if it is finite and not below zero.
-pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, Error> {
+pub(crate) fn not_negative(what: Subject, value: f64) -> Result<f64, Error> {
     if finite(what, value)? >= 0.0 { Ok(value) } else { Err(Refusal::Negative { what, value }.into()) }
 }
 
 /// `vector` if its three components are finite.
-pub(crate) fn finite_vector(what: &'static str, vector: &nalgebra::Vector3<f64>) -> Result<(), Error> {
+pub(crate) fn finite_vector(what: Subject, vector: &nalgebra::Vector3<f64>) -> Result<(), Error> {
     vector.iter().try_for_each(|&x| finite(what, x).map(drop))
 }

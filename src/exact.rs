@@ -49,7 +49,7 @@ pub use top::{LagrangeTop, TopRegime};
 
 use crate::body::Body;
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, Refusal, finite, finite_vector};
+use crate::error::{Error, Refusal, Subject, finite, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
@@ -106,16 +106,16 @@ impl FreeMotion {
     /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a
     /// push of less than 1e-570 of the spin) that `f64` does not separate the two.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
-        finite_vector("the spin", omega)?;
+        finite_vector(Subject::Spin, omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
         let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
         if thinnest < THINNEST {
-            return Err(Refusal::Order {
-                smaller: "1e-100 of the largest moment",
-                small: THINNEST * moments.largest(),
-                larger: "the smallest moment",
-                large: moments.smallest(),
+            return Err(Refusal::TooSmall {
+                what: Subject::SmallestMoment,
+                value: moments.smallest(),
+                least: THINNEST * moments.largest(),
+                meaning: "1e-100 of the largest moment",
             }
             .into());
         }
@@ -198,7 +198,7 @@ impl FreeMotion {
     /// A time that is not finite.
     #[inline(always)]
     pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
-        let time = finite("the time", t)? * self.clock;
+        let time = finite(Subject::Time, t)? * self.clock;
         if time == 0.0 {
             return Ok(self.first().omega);
         }
@@ -221,7 +221,7 @@ impl FreeMotion {
     /// A time that is not finite.
     #[inline(always)]
     pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
-        let time = finite("the time", t)? * self.clock;
+        let time = finite(Subject::Time, t)? * self.clock;
         if time == 0.0 {
             return Ok(self.first().attitude);
         }
@@ -243,7 +243,7 @@ impl FreeMotion {
     /// # Errors
     /// A time that is not finite.
     pub fn at(&self, t: f64) -> Result<Instant, Error> {
-        let time = finite("the time", t)? * self.clock;
+        let time = finite(Subject::Time, t)? * self.clock;
         if time == 0.0 {
             return Ok(self.first());
         }
@@ -308,11 +308,11 @@ impl FreeMotion {
     /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond
     /// `f64`.
     pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
-        finite("the time", t)?;
+        finite(Subject::Time, t)?;
         let Some((clock, exponent)) = self.clock_of_flips() else { return Ok(None) };
         match clock.next_after(t, exponent)? {
             Some(value) if !value.is_finite() => {
-                Err(Refusal::OutOfRange { what: "the time of the next flip", value }.into())
+                Err(Refusal::OutOfRange { what: Subject::NextFlip, value }.into())
             }
             time => Ok(time),
         }
@@ -342,8 +342,8 @@ impl FreeMotion {
     /// A time that is not finite, or one with more than 2.2e15 flips between it and the start: further out
     /// some come at the same `f64`.
     pub fn flips(&self, from: f64, to: f64) -> Result<Flips, Error> {
-        finite("the start of the interval", from)?;
-        finite("the end of the interval", to)?;
+        finite(Subject::IntervalStart, from)?;
+        finite(Subject::IntervalEnd, to)?;
         Flips::between(self.clock_of_flips(), from, to)
     }
 
@@ -355,7 +355,7 @@ impl FreeMotion {
     }
 
     /// A scaled time in seconds.
-    fn seconds(&self, what: &'static str, time: f64) -> Result<f64, Error> {
+    fn seconds(&self, what: Subject, time: f64) -> Result<f64, Error> {
         let value = times_power_of_two(time, -self.exponent);
         if value.is_finite() && value > 0.0 {
             Ok(value)

@@ -19,7 +19,7 @@ pub(crate) use moments::ascending;
 pub(crate) use principal::moments_of;
 pub use principal::{Axis, PrincipalAxes};
 
-use crate::error::{Error, Refusal, TensorRefusal, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, TensorRefusal, finite_vector, positive};
 use crate::number::Ring;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -153,9 +153,9 @@ impl Inertia {
     /// # Errors
     /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
     pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
-        finite_vector("the spin", omega)?;
+        finite_vector(Subject::Spin, omega)?;
         if *omega == Vector3::zeros() {
-            return Err(Refusal::ZeroVector { what: "the spin" }.into());
+            return Err(Refusal::ZeroVector { what: Subject::Spin }.into());
         }
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
@@ -166,7 +166,7 @@ impl Inertia {
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
         if l.iter().all(|x| x.hi().abs() <= rounding) {
-            return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
+            return Err(Refusal::ZeroVector { what: Subject::AngularMomentum }.into());
         }
         let cross = Vector3::new(
             (w.y * l[2] - w.z * l[1]).hi(),
@@ -182,12 +182,12 @@ impl Inertia {
     /// # Errors
     /// A direction that is not finite or has no length, or a moment beyond `f64`.
     pub fn about_axis(&self, direction: &Vector3<f64>) -> Result<f64, Error> {
-        let n = unit("the axis", direction)?;
+        let n = unit(Subject::Axis, direction)?;
         let moment = n.dot(&(self.tensor * n));
         if moment.is_finite() {
             Ok(moment)
         } else {
-            Err(Refusal::OutOfRange { what: "the moment", value: moment }.into())
+            Err(Refusal::OutOfRange { what: Subject::MomentAboutAxis, value: moment }.into())
         }
     }
 
@@ -200,8 +200,8 @@ impl Inertia {
     /// body's about that point, since what remains about the centre is zero or impossible by more than the
     /// rounding of the tensor given.
     pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
-        positive("the mass", mass)?;
-        finite_vector("the offset", offset)?;
+        positive(Subject::Mass, mass)?;
+        finite_vector(Subject::Offset, offset)?;
         let shifted = self.tensor - point_mass(&mass, offset);
         Self::rounded(&shifted, self.tensor.amax()).map_err(|error| {
             let source = Box::new(error);
@@ -217,7 +217,7 @@ impl Inertia {
         let rotation = crate::attitude::matrix(attitude)?;
         // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
-        in_range("a turned moment", &tensor)?;
+        in_range(Subject::TurnedMoment, &tensor)?;
         Ok(Self { tensor })
     }
 
@@ -254,7 +254,7 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
 }
 
 /// That a computed tensor is finite and did not vanish: `what` names one of its entries.
-fn in_range(what: &'static str, tensor: &Matrix3<f64>) -> Result<(), Error> {
+fn in_range(what: Subject, tensor: &Matrix3<f64>) -> Result<(), Error> {
     let off = tensor.iter().find(|x| !x.is_finite());
     let gone = tensor.diagonal().iter().all(|&x| x == 0.0).then_some(&0.0);
     match off.or(gone) {
@@ -281,7 +281,7 @@ pub(crate) fn length(v: &Vector3<f64>) -> f64 {
 }
 
 /// The unit vector along `v`, which may be as short or long as an `f64` can say.
-pub(crate) fn unit(what: &'static str, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
+pub(crate) fn unit(what: Subject, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     finite_vector(what, v)?;
     if *v == Vector3::zeros() {
         return Err(Refusal::ZeroVector { what }.into());

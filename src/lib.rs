@@ -104,6 +104,6 @@ pub mod step;
 mod error;
 
 pub use body::{Body, Rate, State};
-pub use error::{Error, ErrorKind};
+pub use error::{Error, ErrorKind, Subject};
 pub use inertia::{Axis, Inertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

@@ -47,7 +47,7 @@ pub use properties::{MassMoments, MassProperties, combined};
 pub use rod::ThinRod;
 pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
 
-use crate::error::{Error, Refusal, not_negative, positive};
+use crate::error::{Error, Refusal, Subject, not_negative, positive};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
@@ -74,10 +74,10 @@ pub trait Solid {
     /// A density that is not finite and positive, a measure of zero, or a mass or moment that `f64` does not
     /// hold with all its digits.
     fn with_density(&self, density: f64) -> Result<MassProperties, Error> {
-        positive("the density", density)?;
-        let measure = positive("the volume", self.measure()?)?;
+        positive(Subject::Density, density)?;
+        let measure = positive(Subject::Volume, self.measure()?)?;
         let mass = Extended::from(density) * Extended::from(measure);
-        self.with_mass(mass.in_full("the mass")?)
+        self.with_mass(mass.in_full(Subject::Mass)?)
     }
 }
 
@@ -100,19 +100,19 @@ fn centred_at<S: Shape<N>, const N: usize>(
     mass: f64,
     sizes: [f64; N],
 ) -> Result<MassProperties, Error> {
-    let (mass, sizes) = (Extended::from(positive("the mass", mass)?), sizes.map(Extended::from));
+    let (mass, sizes) = (Extended::from(positive(Subject::Mass, mass)?), sizes.map(Extended::from));
     let inertia = Matrix3::from_diagonal(&S::moments(&mass, sizes.each_ref()));
     MassMoments { mass, centre, inertia }.checked()
 }
 
 /// That these can be the radii of a hole and of the whole.
 fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
-    not_negative("the inner radius", inner)?;
-    positive("the outer radius", outer)?;
+    not_negative(Subject::InnerRadius, inner)?;
+    positive(Subject::OuterRadius, outer)?;
     if inner <= outer {
         return Ok(());
     }
-    let (smaller, larger) = ("the inner radius", "the outer radius");
+    let (smaller, larger) = (Subject::InnerRadius, "the outer radius");
     Err(Refusal::Order { smaller, small: inner, larger, large: outer }.into())
 }
 

@@ -3,7 +3,7 @@
 
 use super::{Body, State};
 use crate::attitude;
-use crate::error::{Error, finite_vector};
+use crate::error::{Error, Subject, finite_vector};
 use crate::inertia::Inertia;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -76,7 +76,7 @@ impl TryFrom<Instant> for State<f64> {
 
     fn try_from(instant: Instant) -> Result<Self, Error> {
         let momentum = Vector3::from(instant.momentum);
-        finite_vector("the momentum", &momentum)?;
+        finite_vector(Subject::AngularMomentum, &momentum)?;
         Ok(Self { attitude: attitude::checked(instant.attitude.attitude())?.into_inner(), momentum })
     }
 }

@@ -1,6 +1,6 @@
 //! Attitude and angular momentum at one instant: what moves, and all that a step needs to know of the past.
 
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::{Analytic, Field};
 use nalgebra::{Quaternion, SVector, Vector3};
 
@@ -70,7 +70,7 @@ impl<T: Analytic> State<T> {
         if size.is_finite() {
             Ok(self)
         } else {
-            Err(Refusal::OutOfRange { what: "the motion after a step", value: size }.into())
+            Err(Refusal::OutOfRange { what: Subject::MotionAfterStep, value: size }.into())
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Stability of a steady spin about each principal axis.
 
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::inertia::{Axis, PrincipalMoments};
 use crate::number::Field;
 use core::fmt;
@@ -75,7 +75,7 @@ impl fmt::Display for Stability {
 /// A spin that is not finite, or a rate beyond `f64`.
 pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stability, Error> {
     let sorted = moments.sorted();
-    let speed = finite("the spin", omega)?.abs();
+    let speed = finite(Subject::Spin, omega)?.abs();
     let about = sorted[axis.index()];
     let [first, second] = match axis {
         Axis::Smallest => [sorted[1], sorted[2]],
@@ -90,7 +90,7 @@ pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stab
         return Ok(Stability::Neutral);
     }
     if !rate.is_finite() || rate == 0.0 {
-        return Err(Refusal::OutOfRange { what: "the rate of a small disturbance", value: rate }.into());
+        return Err(Refusal::OutOfRange { what: Subject::DisturbanceRate, value: rate }.into());
     }
     Ok(match axis {
         Axis::Middle => Stability::Growth { rate },

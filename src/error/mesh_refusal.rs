@@ -1,6 +1,6 @@
 //! Why the faces of a mesh do not bound a solid.
 
-use super::Margin;
+use super::{Margin, Subject};
 use core::fmt;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -36,12 +36,12 @@ pub(crate) enum MeshRefusal {
 }
 
 impl MeshRefusal {
-    pub(super) fn subject(&self) -> &'static str {
+    pub(super) fn subject(&self) -> Subject {
         match self {
-            Self::BadFace { .. } | Self::FlippedFace { .. } | Self::RepeatedFace { .. } => "a face",
-            Self::OpenMesh { .. } => "an edge",
-            Self::NoVolume { .. } => "the volume",
-            Self::MisplacedShell { .. } => "a shell",
+            Self::BadFace { .. } | Self::FlippedFace { .. } | Self::RepeatedFace { .. } => Subject::Face,
+            Self::OpenMesh { .. } => Subject::MeshEdge,
+            Self::NoVolume { .. } => Subject::Volume,
+            Self::MisplacedShell { .. } => Subject::Shell,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::mesh_refusal::MeshRefusal;
 use super::tensor_refusal::TensorRefusal;
-use super::{Error, ErrorKind, Margin};
+use super::{Error, ErrorKind, Margin, Subject};
 use alloc::boxed::Box;
 use core::fmt;
 
@@ -11,39 +11,52 @@ use core::fmt;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Refusal {
     NotFinite {
-        what: &'static str,
+        what: Subject,
         value: f64,
     },
     NotPositive {
-        what: &'static str,
+        what: Subject,
         value: f64,
     },
     Negative {
-        what: &'static str,
+        what: Subject,
         value: f64,
     },
     /// A finite input gives a result that a finite nonzero number of its type cannot hold with all its
     /// digits: an infinity, zero, a subnormal number, or NaN from infinities.
     OutOfRange {
-        what: &'static str,
+        what: Subject,
         value: f64,
     },
     NotBelow {
-        what: &'static str,
+        what: Subject,
         value: f64,
         limit: f64,
     },
+    /// `least` is `meaning`.
+    TooSmall {
+        what: Subject,
+        value: f64,
+        least: f64,
+        meaning: &'static str,
+    },
+    /// Not zero, and so small that products with it lose digits.
+    Underflow {
+        what: Subject,
+        value: f64,
+        least: f64,
+    },
     Order {
-        smaller: &'static str,
+        smaller: Subject,
         small: f64,
         larger: &'static str,
         large: f64,
     },
     ZeroVector {
-        what: &'static str,
+        what: Subject,
     },
     NotUnitVector {
-        what: &'static str,
+        what: Subject,
         length: f64,
         tolerance: f64,
     },
@@ -52,16 +65,16 @@ pub(crate) enum Refusal {
         tolerance: f64,
     },
     TooFew {
-        what: &'static str,
+        what: Subject,
         count: usize,
         needed: usize,
     },
     TooMany {
-        what: &'static str,
+        what: Subject,
         count: usize,
     },
     NotConverged {
-        what: &'static str,
+        what: Subject,
         iterations: usize,
         residual: f64,
     },
@@ -72,7 +85,7 @@ pub(crate) enum Refusal {
         shortest: f64,
     },
     Unfinished {
-        what: &'static str,
+        what: Subject,
         steps: usize,
         reached: f64,
         duration: f64,
@@ -86,7 +99,7 @@ pub(crate) enum Refusal {
         source: Box<Error>,
     },
     Undefined {
-        what: &'static str,
+        what: Subject,
         why: &'static str,
     },
     Tensor(TensorRefusal),
@@ -100,12 +113,13 @@ impl Refusal {
             Self::NotPositive { .. }
             | Self::Negative { .. }
             | Self::NotBelow { .. }
+            | Self::TooSmall { .. }
             | Self::Order { .. }
             | Self::NotUnit { .. }
             | Self::NotUnitVector { .. }
             | Self::TooFew { .. }
             | Self::NoSuchAxis { .. } => ErrorKind::OutOfBounds,
-            Self::OutOfRange { .. } => ErrorKind::Unrepresentable,
+            Self::OutOfRange { .. } | Self::Underflow { .. } => ErrorKind::Unrepresentable,
             Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::Undefined,
             Self::TooMany { .. } | Self::Unfinished { .. } => ErrorKind::TooMany,
             Self::NotConverged { .. } | Self::NoStep { .. } => ErrorKind::NotConverged,
@@ -116,13 +130,15 @@ impl Refusal {
         }
     }
 
-    pub(super) fn subject(&self) -> &'static str {
+    pub(super) fn subject(&self) -> Subject {
         match self {
             Self::NotFinite { what, .. }
             | Self::NotPositive { what, .. }
             | Self::Negative { what, .. }
             | Self::OutOfRange { what, .. }
             | Self::NotBelow { what, .. }
+            | Self::TooSmall { what, .. }
+            | Self::Underflow { what, .. }
             | Self::ZeroVector { what }
             | Self::TooFew { what, .. }
             | Self::TooMany { what, .. }
@@ -130,10 +146,10 @@ impl Refusal {
             | Self::NotConverged { what, .. }
             | Self::Unfinished { what, .. }
             | Self::Undefined { what, .. }
-            | Self::Order { smaller: what, .. } => what,
-            Self::NoStep { .. } => "the step whose error meets the tolerance",
-            Self::NotUnit { .. } => "the attitude quaternion",
-            Self::NoSuchAxis { .. } => "the principal axis",
+            | Self::Order { smaller: what, .. } => *what,
+            Self::NoStep { .. } => Subject::StepLength,
+            Self::NotUnit { .. } => Subject::Attitude,
+            Self::NoSuchAxis { .. } => Subject::PrincipalAxis,
             Self::Tensor(refusal) => refusal.subject(),
             Self::Mesh(refusal) => refusal.subject(),
             Self::Part { source, .. } => source.subject(),
@@ -163,6 +179,13 @@ impl fmt::Display for Refusal {
             Self::NotBelow { what, value, limit } => {
                 write!(f, "{what} is {value:?}: it must be below {limit}")
             }
+            Self::TooSmall { what, value, least, meaning } => {
+                write!(f, "{what} is {value:?}: it must be at least {least:e}, {meaning}")
+            }
+            Self::Underflow { what, value, least } => write!(
+                f,
+                "{what} is {value:?}: it must be 0 or at least {least:e}, so that its products keep all their digits"
+            ),
             Self::ZeroVector { what } => write!(f, "{what} is the zero vector: it has no direction"),
             Self::NotUnit { norm, tolerance } => write!(
                 f,

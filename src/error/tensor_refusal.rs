@@ -1,6 +1,6 @@
 //! What is wrong with a tensor or its principal moments.
 
-use super::{Error, Margin};
+use super::{Error, Margin, Subject};
 use alloc::boxed::Box;
 use core::fmt;
 
@@ -17,7 +17,7 @@ pub(crate) enum TensorRefusal {
     },
     /// A moment of inertia below zero by more than rounding. `printed` as above.
     NegativeMoment {
-        what: &'static str,
+        what: Subject,
         value: f64,
         printed: bool,
     },
@@ -47,12 +47,12 @@ pub(crate) enum TensorRefusal {
 }
 
 impl TensorRefusal {
-    pub(super) fn subject(&self) -> &'static str {
+    pub(super) fn subject(&self) -> Subject {
         match self {
-            Self::NegativeMoment { what, .. } => what,
-            Self::Asymmetric { .. } | Self::TooFar { .. } | Self::OffCentre { .. } => "the inertia tensor",
-            Self::TriangleInequality { .. } => "the principal moments",
-            Self::Singular { .. } => "the smallest principal moment",
+            Self::NegativeMoment { what, .. } => *what,
+            Self::Asymmetric { .. } | Self::TooFar { .. } | Self::OffCentre { .. } => Subject::Tensor,
+            Self::TriangleInequality { .. } => Subject::PrincipalMoments,
+            Self::Singular { .. } => Subject::SmallestMoment,
         }
     }
 }

@@ -7,7 +7,7 @@ use super::elliptic_motion::{
     ComplementaryAttitude, ComplementarySpin, DirectAttitude, DirectSpin, EllipticMotion,
 };
 use super::{FreeMotion, Instant, Law};
-use crate::error::{Error, finite};
+use crate::error::{Error, Subject, finite};
 use crate::number::Lane;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
@@ -118,7 +118,7 @@ impl<T: Lane, A: Answer> Batch<T, A> {
     /// A time that is not finite, before any answer is put.
     pub fn each(&self, times: &[f64], mut put: impl FnMut(usize, usize, A)) -> Result<(), Error> {
         for &t in times {
-            finite("the time", t)?;
+            finite(Subject::Time, t)?;
         }
         let first = |body| A::of(self.kinds.first(body));
         self.kinds.direct.each(times, &first, &mut put);

@@ -1,6 +1,6 @@
 //! When a free body flips: every instant, in order, without a list.
 
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
 use core::iter::FusedIterator;
@@ -66,7 +66,7 @@ impl Clock {
         let room = limit - 8.0;
         if half_turns.is_nan() || half_turns.abs() > room {
             return Err(Refusal::Order {
-                smaller: "the number of flips from the start",
+                smaller: Subject::FlipNumber,
                 small: half_turns.abs(),
                 larger: "the greatest for which the times of two flips differ in f64",
                 large: room,

@@ -1,7 +1,7 @@
 //! What can be read off a whole motion: its period, its angles to the momentum, how far it twists.
 
 use super::{FreeMotion, Law};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::inertia::unit;
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::times_power_of_two;
@@ -21,7 +21,7 @@ impl Law {
         if (greatest * room).is_finite() {
             return Ok(());
         }
-        Err(Refusal::OutOfRange { what: "the greatest spin", value: greatest }.into())
+        Err(Refusal::OutOfRange { what: Subject::GreatestSpin, value: greatest }.into())
     }
 }
 
@@ -45,7 +45,7 @@ impl FreeMotion {
             Law::Symmetric(top) => Some(1.0 / top.nutation_turns().abs()),
             Law::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
         };
-        scaled.map(|time| self.seconds("the period", time)).transpose()
+        scaled.map(|time| self.seconds(Subject::Period, time)).transpose()
     }
 
     /// The least and greatest angle, radians, between principal axis number `axis` (from 0, in the order of
@@ -73,11 +73,11 @@ impl FreeMotion {
         }
         let scaled = |v: Vector3<f64>, by: f64| v.map(|x| x / by);
         if self.start == Vector3::zeros() {
-            return Err(Refusal::ZeroVector { what: "the angular momentum" }.into());
+            return Err(Refusal::ZeroVector { what: Subject::AngularMomentum }.into());
         }
         let momentum = scaled(self.moments.vector(), self.moments.largest())
             .component_mul(&scaled(self.start, self.start.amax()));
-        let share = unit("the angular momentum", &momentum)?;
+        let share = unit(Subject::AngularMomentum, &momentum)?;
         let swing = |along: f64, off: f64| {
             let least = atan2(off, along);
             [least, PI - least]

@@ -2,7 +2,7 @@
 
 use super::kernel::unit;
 use crate::attitude::{product, rotate_inverse};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Lane;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -28,7 +28,7 @@ pub(super) const ROOM_TO_TURN: f64 = 8.0;
 pub(super) fn along(frame: &UnitQuaternion<f64>, omega: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     let along = frame.inverse() * omega;
     match along.iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Refusal::OutOfRange { what: "the greatest spin", value }.into()),
+        Some(&value) => Err(Refusal::OutOfRange { what: Subject::GreatestSpin, value }.into()),
         None => Ok(along),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::elliptic::quarter_period_from_root;
 use crate::dynamics::regime::{Asymmetric, Kind, classify};
-use crate::error::{Error, Refusal, finite_vector};
+use crate::error::{Error, Refusal, Subject, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
@@ -41,7 +41,7 @@ pub(super) fn quarter_period(motion: &Asymmetric) -> DoubleDouble {
 /// # Errors
 /// A spin that is not finite, or a time beyond `f64`.
 pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Option<f64>, Error> {
-    finite_vector("the spin", omega)?;
+    finite_vector(Subject::Spin, omega)?;
     let Kind::Asymmetric(motion) = classify(moments, omega) else {
         return Ok(None);
     };
@@ -52,7 +52,7 @@ pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Re
     let half_period = quarter_period(&motion) * 2.0 / motion.rate();
     let time = times_power_of_two(half_period.hi(), -motion.clock);
     if !time.is_finite() || time == 0.0 {
-        return Err(Refusal::OutOfRange { what: "the time between flips", value: time }.into());
+        return Err(Refusal::OutOfRange { what: Subject::TimeBetweenFlips, value: time }.into());
     }
     Ok(Some(time))
 }

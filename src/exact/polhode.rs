@@ -1,7 +1,7 @@
 //! The path of the spin in the body, from what is conserved alone.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, finite_vector};
+use crate::error::{Error, Subject, finite_vector};
 use crate::exact::time_between_flips;
 use crate::inertia::PrincipalMoments;
 use crate::number::functions::hypot;
@@ -36,7 +36,7 @@ impl Polhode {
     /// # Errors
     /// A spin that is not finite, or a period beyond `f64`.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
-        finite_vector("the spin", omega)?;
+        finite_vector(Subject::Spin, omega)?;
         let still = omega.map(f64::abs);
         match classify(moments, omega) {
             Kind::Steady => Ok(Self { least: still, greatest: still, period: None }),

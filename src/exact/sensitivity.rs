@@ -9,7 +9,7 @@ mod series;
 use super::elementary::scaled;
 use super::elliptic_motion::EllipticMotion;
 use super::{FreeMotion, Law};
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -164,7 +164,7 @@ impl FreeMotion {
     }
 
     fn derivatives(&self, t: f64, tensor: bool) -> Result<Derivatives, Error> {
-        let time = finite("the time", t)? * self.clock;
+        let time = finite(Subject::Time, t)? * self.clock;
         let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
         if self.law == Law::AtRest {
             return Ok(Derivatives::at_rest(time));
@@ -314,7 +314,7 @@ fn along_principal_axes(frame: &Matrix3<f64>) -> Matrix6<f64> {
 
 fn all_finite(matrix: &Matrix6<f64>) -> Result<(), Error> {
     match matrix.as_slice().iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Refusal::OutOfRange { what: "a derivative of the motion", value }.into()),
+        Some(&value) => Err(Refusal::OutOfRange { what: Subject::Derivative, value }.into()),
         None => Ok(()),
     }
 }

@@ -18,7 +18,7 @@ use super::Instant;
 use super::elementary::Turn;
 use crate::attitude::{checked, product};
 use crate::body::Body;
-use crate::error::{Error, Refusal, finite, finite_vector, not_negative};
+use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative};
 use crate::inertia::PrincipalMoments;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, hypot};
@@ -114,9 +114,9 @@ impl LagrangeTop {
         arm: &Vector3<f64>,
         weight: f64,
     ) -> Result<Self, Error> {
-        finite_vector("the spin", omega)?;
-        finite_vector("the arm", arm)?;
-        not_negative("the weight", weight)?;
+        finite_vector(Subject::Spin, omega)?;
+        finite_vector(Subject::Arm, arm)?;
+        not_negative(Subject::Weight, weight)?;
         let attitude = checked(attitude)?;
         let mounted = Mounted::new(moments, arm)?;
         let torque = DoubleDouble::product(mounted.arm, weight).abs();
@@ -128,7 +128,7 @@ impl LagrangeTop {
         let rates = [spin.x, spin.y, along.hi(), spin.z, pull.hi().sqrt()];
         let fastest = rates.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         if !fastest.is_finite() || !pull.hi().is_finite() {
-            return Err(Refusal::OutOfRange { what: "the fastest rate of the top", value: fastest }.into());
+            return Err(Refusal::OutOfRange { what: Subject::TopFastestRate, value: fastest }.into());
         }
         let power = exponent(fastest).clamp(-1000, 1000);
         let scaled = |x: f64| times_power_of_two(x, -power);
@@ -186,7 +186,7 @@ impl LagrangeTop {
     /// then be off by 1e-14 over the relative difference of the moments along and across the axis, and its
     /// own direction counts as the axis.
     pub fn of(body: &Body, arm: &Vector3<f64>, weight: f64) -> Result<Self, Error> {
-        finite_vector("the arm", arm)?;
+        finite_vector(Subject::Arm, arm)?;
         let (moments, frame) = body.inertia().along_principal_axes()?;
         let omega = body.omega_body();
         let Some(frame) = frame else { return Self::new(moments, body.attitude(), &omega, arm, weight) };
@@ -202,7 +202,7 @@ impl LagrangeTop {
     /// # Errors
     /// A time that is not finite.
     pub fn at(&self, t: f64) -> Result<Instant, Error> {
-        let time = finite("the time", t)? * self.clock;
+        let time = finite(Subject::Time, t)? * self.clock;
         if time == 0.0 {
             return Ok(self.start);
         }
@@ -317,27 +317,27 @@ impl LagrangeTop {
         if numbers && value.is_finite() && (self.along * 4.0).is_finite() {
             return Ok(self);
         }
-        Err(Refusal::OutOfRange { what: "a rate or an energy of the top", value }.into())
+        let value = if value.is_finite() { f64::INFINITY } else { value };
+        Err(Refusal::OutOfRange { what: Subject::TopRate, value }.into())
     }
 }
 
 /// Refuses what is not zero but too small for its square to have all its digits, or to be above zero.
 fn in_range(integrals: &Integrals, start: &Start, spin: &Vector3<f64>, pulled: bool) -> Result<(), Error> {
     let Integrals { from_bottom, from_top, across_squared, pull, .. } = integrals;
-    let hanging = "how close the axis is to hanging down, as a square that must be 0 or at least 1e-140,";
-    let upright = "how close the axis is to upright, as a square that must be 0 or at least 1e-140,";
-    let sideways =
-        "the sideways spin relative to the fastest rate, as a square that must be 0 or at least 1e-140,";
-    let torque = "the weight's torque relative to the moment times the square of the fastest rate, which must be 0 or at least 1e-140,";
     for (what, square, present) in [
-        (hanging, from_bottom, start.alpha != [0.0; 2]),
-        (upright, from_top, start.beta != [0.0; 2]),
-        (sideways, across_squared, spin.x != 0.0 || spin.y != 0.0),
-        (torque, pull, pulled),
+        (Subject::TopHanging, from_bottom, start.alpha != [0.0; 2]),
+        (Subject::TopUpright, from_top, start.beta != [0.0; 2]),
+        (Subject::TopSpinAcross, across_squared, spin.x != 0.0 || spin.y != 0.0),
+        (Subject::TopTorque, pull, pulled),
     ] {
         let value = square.hi();
         if (present || value != 0.0) && !(value.abs() >= SMALLEST && value.is_finite()) {
-            return Err(Refusal::OutOfRange { what, value }.into());
+            return Err(if value.is_finite() {
+                Refusal::Underflow { what, value, least: SMALLEST }.into()
+            } else {
+                Refusal::OutOfRange { what, value }.into()
+            });
         }
     }
     Ok(())

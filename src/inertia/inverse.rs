@@ -1,7 +1,7 @@
 //! The inverse tensor, which takes momentum to spin.
 
 use super::{Inertia, in_range, is_diagonal, moments_of};
-use crate::error::{Error, TensorRefusal};
+use crate::error::{Error, Subject, TensorRefusal};
 use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::Matrix3;
@@ -33,7 +33,7 @@ impl Inertia {
         } else {
             adjugate_inverse(m)
         };
-        in_range("an inverse moment", &inverse)?;
+        in_range(Subject::InverseMoment, &inverse)?;
         Ok(inverse)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
 use super::{Axis, Inertia};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::power_of_two::ulp;
 use core::fmt;
 use core::ops::Index;
@@ -62,7 +62,7 @@ impl PrincipalMoments {
 
     /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.
     pub(crate) fn of_tensor(moments: Vector3<f64>) -> Result<Self, Error> {
-        moments.iter().try_for_each(|&moment| positive("a principal moment", moment).map(drop))?;
+        moments.iter().try_for_each(|&moment| positive(Subject::PrincipalMoment, moment).map(drop))?;
         Ok(Self { moments, order: ascending(&moments).map(|i| i as u8) })
     }
 

@@ -1,7 +1,7 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
 use super::{Inertia, PrincipalAxes, in_range, is_diagonal, moments_of, nearest, symmetrized, turned};
-use crate::error::{Error, ErrorKind, Refusal, TensorRefusal, finite, not_negative, positive};
+use crate::error::{Error, ErrorKind, Refusal, Subject, TensorRefusal, finite, not_negative, positive};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
@@ -17,23 +17,23 @@ pub(super) const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 const PRINTED: f64 = 1e-2;
 
 /// What the entries of the matrix are called, by columns.
-const ENTRIES: [&str; 9] = [
-    "the moment Ixx",
-    "the product Ixy",
-    "the product Ixz",
-    "the product Ixy",
-    "the moment Iyy",
-    "the product Iyz",
-    "the product Ixz",
-    "the product Iyz",
-    "the moment Izz",
+const ENTRIES: [Subject; 9] = [
+    Subject::Ixx,
+    Subject::Ixy,
+    Subject::Ixz,
+    Subject::Ixy,
+    Subject::Iyy,
+    Subject::Iyz,
+    Subject::Ixz,
+    Subject::Iyz,
+    Subject::Izz,
 ];
 
 impl Inertia {
     /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
     /// its sums have, so only its range is checked.
     pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
-        in_range("a moment of inertia", &tensor)?;
+        in_range(Subject::Moment, &tensor)?;
         moments_in_range(&moments_of(&tensor))?;
         Ok(Self { tensor: symmetrized(&tensor) })
     }
@@ -65,7 +65,7 @@ impl Inertia {
                 if exact { 0.0 } else { tolerance },
             )?;
         }
-        positive("the largest moment of inertia", tensor.diagonal().max())?;
+        positive(Subject::LargestMoment, tensor.diagonal().max())?;
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         let moments = moments_of(&tensor);
         moments_in_range(&moments)?;
@@ -101,7 +101,7 @@ impl Inertia {
     /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is
     /// farther away than the tolerance or zero, or moments beyond `f64`.
     pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<(Self, f64), Error> {
-        not_negative("the relative tolerance", relative_tolerance)?;
+        not_negative(Subject::RelativeTolerance, relative_tolerance)?;
         let strict = Self::rounded(tensor, 0.0);
         if strict.as_ref().is_err_and(|error| error.kind() == ErrorKind::NotFinite) || tensor.amax() == 0.0 {
             return strict.map(|value| (value, 0.0));
@@ -133,7 +133,7 @@ impl Inertia {
 /// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
 /// the other two, to rounding.
 pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
-    not_below_zero("the smallest principal moment", moments[0], moments[2], tolerance)?;
+    not_below_zero(Subject::SmallestMoment, moments[0], moments[2], tolerance)?;
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess > tolerance {
         let printed = excess <= PRINTED * moments[2];
@@ -148,7 +148,7 @@ pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Res
     Ok(())
 }
 
-fn not_below_zero(what: &'static str, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {
+fn not_below_zero(what: Subject, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {
     if value >= -tolerance {
         return Ok(());
     }
@@ -158,7 +158,7 @@ fn not_below_zero(what: &'static str, value: f64, largest: f64, tolerance: f64) 
 /// That the largest principal moment is a finite number: it can exceed every entry of the tensor.
 fn moments_in_range(moments: &Vector3<f64>) -> Result<(), Error> {
     match moments.iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Refusal::OutOfRange { what: "a principal moment", value }.into()),
+        Some(&value) => Err(Refusal::OutOfRange { what: Subject::PrincipalMoment, value }.into()),
         None => Ok(()),
     }
 }

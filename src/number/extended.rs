@@ -4,7 +4,7 @@
 //! solids are run on this number, so that nothing overflows or vanishes on the way; only the result must
 //! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
 
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
@@ -31,13 +31,13 @@ impl Extended {
     }
 
     /// As an `f64` that is finite.
-    pub(crate) fn finite(self, what: &'static str) -> Result<f64, Error> {
+    pub(crate) fn finite(self, what: Subject) -> Result<f64, Error> {
         let value = self.nearest();
         if value.is_finite() { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
     }
 
     /// As an `f64` that has all its digits: a subnormal number has lost some, a vanished one all.
-    pub(crate) fn in_full(self, what: &'static str) -> Result<f64, Error> {
+    pub(crate) fn in_full(self, what: Subject) -> Result<f64, Error> {
         let value = self.finite(what)?;
         let whole = self.significand == 0.0 || value.is_normal();
         if whole { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
@@ -174,9 +174,9 @@ mod tests {
     #[test]
     fn what_f64_cannot_hold_in_full_is_refused_and_an_exact_zero_is_not() {
         let tiny = Extended::from(1e-200);
-        let kind = |number: Extended| number.in_full("x").map_err(|error| error.kind());
+        let kind = |number: Extended| number.in_full(Subject::Mass).map_err(|error| error.kind());
         assert_eq!(kind(tiny * tiny), Err(ErrorKind::Unrepresentable));
         assert_eq!(kind(tiny * Extended::from(1e-110)), Err(ErrorKind::Unrepresentable));
-        assert_eq!((tiny - tiny).in_full("x"), Ok(0.0));
+        assert_eq!((tiny - tiny).in_full(Subject::Mass), Ok(0.0));
     }
 }

@@ -1,7 +1,7 @@
 //! A ball, full or with a round hole in its middle, down to a thin shell.
 
 use super::{MassProperties, Shape, Solid, centred, ordered, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
@@ -31,7 +31,7 @@ impl Ball {
     /// # Errors
     /// A radius that is not finite and positive.
     pub fn new(radius: f64) -> Result<Self, Error> {
-        Ok(Self { inner: 0.0, outer: positive("the radius", radius)? })
+        Ok(Self { inner: 0.0, outer: positive(Subject::Radius, radius)? })
     }
 
     /// From the radii of the hole (0 for none) and of the whole, m. They may be equal: then it is a thin
@@ -84,7 +84,7 @@ impl Solid for Ball {
     fn measure(&self) -> Result<f64, Error> {
         let [i, o] = [self.inner, self.outer].map(Extended::from);
         let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
-        (four_thirds_pi * (o - i) * (square(&o) + o * i + square(&i))).in_full("the volume")
+        (four_thirds_pi * (o - i) * (square(&o) + o * i + square(&i))).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

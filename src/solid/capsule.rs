@@ -1,7 +1,7 @@
 //! A capsule: a cylinder capped by two half balls.
 
 use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, not_negative, positive};
+use crate::error::{Error, Subject, not_negative, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
@@ -28,8 +28,8 @@ impl Capsule {
     /// # Errors
     /// A radius that is not finite and positive, or a length that is not finite or below zero.
     pub fn new(radius: f64, length: f64) -> Result<Self, Error> {
-        positive("the radius", radius)?;
-        not_negative("the length", length)?;
+        positive(Subject::Radius, radius)?;
+        not_negative(Subject::Length, length)?;
         Ok(Self { radius, length })
     }
 }
@@ -67,7 +67,7 @@ impl Solid for Capsule {
     fn measure(&self) -> Result<f64, Error> {
         let (r, l) = (Extended::from(self.radius), Extended::from(self.length));
         let stretched = Extended::from(3.0) * l + Extended::from(4.0) * r;
-        (Extended::from(PI) * (square(&r) * stretched) / Extended::from(3.0)).in_full("the volume")
+        (Extended::from(PI) * (square(&r) * stretched) / Extended::from(3.0)).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

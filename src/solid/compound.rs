@@ -2,7 +2,7 @@
 
 use super::properties::combined_about_heaviest;
 use super::{MassMoments, MassProperties};
-use crate::error::Error;
+use crate::error::{Error, Subject};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
 
@@ -58,6 +58,6 @@ impl Compound {
             placed.push(part.moved(position).map_err(|e| e.of_part(index))?);
         }
         let wide: Vec<_> = placed.iter().map(|&part| MassMoments::from(part)).collect();
-        combined_about_heaviest(&wide, placed.iter().map(MassProperties::mass), "parts")?.checked()
+        combined_about_heaviest(&wide, placed.iter().map(MassProperties::mass), Subject::Parts)?.checked()
     }
 }

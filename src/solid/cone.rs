@@ -1,7 +1,7 @@
 //! A full cone.
 
 use super::{MassProperties, Shape, Solid, centred_at, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
@@ -31,8 +31,8 @@ impl Cone {
     /// # Errors
     /// A size that is not finite and positive.
     pub fn new(radius: f64, height: f64) -> Result<Self, Error> {
-        positive("the radius", radius)?;
-        positive("the height", height)?;
+        positive(Subject::Radius, radius)?;
+        positive(Subject::Height, height)?;
         Ok(Self { radius, height })
     }
 }
@@ -59,7 +59,7 @@ impl Shape<2> for Cone {
 impl Solid for Cone {
     fn measure(&self) -> Result<f64, Error> {
         let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
-        (Extended::from(PI) * (square(&r) * h) / Extended::from(3.0)).in_full("the volume")
+        (Extended::from(PI) * (square(&r) * h) / Extended::from(3.0)).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

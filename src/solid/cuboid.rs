@@ -1,7 +1,7 @@
 //! A box with three different edges: the book's first body.
 
 use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
@@ -28,9 +28,9 @@ impl Cuboid {
     /// # Errors
     /// An edge that is not finite and positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        positive("the edge along x", a)?;
-        positive("the edge along y", b)?;
-        positive("the edge along z", c)?;
+        positive(Subject::EdgeX, a)?;
+        positive(Subject::EdgeY, b)?;
+        positive(Subject::EdgeZ, c)?;
         Ok(Self { edges: [a, b, c] })
     }
 }
@@ -55,7 +55,7 @@ impl Shape<3> for Cuboid {
 impl Solid for Cuboid {
     fn measure(&self) -> Result<f64, Error> {
         let [a, b, c] = self.edges.map(Extended::from);
-        (a * b * c).in_full("the volume")
+        (a * b * c).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

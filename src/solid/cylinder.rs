@@ -1,7 +1,7 @@
 //! A cylinder, full or with a round hole along its axis.
 
 use super::{MassProperties, Shape, Solid, centred, ordered, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
@@ -33,8 +33,8 @@ impl Cylinder {
     /// # Errors
     /// A size that is not finite and positive.
     pub fn new(radius: f64, height: f64) -> Result<Self, Error> {
-        positive("the radius", radius)?;
-        positive("the height", height)?;
+        positive(Subject::Radius, radius)?;
+        positive(Subject::Height, height)?;
         Ok(Self { inner: 0.0, outer: radius, height })
     }
 
@@ -46,7 +46,7 @@ impl Cylinder {
     /// radius beyond the outer.
     pub fn hollow(inner: f64, outer: f64, height: f64) -> Result<Self, Error> {
         ordered(inner, outer)?;
-        positive("the height", height)?;
+        positive(Subject::Height, height)?;
         Ok(Self { inner, outer, height })
     }
 }
@@ -84,7 +84,7 @@ impl Shape<3> for Cylinder {
 impl Solid for Cylinder {
     fn measure(&self) -> Result<f64, Error> {
         let [i, o, h] = [self.inner, self.outer, self.height].map(Extended::from);
-        (Extended::from(PI) * ((o - i) * (o + i) * h)).in_full("the volume")
+        (Extended::from(PI) * ((o - i) * (o + i) * h)).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

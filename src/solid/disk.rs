@@ -1,7 +1,7 @@
 //! An ideal round disk, without thickness.
 
 use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
@@ -28,7 +28,7 @@ impl ThinDisk {
     /// # Errors
     /// A radius that is not finite and positive.
     pub fn new(radius: f64) -> Result<Self, Error> {
-        Ok(Self { radius: positive("the radius", radius)? })
+        Ok(Self { radius: positive(Subject::Radius, radius)? })
     }
 }
 
@@ -50,7 +50,7 @@ impl Shape<1> for ThinDisk {
 impl Solid for ThinDisk {
     /// The area, m², so that its density is in kg/m².
     fn measure(&self) -> Result<f64, Error> {
-        (Extended::from(PI) * square(&Extended::from(self.radius))).in_full("the area")
+        (Extended::from(PI) * square(&Extended::from(self.radius))).in_full(Subject::Area)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

@@ -1,7 +1,7 @@
 //! An ellipsoid with three semi-axes.
 
 use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use core::f64::consts::PI;
@@ -28,9 +28,9 @@ impl Ellipsoid {
     /// # Errors
     /// A semi-axis that is not finite and positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        positive("the semi-axis along x", a)?;
-        positive("the semi-axis along y", b)?;
-        positive("the semi-axis along z", c)?;
+        positive(Subject::SemiAxisX, a)?;
+        positive(Subject::SemiAxisY, b)?;
+        positive(Subject::SemiAxisZ, c)?;
         Ok(Self { semi_axes: [a, b, c] })
     }
 }
@@ -56,7 +56,7 @@ impl Solid for Ellipsoid {
     fn measure(&self) -> Result<f64, Error> {
         let [a, b, c] = self.semi_axes.map(Extended::from);
         let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
-        (four_thirds_pi * (a * b * c)).in_full("the volume")
+        (four_thirds_pi * (a * b * c)).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

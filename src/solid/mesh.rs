@@ -6,7 +6,7 @@
 
 use super::tetrahedron::{determinant, triple};
 use super::{MassMoments, MassProperties, Solid, shells, topology};
-use crate::error::{Error, MeshRefusal, Refusal, TensorRefusal, finite_vector, positive};
+use crate::error::{Error, MeshRefusal, Refusal, Subject, TensorRefusal, finite_vector, positive};
 use crate::inertia::moments_of;
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
@@ -128,13 +128,13 @@ impl Mesh {
     /// flipped, a volume that is not positive by more than rounding, a shell that is inside out or wrongly
     /// nested, or a tensor that no body has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
-        for (what, count) in [("vertices", vertices.len()), ("faces", faces.len())] {
+        for (what, count) in [(Subject::Vertices, vertices.len()), (Subject::Faces, faces.len())] {
             if count < 4 {
                 return Err(Refusal::TooFew { what, count, needed: 4 }.into());
             }
         }
         for (index, vertex) in vertices.iter().enumerate() {
-            finite_vector("the vertex", vertex).map_err(|e| e.of_part(index))?;
+            finite_vector(Subject::Vertex, vertex).map_err(|e| e.of_part(index))?;
         }
         let shell = topology::shells(faces, vertices.len())?;
         let wide: Vec<_> = vertices.iter().map(|v| v.map(Extended::from)).collect();
@@ -152,11 +152,11 @@ impl Mesh {
 
 impl Solid for Mesh {
     fn measure(&self) -> Result<f64, Error> {
-        self.moments.mass.in_full("the volume")
+        self.moments.mass.in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let mass = Extended::from(positive("the mass", mass)?);
+        let mass = Extended::from(positive(Subject::Mass, mass)?);
         let density = mass / self.moments.mass;
         MassMoments { mass, centre: self.moments.centre, inertia: self.moments.inertia * density }.checked()
     }

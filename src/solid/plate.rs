@@ -1,7 +1,7 @@
 //! An ideal rectangular plate, without thickness.
 
 use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use crate::number::extended::Extended;
 use nalgebra::Vector3;
@@ -28,8 +28,8 @@ impl ThinPlate {
     /// # Errors
     /// An edge that is not finite and positive.
     pub fn new(a: f64, b: f64) -> Result<Self, Error> {
-        positive("the edge along x", a)?;
-        positive("the edge along y", b)?;
+        positive(Subject::EdgeX, a)?;
+        positive(Subject::EdgeY, b)?;
         Ok(Self { edges: [a, b] })
     }
 }
@@ -55,7 +55,7 @@ impl Solid for ThinPlate {
     /// The area, m², so that its density is in kg/m².
     fn measure(&self) -> Result<f64, Error> {
         let [a, b] = self.edges.map(Extended::from);
-        (a * b).in_full("the area")
+        (a * b).in_full(Subject::Area)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {

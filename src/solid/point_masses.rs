@@ -2,7 +2,7 @@
 
 use super::properties::combined_about_heaviest;
 use super::{MassMoments, MassProperties};
-use crate::error::{Error, Refusal, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, finite_vector, positive};
 use crate::number::extended::Extended;
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
@@ -28,16 +28,16 @@ impl MassProperties {
     pub fn of_points(points: &[(f64, Vector3<f64>)]) -> Result<Self, Error> {
         let mut parts = Vec::with_capacity(points.len());
         for (index, (mass, position)) in points.iter().enumerate() {
-            positive("the mass", *mass)
-                .and_then(|_| finite_vector("the position", position))
+            positive(Subject::Mass, *mass)
+                .and_then(|_| finite_vector(Subject::Position, position))
                 .map_err(|e| e.of_part(index))?;
             let (mass, centre) = (Extended::from(*mass), position.map(Extended::from));
             parts.push(MassMoments { mass, centre, inertia: Matrix3::zeros() });
         }
         if !points.iter().any(|p| p.1 != points[0].1) {
             let count = points.len().min(1);
-            return Err(Refusal::TooFew { what: "distinct points", count, needed: 2 }.into());
+            return Err(Refusal::TooFew { what: Subject::DistinctPoints, count, needed: 2 }.into());
         }
-        combined_about_heaviest(&parts, points.iter().map(|p| p.0), "points")?.checked()
+        combined_about_heaviest(&parts, points.iter().map(|p| p.0), Subject::Points)?.checked()
     }
 }

@@ -1,6 +1,6 @@
 //! What the rest of the library needs of a solid: mass, centre, inertia about the centre.
 
-use crate::error::{Error, Refusal, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, finite_vector, positive};
 use crate::inertia::{Inertia, point_mass, turned};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
@@ -54,16 +54,16 @@ pub fn combined<T: Field>(parts: &[MassMoments<T>], reference: &Vector3<T>) -> M
 impl MassMoments<Extended> {
     /// As `f64`, if that can hold it.
     pub(crate) fn checked(&self) -> Result<MassProperties, Error> {
-        let mass = self.mass.in_full("the mass")?;
+        let mass = self.mass.in_full(Subject::Mass)?;
         let mut centre = Vector3::zeros();
         let mut tensor = Matrix3::zeros();
         for i in 0..3 {
-            centre[i] = self.centre[i].finite("the centre of mass")?;
-            tensor[(i, i)] = self.inertia[(i, i)].in_full("a moment of inertia")?;
+            centre[i] = self.centre[i].finite(Subject::CentreOfMass)?;
+            tensor[(i, i)] = self.inertia[(i, i)].in_full(Subject::Moment)?;
         }
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {
             // A product of inertia may be of any size below the moments.
-            let product = self.inertia[(i, j)].finite("a product of inertia")?;
+            let product = self.inertia[(i, j)].finite(Subject::Product)?;
             (tensor[(i, j)], tensor[(j, i)]) = (product, product);
         }
         Ok(MassProperties { mass, centre, inertia: Inertia::of_masses(tensor)? })
@@ -116,8 +116,8 @@ impl MassProperties {
     /// # Errors
     /// A mass that is not finite and positive, or a centre that is not finite.
     pub fn new(mass: f64, centre: &Vector3<f64>, inertia: Inertia) -> Result<Self, Error> {
-        positive("the mass", mass)?;
-        finite_vector("the centre of mass", centre)?;
+        positive(Subject::Mass, mass)?;
+        finite_vector(Subject::CentreOfMass, centre)?;
         Ok(Self { mass, centre: *centre, inertia })
     }
 
@@ -141,10 +141,10 @@ impl MassProperties {
 
     /// The same body carried along by `offset` (m).
     pub(super) fn moved(&self, offset: &Vector3<f64>) -> Result<Self, Error> {
-        finite_vector("the offset", offset)?;
+        finite_vector(Subject::Offset, offset)?;
         let centre = self.centre + offset;
         match centre.iter().find(|x| !x.is_finite()) {
-            Some(&value) => Err(Refusal::OutOfRange { what: "the centre of mass", value }.into()),
+            Some(&value) => Err(Refusal::OutOfRange { what: Subject::CentreOfMass, value }.into()),
             None => Ok(Self { centre, ..*self }),
         }
     }
@@ -189,7 +189,7 @@ impl MassProperties {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     pub fn about(&self, point: &Vector3<f64>) -> Result<Inertia, Error> {
-        finite_vector("the point", point)?;
+        finite_vector(Subject::Point, point)?;
         let mut wide = MassMoments::<Extended>::from(*self);
         let offset = point.map(Extended::from) - wide.centre;
         wide.inertia += point_mass(&wide.mass, &offset);
@@ -201,7 +201,7 @@ impl MassProperties {
 pub(crate) fn combined_about_heaviest(
     parts: &[MassMoments<Extended>],
     masses: impl Iterator<Item = f64>,
-    what: &'static str,
+    what: Subject,
 ) -> Result<MassMoments<Extended>, Error> {
     let heaviest = parts.iter().zip(masses).max_by(|a, b| a.1.total_cmp(&b.1));
     let Some((part, _)) = heaviest else {

@@ -1,7 +1,7 @@
 //! An ideal rod, without thickness.
 
 use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, positive};
+use crate::error::{Error, Subject, positive};
 use crate::number::Field;
 use nalgebra::Vector3;
 
@@ -27,7 +27,7 @@ impl ThinRod {
     /// # Errors
     /// A length that is not finite and positive.
     pub fn new(length: f64) -> Result<Self, Error> {
-        Ok(Self { length: positive("the length", length)? })
+        Ok(Self { length: positive(Subject::Length, length)? })
     }
 }
 

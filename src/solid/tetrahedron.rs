@@ -1,7 +1,7 @@
 //! A tetrahedron: the solid that every other with flat faces is cut into.
 
 use super::{MassMoments, MassProperties, Solid};
-use crate::error::{Error, MeshRefusal, finite_vector, positive};
+use crate::error::{Error, MeshRefusal, Subject, finite_vector, positive};
 use crate::inertia::point_mass;
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
@@ -56,7 +56,7 @@ impl Tetrahedron {
     /// A vertex that is not finite, or four in one plane to rounding.
     pub fn new(vertices: [Vector3<f64>; 4]) -> Result<Self, Error> {
         for vertex in &vertices {
-            finite_vector("a vertex", vertex)?;
+            finite_vector(Subject::Vertex, vertex)?;
         }
         let (six_volume, rounding) = six_volume(&vertices);
         if (six_volume - rounding).is_positive() {
@@ -69,11 +69,11 @@ impl Tetrahedron {
 
 impl Solid for Tetrahedron {
     fn measure(&self) -> Result<f64, Error> {
-        (six_volume(&self.vertices).0 / Extended::from(6.0)).in_full("the volume")
+        (six_volume(&self.vertices).0 / Extended::from(6.0)).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let mass = Extended::from(positive("the mass", mass)?);
+        let mass = Extended::from(positive(Subject::Mass, mass)?);
         tetrahedron_moments(&mass, &self.vertices.map(|v| v.map(Extended::from))).checked()
     }
 }

@@ -18,7 +18,7 @@ mod taylor;
 mod work;
 
 use crate::body::State;
-use crate::error::{Error, Refusal, positive};
+use crate::error::{Error, Refusal, Subject, positive};
 use crate::number::Analytic;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
@@ -111,13 +111,13 @@ pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
 
 /// That the tolerance of a step is above rounding.
 pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> {
-    positive("the tolerance", tolerance)?;
+    positive(Subject::Tolerance, tolerance)?;
     let least = 4.0 * T::rounding();
     if tolerance >= least {
         return Ok(());
     }
-    let (smaller, larger) = ("rounding in a step", "the tolerance");
-    Err(Refusal::Order { smaller, small: least, larger, large: tolerance }.into())
+    let (what, meaning) = (Subject::Tolerance, "rounding in a step");
+    Err(Refusal::TooSmall { what, value: tolerance, least, meaning }.into())
 }
 
 /// How often a step is tried again, shorter, before it is refused.
@@ -174,7 +174,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     ) -> Result<Self, Error> {
         check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
         let mut state = *start;
-        positive("the length of the attitude quaternion", normalize(&mut state.attitude))?;
+        positive(Subject::AttitudeLength, normalize(&mut state.attitude))?;
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
         let (time, last, steps, rejected, stiff, mild) = (0.0, duration, 0, 0, 0, 0);
         Ok(Self {
@@ -261,7 +261,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     fn unfinished(&self, why: &'static str) -> Error {
         let steps = self.steps + self.rejected;
         Refusal::Unfinished {
-            what: "an adaptive run",
+            what: Subject::AdaptiveRun,
             steps,
             reached: self.from + self.time,
             duration: self.end,

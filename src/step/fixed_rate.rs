@@ -2,7 +2,7 @@
 
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::inertia::ascending;
 use crate::number::Analytic;
 use crate::step::system::System;
@@ -83,7 +83,7 @@ fn parts(turn: f64) -> Result<u32, Error> {
     if parts <= MOST_PARTS && !turn.is_nan() {
         return Ok(parts as u32);
     }
-    Err(Refusal::OutOfRange { what: "the turn of a step", value: turn }.into())
+    Err(Refusal::NotBelow { what: Subject::TurnOfStep, value: turn, limit: MOST_PARTS * LONGEST }.into())
 }
 
 /// The free motion in the time of a step.

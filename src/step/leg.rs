@@ -3,7 +3,7 @@
 use super::adaptive::{adaptive, adaptive_with_flips, work};
 use super::stepper::{Rule, Stepper, number};
 use crate::body::State;
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Analytic;
 use alloc::vec::Vec;
 use num_traits::{FromPrimitive, ToPrimitive};
@@ -26,7 +26,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             return Ok((tolerance, budget));
         }
         Err(Refusal::Undefined {
-            what: "the motion within a step",
+            what: Subject::MotionWithinStep,
             why: "steps of a fixed method give its ends alone: make the stepper by `Stepper::adaptive`",
         }
         .into())
@@ -58,8 +58,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let (tolerance, mut budget) = self.tolerance()?;
         let (one, other) = (self.leg.time, self.time);
         let (first, last) = if one < other { (one, other) } else { (other, one) };
-        if !(first..=last).contains(&finite("the time", time)?) {
-            let what = "the motion outside the last step";
+        if !(first..=last).contains(&finite(Subject::Time, time)?) {
+            let what = Subject::MotionOutsideStep;
             return Err(Refusal::Undefined { what, why: "a stepper keeps no more than its last step" }.into());
         }
         let mut system = self.system.clone();
@@ -133,7 +133,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// rates of periodic torques, or as [`step`](Self::step); the body then stays where it was.
     pub fn flips(&mut self, end: f64) -> Result<Vec<f64>, Error> {
         let (tolerance, mut budget) = self.tolerance()?;
-        let duration = finite("the time to run to", end)? - self.time;
+        let duration = finite(Subject::EndTime, end)? - self.time;
         let (state, mut flips, side) =
             adaptive_with_flips(&self.system, &self.state, duration, tolerance, &mut budget, self.leg.side)?;
         for flip in &mut flips {
@@ -141,7 +141,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         }
         let spin = number(self.system.omega(&state.momentum).sum());
         self.along_body(&state).checked()?;
-        finite("the spin", spin)?;
+        finite(Subject::Spin, spin)?;
         self.leg = Leg { state: core::mem::replace(&mut self.state, state), time: self.time, side };
         self.set_time(end);
         Ok(flips)

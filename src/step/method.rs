@@ -5,7 +5,7 @@ use super::methods::{
     buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
 };
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::step::system::System;
 use core::fmt;
@@ -208,5 +208,5 @@ pub(crate) fn check_square_underflow<T: Analytic>(omega: &Vector3<T>, h: &T) -> 
     if back.size() <= 4.0 * rounding * size {
         return Ok(());
     }
-    Err(Refusal::OutOfRange { what: "the square of the spin", value: size * size }.into())
+    Err(Refusal::OutOfRange { what: Subject::SpinSquare, value: size * size }.into())
 }

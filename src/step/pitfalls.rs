@@ -4,7 +4,7 @@
 use super::methods::rk4::rk4;
 use crate::attitude;
 use crate::body::{Body, along};
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Field;
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
@@ -147,7 +147,7 @@ impl Engine {
     /// A step that is not finite, or so coarse that the motion leaves what `f64` holds; more steps than there
     /// is memory for.
     pub fn run(self, body: &Body, h: f64, count: usize) -> Result<Vec<Body>, Error> {
-        finite("the step", h)?;
+        finite(Subject::Step, h)?;
         let tensor = body.inertia().matrix();
         let inverse = body.inverse();
         type Carried = (Quaternion<f64>, Vector3<f64>);
@@ -160,13 +160,13 @@ impl Engine {
         let length = count.saturating_add(1);
         let mut bodies = Vec::new();
         // Reserved at once, so that a run too long for the memory is refused before it begins.
-        bodies.try_reserve_exact(length).map_err(|_| Refusal::TooMany { what: "steps", count })?;
+        bodies.try_reserve_exact(length).map_err(|_| Refusal::TooMany { what: Subject::Steps, count })?;
         for step in 0..=count {
             if step > 0 {
                 motion = rk4(&motion, h, law, plus);
                 let norm = motion.0.norm();
                 if !(norm.is_finite() && norm > 0.0) {
-                    return Err(Refusal::OutOfRange { what: "the attitude after a step", value: norm }.into());
+                    return Err(Refusal::OutOfRange { what: Subject::AttitudeAfterStep, value: norm }.into());
                 }
                 motion.0 /= norm;
             }

@@ -5,7 +5,7 @@ use super::fixed_rate::fixed_rate;
 use super::leg::Leg;
 use crate::attitude;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::{Analytic, Ring};
 use crate::step::method::Method;
 use crate::step::system::System;
@@ -108,13 +108,15 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             momentum: frame.inverse() * start.momentum,
         };
         let start = frame.map_or(start, turned);
-        let moments = cast_exactly("a principal moment", &moments.vector())?;
+        let moments = cast_exactly(Subject::PrincipalMoment, &moments.vector())?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
         if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
-            return Err(Refusal::OutOfRange { what: "an inverse moment", value }.into());
+            return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value }.into());
         }
-        let state =
-            State { attitude: quaternion(&start.attitude), momentum: cast("the momentum", &start.momentum)? };
+        let state = State {
+            attitude: quaternion(&start.attitude),
+            momentum: cast(Subject::AngularMomentum, &start.momentum)?,
+        };
         let frame = frame.map(|frame| quaternion(&frame));
         let system = System::of_numbers(moments, Vec::new());
         let leg = Leg { state, time: 0.0, side: 0.0 };
@@ -153,9 +155,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// As [`Method::step`], [`fixed_rate`] or [`adaptive`](fn@adaptive); a torque, such as that of a
     /// [`Torque::Function`], that is not finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
-        let after = self.time + finite("the step", number(h))?;
+        let after = self.time + finite(Subject::Step, number(h))?;
         if !after.is_finite() {
-            return Err(Refusal::OutOfRange { what: "the time after a step", value: after }.into());
+            return Err(Refusal::OutOfRange { what: Subject::TimeAfterStep, value: after }.into());
         }
         let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
@@ -185,7 +187,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         if value.is_finite() {
             self.state().checked()
         } else {
-            Err(Refusal::OutOfRange { what: "the spin", value }.into())
+            Err(Refusal::OutOfRange { what: Subject::Spin, value }.into())
         }
     }
 
@@ -195,7 +197,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let mut system = self.system.clone();
         [self.time, after].into_iter().find_map(|time| {
             system.set_time(T::from_f64(time)?);
-            system.torque(&self.state).iter().find_map(|x| finite("the torque", number(*x)).err())
+            system.torque(&self.state).iter().find_map(|x| finite(Subject::Torque, number(*x)).err())
         })
     }
 
@@ -252,8 +254,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     fn step_toward(&mut self, h: T, end: f64) -> Result<State<T>, Error> {
-        let length = crate::error::positive("the step", number(h))?;
-        let left = finite("the time to run to", end)? - self.time;
+        let length = crate::error::positive(Subject::Step, number(h))?;
+        let left = finite(Subject::EndTime, end)? - self.time;
         if left.abs() <= length * (1.0 + 1e-9) {
             let state = self.step(T::from_f64(left).unwrap_or(h))?;
             self.set_time(end);
@@ -263,7 +265,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let most = 9_007_199_254_740_992.0 * length;
         if left.abs() > most || self.time + length.copysign(left) == self.time {
             return Err(Refusal::Unfinished {
-                what: "a run",
+                what: Subject::Run,
                 steps: 0,
                 reached: self.time,
                 duration: end,
@@ -346,8 +348,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let state = self.state();
         let attitude = Quaternion::from_vector(state.attitude.coords.map(number));
         let norm = attitude.norm();
-        let attitude =
-            crate::error::positive("the length of the attitude quaternion", norm).map(|_| attitude / norm)?;
+        let attitude = crate::error::positive(Subject::AttitudeLength, norm).map(|_| attitude / norm)?;
         self.body.with_state(&State { attitude, momentum: state.momentum.map(number) })
     }
 }
@@ -366,7 +367,7 @@ fn quaternion<T: Analytic + FromPrimitive>(q: &Quaternion<f64>) -> Quaternion<T>
 }
 
 /// The vector in another number type, its largest component to that type's rounding.
-fn cast<T: Analytic + FromPrimitive>(what: &'static str, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
+fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
     let turned = v.map(|x| T::from_f64(x).unwrap_or_else(T::zero));
     let (before, after) = (v.amax(), turned.iter().map(Analytic::size).fold(0.0, f64::max));
     if (after - before).abs() <= T::rounding() * before {
@@ -377,10 +378,7 @@ fn cast<T: Analytic + FromPrimitive>(what: &'static str, v: &Vector3<f64>) -> Re
 }
 
 /// The same, of each component.
-fn cast_exactly<T: Analytic + FromPrimitive>(
-    what: &'static str,
-    v: &Vector3<f64>,
-) -> Result<Vector3<T>, Error> {
+fn cast_exactly<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
     v.iter().try_for_each(|&x| cast::<T>(what, &Vector3::repeat(x)).map(drop))?;
     cast(what, v)
 }

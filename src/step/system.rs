@@ -3,7 +3,7 @@
 use crate::attitude;
 use crate::body::{Rate, State};
 use crate::dynamics::{euler, observe};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::torque::Torque;
@@ -47,7 +47,7 @@ impl System<f64> {
         for &moment in &moments.vector() {
             let inverse = 1.0 / moment;
             if !inverse.is_normal() {
-                return Err(Refusal::OutOfRange { what: "an inverse moment", value: inverse }.into());
+                return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value: inverse }.into());
             }
         }
         torques.iter().try_for_each(Torque::validate)?;

@@ -5,7 +5,7 @@ mod named;
 pub(in crate::step) use named::before_or_at;
 
 use crate::attitude;
-use crate::error::{Error, Refusal, finite, finite_vector, not_negative};
+use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative};
 use crate::number::Analytic;
 use alloc::boxed::Box;
 use alloc::sync::Arc;
@@ -273,25 +273,22 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
         let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
         let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
         match self {
-            Self::InBody(torque) | Self::InWorld(torque) => finite_vector("the torque", &vector(torque)),
+            Self::InBody(torque) | Self::InWorld(torque) => finite_vector(Subject::Torque, &vector(torque)),
             Self::Aligning { arm, field } => {
-                finite_vector("the arm", &vector(arm))?;
-                finite_vector(
-                    "the field, or the weight, or the stiffness times the direction of rest,",
-                    &vector(field),
-                )
+                finite_vector(Subject::Arm, &vector(arm))?;
+                finite_vector(Subject::Field, &vector(field))
             }
             Self::Damping(coefficients) => {
                 let coefficients = vector(coefficients);
-                coefficients.iter().try_for_each(|&c| not_negative("a damping coefficient", c).map(drop))
+                coefficients.iter().try_for_each(|&c| not_negative(Subject::DampingCoefficient, c).map(drop))
             }
             Self::Dissipation(strength) => {
-                not_negative("the strength of the dissipation", number(strength)).map(drop)
+                not_negative(Subject::DissipationStrength, number(strength)).map(drop)
             }
             Self::GravityGradient { strength, direction, orbit } => {
-                not_negative("the strength of the gravity gradient", number(strength))?;
-                finite_vector("the rate of the orbit", &vector(orbit))?;
-                let (what, direction) = ("the direction of the gravity gradient", vector(direction));
+                not_negative(Subject::GradientStrength, number(strength))?;
+                finite_vector(Subject::OrbitRate, &vector(orbit))?;
+                let (what, direction) = (Subject::GradientDirection, vector(direction));
                 finite_vector(what, &direction)?;
                 let length = direction.norm();
                 if (length - 1.0).abs() > UNIT_TOLERANCE {
@@ -300,14 +297,19 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
                 Ok(())
             }
             Self::Periodic { amplitude, rate, phase } => {
-                finite_vector("the torque", &vector(amplitude))?;
-                finite("the rate of a periodic torque", number(rate))?;
-                finite("the phase of a periodic torque", number(phase)).map(drop)
+                finite_vector(Subject::Torque, &vector(amplitude))?;
+                finite(Subject::PeriodicRate, number(rate))?;
+                finite(Subject::PeriodicPhase, number(phase)).map(drop)
             }
             Self::During { start, end, torque } => {
                 let [start, end] = [start, end].map(number);
-                if start.is_nan() || end.is_nan() || start > end {
-                    let (smaller, larger) = ("the start of a torque", "its end");
+                for (what, time) in [(Subject::TorqueStart, start), (Subject::TorqueEnd, end)] {
+                    if time.is_nan() {
+                        return Err(Refusal::Undefined { what, why: "its time is not a number" }.into());
+                    }
+                }
+                if start > end {
+                    let (smaller, larger) = (Subject::TorqueStart, "its end");
                     return Err(Refusal::Order { smaller, small: start, larger, large: end }.into());
                 }
                 torque.validate()
@@ -333,7 +335,7 @@ impl<T: Analytic + Send + Sync> Torque<T> {
             }
             Self::Damping(c) if c.x != c.y || c.y != c.z => {
                 return Err(Refusal::Undefined {
-                    what: "damping that differs from axis to axis",
+                    what: Subject::UnequalDamping,
                     why: "it is given along the principal axes, and those of a body with products of inertia have no order to go \
                           by: give the body's moments along them, without products",
                 }.into());

@@ -8,7 +8,7 @@ use super::system::System;
 use super::torque::Torque;
 use crate::attitude;
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use dual::Dual;
@@ -53,7 +53,7 @@ impl Stepper<f64> {
     pub fn step_with_transition(&mut self, h: f64) -> Result<Matrix6<f64>, Error> {
         let Rule::Adaptive { tolerance, mut budget } = self.rule else {
             return Err(Refusal::Undefined {
-                what: "the state transition of a step",
+                what: Subject::Transition,
                 why: "it is carried by an adaptive stepper: make it by `Stepper::adaptive`",
             }
             .into());
@@ -70,7 +70,7 @@ impl Stepper<f64> {
             self.step(h).map(|_| transition)
         } else {
             let value = transition.sum();
-            Err(Refusal::OutOfRange { what: "the state transition", value }.into())
+            Err(Refusal::OutOfRange { what: Subject::Transition, value }.into())
         }
     }
 
@@ -111,7 +111,7 @@ fn carried(torque: &Torque<f64>) -> Result<Torque<Dual>, Error> {
         },
         Torque::Function(_) => {
             return Err(Refusal::Undefined {
-                what: "the state transition under a torque that is a function",
+                what: Subject::Transition,
                 why: "a function gives no derivatives: give the torque by its name",
             }
             .into());

@@ -3,7 +3,7 @@
 use crate::common::{anything, moments, refused};
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use tumbling::{Axis, ErrorKind, Inertia, PrincipalMoments};
+use tumbling::{Axis, ErrorKind, Inertia, PrincipalMoments, Subject};
 
 /// The axes with the smallest, middle and largest moment.
 fn order(moments: &PrincipalMoments) -> [usize; 3] {
@@ -165,7 +165,7 @@ fn moments_that_are_no_numbers_above_zero_are_refused_by_value() {
             given[place] = value;
             let error =
                 refused(PrincipalMoments::try_from(given), kind, &format!("a principal moment is {value}"));
-            assert_eq!(error.subject(), "a principal moment");
+            assert_eq!(error.subject(), Subject::PrincipalMoment);
         }
     }
     refused(

@@ -258,5 +258,5 @@ fn a_step_too_long_for_an_implicit_method_is_refused() {
         ErrorKind::NotConverged,
         "a Moser-Veselov step",
     );
-    refused(fixed_rate(&system, &start, 1000.0), ErrorKind::Unrepresentable, "the turn of a step");
+    refused(fixed_rate(&system, &start, 1000.0), ErrorKind::OutOfBounds, "it must be below 500");
 }

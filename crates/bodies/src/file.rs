@@ -12,7 +12,7 @@ use std::path::Path;
 use toml::Spanned;
 use tumbling::body::named::NamedBody;
 use tumbling::solid::{Compound, Mesh};
-use tumbling::{Inertia, MassProperties};
+use tumbling::{Inertia, MassProperties, Subject};
 
 /// The fields of a body or of one of its parts, by the names that a file has for them.
 #[derive(Deserialize)]
@@ -85,22 +85,24 @@ impl Table {
     }
 }
 
-/// The field that one of the library's refusals speaks of.
-fn field_of(subject: &str) -> &'static str {
-    const WORDS: [(&str, &str); 11] = [
-        ("the mass", "mass"),
-        ("density", "density"),
-        ("inner", "inner"),
-        ("radius", "radius"),
-        ("height", "height"),
-        ("length", "length"),
-        ("semi-axis", "semiaxes"),
-        ("edge", "sides"),
-        ("vert", "vertices"),
-        ("tolerance", "tolerance"),
-        ("product", "products"),
-    ];
-    WORDS.into_iter().find(|(word, _)| subject.contains(word)).map_or("", |(_, field)| field)
+/// The field that one of the library's refusals may come from, the likeliest first.
+fn fields_of(subject: Subject) -> &'static [&'static str] {
+    match subject {
+        Subject::Mass => &["mass", "density"],
+        Subject::Density => &["density"],
+        Subject::InnerRadius => &["inner"],
+        Subject::Radius | Subject::OuterRadius => &["radius"],
+        Subject::Height => &["height"],
+        Subject::Length => &["length"],
+        Subject::EdgeX | Subject::EdgeY | Subject::EdgeZ => &["sides"],
+        Subject::SemiAxisX | Subject::SemiAxisY | Subject::SemiAxisZ => &["semiaxes"],
+        // Of a mesh, a file's numbers are finite: their unit makes them too large or too small.
+        Subject::Vertex => &["vertices", "unit"],
+        Subject::Volume | Subject::Moment => &["unit"],
+        Subject::RelativeTolerance => &["tolerance"],
+        Subject::Ixy | Subject::Ixz | Subject::Iyz => &["products"],
+        _ => &[],
+    }
 }
 
 impl Reader<'_> {
@@ -110,8 +112,9 @@ impl Reader<'_> {
 
     /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
     fn refused(&self, table: &Table, by: &(&'static str, Range<usize>), error: &tumbling::Error) -> Error {
-        let (meant, present) = (field_of(error.subject()), table.present());
-        let (field, span) = present.iter().find(|(field, _)| *field == meant).unwrap_or(by);
+        let (meant, present) = (fields_of(error.subject()), table.present());
+        let found = meant.iter().find_map(|meant| present.iter().find(|(field, _)| field == meant));
+        let (field, span) = found.unwrap_or(by);
         self.wrong(span, field, error)
     }
 
@@ -332,7 +335,18 @@ impl Reader<'_> {
         })?;
         let link = table.link.as_ref().map(|link| link.get_ref().as_str());
         let tolerance = table.tolerance.as_ref().map_or(0.0, |tolerance| *tolerance.get_ref());
-        urdf::read(&text, link, tolerance).map_err(|error| self.wrong(&by.1, by.0, error.in_file(&path)))
+        if let Some(given) = table.tolerance.as_ref().filter(|_| !(tolerance >= 0.0 && tolerance.is_finite()))
+        {
+            let why = format!("{tolerance} is not a finite number, zero or above");
+            return Err(self.wrong(&given.span(), "tolerance", why));
+        }
+        urdf::read(&text, link, tolerance).map_err(|error| match &table.link {
+            // Without a line: not an element of the file, but the name that is not in it.
+            Some(link) if error.line.is_none() && error.field.as_deref() == Some("link") => {
+                self.wrong(&link.span(), "link", error.why)
+            }
+            _ => self.wrong(&by.1, by.0, error.in_file(&path)),
+        })
     }
 
     fn named(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
@@ -441,6 +455,67 @@ mod tests {
         ] {
             let error = body(text).unwrap_err().to_string();
             assert!(error.contains(words), "{text}\n{error}");
+        }
+    }
+
+    /// Each field of each kind of body, made bad in turn.
+    #[test]
+    fn the_field_that_is_made_bad_is_the_field_that_is_named() {
+        for (good, bad) in [
+            ("sides = [1, 2, 3]\nmass = 1", &[("sides", "[1, 2, -3]"), ("mass", "-1"), ("mass", "inf")][..]),
+            ("sides = [1, 2, 3]\ndensity = 1", &[("density", "-1"), ("density", "1e308")]),
+            ("shape = 'ball'\nradius = 2\ninner = 1\nmass = 1", &[("radius", "-1"), ("inner", "3")]),
+            ("shape = 'ball'\nradius = 2\nmass = 1", &[("radius", "-1"), ("mass", "0")]),
+            ("shape = 'capsule'\nradius = 2\nlength = 1\nmass = 1", &[("radius", "0"), ("length", "-1")]),
+            ("shape = 'cone'\nradius = 2\nheight = 1\nmass = 1", &[("radius", "0"), ("height", "nan")]),
+            (
+                "shape = 'cylinder'\nradius = 2\nheight = 1\ninner = 1\nmass = 1",
+                &[("radius", "inf"), ("height", "-1"), ("inner", "-1")],
+            ),
+            ("shape = 'disk'\nradius = 2\ndensity = 1", &[("radius", "-2"), ("density", "inf")]),
+            ("shape = 'ellipsoid'\nsemiaxes = [1, 2, 3]\nmass = 1", &[("semiaxes", "[1, 0, 3]")]),
+            ("shape = 'plate'\nsides = [1, 2]\nmass = 1", &[("sides", "[0, 1]"), ("mass", "nan")]),
+            (
+                "shape = 'tetrahedron'\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\nmass = 1",
+                &[("vertices", "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, inf]]"), ("mass", "-1")],
+            ),
+            ("points = [[1, 0, 0, 0], [1, 1, 0, 0], [1, 0, 1, 0]]", &[("points", "[[0, 1, 2, 3]]")]),
+            (
+                "moments = [2, 3, 4]\nproducts = [0, 0.1, 0]\ntolerance = 0.1\nmass = 1\nsides = [1, 1, 1]",
+                &[
+                    ("moments", "[2, -3, 4]"),
+                    ("moments", "[2, nan, 4]"),
+                    ("products", "[0, inf, 0]"),
+                    ("tolerance", "-1"),
+                    ("mass", "0"),
+                    ("sides", "[1, 1, 0]"),
+                ],
+            ),
+            ("mass = 1\nmesh = 'corner.obj'\nunit = 1", &[("mass", "-1"), ("unit", "0"), ("unit", "1e308")]),
+            ("mesh = 'corner.obj'\nunit = 1\ndensity = 1", &[("density", "-1"), ("unit", "1e200")]),
+            (
+                "urdf = 'arm.urdf'\nlink = 'arm'\ntolerance = 0.1",
+                &[("urdf", "'none'"), ("link", "'leg'"), ("tolerance", "-1"), ("tolerance", "nan")],
+            ),
+            (
+                "body = 'book'\nspin = 1\nat = [1, 0, 0]\nturn = [1, 0, 0, 30]",
+                &[("body", "'page'"), ("spin", "-1"), ("at", "[inf, 0, 0]"), ("turn", "[0, 0, 0, 1]")],
+            ),
+        ] {
+            let body = |text: &str| BodyModel::from_toml(text, Path::new("tests/files"));
+            body(good).unwrap_or_else(|error| panic!("{good}: {error}"));
+            for (field, value) in bad {
+                let lines = good.lines().enumerate();
+                let (line, given) =
+                    lines.filter(|(_, given)| given.split_once(" = ").unwrap().0 == *field).next().unwrap();
+                let text = good.replacen(given, &format!("{field} = {value}"), 1);
+                let error = body(&text).unwrap_err();
+                assert_eq!(
+                    (error.line, error.field.as_deref()),
+                    (Some(line + 1), Some(*field)),
+                    "{text}: {error}"
+                );
+            }
         }
     }
 

@@ -87,6 +87,7 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     let link = match name {
         Some(name) => *links.iter().find(|link| called(link) == name).ok_or_else(|| {
             Error::new(format!("no link is called `{name}`; those with inertia are {}", names()))
+                .of_field("link")
         })?,
         None => match heavy.as_slice() {
             [only] => *only,

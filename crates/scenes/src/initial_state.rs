@@ -4,7 +4,7 @@ use crate::error::{Error, Field, finite_vector};
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use tumbling::attitude;
 use tumbling::exact::FreeMotion;
-use tumbling::{Body, Inertia, PrincipalMoments};
+use tumbling::{Body, Inertia, PrincipalMoments, Subject};
 
 /// How a body moves at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +73,7 @@ impl InitialState {
     /// [`Error::Field`] with the field that no body has, and why.
     pub fn body(&self) -> Result<Body, Error> {
         let inertia = Inertia::new(self.moments.into(), self.products.into());
-        let inertia = inertia.map_err(|error| Error::of_field(self.tensor_field())(error.into()))?;
+        let inertia = inertia.map_err(|error| self.of_tensor(error))?;
         let attitude = self.checked_attitude()?;
         let body = match &self.start {
             Start::Spin(omega) => Body::spinning(inertia, attitude, omega),
@@ -95,8 +95,14 @@ impl InitialState {
         }
     }
 
-    fn tensor_field(&self) -> Field {
-        if self.products == Vector3::zeros() { Field::Moments } else { Field::Products }
+    /// The error of the field that is meant; of the tensor as a whole, the products where it has any.
+    fn of_tensor(&self, error: tumbling::Error) -> Error {
+        let field = match error.subject() {
+            Subject::Ixx | Subject::Iyy | Subject::Izz => Field::Moments,
+            _ if self.products == Vector3::zeros() => Field::Moments,
+            _ => Field::Products,
+        };
+        Error::of_field(field)(error.into())
     }
 
     fn start_field(&self) -> Field {
@@ -114,7 +120,7 @@ impl InitialState {
     pub(crate) fn principal(&self) -> Result<Principal, Error> {
         let attitude = self.checked_attitude()?;
         finite_vector("a product of inertia", &self.products).map_err(Error::of_field(Field::Products))?;
-        let (checked, frame) = self.principal_moments().map_err(Error::of_field(self.tensor_field()))?;
+        let (checked, frame) = self.principal_moments().map_err(|error| self.of_tensor(error))?;
         let moments = checked.vector();
         let along = |v: &Vector3<f64>| frame.map_or(*v, |frame| frame.inverse() * v);
         let wrong = Error::of_field(self.start_field());
@@ -135,7 +141,7 @@ impl InitialState {
     }
 
     /// The principal moments, and the turn from principal to body axes where they are not the same.
-    fn principal_moments(&self) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), Error> {
+    fn principal_moments(&self) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), tumbling::Error> {
         if self.products == Vector3::zeros() {
             return Ok((self.moments.try_into()?, None));
         }

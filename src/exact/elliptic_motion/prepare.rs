@@ -5,7 +5,7 @@ use super::folded_argument::Fold;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
 use super::{EllipticMotion, Form};
 use crate::dynamics::regime::Asymmetric;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, Shape};
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
 use crate::exact::period::quarter_period;
@@ -110,7 +110,7 @@ impl<'a> Preparation<'a> {
         let lift = if direct && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
         if !motion.separatrix && !direct && !scaled_complement.is_normal() {
-            let what = "how close to the separatrix the motion is, as a complementary modulus,";
+            let what = Subject::ComplementaryModulus;
             return Err(Refusal::OutOfRange { what, value: complement }.into());
         }
         let at_start = |axis: usize, up: i32| times_power_of_two(omega[axis], up - motion.clock);

@@ -9,7 +9,7 @@
 //! the separatrix `m' = 0` the same formulas hold.
 
 use super::{EllipticMotion, Form};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::exact::elliptic::rd;
 use crate::exact::kernel::Kernel;
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
@@ -151,8 +151,8 @@ impl EllipticMotion {
         let run = self.constants.rate * time;
         let resting = self.constants.quarter.hi().is_infinite();
         if resting && (self.constants.argument + run).hi().abs() > REST {
-            let what = "the separatrix's argument, with its spin at rest,";
-            return Err(Refusal::OutOfRange { what, value: run.hi() }.into());
+            let (what, value) = (Subject::Derivative, f64::INFINITY);
+            return Err(Refusal::OutOfRange { what, value }.into());
         }
         let run = run.hi();
         let (start, end) = (self.end(0.0), self.end(time));

@@ -1,15 +1,13 @@
 //! How a top's own axes, with its axis of symmetry last, are mounted in the body.
 
 use crate::attitude::{product, rotate_inverse};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::exact::kernel::unit;
 use crate::inertia::{Inertia, PrincipalMoments};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// How far two moments may differ, and an arm be off its axis, relative.
 pub(super) const ROUNDING: f64 = 1e-14;
-
-const OFF_AXIS: &str = "the part of the arm across the principal axis next to it, relative to the arm,";
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mounted {
@@ -29,10 +27,7 @@ impl Mounted {
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         let off = arm[next].abs().max(arm[last].abs()) / largest.max(f64::MIN_POSITIVE);
         let apart = (moments[next] - moments[last]).abs() / moments[next].max(moments[last]);
-        for (what, value) in [
-            (OFF_AXIS, off),
-            ("the difference of the two moments across the top's axis, relative to the larger,", apart),
-        ] {
+        for (what, value) in [(Subject::ArmOffAxis, off), (Subject::MomentDifference, apart)] {
             if value > ROUNDING {
                 return Err(Refusal::NotBelow { what, value, limit: ROUNDING }.into());
             }
@@ -105,7 +100,7 @@ pub(super) fn onto_arm(
         [next, last].map(|other| (moments[axis] - moments[other]).abs() / moments[axis].max(moments[other]));
     let (value, limit) = (scaled[next].abs().max(scaled[last].abs()), ROUNDING / gap[0].min(gap[1]));
     if value > limit {
-        return Err(Refusal::NotBelow { what: OFF_AXIS, value, limit }.into());
+        return Err(Refusal::NotBelow { what: Subject::ArmOffAxis, value, limit }.into());
     }
     let mut along = Vector3::zeros();
     along[axis] = 1_f64.copysign(arm[axis]);

@@ -4,7 +4,7 @@ use super::flips::Flips;
 use super::steps::Steps;
 use super::{Run, Watch, check_tolerance, switching};
 use crate::body::State;
-use crate::error::{Error, Refusal, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Analytic;
 use crate::step::system::System;
 use alloc::vec::Vec;
@@ -63,7 +63,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         tolerance: f64,
         watch: Watch<T>,
     ) -> Result<Self, Error> {
-        finite("the duration", end)?;
+        finite(Subject::Duration, end)?;
         check_tolerance::<T>(tolerance)?;
         (*start).checked()?;
         let (acting, until) = switching::piece(system, 0.0, end);
@@ -81,9 +81,8 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
     pub fn at(&mut self, time: f64, budget: &mut usize) -> Result<State<T>, Error> {
         let (one, other) = (self.run.from + self.before.1, self.run.end);
         let (first, last) = if one < other { (one, other) } else { (other, one) };
-        if !(first..=last).contains(&finite("the time", time)?) {
-            let (what, why) =
-                ("the state at a time before the last step, or after the end", "request states in order");
+        if !(first..=last).contains(&finite(Subject::Time, time)?) {
+            let (what, why) = (Subject::PastState, "request states in order");
             return Err(Refusal::Undefined { what, why }.into());
         }
         while !self.reached(time) {

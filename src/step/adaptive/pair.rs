@@ -5,7 +5,7 @@ use super::columns::Columns;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
 use super::{Run, largest, over};
 use crate::body::{Rate, State};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Quaternion, Vector3};
@@ -40,7 +40,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let slope = run.system.rate_after(&run.state, &Run::number(run.time));
         let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
         if !size.is_finite() {
-            return Err(Refusal::OutOfRange { what: "the rate at the start", value: size }.into());
+            return Err(Refusal::OutOfRange { what: Subject::RateAtStart, value: size }.into());
         }
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
         // error will say so.

@@ -6,7 +6,7 @@ use super::pair::Pair;
 use super::taylor::Taylor;
 use super::{Run, STIFF, STIFF_STEPS, largest, over};
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::step::torque::Torque;
 use num_traits::FromPrimitive;
@@ -39,18 +39,12 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
             return Pair::new(run).map(Self::Pair);
         }
         let function = run.system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
-        let (what, why) = if function {
-            (
-                "the times of flips under a torque that is a function",
-                "its steps have no series: give the torque by its name, or look for changes of sign",
-            )
+        let why = if function {
+            "steps under a torque that is a function have no series: give the torque by its name, or look for changes of sign"
         } else {
-            (
-                "the times of flips under two gravity gradients, or three rates of periodic torques",
-                "the series of a step hold one and two: look for changes of sign",
-            )
+            "steps under two gravity gradients, or three rates of periodic torques, have no series: look for changes of sign"
         };
-        Err(Refusal::Undefined { what, why }.into())
+        Err(Refusal::Undefined { what: Subject::FlipTimes, why }.into())
     }
 
     /// What takes the next step: it may be another than took the last.

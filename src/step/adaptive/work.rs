@@ -5,7 +5,7 @@ use super::largest;
 use super::switching::{piece, signed};
 use crate::attitude;
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::step::system::System;
 use alloc::vec;
@@ -52,7 +52,7 @@ pub(in crate::step) fn work<T: Analytic + Copy + FromPrimitive>(
             return Ok(now);
         }
         if panels >= MOST {
-            let what = "the work of the torques";
+            let what = Subject::Work;
             return Err(
                 Refusal::NotConverged { what, iterations: panels, residual: apart.max(missing) }.into()
             );

@@ -10,7 +10,7 @@ use super::decimal::{ROOT_OF_3, ROOT_OF_15};
 use super::implicit::{By, Equation};
 use crate::attitude;
 use crate::body::{Rate, State};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
@@ -67,7 +67,7 @@ fn undone<T: Analytic>(
         return Ok(end);
     }
     Err(Refusal::Undefined {
-        what: "the end of a step this long",
+        what: Subject::StepEnd,
         why: "the equations of the method have several solutions: the step back finds another start",
     }
     .into())
@@ -143,7 +143,7 @@ fn halved<T: Analytic>(
     let push = system.torque_after(start, time).map(|x| x * half.clone());
     let unit = unit(&start.momentum, &push);
     let apart = |a: &Vector3<T>, b: &Vector3<T>| size(&(b - a)) / unit;
-    let equation = Equation { what: "the midpoint of a step", next, apart };
+    let equation = Equation { what: Subject::Midpoint, next, apart };
     let units = || units(system, &(&start.momentum + &push));
     let (mean, by) = equation.solve(start.momentum.clone(), units)?;
     let c = tangents(&mean);
@@ -276,7 +276,7 @@ fn stages<T: Analytic, const N: usize>(
     let last = system.rate_after(&start.plus(&first, h.clone()), &(time.clone() + h.clone()));
     let bend = last.plus(&first, -T::one());
     let guess = core::array::from_fn(|i| first.plus(&bend, nodes[i].clone()).times(&weights[i]));
-    let equation = Equation { what: "the stages of a collocation step", next, apart };
+    let equation = Equation { what: Subject::Stages, next, apart };
     let (changes, by) = equation.solve(guess, units)?;
     Ok((start.plus(&total(&changes), T::one()), by == By::Iteration))
 }

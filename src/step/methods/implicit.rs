@@ -1,7 +1,7 @@
 //! The equations of an implicit step `x = next(x)`: by iteration, and where that fails by Newton's method.
 
 use crate::body::Rate;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use nalgebra::Vector3;
 
@@ -41,7 +41,7 @@ impl<T: Analytic, const N: usize> Unknowns<T> for [Rate<T>; N] {
 /// An equation `x = next(x)`.
 pub(super) struct Equation<N, D> {
     /// What `x` is, for a refusal.
-    pub(super) what: &'static str,
+    pub(super) what: Subject,
     pub(super) next: N,
     /// How far two are apart, relative to what they are rounded by.
     pub(super) apart: D,

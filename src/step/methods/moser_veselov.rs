@@ -20,7 +20,7 @@
 
 use crate::attitude;
 use crate::body::State;
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Ring};
 use crate::step::system::System;
@@ -62,9 +62,6 @@ const LONGEST: f64 = core::f64::consts::FRAC_PI_2;
 /// longer converge, and the altered moments may be those of no body.
 const MOST_ALTERED: f64 = 0.5;
 
-const ALTERED: &str =
-    "the relative change of an inverse moment that preprocessing makes for a turn this long";
-
 /// What a step needs of the body and of what the motion conserves.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Prepared<T: nalgebra::Scalar> {
@@ -97,7 +94,12 @@ impl<T: Analytic> Prepared<T> {
                 let change = (after.clone() - before.clone()).size();
                 if change >= MOST_ALTERED * before.size() {
                     let value = change / before.size();
-                    return Err(Refusal::NotBelow { what: ALTERED, value, limit: MOST_ALTERED }.into());
+                    return Err(Refusal::NotBelow {
+                        what: Subject::AlteredMoment,
+                        value,
+                        limit: MOST_ALTERED,
+                    }
+                    .into());
                 }
             }
             altered
@@ -119,12 +121,9 @@ impl<T: Analytic> Prepared<T> {
         let square = c.dot(&c);
         if square.size() >= 1.0 {
             let turn = 2.0 * atan2(square.size().sqrt(), 1.0);
-            return Err(Refusal::NotBelow {
-                what: "the turn of a Moser-Veselov step, rad",
-                value: turn,
-                limit: LONGEST,
-            }
-            .into());
+            return Err(
+                Refusal::NotBelow { what: Subject::MoserVeselovTurn, value: turn, limit: LONGEST }.into()
+            );
         }
         let over = T::one() / (T::one() + square).sqrt();
         let part = |x: &T| x.clone() * over.clone();
@@ -181,12 +180,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
             break;
         }
     }
-    Err(Refusal::NotConverged {
-        what: "the turn of a Moser-Veselov step",
-        iterations: ROUNDS,
-        residual: moved,
-    }
-    .into())
+    Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual: moved }.into())
 }
 
 /// An integer.

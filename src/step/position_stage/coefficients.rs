@@ -1,7 +1,7 @@
 //! What the position stage needs of a body, prepared once.
 
 use super::{number, turn::three};
-use crate::error::{Error, Refusal};
+use crate::error::{Error, Refusal, Subject, TensorRefusal};
 use crate::number::Field;
 use num_traits::Float;
 
@@ -25,7 +25,7 @@ pub(super) struct Coefficients<T> {
 impl<T: Field + Float + From<f32>> Coefficients<T> {
     pub(super) fn of_moments(moments: [T; 3]) -> Result<Self, Error> {
         for moment in moments {
-            valid("a moment", moment)?;
+            valid(Subject::Moment, moment)?;
         }
         if moments.contains(&T::zero()) {
             return Self::of_rod(moments);
@@ -38,10 +38,15 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
     fn of_rod(moments: [T; 3]) -> Result<Self, Error> {
         let [i, j, k] = ascending(&moments);
         if moments[j] != moments[k] {
-            let value = moments[i].to_f64().unwrap_or(f64::NAN);
-            return Err(
-                Refusal::NotPositive { what: "a moment, the other two being different", value }.into()
-            );
+            let moments = [i, j, k].map(|n| moments[n].to_f64().unwrap_or(f64::NAN));
+            let excess = moments[2] - moments[1];
+            return Err(TensorRefusal::TriangleInequality {
+                moments,
+                excess,
+                tolerance: 0.0,
+                printed: false,
+            }
+            .into());
         }
         if moments[k] == T::zero() {
             return Ok(Self::constant_spin());
@@ -54,7 +59,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
 
     pub(super) fn of_inverse_moments(inverse: [T; 3]) -> Result<Self, Error> {
         for x in inverse {
-            valid("an inverse moment", x)?;
+            valid(Subject::InverseMoment, x)?;
         }
         if inverse.contains(&T::zero()) {
             return Ok(Self::constant_spin());
@@ -166,7 +171,7 @@ fn ascending<T: Float>(x: &[T; 3]) -> [usize; 3] {
     order
 }
 
-fn valid<T: Float>(what: &'static str, x: T) -> Result<(), Error> {
+fn valid<T: Float>(what: Subject, x: T) -> Result<(), Error> {
     let value = x.to_f64().unwrap_or(f64::NAN);
     if !x.is_finite() {
         return Err(Refusal::NotFinite { what, value }.into());

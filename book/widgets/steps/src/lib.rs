@@ -106,7 +106,7 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
 /// Why a step was refused, as a number; of what, as the text. The library's own sentence prints numbers,
 /// which weighs more than all the methods.
 fn refused(error: &Error) -> f64 {
-    WORDS.say(error.subject());
+    WORDS.say(error.subject().words());
     match error.kind() {
         ErrorKind::NotConverged => 1.0,
         ErrorKind::Unrepresentable => 2.0,

@@ -61,7 +61,7 @@ struct Why([&'static str; 2]);
 
 impl From<Error> for Why {
     fn from(error: Error) -> Self {
-        Self([error.subject(), " has no answer"])
+        Self([error.subject().words(), " has no answer"])
     }
 }
 

@@ -12,7 +12,7 @@ use std::sync::{Mutex, PoisonError};
 use tumbling::body::named::NamedBody;
 use tumbling::exact::{FreeMotion, Regime, time_between_flips};
 use tumbling::number::Analytic;
-use tumbling::{Axis, Error, ErrorKind};
+use tumbling::{Axis, Error, ErrorKind, Subject};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much
 /// as half of the rest.
@@ -86,14 +86,15 @@ impl From<Error> for Why {
                 ": its true value is beyond what a finite, nonzero floating-point number holds in full"
             }
             ErrorKind::OutOfBounds => match error.subject() {
-                subject if subject.starts_with("the edge") => ": it must be above zero",
-                subject if subject.starts_with("a principal") => ": it must be above zero",
+                Subject::EdgeX | Subject::EdgeY | Subject::EdgeZ | Subject::PrincipalMoment => {
+                    ": it must be above zero"
+                }
                 _ => ": it must be at most the greatest for which the times of two flips differ in f64",
             },
             ErrorKind::Impossible => ": no body has them: two of them must add up to at least the third",
             _ => ": there is no answer to this",
         };
-        Self([error.subject(), rule])
+        Self([error.subject().words(), rule])
     }
 }
 

@@ -60,7 +60,7 @@ fn words(why: &Error) -> [&'static str; 2] {
         }
         _ => ": there is no such body",
     };
-    [why.subject(), rule]
+    [why.subject().words(), rule]
 }
 
 fn tensor(row: &Numbers) -> Result<(f64, Inertia), Error> {

@@ -43,7 +43,7 @@ fn words(why: &Error) -> [&'static str; 2] {
         ErrorKind::Undefined => " is the zero vector: it has no direction",
         _ => ": there is no such body",
     };
-    [why.subject(), rule]
+    [why.subject().words(), rule]
 }
 
 fn found([a, b, c, mass]: [f64; 4], omega: &Vector3<f64>) -> Result<(Inertia, f64), Error> {

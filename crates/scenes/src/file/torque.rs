@@ -4,6 +4,7 @@ use super::fields::Fields;
 use super::write::{list, number};
 use crate::error::Error;
 use nalgebra::Vector3;
+use tumbling::Subject;
 use tumbling::step::Torque;
 
 /// All fields that a torque may have.
@@ -112,15 +113,23 @@ fn periodic(table: &Fields<'_, '_>) -> Result<Option<Torque<f64>>, Error> {
 
 /// The field that the library refuses.
 pub(super) fn field(table: &Fields<'_, '_>, error: &tumbling::Error) -> &'static str {
-    match error.subject() {
-        "the field" if table.get("stiffness").is_some() => "stiffness",
-        "the field" => "field",
-        "the direction of the gravity gradient" => "toward",
-        "the strength of the gravity gradient" if table.get("strength").is_none() => "orbit",
-        "the strength of the gravity gradient" => "strength",
-        "the start of a torque" => "from",
-        _ => FIELDS.into_iter().find(|field| table.get(field).is_some()).unwrap_or_default(),
-    }
+    // Of each subject the fields that it may come from, the first that the table has.
+    let from: &[&str] = match error.subject() {
+        Subject::Torque => &["in-body", "in-world", "amplitude"],
+        Subject::Arm => &["arm", "moment"],
+        Subject::Field => &["stiffness", "field"],
+        Subject::DampingCoefficient => &["damping"],
+        Subject::DissipationStrength => &["dissipation"],
+        Subject::GradientStrength => &["strength", "orbit"],
+        Subject::GradientDirection => &["toward"],
+        Subject::OrbitRate => &["orbit"],
+        Subject::PeriodicRate => &["rate"],
+        Subject::PeriodicPhase => &["phase"],
+        Subject::TorqueStart => &["from"],
+        Subject::TorqueEnd => &["to"],
+        _ => &FIELDS,
+    };
+    from.iter().copied().find(|field| table.get(field).is_some()).unwrap_or_default()
 }
 
 /// The lines of its table.

@@ -181,6 +181,49 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
     assert!(matches!(error, Error::File { line: None, .. }), "{error}");
 }
 
+/// Each field of each kind of torque, made bad so that the library refuses it, and made infinite.
+#[test]
+fn each_field_of_a_torque_made_bad_in_turn_is_the_field_that_is_named() {
+    let kinds = [
+        "in-body = [1, 0, 0]",
+        "in-world = [1, 0, 0]",
+        "arm = [1, 0, 0]\nfield = [0, 0, 1]",
+        "moment = [1, 0, 0]\nfield = [0, 0, 1]",
+        "arm = [1, 0, 0]\nrest = [0, 0, 1e10]\nstiffness = 1",
+        "damping = [1, 1, 1]",
+        "dissipation = 1",
+        "toward = [1, 0, 0]\norbit = [0, 0, 1]",
+        "toward = [1, 0, 0]\nstrength = 1",
+        "amplitude = [1, 0, 0]\nrate = 1\nphase = 1",
+    ];
+    let refused = [
+        ("stiffness", "1e300"),
+        ("damping", "[1, -1, 1]"),
+        ("dissipation", "-1"),
+        ("toward", "[2, 0, 0]"),
+        ("orbit", "[0, 0, 1e200]"),
+        ("strength", "-1"),
+        ("from", "8"),
+    ];
+    let mut named = 0;
+    for kind in kinds {
+        let whole = format!("from = 1\nto = 2\n{kind}");
+        for (line, given) in whole.lines().enumerate() {
+            let (field, value) = given.split_once(" = ").unwrap();
+            let bad = refused.iter().filter(|(name, _)| *name == field).map(|(_, bad)| (*bad).to_owned());
+            let infinite = if value.starts_with('[') { "[inf, 0, 0]" } else { "inf" };
+            for bad in bad.chain([infinite.to_owned()]) {
+                let text = whole.replacen(given, &format!("{field} = {bad}"), 1);
+                let error = read(&format!("{GOOD}[[torque]]\n{text}\n")).unwrap_err();
+                let Error::File { line: at, field: found, .. } = &error else { panic!("{error}") };
+                assert_eq!((*at, found.as_deref()), (Some(10 + line), Some(field)), "{text}\n{error}");
+                named += 1;
+            }
+        }
+    }
+    assert!(named > 40, "{named}");
+}
+
 /// One of three torques, one field of a body: neither the first nor the list.
 #[test]
 fn what_the_library_refuses_is_named_at_its_own_line() {
@@ -201,6 +244,10 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
     for (message, expected) in [
         (body("2.5]", "9.5]"), "line 7, `moments`: body 0: no body has principal moments"),
         (body("[1, 2.0, 2.5]", "[0, 2, 2]"), "line 7, `moments`: body 0"),
+        (
+            body("moments = [1, 2.0, 2.5]", "moments = [1, -2.0, 2.5]\nproducts = [0.1, 0, 0]"),
+            "line 7, `moments`: body 0: the moment Iyy is -2.0",
+        ),
         (body("spin = [", "products = [5, 0, 0]\nspin = ["), "line 8, `products`: body 0"),
         (body("spin = [", "attitude = [1, 1, 0, 0]\nspin = ["), "line 8, `attitude`: body 0"),
         (
