@@ -1,6 +1,7 @@
 //! A body from the text of a TOML file.
 
 use crate::error::Error;
+use crate::files::read_text;
 use crate::model::BodyModel;
 use crate::shape::{KINDS, Sizes, Weight, shaped, sides};
 use crate::surface::Surface;
@@ -330,9 +331,7 @@ impl Reader<'_> {
 
     fn urdf(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
         let path = self.folder.join(table.urdf.as_ref().map_or("", |file| file.get_ref()));
-        let text = std::fs::read_to_string(&path).map_err(|error| {
-            self.wrong(&by.1, by.0, format!("{} cannot be read ({error})", path.display()))
-        })?;
+        let text = read_text(&path).map_err(|error| self.wrong(&by.1, by.0, error))?;
         let link = table.link.as_ref().map(|link| link.get_ref().as_str());
         let tolerance = table.tolerance.as_ref().map_or(0.0, |tolerance| *tolerance.get_ref());
         if let Some(given) = table.tolerance.as_ref().filter(|_| !(tolerance >= 0.0 && tolerance.is_finite()))

@@ -34,6 +34,7 @@
 
 mod error;
 mod file;
+mod files;
 mod mesh;
 mod model;
 mod named;
@@ -42,5 +43,6 @@ mod surface;
 mod urdf;
 
 pub use error::Error;
+pub use files::read_text;
 pub use model::BodyModel;
 pub use surface::Surface;

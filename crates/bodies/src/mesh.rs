@@ -1,6 +1,7 @@
 //! Triangles from the text or bytes of an STL or OBJ file.
 
 use crate::error::Error;
+use crate::files;
 use nalgebra::Vector3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -10,11 +11,7 @@ pub(crate) type Triangles = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
 
 /// The triangles of a file; those of an STL are welded where coordinates are equal.
 pub(crate) fn read(path: &Path) -> Result<Triangles, Error> {
-    if path.exists() && !path.is_file() {
-        return Err(Error::new("it is not a file").in_file(path));
-    }
-    let bytes = std::fs::read(path)
-        .map_err(|error| Error::new(format!("it cannot be read ({error})")).in_file(path))?;
+    let bytes = files::read(path, files::MESH)?;
     let found = match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
         Some("stl") => stl(&bytes),
         Some("obj") => obj(&String::from_utf8_lossy(&bytes)),
@@ -143,6 +140,6 @@ mod tests {
         let short = text.replacen("vertex 0 0 0\n", "", 1);
         assert!(stl(short.as_bytes()).unwrap_err().why.starts_with("11 vertices are not three"));
         assert_eq!(obj("v\t1 2 3\nf\t1 2\n").unwrap_err().line, Some(2));
-        assert!(read(Path::new("/")).unwrap_err().why.contains("not a file"));
+        assert!(read(Path::new("/")).unwrap_err().why.contains("not a regular file"));
     }
 }

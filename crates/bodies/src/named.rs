@@ -1,6 +1,7 @@
 //! A body by its name or by its file.
 
 use crate::error::Error;
+use crate::files::read_text;
 use crate::model::{BodyModel, word};
 use crate::surface::Surface;
 use crate::{file, urdf};
@@ -32,16 +33,10 @@ impl BodyModel {
             None => (Path::new(argument), None),
         };
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        let read = || {
-            if path.exists() && !path.is_file() {
-                return Err(Error::new("it is not a file"));
-            }
-            std::fs::read_to_string(path)
-                .map_err(|error| Error::new(format!("it cannot be read ({error})")).in_file(path))
-        };
+
         let mut model = match ending.as_deref() {
-            Some("toml") => Self::from_toml(&read()?, path.parent().unwrap_or(Path::new(""))),
-            Some("urdf" | "xml") => Self::from_urdf(&read()?, link),
+            Some("toml") => Self::from_toml(&read_text(path)?, path.parent().unwrap_or(Path::new(""))),
+            Some("urdf" | "xml") => Self::from_urdf(&read_text(path)?, link),
             Some("stl" | "obj") => Err(Error::new(
                 "a mesh alone does not say what it weighs: name it in a TOML file, `mesh = \"...\"` with `mass = ...` (kg)",
             )),

@@ -1,0 +1,107 @@
+//! One rule for every file that a command line or another file names: a regular file, of a size that is said.
+
+use crate::error::Error;
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
+
+/// The most bytes that are read of a text.
+const TEXT: u64 = 16 << 20;
+
+/// The most bytes that are read of a mesh.
+pub(crate) const MESH: u64 = 256 << 20;
+
+/// The text of a regular file of at most 16 MiB: not of a folder, a pipe or a device, which may never end.
+///
+/// # Errors
+/// What is no such file, is empty, cannot be read, or is not UTF-8.
+///
+/// ```
+/// let why = tumbling_bodies::read_text("/dev/zero".as_ref()).unwrap_err().to_string();
+/// # #[cfg(unix)]
+/// assert_eq!(why, "/dev/zero: it is not a regular file");
+/// ```
+pub fn read_text(path: &Path) -> Result<String, Error> {
+    String::from_utf8(read(path, TEXT)?).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);
+        Error { line, ..Error::new("it is not UTF-8 text from here on") }.in_file(path)
+    })
+}
+
+/// The bytes of a regular file that has at most so many.
+pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
+    let unreadable = |error: std::io::Error| Error::new(format!("it cannot be read ({error})"));
+    let read = || {
+        // Before it is opened: to open a pipe waits for who writes to it.
+        let about = path.metadata().map_err(unreadable)?;
+        let size = about.len();
+        if !about.is_file() {
+            return Err(Error::new("it is not a regular file"));
+        }
+        // What a system makes up while it is read, such as the files of /proc, has no size.
+        if size == 0 {
+            return Err(Error::new("it is empty"));
+        }
+        if size > most {
+            return Err(Error::new(format!("it has {size} bytes: at most {most} are read")));
+        }
+        let mut bytes = Vec::new();
+        let found = File::open(path).and_then(|file| file.take(size + 1).read_to_end(&mut bytes));
+        let found = found.map_err(unreadable)?;
+        if u64::try_from(found).ok() == Some(size) {
+            return Ok(bytes);
+        }
+        Err(Error::new(format!("its size is {size} bytes, and {found} could be read")))
+    };
+    read().map_err(|error| error.in_file(path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::BodyModel;
+
+    #[test]
+    #[cfg(unix)]
+    fn what_is_no_regular_file_is_refused_at_once_wherever_it_is_named() {
+        let folder = std::env::temp_dir().join(format!("tumbling-files-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let pipe = folder.join("pipe.stl");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
+        assert!(made.success());
+        std::fs::write(folder.join("empty.urdf"), "").unwrap();
+        std::fs::write(folder.join("latin.urdf"), b"<link>\n<\xe4/></link>").unwrap();
+        std::fs::File::create(folder.join("long.obj")).unwrap().set_len(MESH + 1).unwrap();
+        for (name, why) in [
+            ("/dev/zero", "not a regular file"),
+            ("/dev/stdin", "not a regular file"),
+            ("/proc/self/mem", "it is empty"),
+            ("/proc/kmsg", "it is empty"),
+            ("/", "not a regular file"),
+            ("pipe.stl", "not a regular file"),
+            ("empty.urdf", "it is empty"),
+            ("latin.urdf", "line 2"),
+            ("long.obj", "268435457 bytes: at most 268435456"),
+            ("none.stl", "cannot be read"),
+        ] {
+            for field in ["urdf", "mesh"] {
+                if field == "mesh" && name == "latin.urdf" || field == "urdf" && name == "long.obj" {
+                    continue;
+                }
+                let mass = if field == "mesh" { "mass = 1\n" } else { "" };
+                let text = format!("{mass}{field} = '{name}'");
+                let error = BodyModel::from_toml(&text, &folder).unwrap_err();
+                assert_eq!(error.field.as_deref(), Some(field), "{error}");
+                assert!(error.why.contains(why), "{error}");
+            }
+        }
+        // On a command line the ending says what it is.
+        std::os::unix::fs::symlink("/dev/zero", folder.join("zero.toml")).unwrap();
+        for name in ["zero.toml", "zero.toml#arm"] {
+            let error = BodyModel::load(folder.join(name).to_str().unwrap()).unwrap_err();
+            assert!(error.to_string().ends_with("zero.toml: it is not a regular file"), "{error}");
+        }
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}
