@@ -6,7 +6,32 @@
 //! One file without dependencies; `Real` is what the module around it calls so, `f32` or `f64`. It gives the
 //! same bits as the library it is taken from, `tumbling::step::PositionStage`.
 //!
+//! Version: 0.1.0
+//! Home: not yet published
+//!
+//! MIT License
+//!
 //! Copyright (c) 2026 the tumbling maintainers
+//!
+//! Permission is hereby granted, free of charge, to any person obtaining a copy
+//! of this software and associated documentation files (the "Software"), to deal
+//! in the Software without restriction, including without limitation the rights
+//! to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+//! copies of the Software, and to permit persons to whom the Software is
+//! furnished to do so, subject to the following conditions:
+//!
+//! The above copyright notice and this permission notice shall be included in all
+//! copies or substantial portions of the Software.
+//!
+//! THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+//! IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+//! FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+//! AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+//! LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+//! OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+//! SOFTWARE.
+//!
+//! Or, at your choice, the Apache License, version 2.0.
 //! SPDX-License-Identifier: MIT OR Apache-2.0
 
 use super::Real;
@@ -27,10 +52,12 @@ pub struct PositionStage {
 
 impl PositionStage {
     /// From the inverse moments along the principal axes, and the turn (w, x, y, z) from these to the body's
-    /// axes. With one of zero (a locked axis), negative or not finite, the spin stays constant.
+    /// axes. With one of zero (a locked axis), and with what no body has (a moment that is negative or not
+    /// finite, ratios of moments beyond the numbers, a turn of no length), the spin stays constant.
     pub fn new(inverse: Triple, frame: [Real; 4]) -> Self {
         let moments = inverse.map(|x| 1.0 / x);
         let free = inverse.iter().chain(&moments).all(|x| *x > 0.0 && x.is_finite());
+        let Some(frame) = unit(frame) else { return Self::new([1.0; 3], [1.0, 0.0, 0.0, 0.0]) };
         let m = if free { moments } else { [1.0; 3] };
         let a = three(|i| (m[(i + 1) % 3] - m[(i + 2) % 3]) / m[i]);
         let mut order = [0, 1, 2];
@@ -70,16 +97,18 @@ impl PositionStage {
             bound[order[2]] = 1.0 + share(hi, mid, hi - lo, mid - lo);
         }
         let most = a.iter().fold(1.0, |most: Real, x| most.max(x.abs()));
-        let norm = square(&frame).sqrt();
-        Self {
+        let body = Self {
             coupling: a,
             modulus: three(|i| a[(i + 1) % 3] * a[(i + 2) % 3]),
             relative: m.map(|x| x / mid),
             twist,
             twist_2,
             bound: bound.map(|x| x * most * most),
-            frame: (frame != [1.0, 0.0, 0.0, 0.0]).then(|| frame.map(|x| x / norm)),
-        }
+            frame: (frame != [1.0, 0.0, 0.0, 0.0]).then_some(frame),
+        };
+        let numbers = [&body.modulus[..], &body.relative, &body.twist, &body.twist_2, &body.bound];
+        let finite = numbers.into_iter().flatten().all(|x| x.is_finite());
+        if finite { body } else { Self::new([1.0; 3], [1.0, 0.0, 0.0, 0.0]) }
     }
 
     /// The step of `h` seconds from an attitude (w, x, y, z; body to world; length 1) and a spin in world
@@ -208,4 +237,13 @@ fn three(of: impl FnMut(usize) -> Real) -> Triple {
 #[inline(always)]
 fn square([w, x, y, z]: &[Real; 4]) -> Real {
     (w * w + x * x) + (y * y + z * z)
+}
+
+/// Of length 1; scaled first where its square leaves the range of numbers.
+fn unit(q: [Real; 4]) -> Option<[Real; 4]> {
+    let largest = q.iter().fold(0.0, |most: Real, x| most.max(x.abs()));
+    let ordinary = (1e-30..=1e30).contains(&square(&q));
+    let q = if ordinary { q } else { q.map(|x| x / largest) };
+    let norm = square(&q).sqrt();
+    (norm > 0.0).then(|| q.map(|x| x / norm))
 }

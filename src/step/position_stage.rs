@@ -4,9 +4,9 @@ mod coefficients;
 mod turn;
 
 use crate::attitude::product;
-use crate::error::Error;
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Field;
-use coefficients::Coefficients;
+use coefficients::{Coefficients, finite};
 use nalgebra::{Quaternion, Scalar, Vector3};
 use num_traits::Float;
 use turn::three;
@@ -23,7 +23,7 @@ const MOST_PARTS: f32 = 4096.0;
 ///
 /// It replaces both the update of the attitude and the gyroscopic term. For `f32` and `f64`; it allocates
 /// nothing, never panics, and uses no function but `+ - * /` and the square root, so that it has the same
-/// bits on every machine, and in C (`crates/c/position_stage.h`).
+/// bits on every machine, and in C (`examples/engines/c/position_stage.h`).
 ///
 /// - The step changes neither energy nor momentum, but for rounding, whatever the body, the spin and `h`. So
 ///   the energy that a body gains is the work that the engine's velocity stages do, and nothing else.
@@ -75,7 +75,8 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// has (the largest above the sum of the others) are taken as they are.
     ///
     /// # Errors
-    /// A moment that is negative or not finite; a zero moment with the other two different.
+    /// A moment that is negative or not finite; a zero moment with the other two different; moments so
+    /// different that their ratios have no number.
     pub fn new(moments: &Vector3<T>) -> Result<Self, Error> {
         Ok(Self { coefficients: Coefficients::of_moments([moments.x, moments.y, moments.z])?, frame: None })
     }
@@ -99,18 +100,34 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// ```
     ///
     /// # Errors
-    /// An inverse moment that is negative or not finite, or whose inverse is not.
+    /// An inverse moment that is negative or not finite, or whose inverse is not; and as of
+    /// [`new`](Self::new).
     pub fn of_inverse(inverse: &Vector3<T>) -> Result<Self, Error> {
         let inverse = [inverse.x, inverse.y, inverse.z];
         Ok(Self { coefficients: Coefficients::of_inverse_moments(inverse)?, frame: None })
     }
 
-    /// The same body with its principal axes turned in the body frame: `frame` takes coordinates along the
-    /// principal axes to coordinates in the body frame, and has length 1.
-    #[must_use]
-    pub fn in_frame(self, frame: Quaternion<T>) -> Self {
-        let norm = square(&frame).sqrt();
-        Self { frame: Some(Quaternion::from_vector(frame.coords / norm)), ..self }
+    /// This body with its principal axes turned in the body frame: `frame` takes coordinates along the
+    /// principal axes to coordinates in the body frame. Its length does not matter.
+    ///
+    /// # Errors
+    /// A frame that is not finite, or of no length.
+    pub fn in_frame(self, frame: Quaternion<T>) -> Result<Self, Error> {
+        let mut frame = frame.coords;
+        // Where squares leave the range of numbers.
+        let ordinary = number::<T>(1e-30)..=number(1e30);
+        if !ordinary.contains(&square(&Quaternion::from_vector(frame))) {
+            for x in frame.iter() {
+                finite(Subject::AxesTurn, *x)?;
+            }
+            let largest = frame.iter().fold(T::zero(), |most, x| most.max(x.abs()));
+            if largest == T::zero() {
+                return Err(Refusal::ZeroVector { what: Subject::AxesTurn }.into());
+            }
+            frame = frame.map(|x| x / largest);
+        }
+        let norm = square(&Quaternion::from_vector(frame)).sqrt();
+        Ok(Self { frame: Some(Quaternion::from_vector(frame.map(|x| x / norm))), ..self })
     }
 
     /// The step of `h` seconds from an attitude (body to world, length 1) and a spin in world axes, rad/s.

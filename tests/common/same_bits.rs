@@ -230,13 +230,13 @@ fn stepped(hash: &mut Hash, random: &mut Random) {
 fn in_an_engine(hash: &mut Hash, random: &mut Random) {
     let (moments, attitude, frame) = (random.moments().vector(), random.attitude(), random.attitude());
     let (omega, h) = (random.vector() * 8.0, 0.1 * random.size(6));
-    let body = PositionStage::new(&moments).map(|body| body.in_frame(frame));
+    let body = PositionStage::new(&moments).and_then(|body| body.in_frame(frame));
     hash.answer(body, |hash, body| {
         let end = body.step(&attitude, &omega, h);
         hash.all(end.attitude.coords.iter().chain(&end.omega));
     });
     let [attitude, frame] = [attitude, frame].map(|q| Quaternion::from_vector(q.coords.cast::<f32>()));
-    let body = PositionStage::new(&moments.cast::<f32>()).map(|body| body.in_frame(frame));
+    let body = PositionStage::new(&moments.cast::<f32>()).and_then(|body| body.in_frame(frame));
     hash.answer(body, |hash, body| {
         let end = body.step(&attitude, &omega.cast(), h as f32);
         hash.all(end.attitude.coords.cast::<f64>().iter().chain(&end.omega.cast::<f64>()));

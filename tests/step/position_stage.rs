@@ -247,7 +247,7 @@ fn a_tensor_in_any_frame_moves_as_in_its_own() {
     let moments = Vector3::new(2.0, 1.0, 2.7);
     let frame = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.7));
     let own = body::<f64>(&moments);
-    let framed = own.in_frame(*frame.quaternion());
+    let framed = own.in_frame(*frame.quaternion()).unwrap();
     let mut a = start::<f64>([1.0, 5.0, -2.0]);
     let mut b = Stepped { attitude: a.attitude * frame.inverse().quaternion(), ..a };
     for _ in 0..100 {
@@ -256,6 +256,42 @@ fn a_tensor_in_any_frame_moves_as_in_its_own() {
     }
     assert!((a.omega - b.omega).norm() < 1e-12);
     assert!((a.attitude.coords - (b.attitude * frame.quaternion()).coords).norm() < 1e-12);
+}
+
+/// Powers of two, so that only what leaves the range of numbers could differ.
+fn frames_of_any_length<T: Real + std::fmt::Debug>(exponents: std::ops::RangeInclusive<i32>) {
+    let own = body::<T>(&Vector3::new(0.3, 0.5, 0.7));
+    let from = start::<T>([1.0, 4.0, -2.0]);
+    let frame = |size: T| own.in_frame(Quaternion::new(size, -size, size, size));
+    let expected = stepped(&frame(T::one()).unwrap(), &from, 0.0625);
+    assert!(expected != stepped(&own, &from, 0.0625));
+    for exponent in exponents {
+        let size = real::<T>(2.0).powi(exponent);
+        assert_eq!(stepped(&frame(size).unwrap(), &from, 0.0625), expected, "2^{exponent}");
+    }
+    for size in [T::zero(), T::nan(), T::infinity(), T::neg_infinity()] {
+        assert!(frame(size).is_err(), "{size:?}");
+    }
+    let none = Quaternion::new(T::one(), T::zero(), T::nan(), T::zero());
+    assert_eq!(own.in_frame(none).unwrap_err().kind(), tumbling::ErrorKind::NotFinite);
+}
+
+#[test]
+fn a_frame_of_any_length_stands_for_its_direction_and_one_of_none_is_refused() {
+    frames_of_any_length::<f64>(-1022..=1023);
+    frames_of_any_length::<f32>(-126..=127);
+}
+
+#[test]
+fn moments_whose_ratios_have_no_number_are_refused() {
+    for moments in [[1e-300, 1.0, 1e300], [1e-308, 1.0, 1.5], [1.0, 1e300, 1.0], [1.0, 1e200, 1e-200]] {
+        let refused = PositionStage::new(&Vector3::from(moments)).unwrap_err();
+        assert_eq!(refused.kind(), tumbling::ErrorKind::Unrepresentable, "{moments:?}");
+        let inverse = Vector3::from(moments.map(|x| 1.0 / x));
+        assert!(PositionStage::of_inverse(&inverse).is_err(), "{moments:?}");
+    }
+    let needle = body::<f64>(&Vector3::new(1e-100, 1.0, 1.0));
+    assert_eq!(stepped(&needle, &start([0.0, 4.0, -2.0]), 0.01).parts, 1);
 }
 
 #[test]

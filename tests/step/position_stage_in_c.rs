@@ -1,29 +1,30 @@
-//! The position stage in C has the bits of the one in Rust. Without a C compiler the test says so and checks
-//! nothing.
+//! The position stage in C has the bits of the one in Rust, compiles without a word in every C and C++, refuses
+//! what no body has, and options that break it. Without a C compiler the tests say so and check nothing.
 
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Float;
-use std::path::Path;
-use std::process::Command;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
 use tumbling::number::Field;
 use tumbling::step::PositionStage;
 
 const STEPS: u32 = 100_000;
 
 trait Real: Field + Float + From<f32> {
-    const NAME: &str;
+    /// The option that makes the programs take this precision.
+    const OPTION: &str;
     fn bits(self) -> u64;
 }
 
 impl Real for f32 {
-    const NAME: &str = "float";
+    const OPTION: &str = "-DSINGLE";
     fn bits(self) -> u64 {
         u64::from(self.to_bits())
     }
 }
 
 impl Real for f64 {
-    const NAME: &str = "double";
+    const OPTION: &str = "-DDOUBLE";
     fn bits(self) -> u64 {
         self.to_bits()
     }
@@ -41,8 +42,8 @@ impl Seed {
     }
 }
 
-/// The steps of `crates/c/compare.c`, and the sum of their bits.
-fn sum<T: Real>() -> u64 {
+/// The steps of `compare.c`, and the sum of their bits.
+fn sum<T: Real>() -> String {
     let n = |x: f32| <T as From<f32>>::from(x);
     let mut seed = Seed(1);
     let mut sum = 14_695_981_039_346_656_037_u64;
@@ -60,9 +61,10 @@ fn sum<T: Real>() -> u64 {
             }
             let mut four = || [0; 4].map(|_| seed.number::<T>());
             let [w, x, y, z] = four().map(|x| x - n(0.5));
-            body = PositionStage::new(&moments).unwrap();
+            let inverse = step % 48 == 0;
+            body = if inverse { PositionStage::of_inverse } else { PositionStage::new }(&moments).unwrap();
             if step % 32 == 0 {
-                body = body.in_frame(Quaternion::new(w, x, y, z));
+                body = body.in_frame(Quaternion::new(w, x, y, z)).unwrap();
             }
             let [w, x, y, z] = four().map(|x| x + n(0.0625));
             attitude = Quaternion::new(w, x, y, z);
@@ -80,35 +82,226 @@ fn sum<T: Real>() -> u64 {
         let axis = step as usize % 3;
         omega[axis] = omega[axis] * n(0.9375) + seed.number::<T>() - n(0.5);
     }
-    sum
+    format!("{sum:016x}")
 }
 
-fn in_c<T: Real>(compiler: &str, folder: &Path, expected: u64) {
-    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/c/compare.c");
-    let program = folder.join(format!("{compiler}-{}", T::NAME));
-    let output = Command::new(compiler)
-        .args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off"])
-        .arg(format!("-DTUMBLING_REAL={}", T::NAME))
-        .args([sources.as_os_str(), "-o".as_ref(), program.as_os_str(), "-lm".as_ref()])
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn header() -> PathBuf {
+    root().join("examples/engines/c/position_stage.h")
+}
+
+/// Those of the two that are installed.
+fn compilers() -> Vec<&'static str> {
+    let found = |compiler: &&str| Command::new(compiler).arg("--version").output().is_ok();
+    let compilers: Vec<&str> = ["gcc", "clang"].into_iter().filter(found).collect();
+    if compilers.is_empty() {
+        eprintln!("neither gcc nor clang is installed: the header in C was NOT tried");
+    }
+    compilers
+}
+
+fn words(output: &Output) -> String {
+    [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
+}
+
+/// The compiler's answer to a program that is given as text.
+fn of_text(compiler: &str, options: &[&str], program: &str) -> Output {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("program.c");
+    std::fs::write(&source, program).unwrap();
+    Command::new(compiler)
+        .arg("-c")
+        .args(options)
+        .arg("-I")
+        .arg(header().parent().unwrap())
+        .args([source.as_os_str(), "-o".as_ref(), folder.path().join("program.o").as_os_str()])
+        .output()
+        .unwrap()
+}
+
+/// What a program of `examples/engines/c` prints; it must compile without a warning and end well.
+fn printed(compiler: &str, options: &[&str], source: &Path) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let program = folder.path().join("program");
+    let compiled = Command::new(compiler)
+        .args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic"])
+        .args(options)
+        .arg("-I")
+        .arg(header().parent().unwrap())
+        .args([source.as_os_str(), "-o".as_ref(), program.as_os_str(), "-lm".as_ref()])
         .output()
         .unwrap();
-    assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(compiled.status.success(), "{compiler} {options:?}: {}", words(&compiled));
     let output = Command::new(&program).arg(STEPS.to_string()).output().unwrap();
-    assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), format!("{expected:016x}"), "{compiler}");
+    assert!(output.status.success(), "{compiler} {options:?}: {}", words(&output));
+    words(&output).trim().to_owned()
+}
+
+fn example(name: &str) -> PathBuf {
+    header().with_file_name(name)
 }
 
 #[test]
 fn the_header_in_c_has_the_bits_of_the_library() {
-    let found = |compiler: &&str| Command::new(compiler).arg("--version").output().is_ok();
-    let compilers: Vec<&str> = ["gcc", "clang"].into_iter().filter(found).collect();
-    if compilers.is_empty() {
-        eprintln!("neither gcc nor clang is installed: the header in C was NOT compared");
-        return;
-    }
-    let folder = tempfile::tempdir().unwrap();
     let (single, double) = (sum::<f32>(), sum::<f64>());
-    for compiler in compilers {
-        in_c::<f32>(compiler, folder.path(), single);
-        in_c::<f64>(compiler, folder.path(), double);
+    for compiler in compilers() {
+        let compared = |option| printed(compiler, &["-ffp-contract=off", option], &example("compare.c"));
+        assert_eq!(compared(f32::OPTION), single, "{compiler}");
+        assert_eq!(compared(f64::OPTION), double, "{compiler}");
     }
+}
+
+/// What gcc refuses by the macros that it sets for them, clang for x86 takes back over the header's functions.
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn options_for_other_bits_have_no_effect_in_clang() {
+    let bits = sum::<f64>();
+    for option in [
+        "-funsafe-math-optimizations",
+        "-fassociative-math",
+        "-freciprocal-math",
+        "-fno-signed-zeros",
+        "-fno-honor-nans",
+        "-fno-honor-infinities",
+        "-fapprox-func",
+    ] {
+        if compilers().contains(&"clang") && std::arch::is_x86_feature_detected!("fma") {
+            assert_eq!(printed("clang", &["-mfma", option], &example("compare.c")), bits, "{option}");
+        }
+    }
+}
+
+#[test]
+fn options_that_take_away_what_tells_a_number_from_none_do_not_compile() {
+    let program = "#include \"position_stage.h\"\nint main(void) { return 0; }\n";
+    for compiler in compilers() {
+        let fast: &[&[&str]] = &[&["-ffast-math"], &["-Ofast"], &["-ffinite-math-only"]];
+        let other_bits: &[&[&str]] = &[
+            &["-funsafe-math-optimizations"],
+            &["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"],
+            &["-freciprocal-math"],
+            &["-fno-signed-zeros"],
+            &["-std=c99", "-ffp-contract=fast"],
+        ];
+        let refused = if compiler == "gcc" { [fast, other_bits].concat() } else { fast.to_vec() };
+        for options in refused {
+            let answer = of_text(compiler, options, program);
+            assert!(!answer.status.success(), "{compiler} takes {options:?}");
+            assert!(words(&answer).contains("#error") || words(&answer).contains("compile without"));
+        }
+        for options in [&["-O2"][..], &["-O3", "-fno-math-errno", "-fno-trapping-math"]] {
+            let answer = of_text(compiler, options, program);
+            assert!(answer.status.success(), "{compiler} {options:?}: {}", words(&answer));
+        }
+        let old = of_text(compiler, &["-DTUMBLING_REAL=float"], program);
+        assert!(words(&old).contains("define TUMBLING_FLOAT"), "{}", words(&old));
+    }
+}
+
+/// Every function in both precisions in one program, with arrays that are constant and arrays that are not.
+const EVERY_CALL: &str = r#"
+#define TUMBLING_FLOAT
+#include "position_stage.h"
+#include "position_stage.h"
+#include "position_stage.h"
+#define CALLED(name, real) \
+    static int name##_called(void) { \
+        real tensor[3][3] = {{2, 0, 0}, {0, 3, 0}, {0, 0, 4}}, moments[3], frame[4]; \
+        const real constant[3][3] = {{2, 0, 0}, {0, 3, 0}, {0, 0, 4}}, inverse[3] = {1, 2, 0}; \
+        name##_body body; \
+        name##_state state = {{1, 0, 0, 0}, {1, 2, 3}}; \
+        int done = name##_principal(tensor, moments, frame) + name##_principal(constant, moments, frame); \
+        done += name##_of_inverse(&body, inverse, 0) + name##_prepare(&body, moments, frame); \
+        return done + (name##_step(&body, &state, (real)0.01) > 0); \
+    }
+CALLED(tumbling, double)
+CALLED(tumblingf, float)
+int main(void) {
+    return tumbling_called() + tumblingf_called() == 10 ? 0 : 1;
+}
+"#;
+
+#[test]
+fn the_header_compiles_without_a_warning_in_every_c_and_cpp() {
+    let strict = [
+        "-fsyntax-only",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-pedantic",
+        "-Wconversion",
+        "-Wsign-conversion",
+        "-Wdouble-promotion",
+        "-Wshadow",
+    ];
+    for compiler in compilers() {
+        for standard in ["c99", "c11", "c17", "c2x", "c++11", "c++14", "c++17", "c++20"] {
+            let language = if standard.contains('+') { "c++" } else { "c" };
+            let standard = format!("-std={standard}");
+            let options = [&strict[..], &["-x", language, &standard]].concat();
+            let answer = of_text(compiler, &options, EVERY_CALL);
+            assert!(answer.status.success(), "{compiler} {standard}: {}", words(&answer));
+        }
+    }
+}
+
+#[test]
+fn bodies_at_the_ends_of_the_range_step_as_in_their_own_scale_or_are_refused() {
+    for compiler in compilers() {
+        for option in [f32::OPTION, f64::OPTION] {
+            assert_eq!(printed(compiler, &["-ffp-contract=off", option], &example("extremes.c")), "");
+        }
+    }
+}
+
+#[test]
+fn the_header_names_its_version_its_home_and_its_licence() {
+    let header = std::fs::read_to_string(header()).unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(header.contains(&format!("\n   Version: {version}\n")));
+    assert!(header.contains(&format!("#define TUMBLING_POSITION_STAGE_VERSION \"{version}\"\n")));
+    let one_file = std::fs::read_to_string(root().join("examples/engines/position_stage.rs")).unwrap();
+    assert!(one_file.contains(&format!("\n//! Version: {version}\n")));
+    let home = match env!("CARGO_PKG_REPOSITORY") {
+        "" => "not yet published",
+        home => home,
+    };
+    let licence = std::fs::read_to_string(root().join("LICENSE-MIT")).unwrap();
+    for (text, margin) in [(header, "   "), (one_file, "//! ")] {
+        assert!(text.contains(&format!("{margin}Home: {home}\n")), "{home}");
+        for line in licence.lines() {
+            assert!(text.contains(format!("\n{margin}{line}").trim_end()), "{line}");
+        }
+    }
+}
+
+/// The program in the chapter prints what the chapter says that it prints.
+#[test]
+fn the_program_of_the_chapter_counts_the_flips_that_it_says() {
+    let chapter = std::fs::read_to_string(root().join("book/chapters/put-it-into-your-engine.md")).unwrap();
+    let program = chapter.split("```text\n").find(|block| block.starts_with("#include")).unwrap();
+    let program = program.split("```").next().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("flips.c");
+    std::fs::write(&source, program).unwrap();
+    let single = program.replace("#include \"pos", "#define TUMBLING_FLOAT\n#include \"pos");
+    let single = single.replace("tumbling_", "tumblingf_").replace("double", "float");
+    let in_single = folder.path().join("flips_in_single.c");
+    std::fs::write(&in_single, single).unwrap();
+    for compiler in compilers() {
+        // With and without a fused multiply-add, where the processor has one.
+        let options: &[&[&str]] = match compiler {
+            "gcc" if cfg!(target_arch = "x86_64") => &[&["-ffp-contract=off"], &["-O3", "-march=native"]],
+            _ => &[&["-O2"]],
+        };
+        for options in options {
+            for source in [&source, &in_single] {
+                assert_eq!(printed(compiler, options, source), "281 flips", "{compiler} {options:?}");
+            }
+        }
+    }
+    assert!(chapter.contains("It prints `281 flips`"));
 }

@@ -74,7 +74,7 @@ fn in_an_engine<T: Number>(works: &mut Vec<Work>, [rule, stage, framed]: [&'stat
     ));
     let body = PositionStage::new(&moments).expect("a body");
     let turned = Quaternion::new(number(0.6), number(0.0), number(0.8), number(0.0));
-    for (name, body) in [(stage, body), (framed, body.in_frame(turned))] {
+    for (name, body) in [(stage, body), (framed, body.in_frame(turned).expect("a frame"))] {
         let mut now = start;
         works.push((
             name,

@@ -86,7 +86,7 @@ def program(engine, when):
     if when == "after":
         run("patch", "-p1", "-s", "-i", HERE / f"{engine}.patch", cwd=folder)
         if engine == "box3d":
-            shutil.copy(ROOT / "crates/c/position_stage.h", folder / "src")
+            shutil.copy(ROOT / "examples/engines/c/position_stage.h", folder / "src")
         else:
             shutil.copy(HERE.parent / "position_stage.rs", folder / CRATES[engine][2])
     build = WORK / engine / f"{when}-build"

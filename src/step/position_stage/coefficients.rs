@@ -31,14 +31,23 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
             return Self::of_rod(moments);
         }
         let [a, b, c] = moments;
-        Ok(Self::new(moments, [(b - c) / a, (c - a) / b, (a - b) / c]))
+        Self::new(moments, [(b - c) / a, (c - a) / b, (a - b) / c]).representable()
+    }
+
+    /// Refused if a coefficient is beyond what a number holds.
+    fn representable(self) -> Result<Self, Error> {
+        let all = [&self.modulus[..], &self.relative, &self.twist, &self.twist_2, &self.bound];
+        match all.into_iter().flatten().find(|x| !x.is_finite()) {
+            Some(x) => Err(Refusal::OutOfRange { what: Subject::MomentRatio, value: value(*x) }.into()),
+            None => Ok(self),
+        }
     }
 
     /// A zero moment: nothing resists a spin about that axis, and nothing drives it if the others are equal.
     fn of_rod(moments: [T; 3]) -> Result<Self, Error> {
         let [i, j, k] = ascending(&moments);
         if moments[j] != moments[k] {
-            let moments = [i, j, k].map(|n| moments[n].to_f64().unwrap_or(f64::NAN));
+            let moments = [i, j, k].map(|n| value(moments[n]));
             let excess = moments[2] - moments[1];
             return Err(TensorRefusal::TriangleInequality {
                 moments,
@@ -171,13 +180,18 @@ fn ascending<T: Float>(x: &[T; 3]) -> [usize; 3] {
     order
 }
 
+fn value<T: Float>(x: T) -> f64 {
+    x.to_f64().unwrap_or(f64::NAN)
+}
+
+pub(super) fn finite<T: Float>(what: Subject, x: T) -> Result<(), Error> {
+    if x.is_finite() { Ok(()) } else { Err(Refusal::NotFinite { what, value: value(x) }.into()) }
+}
+
 fn valid<T: Float>(what: Subject, x: T) -> Result<(), Error> {
-    let value = x.to_f64().unwrap_or(f64::NAN);
-    if !x.is_finite() {
-        return Err(Refusal::NotFinite { what, value }.into());
-    }
+    finite(what, x)?;
     if x < T::zero() {
-        return Err(Refusal::Negative { what, value }.into());
+        return Err(Refusal::Negative { what, value: value(x) }.into());
     }
     Ok(())
 }

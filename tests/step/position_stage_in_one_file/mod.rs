@@ -27,7 +27,7 @@ macro_rules! compared {
                 let [w, x, y, z] = frame;
                 let mut body = PositionStage::of_inverse(&Vector3::from(inverse)).unwrap();
                 if round % 2 == 1 {
-                    body = body.in_frame(Quaternion::new(w, x, y, z));
+                    body = body.in_frame(Quaternion::new(w, x, y, z)).unwrap();
                 }
                 let one_file = $file::PositionStage::new(inverse, frame);
                 let (mut q, mut w) =
@@ -48,3 +48,27 @@ macro_rules! compared {
 
 compared!(in_single_precision, f32, single, f32::to_bits);
 compared!(in_double_precision, f64, double, f64::to_bits);
+
+#[test]
+fn what_no_body_has_gives_a_constant_spin() {
+    let bad: [([f64; 3], [f64; 4]); 5] = [
+        ([1.0, 2.0, 3.0], [0.0; 4]),
+        ([1.0, 2.0, 3.0], [1.0, f64::NAN, 0.0, 0.0]),
+        ([1.0, 2.0, 3.0], [1.0, f64::INFINITY, 0.0, 0.0]),
+        ([1e300, 1.0, 1e-300], [1.0, 0.0, 0.0, 0.0]),
+        ([f64::NAN, 1.0, 2.0], [1.0, 0.0, 0.0, 0.0]),
+    ];
+    for (inverse, frame) in bad {
+        let (mut q, mut w) = ([0.5, 0.5, -0.5, 0.5], [1.0, 4.0, -2.0]);
+        assert_eq!(double::PositionStage::new(inverse, frame).step(&mut q, &mut w, 0.01), 1);
+        assert_eq!(w, [1.0, 4.0, -2.0]);
+    }
+    let turned = |size: f64| {
+        let (mut q, mut w) = ([0.5, 0.5, -0.5, 0.5], [1.0, 4.0, -2.0]);
+        let frame = [1.0, -1.0, 1.0, 1.0].map(|x| x * size);
+        double::PositionStage::new([3.0, 2.0, 1.5], frame).step(&mut q, &mut w, 0.01);
+        (q, w)
+    };
+    let (small, large) = (2.0_f64.powi(-600), 2.0_f64.powi(600));
+    assert!(turned(small) == turned(1.0) && turned(large) == turned(1.0));
+}

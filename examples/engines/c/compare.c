@@ -1,32 +1,46 @@
-/* Random steps, and the sum of their bits: the test in tests/step/position_stage_in_c.rs takes the same in Rust. */
+/* Random steps, and the sum of their bits: the test in tests/step/position_stage_in_c.rs takes the same in Rust. In single
+   precision if SINGLE is defined. */
+#ifdef SINGLE
+#define TUMBLING_FLOAT
+#define tumbling(name) tumblingf_##name
+#else
+#define tumbling(name) tumbling_##name
+#endif
 #include "position_stage.h"
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef __clang__ /* the numbers of this file are no part of what options change */
+#pragma clang diagnostic ignored "-Wignored-pragmas"
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
 static uint64_t seed = 1;
 
 /* From 0 to 1, with 24 bits. */
-static tumbling_real number(void) {
+static tumbling(real) number(void) {
     seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
-    return (tumbling_real)(seed >> 40) / (tumbling_real)16777216;
+    return (tumbling(real))(seed >> 40) / (tumbling(real))16777216;
 }
 
 static uint64_t sum = 14695981039346656037u;
 
-static void add(tumbling_real x) {
+static void add(tumbling(real) x) {
     uint64_t bits = 0;
     memcpy(&bits, &x, sizeof x);
     sum = (sum ^ bits) * 1099511628211u;
 }
 
 /* How far a tensor is from what its principal moments and their frame make again. */
-static double apart(const tumbling_real tensor[3][3]) {
-    tumbling_real moments[3], f[4];
+static double apart(tumbling(real) tensor[3][3]) {
+    tumbling(real) moments[3], f[4];
     double w, x, y, z, r[3][3], most = 0;
     int i, j, k;
-    tumbling_principal(tensor, moments, f);
+    if (!tumbling(principal)(tensor, moments, f)) return 1;
     w = (double)f[0], x = (double)f[1], y = (double)f[2], z = (double)f[3];
     r[0][0] = 1 - 2 * (y * y + z * z), r[0][1] = 2 * (x * y - w * z), r[0][2] = 2 * (x * z + w * y);
     r[1][0] = 2 * (x * y + w * z), r[1][1] = 1 - 2 * (x * x + z * z), r[1][2] = 2 * (y * z - w * x);
@@ -45,11 +59,11 @@ static double apart(const tumbling_real tensor[3][3]) {
 static int principal_axes(void) {
     int n, i, j;
     for (n = 0; n < 1000; n++) {
-        tumbling_real t[3][3];
+        tumbling(real) t[3][3];
         for (i = 0; i < 3; i++) {
-            for (j = i; j < 3; j++) t[i][j] = t[j][i] = i == j ? 1 + number() : n % 7 == j ? 0 : number() - (tumbling_real)0.5;
+            for (j = i; j < 3; j++) t[i][j] = t[j][i] = i == j ? 1 + number() : n % 7 == j ? 0 : number() - (tumbling(real))0.5;
         }
-        if (apart((const tumbling_real(*)[3])t) > (sizeof t[0][0] == sizeof(float) ? 1e-6 : 1e-14)) return 0;
+        if (apart(t) > (sizeof t[0][0] == sizeof(float) ? 1e-6 : 1e-14)) return 0;
     }
     seed = 1;
     return 1;
@@ -58,28 +72,29 @@ static int principal_axes(void) {
 int main(int count, char **words) {
     long steps = count > 1 ? atol(words[1]) : 1000, n;
     int i;
-    tumbling_body body;
-    tumbling_state state;
+    tumbling(body) body;
+    tumbling(state) state;
     if (!principal_axes()) return 1;
     for (n = 0; n < steps; n++) {
-        tumbling_real h, size;
+        tumbling(real) h, size;
         if (n % 16 == 0) {
-            tumbling_real moments[3], frame[4];
-            for (i = 0; i < 3; i++) moments[i] = number() + (tumbling_real)0.0625;
+            tumbling(real) moments[3], frame[4];
+            for (i = 0; i < 3; i++) moments[i] = number() + (tumbling(real))0.0625;
             if (n % 64 == 16) moments[1] = moments[0];
             if (n % 64 == 32) moments[1] = moments[2] = 1, moments[0] = 0;
-            for (i = 0; i < 4; i++) frame[i] = number() - (tumbling_real)0.5;
-            tumbling_prepare(&body, moments, n % 32 == 0 ? frame : 0);
-            for (i = 0; i < 4; i++) state.attitude[i] = number() + (tumbling_real)0.0625;
+            for (i = 0; i < 4; i++) frame[i] = number() - (tumbling(real))0.5;
+            if (n % 48 == 0) tumbling(of_inverse)(&body, moments, n % 32 == 0 ? frame : 0);
+            else tumbling(prepare)(&body, moments, n % 32 == 0 ? frame : 0);
+            for (i = 0; i < 4; i++) state.attitude[i] = number() + (tumbling(real))0.0625;
             for (i = 0; i < 3; i++) state.omega[i] = 16 * number() - 8;
         }
         /* Mostly short, now and then of some ten radians. */
         size = number();
-        h = size * size * size * size / 4 - (tumbling_real)0.0078125;
-        sum += (uint64_t)tumbling_step(&body, &state, h);
+        h = size * size * size * size / 4 - (tumbling(real))0.0078125;
+        sum += (uint64_t)tumbling(step)(&body, &state, h);
         for (i = 0; i < 4; i++) add(state.attitude[i]);
         for (i = 0; i < 3; i++) add(state.omega[i]);
-        state.omega[n % 3] = state.omega[n % 3] * (tumbling_real)0.9375 + number() - (tumbling_real)0.5;
+        state.omega[n % 3] = state.omega[n % 3] * (tumbling(real))0.9375 + number() - (tumbling(real))0.5;
     }
     printf("%016llx\n", (unsigned long long)sum);
     return 0;

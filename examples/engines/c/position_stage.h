@@ -2,23 +2,101 @@
    and momentum to rounding, whatever the body, the spin and the step. In the engine's loop, after forces, damping,
    contacts and joints have changed the spin, it replaces the gyroscopic term and the update of the attitude.
 
-   C99. Define TUMBLING_REAL as float before including this for single precision; it is double otherwise. Compiled with
-   -ffp-contract=off it gives the same bits as the Rust library it is taken from, `tumbling::step::PositionStage`.
+   Version: 0.1.0
+   Home: not yet published
+
+   C99, or C++11 and later. The names tumbling_... are in double precision. Define TUMBLING_FLOAT before including this
+   file for those in single precision, tumblingf_...; include it both ways to have both in one program:
+
+       #include "position_stage.h"
+       #define TUMBLING_FLOAT
+       #include "position_stage.h"
+
+   It gives the bits of the Rust library that it is taken from, `tumbling::step::PositionStage`. Where the processor has
+   a fused multiply-add, gcc needs -ffp-contract=off for that, and clang must not have -ffp-contract=fast; the last bits
+   are all that differs.
+
+   Options that let the compiler take every number for finite, or a sum or a quotient for another of about that value,
+   are refused below where the compiler says that it has them; in clang for x86 they have no effect on this file. Some
+   cannot be seen: in clang for other processors -fno-honor-nans, -funsafe-math-optimizations and its parts, and
+   -fapprox-func; in gcc `__attribute__((optimize))` on a caller. Nor can linking with -ffast-math, after which the whole
+   program takes subnormal numbers for zero.
+
+   MIT License
 
    Copyright (c) 2026 the tumbling maintainers
+
+   Permission is hereby granted, free of charge, to any person obtaining a copy
+   of this software and associated documentation files (the "Software"), to deal
+   in the Software without restriction, including without limitation the rights
+   to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+   copies of the Software, and to permit persons to whom the Software is
+   furnished to do so, subject to the following conditions:
+
+   The above copyright notice and this permission notice shall be included in all
+   copies or substantial portions of the Software.
+
+   THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+   IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+   FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+   AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+   LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+   OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+   SOFTWARE.
+
+   Or, at your choice, the Apache License, version 2.0.
    SPDX-License-Identifier: MIT OR Apache-2.0 */
-#ifndef TUMBLING_POSITION_STAGE_H
-#define TUMBLING_POSITION_STAGE_H
+#ifndef TUMBLING_POSITION_STAGE_VERSION
+#define TUMBLING_POSITION_STAGE_VERSION "0.1.0"
+#include <float.h>
 #include <math.h>
-#ifdef __FAST_MATH__
-#error "-ffast-math takes away what tells a number from none: compile this without it"
+#ifdef TUMBLING_REAL
+#error "define TUMBLING_FLOAT for single precision instead of TUMBLING_REAL: its names begin with tumblingf_"
+#endif
+#if defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ > 0) || defined _M_FP_FAST
+#error "-ffast-math, -Ofast, -ffinite-math-only and /fp:fast take away what tells a number from none: compile without"
+#endif
+#if defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined __NO_SIGNED_ZEROS__ || defined _M_FP_CONTRACT
+#error "-funsafe-math-optimizations, its parts and /fp:contract change the bits of every step: compile without"
+#endif
+#if defined __GCC_IEC_559 && __GCC_IEC_559 < 1
+#error "an option makes the compiler depart from IEEE 754: compile without it"
+#endif
+#if defined FLT_EVAL_METHOD && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
+#error "float and double are computed in another precision than their own: compile with -msse2 -mfpmath=sse"
+#endif
 #endif
 
-#ifndef TUMBLING_REAL
-#define TUMBLING_REAL double
+#if defined TUMBLING_FLOAT ? !defined TUMBLING_POSITION_STAGE_FLOAT : !defined TUMBLING_POSITION_STAGE_DOUBLE
+#ifdef TUMBLING_FLOAT
+#define TUMBLING_POSITION_STAGE_FLOAT
+#define tumbling_real tumblingf_real
+#define tumbling_body tumblingf_body
+#define tumbling_state tumblingf_state
+#define tumbling_sqrt tumblingf_sqrt
+#define tumbling_square tumblingf_square
+#define tumbling_unit tumblingf_unit
+#define tumbling_share tumblingf_share
+#define tumbling_prepare tumblingf_prepare
+#define tumbling_of_inverse tumblingf_of_inverse
+#define tumbling_principal_rows tumblingf_principal_rows
+#define tumbling_spin tumblingf_spin
+#define tumbling_part tumblingf_part
+#define tumbling_step tumblingf_step
+#define TUMBLING_OF(single, twice) single
+typedef float tumblingf_real;
+#else
+#define TUMBLING_POSITION_STAGE_DOUBLE
+#define TUMBLING_OF(single, twice) twice
+typedef double tumbling_real;
 #endif
-typedef TUMBLING_REAL tumbling_real;
-
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wignored-pragmas"
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT OFF
+#endif
 /* A body, prepared once: pure numbers. `frame` (w, x, y, z) takes principal axes to body axes, if `framed`. */
 typedef struct {
     tumbling_real coupling[3], modulus[3], relative[3], twist[3], twist_2[6], bound[3], frame[4];
@@ -31,41 +109,60 @@ typedef struct {
 } tumbling_state;
 
 static inline tumbling_real tumbling_sqrt(tumbling_real x) {
-    return sizeof x == sizeof(float) ? (tumbling_real)sqrtf((float)x) : (tumbling_real)sqrt((double)x);
-}
-static inline tumbling_real tumbling_share(tumbling_real weight, tumbling_real over, tumbling_real apart, tumbling_real beside) {
-    return apart == 0 ? 0 : (weight / over) * (apart / beside);
+    return TUMBLING_OF(sqrtf, sqrt)(x);
 }
 static inline tumbling_real tumbling_square(const tumbling_real q[4]) {
     return (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
 }
+/* Of length 1; returns 0 for a quaternion of no length, or not finite. */
+static inline int tumbling_unit(const tumbling_real q[4], tumbling_real unit[4]) {
+    const tumbling_real few = (tumbling_real)1e-30f, many = (tumbling_real)1e30f;
+    tumbling_real square = tumbling_square(q), most = 0, length;
+    int i;
+    for (i = 0; i < 4; i++) unit[i] = q[i];
+    if (!(square >= few && square <= many)) { /* scaled first, where squares leave the range of numbers */
+        for (i = 0; i < 4; i++) most = fabs((double)q[i]) > (double)most ? (q[i] < 0 ? -q[i] : q[i]) : most;
+        for (i = 0; i < 4; i++) unit[i] = unit[i] / most;
+        square = tumbling_square(unit);
+    }
+    length = tumbling_sqrt(square);
+    for (i = 0; i < 4; i++) unit[i] = unit[i] / length;
+    return square >= few;
+}
+static inline tumbling_real tumbling_share(tumbling_real weight, tumbling_real over, tumbling_real apart, tumbling_real beside) {
+    return apart == 0 ? 0 : (weight / over) * (apart / beside);
+}
 
-/* Moments (any unit) along the principal axes, and the turn from these to the body axes or NULL. A moment of infinity,
-   or three of zero, mean locked axes: the spin then stays constant. One zero moment is a thin rod. Returns 0, and a body
-   of constant spin, for moments that are negative or NaN, or one zero with two different ones. */
+/* Moments (any unit) along the principal axes, and the turn from these to the body axes or NULL. One zero moment is a
+   thin rod; three mean locked axes: the spin then stays constant. Returns 0, and a body of constant spin, for moments
+   that are negative or not finite, or one zero with two different ones, or so different that their ratios have no
+   number, and for a turn of no length or not finite. */
 static inline int tumbling_prepare(tumbling_body *body, const tumbling_real moments[3], const tumbling_real frame[4]) {
     static const int pair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-    tumbling_real m[3], a[3], first[6], y, z, yz, lo, mid, hi, most = 1;
-    int i, j, valid = 1, zeros = 0, locked = 0, order[3] = {0, 1, 2}, axes[3];
+    const tumbling_real ones[3] = {1, 1, 1};
+    tumbling_real m[3], a[3], first[6], y, z, yz, lo, mid, hi, most = 1, sum = 0;
+    int i, j, valid = 1, zeros = 0, order[3] = {0, 1, 2}, axes[3];
     for (i = 0; i < 3; i++) {
         m[i] = moments[i];
-        valid &= m[i] >= 0;
+        valid &= m[i] >= 0 && m[i] - m[i] == 0;
         zeros += m[i] == 0;
-        locked |= m[i] - m[i] != 0;
     }
     for (i = 0; i < 3; i++) { /* a rod is left alone: its other moments are equal */
         tumbling_real left = m[(i + 1) % 3], right = m[(i + 2) % 3];
         if (zeros == 1 && m[i] == 0) valid &= left == right;
         if (zeros == 2 && m[i] != 0) valid = 0;
     }
-    locked |= !valid || zeros == 3;
-    for (i = 0; i < 3; i++) {
-        if (locked) m[i] = 1;
+    body->framed = frame != 0;
+    for (i = 0; i < 4; i++) body->frame[i] = (tumbling_real)(i == 0);
+    if (frame) valid &= tumbling_unit(frame, body->frame);
+    if (!valid || zeros == 3) {
+        tumbling_prepare(body, ones, valid ? frame : 0);
+        return valid;
     }
     for (i = 0; i < 3; i++) {
         tumbling_real left = m[(i + 1) % 3], right = m[(i + 2) % 3];
         a[i] = m[i] == 0 ? 0 : (left - right) / m[i];
-        if (zeros == 1 && !locked) a[i] = m[i] == 0 ? 0 : left == 0 ? -1 : 1;
+        if (zeros == 1) a[i] = (tumbling_real)(m[i] == 0 ? 0 : left == 0 ? -1 : 1);
     }
     for (i = 0; i < 3; i++) {
         int at = i % 2;
@@ -100,21 +197,50 @@ static inline int tumbling_prepare(tumbling_body *body, const tumbling_real mome
     if (hi - mid > mid - lo) body->bound[order[0]] = 1 + tumbling_share(lo, mid, hi - lo, hi - mid);
     else body->bound[order[2]] = 1 + tumbling_share(hi, mid, hi - lo, mid - lo);
     for (i = 0; i < 3; i++) body->bound[i] = body->bound[i] * most * most;
-    body->framed = frame != 0;
-    for (i = 0; i < 4; i++) body->frame[i] = frame ? frame[i] / tumbling_sqrt(tumbling_square(frame)) : i == 0;
-    return valid;
+    for (i = 0; i < 3; i++) sum += body->bound[i] * 0 + body->twist[i] * 0 + body->modulus[i] * 0;
+    for (i = 0; i < 6; i++) sum += body->twist_2[i] * 0;
+    if (sum == 0) return 1;
+    tumbling_prepare(body, ones, 0);
+    return 0;
 }
 
-/* The principal moments of a symmetric tensor, and the turn from the principal axes to those of the tensor: for engines
-   that keep the tensor alone. Jacobi's rotations, in double precision. */
-static inline void tumbling_principal(const tumbling_real tensor[3][3], tumbling_real moments[3], tumbling_real frame[4]) {
-    double m[3][3], q[4] = {1, 0, 0, 0};
-    int i, j, k, n;
+/* From inverse moments, as engines store them; zero locks an axis, and the spin then stays constant. Returns 0, and a
+   body of constant spin, for those that are negative or not finite or have no inverse, and as above. */
+static inline int tumbling_of_inverse(tumbling_body *body, const tumbling_real inverse[3], const tumbling_real frame[4]) {
+    tumbling_real moments[3];
+    int i, valid = 1, locked = 0;
     for (i = 0; i < 3; i++) {
-        for (j = 0; j < 3; j++) m[i][j] = (double)tensor[i][j];
+        valid &= inverse[i] >= 0 && inverse[i] - inverse[i] == 0;
+        locked |= inverse[i] == 0;
     }
-    for (n = 0; n < 24; n++) {
-        double apart, t, c, s, half, p[4];
+    for (i = 0; i < 3; i++) moments[i] = !valid ? -1 : locked ? 0 : 1 / inverse[i];
+    return tumbling_prepare(body, moments, frame);
+}
+
+/* See tumbling_principal below. Jacobi's rotations, in double precision. Returns 0, and moments that are refused above,
+   for numbers that are not finite, a tensor that is not symmetric to rounding, a moment too large for a number. */
+static inline int tumbling_principal_rows(const tumbling_real x[3], const tumbling_real y[3], const tumbling_real z[3],
+                                          tumbling_real moments[3], tumbling_real frame[4]) {
+    const double limit = (double)TUMBLING_OF(FLT_MAX, DBL_MAX), epsilon = (double)TUMBLING_OF(FLT_EPSILON, DBL_EPSILON);
+    double m[3][3], q[4] = {1, 0, 0, 0}, most = 0, apart;
+    int i, j, k, n, exponent, valid = 1;
+    for (i = 0; i < 3; i++) {
+        m[0][i] = (double)x[i], m[1][i] = (double)y[i], m[2][i] = (double)z[i];
+    }
+    for (n = 0; n < 9; n++) {
+        valid &= fabs(m[n / 3][n % 3]) <= limit;
+        if (fabs(m[n / 3][n % 3]) > most) most = fabs(m[n / 3][n % 3]);
+    }
+    (void)frexp(valid ? most : 1, &exponent);
+    for (n = 0; n < 9; n++) m[n / 3][n % 3] = ldexp(m[n / 3][n % 3], -exponent); /* no square is out of range */
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        apart = m[i][j] - m[j][i];
+        valid &= fabs(apart) <= 32 * epsilon;
+        m[i][j] = m[j][i] = m[j][i] + apart / 2;
+    }
+    for (n = 0; n < 24 && valid; n++) {
+        double t, c, s, half, p[4];
         i = (n + 1) % 3, j = (n + 2) % 3, k = n % 3;
         if (m[i][j] == 0) continue;
         apart = (m[j][j] - m[i][i]) / (2 * m[i][j]);
@@ -131,8 +257,13 @@ static inline void tumbling_principal(const tumbling_real tensor[3][3], tumbling
         p[1 + j] = q[1 + j] * half - q[1 + i] * s;
         for (i = 0; i < 4; i++) q[i] = p[i];
     }
-    for (i = 0; i < 3; i++) moments[i] = (tumbling_real)m[i][i];
+    for (i = 0; i < 3; i++) {
+        m[i][i] = ldexp(m[i][i], exponent);
+        valid &= m[i][i] <= limit;
+    }
+    for (i = 0; i < 3; i++) moments[i] = valid ? (tumbling_real)m[i][i] : -1;
     for (i = 0; i < 4; i++) frame[i] = (tumbling_real)q[i];
+    return valid;
 }
 
 /* The spin along the principal axes; the rotation matrix from these to the world; the bound of the turn's square. */
@@ -163,8 +294,7 @@ static inline int tumbling_part(const tumbling_body *body, const tumbling_state 
     const tumbling_real *a = body->coupling, *t = body->twist, *u = body->twist_2, *q = from->attitude;
     tumbling_real r[3][3], omega[3], s[3], e[3], k[3], root[3], bend[3], sum[3], scaled[3], c[3], b[3], change[3], n[3];
     tumbling_real mean, square, series, twist, more, pace, product, below, over, along, length, scale, check;
-    tumbling_real epsilon = sizeof over == sizeof(float) ? (tumbling_real)1.1920928955078125e-7
-                                                         : (tumbling_real)2.220446049250313e-16;
+    const tumbling_real epsilon = TUMBLING_OF(FLT_EPSILON, DBL_EPSILON);
     int i;
     square = tumbling_spin(body, from, h, r, omega, s);
     length = tumbling_square(q);
@@ -242,7 +372,7 @@ static inline int tumbling_step(const tumbling_body *body, tumbling_state *state
     turn = tumbling_sqrt(tumbling_spin(body, &at, h, r, omega, squares)) / (tumbling_real)0.5;
     if (!(turn <= 4096)) return 0;
     parts = (int)turn;
-    if (parts < turn) parts++;
+    if ((tumbling_real)parts < turn) parts++;
     if (parts < 1) parts = 1;
     for (i = 0; i < parts; i++) {
         if (!tumbling_part(body, &at, h / (tumbling_real)parts, &at)) return 0;
@@ -250,4 +380,36 @@ static inline int tumbling_step(const tumbling_body *body, tumbling_state *state
     *state = at;
     return parts;
 }
+#ifdef __clang__
+#pragma float_control(pop)
+#pragma STDC FP_CONTRACT DEFAULT
+#pragma clang diagnostic pop
+#endif
+#undef TUMBLING_OF
+#ifdef TUMBLING_FLOAT
+#undef tumbling_real
+#undef tumbling_body
+#undef tumbling_state
+#undef tumbling_sqrt
+#undef tumbling_square
+#undef tumbling_unit
+#undef tumbling_share
+#undef tumbling_prepare
+#undef tumbling_of_inverse
+#undef tumbling_principal_rows
+#undef tumbling_spin
+#undef tumbling_part
+#undef tumbling_step
+#endif
+#endif
+#undef TUMBLING_FLOAT
+
+/* The principal moments of a tensor, three rows of three numbers, and the turn from the principal axes to those of the
+   tensor: for engines that keep the tensor alone. Macros, since C before C23 warns where an array of rows becomes one of
+   constant rows. */
+#ifndef tumbling_principal
+#define tumbling_principal(tensor, moments, frame) \
+    tumbling_principal_rows((tensor)[0], (tensor)[1], (tensor)[2], moments, frame)
+#define tumblingf_principal(tensor, moments, frame) \
+    tumblingf_principal_rows((tensor)[0], (tensor)[1], (tensor)[2], moments, frame)
 #endif
