@@ -8,7 +8,7 @@ the search (fetched by the first search), not what a widget fetches when it come
 limit; the page for printing, which holds the whole book, is weighed and not limited.
 
 The first page has a limit of its own for all that it fetches until its book tumbles: the scripts and modules of its
-widgets, the fonts (the one for formulas only if it has formulas) and its icon too. The same limit holds without scripts,
+widgets, the fonts (those for formulas, code and names only if it has such) and its icon too. The same limit holds without scripts,
 where a film stands in for the book.
 """
 
@@ -38,7 +38,8 @@ def first(page: Path) -> list[Path]:
         found += [folder / part for part in [f"{name}.js", *(f"{module}.wasm.js" for module in modules.split()), *parts]]
     sheets = [page.parent / target for target in re.findall(r'href="(fonts/[^"]+\.css)"', text)]
     fonts = [font for sheet in sheets for font in re.findall(r"url\('([^']+)'\)", sheet.read_text(encoding="utf-8"))]
-    used = [page.parent / "fonts" / font for font in fonts if "math" not in font or "<math" in text]
+    needed = {"math": "<math", "mono": "<(code|pre|textarea)", "names": "[\u0100-\u017f]"}
+    used = [page.parent / "fonts" / font for font in fonts if all(name not in font or re.search(sign, text) for name, sign in needed.items())]
     if len(used) < 2 or not any(file.name.endswith(".wasm.js") for file in found):
         raise SystemExit("the first page has lost its fonts or its widget: look again at what it fetches")
     return sorted({file.resolve() for file in found + sheets + used})

@@ -1,6 +1,6 @@
 // Opens every page of the built book, as a file and from a local server, and fails on whatever a reader
 // would stumble over: a request to any other place, a word on the console, a page that scrolls
-// sideways, a control the keyboard cannot reach, a rule of accessibility broken.
+// sideways, a letter in a font that is not the book's, a control the keyboard cannot reach, a rule of accessibility broken.
 //
 //     node check.mjs [--pages FOLDER] [--shots DIR] [--at-once N] [NAME ...]
 //
@@ -13,6 +13,7 @@ import { pathToFileURL, fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { figures } from "./figures.mjs";
+import { foreignLetters, watchCanvases, withFonts } from "./fonts.mjs";
 import { comesToRest, liveJobs } from "./live.mjs";
 import { atlas, codeFolds, keyboard, questions, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
@@ -59,6 +60,7 @@ async function open(base, options = {}) {
   if (theme) {
     await context.addInitScript((t) => localStorage.setItem("mdbook-theme", t), theme);
   }
+  await context.addInitScript(watchCanvases);
   const page = await context.newPage();
   const tell = (what) => fault(page.url().replace(base, ""), what);
   page.on("request", (request) => {
@@ -81,14 +83,15 @@ function tooWide() {
   const found = [];
   const width = document.documentElement.clientWidth;
   if (document.documentElement.scrollWidth > width) {
-    found.push(`the page scrolls sideways (${document.documentElement.scrollWidth} px)`);
+    found.push({ what: `the page scrolls sideways (${document.documentElement.scrollWidth} px)` });
   }
   const boxes = ".math-display, .fig-frame, .table-wrapper, pre";
   for (const element of document.querySelectorAll("main *")) {
     if (element.closest(boxes) && !element.matches(boxes)) continue;
     const box = element.getBoundingClientRect();
     if (box.width > 0 && (box.right > width + 1 || box.left < -1)) {
-      found.push(`<${element.localName}> is cut off: ${element.textContent.trim().slice(0, 60)}`);
+      element.dataset.fault = found.length + 1;
+      found.push({ what: `<${element.localName}> is cut off: ${element.textContent.trim().slice(0, 60)}`, marked: element.dataset.fault });
     }
   }
   return found.slice(0, 5);
@@ -179,7 +182,8 @@ async function looks(name) {
     if (own && width === WIDTHS[0]) await comesToRest(page, "reduce", fault);
     await page.evaluate(() => document.fonts.ready);
     await page.evaluate(unfold);
-    for (const what of await page.evaluate(tooWide)) fault(`${name}, ${width} px`, what);
+    for (const what of await withFonts(page, await page.evaluate(tooWide))) fault(`${name}, ${width} px`, what);
+    if (width === WIDTHS[0]) for (const what of await foreignLetters(page)) fault(name, what);
     if (own) await rules(page, `${name}, light, ${width} px`, width === WIDTHS.at(-1) ? undefined : OF_WIDTH);
     await shoot("light", width);
   }

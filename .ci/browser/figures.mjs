@@ -1,5 +1,6 @@
 // Figures and formulas on a phone, and figures opened large: all of a drawing can be brought into view, its letters can be
 // read, and it has the colours of its page.
+import { withFonts } from "./fonts.mjs";
 
 /** Whose letters no scrolling brings into view. Bounds come from every box around that cuts off what sticks out of it. */
 function outOfReach() {
@@ -21,22 +22,25 @@ function outOfReach() {
     const box = frame.getBoundingClientRect();
     if (box.width === 0) continue;
     if (box.left < left - 1 || box.right > right + 1) {
-      found.push(`${name}: its frame from ${box.left} to ${box.right} is seen from ${left} to ${right} only`);
+      found.push({ what: `${name}: its frame from ${box.left} to ${box.right} is seen from ${left} to ${right} only` });
     }
     // Where all its own room is, scrolled to either end.
     const [from, to] = [box.left + frame.clientLeft - frame.scrollLeft, box.left + frame.clientLeft - frame.scrollLeft + frame.scrollWidth];
-    if (frame.scrollWidth > frame.clientWidth + 1 && !/auto|scroll/.test(getComputedStyle(frame).overflowX)) found.push(`${name} does not scroll`);
+    if (frame.scrollWidth > frame.clientWidth + 1 && !/auto|scroll/.test(getComputedStyle(frame).overflowX)) found.push({ what: `${name} does not scroll` });
     const drawing = frame.querySelector("svg").getBoundingClientRect();
     for (const text of frame.querySelectorAll("text")) {
       const { left: at, right: end, width } = text.getBoundingClientRect();
       if (width === 0) continue;
-      if (at < Math.max(from, drawing.left) - 1 || end > Math.min(to, drawing.right) + 1) found.push(`${name}: "${text.textContent}" is cut off`);
+      if (at < Math.max(from, drawing.left) - 1 || end > Math.min(to, drawing.right) + 1) {
+        text.dataset.fault = found.length + 1;
+        found.push({ what: `${name}: "${text.textContent}" is cut off`, marked: text.dataset.fault });
+      }
     }
   }
   for (const stage of document.querySelectorAll("main .live-stage")) {
     const [left, right] = around(stage);
     const box = stage.getBoundingClientRect();
-    if (box.width > 0 && (box.left < left - 1 || box.right > right + 1)) found.push("a widget's frame is cut off");
+    if (box.width > 0 && (box.left < left - 1 || box.right > right + 1)) found.push({ what: "a widget's frame is cut off" });
   }
   return found;
 }
@@ -88,7 +92,7 @@ export async function figures({ open, base, pages, fault }) {
   for (const name of pages.filter((name) => name !== "print.html")) {
     await page.goto(base + name);
     await page.evaluate(() => document.fonts.ready);
-    for (const what of await page.evaluate(outOfReach)) fault(`${name}, 390 px`, what);
+    for (const what of await withFonts(page, await page.evaluate(outOfReach))) fault(`${name}, 390 px`, what);
     await page.evaluate(() => { for (const fold of document.querySelectorAll("main details")) fold.open = true; });
     for (const what of await page.evaluate(unread)) fault(`${name}, 390 px`, what);
     for (const link of await page.locator("a.fig-large").evaluateAll((all) => all.map((a) => a.href.split("#")[0]))) large.add(link);

@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { byHand, finger, frames, pass, pitfallsDrawn, tumbleDrawn, tumblePlayed, tumbleRolls } from "./drawn.moving.mjs";
+import { foreignLetters, withFonts } from "./fonts.mjs";
 import { arrowsDrawn, boxDrawn, read, stepsDrawn } from "./drawn.flat.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -1246,13 +1247,14 @@ const PLAYS = {
 function cutOff(widget) {
   const stage = document.querySelector(`#live-${widget} .live-stage`);
   const found = [];
-  if (stage.scrollWidth > stage.clientWidth) found.push(`the frame is ${stage.scrollWidth} px wide inside ${stage.clientWidth}`);
+  if (stage.scrollWidth > stage.clientWidth) found.push({ what: `the frame is ${stage.scrollWidth} px wide inside ${stage.clientWidth}` });
   for (const svg of stage.querySelectorAll("svg")) {
     const frame = svg.getBoundingClientRect();
     for (const text of svg.querySelectorAll("text")) {
       const box = text.getBoundingClientRect();
       if (box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1) {
-        found.push(`"${text.textContent}" is cut off`);
+        text.dataset.fault = found.length + 1;
+        found.push({ what: `"${text.textContent}" is cut off`, marked: text.dataset.fault });
       }
     }
   }
@@ -1325,6 +1327,8 @@ async function enlivened({ open }, base, name, widget, widgets, reducedMotion, w
   }
   const others = asked.filter((file) => file.endsWith(".wasm.js") && ![...widgets, ...modules].some((w) => file === `${w}.wasm.js`));
   wants(`it loads no other module than the page's: ${others}`, others.length === 0);
+  await page.evaluate(() => document.fonts.ready); // with which drawings are drawn anew
+  await frames(page);
   const before = await box.innerHTML();
   await frames(page, 12);
   wants("nothing moves until asked", before === (await box.innerHTML()));
@@ -1341,7 +1345,8 @@ async function looks({ axe, fault, shots }, page, widget, where) {
   for (const width of [320, 800, 1400]) {
     await page.setViewportSize({ width, height: 900 });
     await frames(page);
-    for (const what of await page.evaluate(cutOff, widget)) fault(`${where}, ${width} px`, what);
+    for (const what of await withFonts(page, await page.evaluate(cutOff, widget))) fault(`${where}, ${width} px`, what);
+    if (width === 320) for (const what of await foreignLetters(page, `#live-${widget}`)) fault(where, what);
     for (const theme of width === 800 ? THEMES : shots ? ["light", "navy"] : []) {
       await page.evaluate(([themes, theme]) => {
         document.documentElement.classList.remove(...themes);

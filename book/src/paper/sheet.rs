@@ -137,6 +137,8 @@ pub(super) fn document(
         ("Literata", "normal", "literata.woff2"),
         ("Literata", "italic", "literata-italic.woff2"),
         ("Tumbling Math", "normal", "tumbling-math.woff2"),
+        ("Tumbling Sans", "normal", "tumbling-sans.woff2"),
+        ("Tumbling Mono", "normal", "tumbling-mono.woff2"),
     ] {
         let path = paths::book().join("theme/fonts").join(file);
         let font = std::fs::read(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;

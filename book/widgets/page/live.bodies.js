@@ -113,6 +113,7 @@ tumblingLive.bodies ??= (() => {
             changed();
         };
         dye();
+        document.fonts.addEventListener("loadingdone", again);
         new MutationObserver(again).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
         for (const query of ["(forced-colors: active)", "(prefers-color-scheme: dark)"]) matchMedia(query).addEventListener("change", again);
         return colours;

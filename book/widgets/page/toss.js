@@ -126,7 +126,7 @@ tumblingLive.widget("toss", async (stage) => {
             print([0, -y, 0], [unit, 0, 0], [0, 0, -unit], () => {
                 pen.lineWidth = 0.012;
                 pen.strokeRect(-0.37, -0.66, 0.78, 1.32);
-                pen.font = "600 0.125px Georgia, serif";
+                pen.font = "600 0.125px Literata, serif";
                 pen.fillText("TUMBLING", 0.02, -0.36, 0.66);
                 pen.beginPath();
                 pen.ellipse(0.02, 0.14, 0.24, 0.16, 0, 0, 2 * Math.PI);
@@ -137,7 +137,7 @@ tumblingLive.widget("toss", async (stage) => {
         }
         if (toward[0] < 0) {
             print([-x, 0, 0], [0, 0, unit], [0, unit, 0], () => {
-                pen.font = "600 0.075px Georgia, serif";
+                pen.font = "600 0.075px Literata, serif";
                 pen.fillText("TUMBLING", 0, 0.004);
             });
         }

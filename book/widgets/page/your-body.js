@@ -147,15 +147,15 @@ tumblingLive.widget("your-body", async (stage) => {
     function gaps([easy, hard]) {
         return Array.from(body.answer(2, ...found.moments, easy, hard, DEGREES.length, ...DEGREES.map((x) => Math.tan((x * Math.PI) / 360))) ?? []);
     }
-    redraws.push(drawing(pictures.gap, (width) => Math.round(Math.min(0.5 * width, 240)), (width, height) => {
+    redraws.push(drawing(pictures.gap, (width) => Math.round(Math.min(0.5 * width, 224)), (width, height) => {
         if (!found) return;
         const svg = pictures.gap;
         const curves = PLANES.map(gaps);
         const most = Math.max(1, ...curves.flat()) * 1.15;
-        const at = (x, gap) => [44 + ((width - 60) * x) / 90, height - 40 - ((height - 60) * gap) / most];
+        const at = (x, gap) => [44 + ((width - 60) * x) / 90, height - 24 - ((height - 44) * gap) / most];
         for (const x of [0, 30, 60, 90]) {
             path(svg, "live-grid", [at(x, 0), at(x, most)]);
-            draw("text", svg, { x: at(x, 0)[0], y: height - 22, "text-anchor": "middle" }, `${x}°`);
+            draw("text", svg, { x: at(x, 0)[0], y: height - 6, "text-anchor": "middle" }, `${x}°`);
         }
         const step = [30, 10, 5, 2, 1, 0.5, 0.2].find((step) => most / step >= 2.5) ?? 0.2;
         for (let gap = 0; gap < most; gap += step) {
@@ -163,7 +163,6 @@ tumblingLive.widget("your-body", async (stage) => {
             draw("text", svg, { x: 38, y: at(0, gap)[1] + 5, "text-anchor": "end" }, `${Number(gap.toFixed(1))}°`);
         }
         curves.forEach((gap, k) => { if (gap.length > 0) path(svg, `live-curve ${PLANES[k][2]}`, gap.map((y, x) => at(x, y))); });
-        draw("text", svg, { x: width / 2, y: height - 3, "text-anchor": "middle" }, width > 480 ? "spin from axis 1 to 3 (solid), 1 to 2 (dashed), 2 to 3 (dotted)" : "1 to 3 solid, 1 to 2 dashed, 2 to 3 dotted");
     }));
     const redraw = () => redraws.forEach((again) => again());
 
