@@ -26,7 +26,7 @@ pub use info::{Conserved, MethodInfo};
 pub use method::Method;
 pub use methods::rk4::rk4;
 pub use pitfalls::Engine;
-pub use position_stage::{PositionStage, Stepped, change_of_spin, conserving_turn};
+pub use position_stage::{PositionStage, Stepped, change_of_spin, conserving_pace, conserving_turn};
 pub use stepper::Stepper;
 pub use system::System;
 pub use torque::{Torque, TorqueFunction};

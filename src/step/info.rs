@@ -2,7 +2,7 @@
 
 use super::method::Method;
 
-/// A method's name, order and conserved quantities, as proven or measured by the tests for free motion.
+/// A method's name, order and conserved quantities, as the tests find them for free motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Its usual name.

@@ -10,7 +10,7 @@ use coefficients::{Coefficients, finite};
 use nalgebra::{Quaternion, Scalar, Vector3};
 use num_traits::Float;
 use turn::three;
-pub use turn::{change_of_spin, conserving_turn};
+pub use turn::{change_of_spin, conserving_pace, conserving_turn};
 
 /// The longest turn of one part of a step, radians.
 const LONGEST: f32 = 0.5;

@@ -1,9 +1,10 @@
-//! Equations in TeX, each proven to be what the library's own functions do.
+//! Equations in TeX, each proven of what its names mean: what functions of the library give, or, of the closed
+//! form, formulas and sums that are written here a second time.
 //!
 //! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state.
-//! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX,
-//! against the library; or one of the exemptions, each with its reason; or give nothing but values, which are
-//! numbers and not laws. A law or exemption that is not found is a fault too. A bare expression is a name
+//! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX;
+//! or one of the exemptions, each with its reason, which are compared as text alone; or give nothing but
+//! values, which are numbers and not laws. A law or exemption that is not found is a fault too. A bare expression is a name
 //! alone, or a law whose worth the sentence around it states, or notation. What cannot be read is a fault.
 //!
 //! ```
@@ -76,7 +77,7 @@ pub struct Settled {
 pub struct Expected {
     /// Laws; those with one left side in the order of the text.
     pub laws: &'static [Law],
-    /// Statements that claim nothing about the library, or that are proven apart.
+    /// Statements that claim nothing about the library, or of which a proof holds what the reason says.
     pub exemptions: &'static [Exemption],
     /// Bare expressions, inline, that name a thing and say nothing about it.
     pub notation: &'static [Exemption],

@@ -1,8 +1,8 @@
-//! The laws of the `tumbling` library, proven for all bodies at once.
+//! Laws of the `tumbling` library, proven for all bodies at once.
 //!
-//! The library writes each law once, over whatever can be added and multiplied. Here the very same
-//! functions run on [`Polynomial`]s and [`Fraction`]s in named variables instead of floats: what comes out
-//! is the law itself, and whether two laws agree is decided, not sampled.
+//! The library writes its laws over whatever can be added and multiplied. Here the very same functions run on
+//! [`Polynomial`]s and [`Fraction`]s in named variables instead of floats: what comes out is the law itself,
+//! and whether two laws agree is decided, not sampled.
 //!
 //! ```
 //! use tumbling::dynamics::euler::coupling;
@@ -15,8 +15,12 @@
 //! assert_eq!(omega.dot(&torque_free).to_string(), "0");
 //! ```
 //!
-//! [`proofs()`] lists them all. A proof is about the formula in exact arithmetic: it says nothing of
-//! rounding, of overflow, or of what is computed with branches and roots, which other tests must watch.
+//! [`proofs()`] lists them all. Two kinds say less. The closed form of the library computes in floats alone:
+//! its formulas are written here a second time, and what they make is put into the library's laws. And each
+//! stepping method but Runge and Kutta's runs from two starts in exact fractions, which is a test.
+//!
+//! A proof is about the formula in exact arithmetic: it says nothing of rounding, of overflow, or of what is
+//! computed with branches and roots, which other tests must watch.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod certain;

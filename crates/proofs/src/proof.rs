@@ -13,7 +13,7 @@ pub struct Proof {
     pub name: &'static str,
     /// What it is about: the part of the library.
     pub part: &'static str,
-    /// What is proven, in plain words.
+    /// What the check checks, and no more, in plain words.
     pub statement: &'static str,
     /// What is left over, if the claim is false.
     pub check: fn() -> Outcome,

@@ -1,8 +1,10 @@
 //! The laws that the numbers of this crate must obey, on random ones.
 
+use nalgebra::{Quaternion, Vector3};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 use tumbling::number::Field;
+use tumbling::step::PositionStage;
 use tumbling_proofs::{
     BigInt, BigRational, Derivation, Fraction, Monomial, Polynomial, Rational, Relations, Series, Symbol,
 };
@@ -278,4 +280,50 @@ fn bad_text_is_refused_where_it_is_bad() {
         assert_eq!(error.at, at, "{text}: {error}");
     }
     assert!("(".repeat(100_000).parse::<Fraction>().is_err());
+}
+
+/// The sum of what is added to the pace under the three roots, without signs, and the largest of the bends, at the
+/// longest time for which the position stage takes a single part.
+fn at_the_longest_part(moments: Vector3<f64>, spin: Vector3<f64>) -> (f64, f64) {
+    let stage = PositionStage::new(&moments).unwrap();
+    let alone = |h: f64| stage.step(&Quaternion::identity(), &spin, h).parts == 1;
+    let (mut h, mut beyond) = (0.0, 1e9);
+    while (beyond - h) / beyond > 1e-12 {
+        let middle = if h == 0.0 { beyond / 2.0 } else { (h + beyond) / 2.0 };
+        if alone(middle) { h = middle } else { beyond = middle }
+    }
+    let coupling = [0, 1, 2].map(|i| {
+        let difference = moments[(i + 1) % 3] - moments[(i + 2) % 3];
+        // About the length of a rod nothing turns the spin.
+        if moments[i] == 0.0 { 0.0 } else { difference / moments[i] }
+    });
+    let turn = spin * h;
+    let under = |i: usize| (coupling[(i + 1) % 3] * coupling[(i + 2) % 3] * turn[i] * turn[i]).abs();
+    let bend = |i: usize| (coupling[i] * turn[(i + 1) % 3]).abs();
+    ([0, 1, 2].map(under).iter().sum(), [0, 1, 2].map(bend).into_iter().fold(0.0, f64::max))
+}
+
+proptest! {
+    /// On this rests that `position-stage-roots-are-real` speaks of every step: moments that no solid has, too.
+    #[test]
+    fn a_part_of_a_step_is_as_short_as_its_proof_assumes(
+        moments in [-9.0..9.0_f64, -9.0..9.0, -9.0..9.0],
+        rod in 0_usize..12,
+        spin in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0],
+        small in 0_usize..4,
+    ) {
+        let mut moments = Vector3::from(moments.map(f64::exp));
+        let mut spin = Vector3::from(spin);
+        if rod < 3 {
+            moments = Vector3::repeat(moments.x);
+            moments[rod] = 0.0;
+        }
+        if small < 3 {
+            spin[small] *= 1e-6;
+        }
+        prop_assume!(spin.norm() > 1e-3);
+        let (under, bend) = at_the_longest_part(moments, spin);
+        prop_assert!(under <= 0.51 * 0.51, "{moments:?} {spin:?}: {under}");
+        prop_assert!(bend <= 0.51, "{moments:?} {spin:?}: {bend}");
+    }
 }

@@ -8,7 +8,7 @@ use crate::{attitude, dynamics::euler};
 use nalgebra::Vector3;
 
 /// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of
-/// the step, as the proofs show. The order of a method is that of the worst.
+/// the step, as a test on power series shows. The order of a method is that of the worst.
 /// With a torque, between two half kicks of it: a torque held for the whole step would cost an order.
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);

@@ -1,6 +1,7 @@
 //! What the position stage needs of a body, prepared once.
 
-use super::{number, turn::three};
+use super::number;
+use super::turn::{conserving_pace, three};
 use crate::error::{Error, Refusal, Subject, TensorRefusal};
 use crate::number::Field;
 use num_traits::Float;
@@ -131,24 +132,19 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
     #[inline(always)]
     pub(super) fn pace(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
         let one = T::one();
-        let over = |x: f32| one / number::<T>(x);
         let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
-        // Of Weierstrass' function, h^2 P(h) = 1 + g2/20 + g3/28 + g2^2/1200 ..., in units of the time.
         let m = &self.modulus;
-        let [a, b, c] = [m[0] * x, m[1] * y, m[2] * z];
-        let mean = (a + b + c) * over(3.0);
-        let [a, b, c] = [mean - a, mean - b, mean - c];
-        let squares = a * a + b * b + c * c;
-        let series = squares * (over(10.0) + squares * over(300.0)) + (a * b) * c * over(7.0);
+        let pace = conserving_pace([m[0] * x, m[1] * y, m[2] * z], |n| one / number::<T>(n.into()));
         let s = &self.twist_2;
         let twist = self.twist[0] * x + self.twist[1] * y + self.twist[2] * z;
         let more = x * (s[0] * x + s[1] * y + s[2] * z) + y * (s[3] * y + s[4] * z) + z * (s[5] * z);
         let twist = twist + more * (one + twist * (number::<T>(17.0) / number::<T>(14.0)));
-        ((one - mean) + series, three(|i| one + self.relative[i] * twist))
+        (pace, three(|i| one + self.relative[i] * twist))
     }
 }
 
-/// A linear form in the squares of the spin that no later spin's square is above.
+/// A linear form in the squares of the spin that no later spin's square is above. No coefficient is below the
+/// square of any coupling, on which the proof rests that the roots of a step are real.
 fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [T; 3] {
     let one = T::one();
     let order = ascending(moments);

@@ -16,8 +16,8 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 }
 
 /// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
-/// `pace` and whatever one number in `weights` is: proven of this function for all of them
-/// (`crates/proofs/src/proofs/position_stage.rs`).
+/// `pace` and whatever one number in `weights` is, where the three roots are real and `below` is not zero:
+/// proven of this function (`crates/proofs/src/proofs/position_stage.rs`), and both of every part of a step.
 ///
 /// - `coupling`: `(I_j - I_k) / I_i` for the principal moments `I`, so that `omega_i' = coupling_i omega_j
 ///   omega_k`.
@@ -63,6 +63,20 @@ pub fn conserving_turn<T: Field>(
     let tangents = three(|i| of(weights, i) * (of(&scaled, i) * pace.clone()));
     let slip = three(|i| of(weights, i) * (of(coupling, i) * (of(&scaled, i + 1) * of(&sum, i + 2))));
     (below, [tangents, slip])
+}
+
+/// The pace of a [`conserving_turn`] that follows the free motion, from the numbers that are added to it under
+/// the roots, `coupling_j coupling_k (h omega_i)^2`; `over` gives one over a whole number.
+///
+/// With the first terms of Weierstrass' function, `h^2 P(h) = 1 + g2/20 + g3/28 + g2^2/1200 ...`, in units of
+/// the time.
+#[inline(always)]
+pub fn conserving_pace<T: Field>([a, b, c]: [T; 3], over: impl Fn(u16) -> T) -> T {
+    let mean = (a.clone() + b.clone() + c.clone()) * over(3);
+    let [a, b, c] = [mean.clone() - a, mean.clone() - b, mean.clone() - c];
+    let squares = a.clone() * a.clone() + b.clone() * b.clone() + c.clone() * c.clone();
+    let series = squares.clone() * (over(10) + squares * over(300)) + (a * b) * c * over(7);
+    (T::one() - mean) + series
 }
 
 /// Along each axis.

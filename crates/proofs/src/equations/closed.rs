@@ -1,5 +1,6 @@
 //! What the names mean where the book derives the exact motion: the motion whose spin and attitude are
-//! proven to obey Euler's equations and `q' = q w/2`, and the series as sums of their terms.
+//! proven to obey Euler's equations and `q' = q w/2`, and the series as sums of their terms, cut off here: no
+//! function of the library's closed form runs.
 
 use crate::number::{Fraction, Relations};
 use crate::proofs::klein::{Change, Motion, motion};

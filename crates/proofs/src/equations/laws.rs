@@ -1,4 +1,4 @@
-//! Laws as equations in TeX, and which functions of the library each is proven to be.
+//! Laws as equations in TeX, and what the names of each mean.
 
 use super::bodies::{self, axis, body, piece, planar, the_box, the_box_spun};
 use super::closed;
@@ -98,7 +98,7 @@ impl Law {
     }
 }
 
-/// What claims nothing about the library, or is proven apart.
+/// What claims nothing about the library, or of which a proof holds what the reason says.
 #[derive(Debug, Clone, Copy)]
 pub struct Exemption {
     /// All of it, as written.

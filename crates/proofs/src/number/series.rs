@@ -1,4 +1,4 @@
-//! Power series in a step size, cut off after some power: how the order of an integrator is proven.
+//! Power series in a step size, cut off after some power: how the order of an integrator is found.
 
 use super::ops::operator;
 use super::tex::Tex;

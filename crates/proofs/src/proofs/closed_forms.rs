@@ -11,7 +11,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "symmetric-top",
         part: "exact",
-        statement: "With I1 = I2 the spin circles the third axis at the rate (I3 - I1) w3 / I1: w1 = A cos, w2 = A sin, w3 constant.",
+        statement: "With I1 = I2 the spin w1 = A cos, w2 = A sin, w3 constant, which circles the third axis at the rate (I3 - I1) w3 \
+                    / I1, obeys Euler's equations.",
         check: || symmetric_top(angular_acceleration, 1),
         mutants: &[
             Mutant { change: "the other way round", check: || symmetric_top(angular_acceleration, -1) },
@@ -21,8 +22,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "separatrix",
         part: "exact",
-        statement: "On the separatrix the spin is (A1 sech, w tanh, A3 sech) of w t sqrt((I2 - I1)(I3 - I2) / (I1 I3)), with A1 and A3 in \
-                    closed form; then L² = 2 E I2. For every body with three different moments.",
+        statement: "The spin (A1 sech, w tanh, A3 sech) of w t sqrt((I2 - I1)(I3 - I2) / (I1 I3)), with A1 and A3 in closed form, \
+                    obeys Euler's equations and has L² = 2 E I2, for every I1 < I2 < I3.",
         check: || separatrix(angular_acceleration, 1),
         mutants: &[
             Mutant {
@@ -35,8 +36,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "circling-the-largest-axis",
         part: "exact",
-        statement: "Off the separatrix, on the side of the largest moment, the spin is (A1 cn, A2 sn, A3 dn), with amplitudes, rate and \
-                    parameter in closed form. For every body with three different moments.",
+        statement: "The spin (A1 cn, A2 sn, A3 dn), with amplitudes, rate and parameter in closed form, obeys Euler's equations, for \
+                    every I1 < I2 < I3. The rates of Jacobi's functions are put in.",
         check: || elliptic(angular_acceleration, Side::Largest, 1),
         mutants: &[
             Mutant {
@@ -52,7 +53,7 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "circling-the-smallest-axis",
         part: "exact",
-        statement: "On the side of the smallest moment the spin is (A1 dn, A2 sn, A3 cn), the same with the two ends exchanged.",
+        statement: "The spin (A1 dn, A2 sn, A3 cn) with the two ends exchanged obeys Euler's equations, for every I1 < I2 < I3.",
         check: || elliptic(angular_acceleration, Side::Smallest, 1),
         mutants: &[Mutant {
             change: "the rate reversed",

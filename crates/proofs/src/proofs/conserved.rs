@@ -11,7 +11,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "energy",
         part: "euler",
-        statement: "The energy changes at the rate w.torque, and not at all without: in both forms of the law, for every tensor and spin.",
+        statement: "The energy changes at the rate w.torque, and not at all without: by the law of the momentum for every symmetric \
+                    J, by Euler's equations along principal axes for every spin.",
         check: || power(momentum_rate, angular_acceleration),
         mutants: &[
             Mutant {
@@ -42,7 +43,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "length-of-momentum",
         part: "euler",
-        statement: "|L|² changes at the rate 2 L.torque, and not at all without, for every tensor and spin.",
+        statement: "|L|² changes at the rate 2 L.torque, and not at all without: by the law of the momentum for every symmetric J, \
+                    by Euler's equations along principal axes for every spin.",
         check: || length(momentum_rate, angular_acceleration),
         mutants: &[
             Mutant {

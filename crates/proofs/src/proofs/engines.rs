@@ -43,7 +43,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "right-engine",
         part: "step",
-        statement: "The right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to its momentum.",
+        statement: "The law of the right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to \
+                    its momentum.",
         check: || keeps_only(Engine::Turned, &Law::ALL),
         mutants: &[Mutant {
             change: "the frozen tensor in its place",
@@ -53,8 +54,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "frozen-tensor",
         part: "step",
-        statement: "With the tensor frozen in the world (pitfall 1), momentum, its length, energy and Euler's equations all break as \
-                    soon as the body has turned.",
+        statement: "With the tensor frozen in the world (pitfall 1), the rates of momentum, its length and energy, and what is left \
+                    of Euler's equations, are not zero for all bodies, spins and attitudes: all four laws break.",
         check: || keeps_only(Engine::Frozen, &[]),
         mutants: &[
             Mutant { change: "said to keep the energy", check: || keeps_only(Engine::Frozen, &[Energy]) },
@@ -92,7 +93,7 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "wrong-engines-are-right-for-a-ball",
         part: "step",
-        statement: "For a body with three equal moments every engine, right or wrong, keeps every law.",
+        statement: "For a body with three equal moments the law of every engine, right or wrong, keeps every law that applies to it.",
         check: || ball(&[0, 0, 0]),
         mutants: &[Mutant { change: "one moment larger", check: || ball(&[0, 1, 0]) }],
     },

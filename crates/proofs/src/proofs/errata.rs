@@ -68,15 +68,16 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "errata-acceleration",
         part: "errata",
-        statement: "The rate of the spin (o1 cn, o2 sn, o3 dn) of λ t is λ (-o1 sn dn, o2 cn dn, -m o3 sn cn).",
+        statement: "By the derivatives of Jacobi's functions, which are put in, the rate of the spin (o1 cn, o2 sn, o3 dn) of λ t is \
+                    λ (-o1 sn dn, o2 cn dn, -m o3 sn cn).",
         check: || acceleration(false),
         mutants: &[Mutant { change: "the first two exchanged", check: || acceleration(true) }],
     },
     Proof {
         name: "errata-precession",
         part: "errata",
-        statement: "Euler's angle φ, whose rate is M (I1 w1² + I2 w2²) / (M² - (I3 w3)²), gains \
-                    (M / I3) (1 + I32 I31 / (I1 I32 + I3 I21 sn²)) along the motion.",
+        statement: "Along the motion, the rate M (I1 w1² + I2 w2²) / (M² - (I3 w3)²) of Euler's angle φ is (M / I3) (1 + I32 I31 / \
+                    (I1 I32 + I3 I21 sn²)).",
         check: || precession(1),
         mutants: &[Mutant { change: "a minus before the quotient", check: || precession(-1) }],
     },

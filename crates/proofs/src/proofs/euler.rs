@@ -29,7 +29,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "momentum-form",
         part: "euler",
-        statement: "L' = L x (J L) + torque is the same law as I w' = (I w) x w + torque, with L = I w and J I = 1, for every tensor.",
+        statement: "L' = L x (J L) + torque is the same law as I w' = (I w) x w + torque, with L = I w and J I = 1, for every tensor \
+                    that has an inverse.",
         check: || both_forms(momentum_rate),
         mutants: &[
             Mutant {

@@ -30,8 +30,9 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "every-body-obeys-the-triangle-inequality",
         part: "inertia",
-        statement: "About every axis n, half the trace less the moment is the sum of m (n.r)², for every point and so for \
-                    every body: never below zero, hence no moment above the sum of the others.",
+        statement: "For one point and every n, half the trace less the moment is m (n.r)², which is never below zero. Tensors of \
+                    points add, so that no body of points has a moment above the sum of the others; the sum is no part of this \
+                    check.",
         check: || triangle(point_mass),
         mutants: &[Mutant {
             change: "the products without their minus",
@@ -43,15 +44,16 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "parallel-axes",
         part: "inertia",
-        statement: "About a point away from the centre, a body's tensor is that about the centre plus that of a point with all its mass.",
+        statement: "The tensor of any three points, about a point away from their centre, is that about the centre plus that of one \
+                    point with all their mass.",
         check: || parallel_axes(1),
         mutants: &[Mutant { change: "subtracted, not added", check: || parallel_axes(-1) }],
     },
     Proof {
         name: "parts-of-a-body",
         part: "inertia",
-        statement: "Parts put together in steps, counted from any point, make the same body; two points turn as one with \
-                    their reduced mass.",
+        statement: "Three points put together in steps, counted from any point, make the same body as at once; two turn as one with \
+                    their reduced mass; a part alone stays what it is.",
         check: || parts(combined),
         mutants: &[Mutant {
             change: "the parts' tensors added without their distances",

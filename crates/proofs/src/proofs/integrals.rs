@@ -1,8 +1,8 @@
 //! The integrals of the closed form: Gauss's mean, Carlson's integrals by duplication and by their series,
 //! and Legendre's integrals as Carlson writes them.
 //!
-//! Two integrals are equal if a change of variable takes one integrand and its range to the other; so each
-//! claim is about integrands. The roots in them are symbols, tied by their squares or by their derivatives.
+//! Two integrals are equal if a change of variable takes one integrand and its range to the other; each claim is
+//! about integrands, and no check is about the ranges. The roots in them are symbols, tied by their squares or by their derivatives.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::{Mutant, Outcome, Proof, Residue, positive, same, same_under, vanishes};
@@ -14,8 +14,9 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "gauss-mean",
         part: "exact",
-        statement: "The integral of 1/sqrt((t² + a²)(t² + b²)) over all t is the same for the arithmetic and the geometric mean of a and b, by \
-                    u = (t - a b/t)/2, and is pi/m for a = b = m. With t = k' tan, half of it for 1 and k' is the quarter period. For all a and b.",
+        statement: "By u = (t - a b/t)/2, which rises with t, the integrand 1/sqrt((t² + a²)(t² + b²)) becomes that of the \
+                    arithmetic and the geometric mean; for a = b = m it is 1/m by the angle of t = m tan; by t = k' tan that of 1 \
+                    and k' becomes Legendre's. For all a and b; the limits of the integrals are no part of it.",
         check: || gauss(-1, 2),
         mutants: &[
             Mutant { change: "a plus in the change of variable", check: || gauss(1, 2) },
@@ -25,16 +26,17 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "last-mean",
         part: "exact",
-        statement: "Of two numbers with mean m and difference d, the next mean is m - d²/(16 m), but for the square of the next difference \
-                    over 16 m.",
+        statement: "Of two numbers with mean m, difference d and geometric mean g, the next mean is m - d²/(16 m), but for (m - \
+                    g)²/(4 m), g being the root of m² - d²/4.",
         check: || last_mean(16),
         mutants: &[Mutant { change: "twice as much taken off", check: || last_mean(8) }],
     },
     Proof {
         name: "carlson-duplication",
         part: "exact",
-        statement: "With s = t + XY + YZ + ZX, where X² = t + x and so on, ds/sqrt((s+x)(s+y)(s+z)) is half of dt/(XYZ): so R_F keeps its value \
-                    when lambda is added to all three and they are divided by four, and R_D but for a quarter and 3/(sqrt(z) (z + lambda)).",
+        statement: "With s = t + XY + YZ + ZX, where X² = t + x and so on, ds/sqrt((s+x)(s+y)(s+z)) is half of dt/(XYZ), and the \
+                    integrands of R_D before and after differ by the derivative of 3/(Z (Y+Z) (Z+X)). Scaling and limits of the \
+                    integrals are no part of it.",
         check: || duplication(1, 3),
         mutants: &[
             Mutant { change: "a product of roots the other way", check: || duplication(-1, 3) },
@@ -44,8 +46,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "carlson-series",
         part: "exact",
-        statement: "The series of R_F and of R_D near three equal numbers are the binomial series of their integrands, integrated term by term, \
-                    to the seventh order.",
+        statement: "The sums for R_F and R_D near three equal numbers, as the book prints them, are through the seventh order the \
+                    binomial series of the integrands, integrated term by term.",
         check: || carlson_series(24, 26),
         mutants: &[
             Mutant { change: "a coefficient of R_F", check: || carlson_series(22, 26) },
@@ -55,8 +57,10 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "legendre-by-carlson",
         part: "exact",
-        statement: "Jacobi's argument of a sine s is s R_F(1 - s², 1 - m s², 1), what is left of it to the quarter period the same of cn/dn, and \
-                    that of the theta zero the same with the complementary modulus. Its derivative by m is s³ R_D(1 - s², 1, 1 - m s²)/6.",
+        statement: "By t = s²/sin² - 1 Legendre's integrand becomes that of s R_F(1 - s², 1 - m s², 1), and its derivative by m that \
+                    of s³ R_D(1 - s², 1, 1 - m s²)/6; cn/dn, k' sn/dn and k'/dn are the functions of what is left to the quarter \
+                    period; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no \
+                    part of it.",
         check: || legendre(1, 6),
         mutants: &[
             Mutant { change: "the parameter's sign", check: || legendre(-1, 6) },

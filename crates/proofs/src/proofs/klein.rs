@@ -1,5 +1,5 @@
-//! The attitude by Klein and Sommerfeld's two numbers, as the exact motion computes them, put into
-//! `q' = q w/2` for all bodies; and the degenerate motions as its limits.
+//! The attitude by Klein and Sommerfeld's two numbers, by the formulas of the exact motion, written here a
+//! second time, put into `q' = q w/2` for all bodies; and the degenerate motions as its limits.
 //!
 //! Indices: 1 across, 2 middle, 3 circled. `h` is the modulus over the root `p` of the first difference of
 //! the moments, so that nothing is divided by `p`.
@@ -17,8 +17,9 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "klein-momentum",
         part: "exact",
-        statement: "The quaternion a + b j, with a conj(a), b conj(b) and conj(a) b as the theta functions make them, takes the momentum of \
-                    the closed form to the first axis. For every body, about either axis, in either sense.",
+        statement: "The quaternion conj(a) (a + b j), with the expressions of the closed form for a conj(a) and conj(a) b, takes the \
+                    momentum to the first axis; and the spin obeys Euler's equations, with the energy and momentum of the closed \
+                    form. For every body, about either axis, in either sense.",
         check: || both(|sense| momentum(sense, Change::None)),
         mutants: &[
             Mutant {
@@ -34,8 +35,9 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "klein-attitude",
         part: "exact",
-        statement: "Turned by half the angle about the momentum, which is a theta function's angle and a steady drift, a + b j satisfies \
-                    q' = q w/2. For every body, about either axis, in either sense.",
+        statement: "That quaternion, turned about the momentum at the steady drift and the rate that the closed form gives the angle \
+                    of a, satisfies q' = q w/2. For every body, about either axis, in either sense. That a theta function's angle \
+                    has this rate is no part of it.",
         check: || both(|sense| attitude(sense, Change::None)),
         mutants: &[
             Mutant {
@@ -51,22 +53,24 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "limit-coin",
         part: "exact",
-        statement: "Where the middle moment comes to equal the one across, dn is constant, and the closed form is that of the symmetric top: \
-                    its rate, and a constant a.",
+        statement: "With p = 0 and dn = 1, where the middle moment equals the one across: the rate is the symmetric top's, the two \
+                    amplitudes across are equal, and |a|² is constant.",
         check: || coin(1),
         mutants: &[Mutant { change: "the rate reversed", check: || coin(-1) }],
     },
     Proof {
         name: "limit-separatrix",
         part: "exact",
-        statement: "At modulus one cn and dn are sech, L² = 2 E I2, and the turn about the momentum comes to the rate L/I2.",
+        statement: "With modulus one and dn = cn: both change at one rate, L² = 2 E I2, and where cn is zero the turn about the \
+                    momentum has the rate L/I2.",
         check: || separatrix(1),
         mutants: &[Mutant { change: "cn and dn opposite", check: || separatrix(-1) }],
     },
     Proof {
         name: "limit-steady",
         part: "exact",
-        statement: "Without a wobble b vanishes and the body turns about the circled axis at the rate of its spin.",
+        statement: "With no wobble, h = 0 and dn = 1: b is zero, and the turn about the momentum has the rate of the spin about the \
+                    circled axis.",
         check: || steady(Change::None),
         mutants: &[Mutant { change: "the spin the other way", check: || steady(Change::Spin) }],
     },
@@ -295,8 +299,9 @@ fn steady(change: Change) -> Outcome {
     let sense = if change == Change::None { 1 } else { -1 };
     let values = [("h", Fraction::zero()), ("dn", Fraction::one()), ("e", Fraction::variable("x3"))];
     let limit = |x: &Fraction| put(x, &values);
-    let [b_real, b_imaginary] = motion.product.each_ref().map(limit);
-    vanishes("b", &(b_real + b_imaginary), &motion.relations)?;
+    for part in motion.product.each_ref() {
+        vanishes("conj(a) b", &limit(part), &motion.relations)?;
+    }
     let spin = limit(&motion.omega[2]) * Fraction::from(sense);
     same_under(&motion.relations, "the turn", &limit(&motion.turning), &spin)
 }

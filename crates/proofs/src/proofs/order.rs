@@ -13,8 +13,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "order-of-rk4",
         part: "step",
-        statement: "One step of the Runge-Kutta method agrees with the exact motion of every free body through h⁴, in every component \
-                    of attitude and momentum, and not through h⁵: its order is 4 and no more.",
+        statement: "One step of the Runge-Kutta method from the attitude 1 agrees with the exact motion of every free body through \
+                    h⁴, in every component of attitude and momentum, and not through h⁵: its order is 4 and no more.",
         check: || order_is(4, runge_kutta),
         mutants: &[
             Mutant { change: "said to be 5", check: || order_is(5, runge_kutta) },
@@ -42,8 +42,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "the-engine-s-law",
         part: "step",
-        statement: "The law that the right engine integrates, with the momentum in the world, is the one in the body: the same attitude \
-                    to h⁴ for every body, the momentum being carried out by it.",
+        statement: "The law that the right engine integrates, with the momentum in the world, gives the same attitude and momentum \
+                    to h⁴ as that in the body, from the attitude 1, for every free body.",
         check: || same_motion(Engine::Turned),
         mutants: &[Mutant { change: "the frozen tensor", check: || same_motion(Engine::Frozen) }],
     },

@@ -1,20 +1,23 @@
-//! The position stage of an engine: its step keeps energy and momentum whatever its pace, so that the energy
-//! that a body gains is the work done between the steps.
+//! The position stage of an engine: its step keeps energy and momentum whatever its pace, its roots are real and
+//! its divisor is not zero; and the work of an impulse.
 
 use crate::number::{Fraction, Relations};
-use crate::proof::{Mutant, Outcome, Proof, Residue, same, same_vectors, same_vectors_under, vanishes};
+use crate::proof::{
+    Mutant, Outcome, Proof, Residue, positive, same, same_vectors, same_vectors_under, vanishes,
+};
 use crate::symbols::{Vector, diagonal, scalar, symmetric, variables, vector};
 use nalgebra::Quaternion;
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe;
-use tumbling::step::{change_of_spin, conserving_turn};
+use tumbling::step::{change_of_spin, conserving_pace, conserving_turn};
 
 pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "position-stage-keeps-energy",
         part: "step",
-        statement: "The turn of the position stage leaves the energy as it was, for every body, spin, time step, pace and weight b.",
+        statement: "The turn of the position stage leaves the energy as it was, for every body, spin, time step, pace and weight b for \
+                    which its three roots are real and its divisor is not zero.",
         check: || Claim::TRUE.energy(),
         mutants: &[
             Mutant {
@@ -31,7 +34,8 @@ pub(super) const PROOFS: &[Proof] = &[
         name: "position-stage-keeps-momentum",
         part: "step",
         statement: "The turn of the position stage takes the momentum along the axes before it to that along the axes after it: in the \
-                    world the momentum stays, for every body, spin, time step, pace and weight b.",
+                    world the momentum stays, for every body, spin, time step, pace and weight b for which the three roots are \
+                    real and the divisor is not zero.",
         check: || Claim::TRUE.momentum(),
         mutants: &[
             Mutant {
@@ -55,12 +59,22 @@ pub(super) const PROOFS: &[Proof] = &[
         }],
     },
     Proof {
+        name: "position-stage-roots-are-real",
+        part: "step",
+        statement: "Where the numbers that are added to the pace under the three roots come to at most 0.51² without their signs, the pace is \
+                    at least 9/10 and each number under a root at least 4/5; with such roots, and bends of at most 0.51, what the \
+                    turn is divided by is at least 2. A part of a step is a turn of at most half a radian, which bounds them so.",
+        check: || real([51, 51]),
+        mutants: &[
+            Mutant { change: "turns of up to two radians", check: || real([200, 51]) },
+            Mutant { change: "bends of up to two", check: || real([51, 200]) },
+        ],
+    },
+    Proof {
         name: "energy-gained-is-work-done",
         part: "step",
         statement: "An impulse of torque P, in any direction of body or world, raises the energy by P . (w + w')/2, w and w' being the \
-                    spins before and after it; half of a constant torque's impulse before the position stage and half after it, by \
-                    the sum of the two; taking the share s of the spin away takes the share 2 s - s² of the energy. The position \
-                    stage adds nothing to it.",
+                    spins before and after it; taking the share s of the spin away takes the share 2 s - s² of the energy.",
         check: || work(|p, before, after| p.dot(&(before + after)) / Fraction::from(2)),
         mutants: &[
             Mutant { change: "with the spin before alone", check: || work(|p, before, _| p.dot(before)) },
@@ -160,20 +174,50 @@ fn spin(change: impl Fn(&(Fraction, [[Fraction; 3]; 2])) -> [Fraction; 3]) -> Ou
     same_vectors("the change of the spin", &Vector::from(change(&turn)), &expected)
 }
 
+/// With the longest turn and the largest bend in hundredths: each is reached where a share of it is all.
+fn real([turn, bend]: [i64; 2]) -> Outcome {
+    let hundredths = |n: i64| Fraction::ratio(n, 100);
+    let [x, y, z, rest] = variables(["x1", "x2", "x3", "x4"]);
+    let all = &x + &y + &z + rest;
+    for signs in 0..8 {
+        let signed = |i: usize| Fraction::from(if signs >> i & 1 == 1 { -1 } else { 1 });
+        let added = [0, 1, 2].map(|i| [&x, &y, &z][i] * hundredths(turn).pow(2) * signed(i) / &all);
+        let pace = conserving_pace(added.clone(), |n| Fraction::ratio(1, n.into()));
+        positive("the pace less 9/10", &(&pace - hundredths(90)))?;
+        for under in added {
+            positive("what is under a root less 4/5", &(&pace + under - hundredths(80)))?;
+        }
+    }
+    // Only the product of the three bends counts, of either sign.
+    for sign in [1, -1] {
+        let coupling = vector("a");
+        let bends = ["1", "2", "3"].map(|i| {
+            let [part, other] = ["y", "z"].map(|name| Fraction::variable(&format!("{name}{i}")));
+            hundredths(bend) * &part / (&part + other)
+        });
+        let omega = [2, 0, 1].map(|i| &bends[i] / &coupling[i]);
+        let omega = [&omega[0] * Fraction::from(sign), omega[1].clone(), omega[2].clone()];
+        let pace = Fraction::variable("p") + hundredths(90);
+        let mut count = 0;
+        let root = |_| {
+            count += 1;
+            hundredths(80) + Fraction::variable(&format!("r{count}"))
+        };
+        let (b, h) = (vector("b"), Fraction::one());
+        let (below, _) = conserving_turn(coupling.as_ref(), b.as_ref(), &omega, &h, &pace, root);
+        positive("the divisor less 2", &(below - Fraction::from(2)))?;
+    }
+    Ok(())
+}
+
 fn work(of_impulse: impl Fn(&Vector, &Vector, &Vector) -> Fraction) -> Outcome {
     // In axes of the world the inverse tensor is any symmetric matrix; in its own it is diagonal.
     for inverse in [symmetric("J"), diagonal(&vector("J"))] {
         let energy = |l: &Vector| observe::energy(&(&inverse * l), l);
-        let (start, first, turned, second) = (vector("L"), vector("P"), vector("M"), vector("R"));
-        let kicked = &start + &first;
-        let gained = energy(&kicked) - energy(&start);
-        let done = of_impulse(&first, &(&inverse * &start), &(&inverse * &kicked));
-        same("an impulse", &gained, &done)?;
-        // After the position stage momentum and attitude are others, the energy is the same.
-        let end = &turned + &second;
-        let all = gained + energy(&end) - energy(&turned);
-        let done = done + of_impulse(&second, &(&inverse * &turned), &(&inverse * &end));
-        same("two halves", &all, &done)?;
+        let (start, impulse) = (vector("L"), vector("P"));
+        let end = &start + &impulse;
+        let done = of_impulse(&impulse, &(&inverse * &start), &(&inverse * &end));
+        same("an impulse", &(energy(&end) - energy(&start)), &done)?;
         let s = Fraction::variable("s");
         let left = start.map(|x| x * (Fraction::one() - &s));
         let share = (Fraction::from(2) - &s) * &s;

@@ -1,5 +1,5 @@
-//! The derivatives of the motion by its start and by the tensor, as the sensitivities state them: each obeys
-//! the library's laws to first order, and begins as it must.
+//! The derivatives of the motion by its start and by the tensor, by the formulas of the sensitivities, written
+//! here a second time: each obeys the library's laws to first order, and begins as it must.
 
 use crate::number::{Derivation, Fraction, Relations};
 use crate::proof::{Mutant, Outcome, Proof, same, same_under, same_vectors};
@@ -14,16 +14,17 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "variational-equations",
         part: "exact",
-        statement: "Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a product of \
-                    inertia adds at a fixed spin is as the power series take it. For every body.",
+        statement: "Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a \
+                    product of inertia adds at a fixed spin is the formula stated here. For every body.",
         check: || variations(1),
         mutants: &[Mutant { change: "a minus between the products", check: || variations(-1) }],
     },
     Proof {
         name: "sensitivity-of-the-spin",
         part: "exact",
-        statement: "The closed form's derivatives by its two constants and by the moments, with the derivative of Jacobi's argument at a fixed \
-                    angle, obey Euler's equations to first order. For every body, about either axis, in either sense.",
+        statement: "The closed form's derivatives by its two constants and by the moments, with the rate stated here of the \
+                    derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first order. For every body, about \
+                    either axis, in either sense.",
         check: || both(|sense| columns(sense, 1)),
         mutants: &[Mutant {
             change: "that derivative growing the other way",
@@ -33,8 +34,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "sensitivity-at-the-start",
         part: "exact",
-        statement: "At the start those derivatives, put together for the three components of the spin and for a moment, are one for a component \
-                    by itself and zero for all else.",
+        statement: "At the start those derivatives, put together for the three components of the spin and for a moment by the \
+                    formulas stated here, are one for a component by itself and zero for all else.",
         check: || at_the_start(1),
         mutants: &[Mutant { change: "the phase shifted the other way", check: || at_the_start(-1) }],
     },

@@ -82,7 +82,7 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "ball",
         part: "solid",
-        statement: "The moment of every ball about any axis through its centre is 2/5 m r².",
+        statement: "The library's moments of every ball are the integrals over it.",
         check: || ball(ball_moments),
         mutants: &[Mutant {
             change: "2/5 becomes 2/3, that of a shell",
@@ -159,7 +159,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "thin-bodies",
         part: "solid",
-        statement: "Rod, plate and disk are what remains of box and cylinder as a size goes to zero.",
+        statement: "Rod, plate and disk are the integrals over box and cylinder, with one or two of their sizes set to zero after \
+                    the division by the volume.",
         check: || thin(rod_moments, plate_moments, disk_moments),
         mutants: &[
             Mutant {
@@ -194,8 +195,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "mesh-of-a-box",
         part: "solid",
-        statement: "The mesh formula on the twelve triangles of a box with any sides, standing anywhere, gives that box, \
-                    whatever point it counts from.",
+        statement: "The mesh formula on the twelve triangles of a box of any sides along the axes, wherever it stands, gives that \
+                    box, whatever point it counts from.",
         check: || mesh_of_a_box(false, cuboid_moments),
         mutants: &[
             Mutant {
@@ -211,8 +212,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "mesh-of-a-tetrahedron",
         part: "solid",
-        statement: "The mesh formula on the four faces of any tetrahedron gives that tetrahedron: the solid into which every \
-                    other with flat faces is cut.",
+        statement: "The mesh formula on the four faces of any tetrahedron with a corner at the origin gives that tetrahedron, \
+                    whatever point it counts from.",
         check: || mesh_of_a_tetrahedron([0, 2, 1]),
         mutants: &[Mutant {
             change: "one face turned inside out",
@@ -222,8 +223,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "triangle-inequality",
         part: "solid",
-        statement: "No moment of any solid exceeds the sum of the other two: I1 + I2 - I3 has no negative term; for flat \
-                    bodies it is zero.",
+        statement: "Of eleven shapes, from box to disk, I1 + I2 - I3 has no negative term in positive sizes, so that no moment \
+                    exceeds the sum of the other two; of plate and disk it is zero.",
         check: || triangle_inequality(cuboid_moments),
         mutants: &[Mutant {
             change: "a box whose first moment has b² + 3 c²",

@@ -11,7 +11,7 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "steady-spins",
         part: "stability",
-        statement: "A spin about a principal axis does not change, for every body and every axis.",
+        statement: "Without torque Euler's equations leave a spin about a principal axis as it is, for every body and every axis.",
         check: || steady(angular_acceleration),
         mutants: &[Mutant {
             change: "w1 w1 for w2 w3 in the second equation",
@@ -41,8 +41,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "the-middle-axis",
         part: "stability",
-        statement: "For every body with I1 < I2 < I3 the wobble grows about the middle axis and swings about the other two: with \
-                    I2 = I1 + a and I3 = I1 + a + b all coefficients have one sign.",
+        statement: "For every I1 < I2 < I3 the library's rate squared of the linearised wobble is positive about the middle axis and \
+                    negative about the other two: with I2 = I1 + a and I3 = I1 + a + b all coefficients have one sign.",
         check: || middle(rate_squared, 1),
         mutants: &[
             Mutant { change: "the sign", check: || middle(|w, i, a, b| -rate_squared(w, i, a, b), 1) },

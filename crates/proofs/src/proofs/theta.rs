@@ -1,5 +1,5 @@
-//! Theta functions: that their quotients are Jacobi's functions, and their products the attitude's two
-//! numbers. Every identity is decided in all terms of its infinite sums, for every nome.
+//! Theta functions: identities of their quotients and products, each decided in all terms of its infinite sums,
+//! for every nome. Which nome belongs to which modulus and period is not decided here.
 
 use crate::lattice::{Pairs, THETA_1, THETA_2, THETA_3, THETA_4, Theta, exponents};
 use crate::number::Fraction;
@@ -10,8 +10,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "jacobi-by-thetas",
         part: "exact",
-        statement: "With sn, cn and dn as quotients of theta functions, sn² + cn² = 1 and dn² + k² sn² = 1, and sn' is a constant times \
-                    cn dn. The other two rates follow. For every nome.",
+        statement: "With sn, cn and dn as quotients of theta functions, sn² + cn² = 1 and dn² + k² sn² = 1, and sn' is a constant \
+                    times cn dn, for every nome. The constant, the period and which nome belongs to k are no part of it.",
         check: || jacobi(1, THETA_1),
         mutants: &[
             Mutant { change: "a sign in a square", check: || jacobi(-1, THETA_1) },
@@ -21,16 +21,19 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "attitude-by-thetas",
         part: "exact",
-        statement: "Of a = theta4(z + w) and b = theta1(z - w) with the square of the nome, a conj(a), b conj(b) and conj(a) b are sums of \
-                    two products of Jacobi's thetas of z and of w: a constant times 1 + dn/dn(w), 1 - dn/dn(w), and sn cn(w) - cn sn(w). \
-                    For every nome and every zero.",
+        statement: "For every nome, every z and every w: 2 theta4(z + w) theta4(z - w) = theta4(z) theta3(w) + theta3(z) theta4(w), \
+                    2 theta1(z + w) theta1(z - w) is their difference, and 2 theta4(z + w) theta1(z - w) = theta1(z) theta2(w) - \
+                    theta2(z) theta1(w), with the square of the nome on the left. For a real z and an imaginary w the left sides are \
+                    twice a conj(a), b conj(b) and conj(a) b, of a = theta4(z - w) and b = theta1(z - w).",
         check: || direct_pair(1),
         mutants: &[Mutant { change: "a plus between the two products", check: || direct_pair(-1) }],
     },
     Proof {
         name: "attitude-by-complementary-thetas",
         part: "exact",
-        statement: "The same of theta2 and theta1 with the root of the complementary nome: the same three products.",
+        statement: "For every nome, every z and every w: theta2(z + w) theta2(z - w) = theta2(2z) theta3(2w) + theta3(2z) \
+                    theta2(2w), theta1(z + w) theta1(z - w) = theta3(2z) theta2(2w) - theta2(2z) theta3(2w), and theta2(z + w) \
+                    theta1(z - w) = theta1(2z) theta4(2w) - theta4(2z) theta1(2w), with the square of the nome on the right.",
         check: || complementary_pair(THETA_2),
         mutants: &[Mutant {
             change: "the theta of the direct series",
@@ -40,8 +43,9 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "half-periods",
         part: "exact",
-        statement: "Over half a period a stays and b changes its sign; in the complementary series both also turn by one angle. From flip to \
-                    saddle theta1 and theta4, theta2 and theta3 change places.",
+        statement: "By the signs of the terms: where z moves by pi, theta4 stays and theta1 changes its sign; where it moves by a \
+                    quasi-period, theta2 stays and theta1 changes its sign, but for the factor exp(-2 i z)/q of both; by half of \
+                    that, theta1 and theta4, and theta2 and theta3, change places, but for such a factor.",
         check: || half_periods([THETA_4, THETA_1], [THETA_2, THETA_1]),
         mutants: &[Mutant {
             change: "b without alternating signs",

@@ -57,7 +57,7 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "turning-back",
         part: "inertia",
-        statement: "R I R^T and R I^-1 R^T are inverse to each other for every tensor and every attitude.",
+        statement: "R I R^T and R I^-1 R^T are inverse to each other for every attitude and every tensor that has an inverse.",
         check: || inverse(turned),
         mutants: &[Mutant {
             change: "R^T J R in place of R J R^T",
@@ -67,8 +67,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "moments-survive-turning",
         part: "inertia",
-        statement: "Turned, a tensor has the same moments about the turned axes: (R I R^T) R v = R (I v) for every v; and \
-                    its trace, its second invariant and its determinant are the same, so what was possible stays possible.",
+        statement: "Turned, a tensor has the same moments about the turned axes: (R I R^T) R v = R (I v) for every v; and its trace, \
+                    its second invariant and its determinant are the same.",
         check: || moments(turned),
         mutants: &[
             Mutant { change: "one R left out", check: || moments(|r, i| r * i) },
@@ -81,7 +81,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "spin-from-momentum",
         part: "inertia",
-        statement: "w = R J R^T L is: take L into the body, apply J, carry the spin out; and it gives L back.",
+        statement: "w = R J R^T L is: take L into the body, apply J, carry the spin out; and for every tensor that has an inverse J \
+                    it gives L back.",
         check: || spin(omega_world),
         mutants: &[
             Mutant {
@@ -94,7 +95,8 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof {
         name: "energy-in-both-frames",
         part: "observe",
-        statement: "Half of w.L is the same number in body and world axes, for every body and attitude.",
+        statement: "Half of w.L is the same number in body and world axes, for every body and attitude; of one point it is m/2 |w x \
+                    r|².",
         check: || energies(omega_world),
         mutants: &[Mutant { change: "the inverse not turned", check: || energies(|_, j, l| j * l) }],
     },
