@@ -1,7 +1,7 @@
 //! The path of the spin in the body, from what is conserved alone.
 
 use crate::dynamics::regime::{Kind, classify};
-use crate::error::{Error, Subject, finite_vector};
+use crate::error::{Error, Refusal, Subject, finite_vector};
 use crate::exact::time_between_flips;
 use crate::inertia::PrincipalMoments;
 use crate::number::functions::hypot;
@@ -34,12 +34,13 @@ impl Polhode {
     /// ```
     ///
     /// # Errors
-    /// A spin that is not finite, or a period beyond `f64`.
+    /// A spin that is not finite, or one so great that it grows beyond `f64` on its way, or a period beyond
+    /// `f64`.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector(Subject::Spin, omega)?;
         let still = omega.map(f64::abs);
-        match classify(moments, omega) {
-            Kind::Steady => Ok(Self { least: still, greatest: still, period: None }),
+        let polhode = match classify(moments, omega) {
+            Kind::Steady => Self { least: still, greatest: still, period: None },
             Kind::Symmetric(axis) => {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
                 let across = hypot(omega[a], omega[b]);
@@ -49,7 +50,7 @@ impl Polhode {
                 }
                 let rate = omega[axis] * ((moments[axis] - moments[a]) / moments[a]);
                 let period = Some(core::f64::consts::TAU / rate.abs()).filter(|period| period.is_finite());
-                Ok(Self { least, greatest, period })
+                Self { least, greatest, period }
             }
             Kind::Asymmetric(motion) => {
                 let [across, middle, around] =
@@ -61,8 +62,14 @@ impl Polhode {
                 // Zero on the separatrix.
                 least[motion.around] = around * motion.complement(0).hi();
                 let period = time_between_flips(moments, omega)?.map(|half| 2.0 * half);
-                Ok(Self { least, greatest, period })
+                Self { least, greatest, period }
             }
+        };
+        let spins = polhode.greatest.iter().map(|&size| (Subject::GreatestSpin, size));
+        let mut all = spins.chain(polhode.period.map(|period| (Subject::Period, period)));
+        match all.find(|(_, value)| !value.is_finite()) {
+            Some((what, value)) => Err(Refusal::OutOfRange { what, value }.into()),
+            None => Ok(polhode),
         }
     }
 }

@@ -367,8 +367,8 @@ impl Constants {
 impl Nutation {
     fn greatest_spin(&self) -> f64 {
         let factor = match &self.form {
-            Form::Direct { factors, .. } => factors[2].greatest,
-            Form::Complementary { factors, .. } => factors[2].greatest,
+            Form::Direct { factors, .. } => factors[2].carrier.greatest,
+            Form::Complementary { factors, .. } => factors[2].carrier.greatest,
         };
         hypot(factor, self.rate)
     }

@@ -5,9 +5,10 @@
 //! these instead. They are made of `+ - * /`, the square root, the fused product sum and roundings to
 //! integers, each of which IEEE 754 defines to the last bit, and of integers.
 //!
-//! Each is within its bound in `tests`, 0.51 to 0.75 units in the last place, for every `f64` and down to the
-//! smallest result; `cos(r)` and `sin(r)/r` of a root within 1.3. Heads of sums are double-double numbers,
-//! tails are Taylor series.
+//! Of 100,000 random arguments each was off by 0.5 to 0.74 units in the last place at most, down to the
+//! smallest result, and `cos(r)` and `sin(r)/r` of a root by 1.25; `tests` holds a table of 600 digits to
+//! these bounds. That is a sample: no bound for every `f64` is proven. Heads of sums are double-double
+//! numbers, tails are Taylor series.
 
 mod arc;
 mod exponential;

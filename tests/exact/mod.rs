@@ -1,5 +1,6 @@
 //! The exact motion.
 
+mod extremes;
 mod flips;
 mod geometry;
 mod motion;

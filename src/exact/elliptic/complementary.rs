@@ -65,8 +65,8 @@ pub(crate) struct ComplementarySeries<T = f64> {
     /// Powers of `p`: the second, the fourth, the first.
     powers: [T; 3],
     /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
-    near: [T; 3],
-    far: [T; 3],
+    pub(super) near: [T; 3],
+    pub(super) far: [T; 3],
 }
 
 gather_fields!(ComplementarySeries { powers, near, far });
@@ -76,7 +76,8 @@ impl ComplementarySeries {
     pub(crate) fn new(p: f64, complement: f64, shift: i32) -> Self {
         let p2 = p * p;
         let p4 = p2 * p2;
-        let (third, fourth) = (1.0 + 2.0 * p + 2.0 * p4, 1.0 - 2.0 * p + 2.0 * p4);
+        let (odd, even) = (2.0 * (p + p4 * p4 * p), 1.0 + 2.0 * p4);
+        let (third, fourth) = (even + odd, even - odd);
         let second = 1.0 + p2 + p2 * p4;
         let stretch = crate::number::power_of_two::times_power_of_two(1.0, shift);
         Self {
@@ -97,7 +98,7 @@ impl<T: Lane> ComplementarySeries<T> {
     /// The four sums without their first exponential: those of the odd multiples, alternating (a hyperbolic
     /// sine) and not (a cosine), then those of the even multiples, alternating and not.
     #[inline(always)]
-    fn sums(&self, x: &Decay<T>) -> [T; 4] {
+    pub(super) fn sums(&self, x: &Decay<T>) -> [T; 4] {
         let [p2, p4, p] = self.powers;
         let (e, gap, growing) = (x.square, x.gap, x.rising * x.rising);
         let square = e * e;

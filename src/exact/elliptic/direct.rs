@@ -12,7 +12,7 @@ pub(crate) struct DirectSeries<T = f64> {
     /// `theta_2 / (2 q^(1/4) cos z)` and `theta_1 / (2 q^(1/4) sin z) = even ± odd`.
     inner: [T; 4],
     /// What makes `sn`, `cn` and `dn` of the quotients by `theta_4`.
-    factors: [T; 3],
+    pub(super) factors: [T; 3],
 }
 
 gather_fields!(DirectSeries { outer, inner, factors });
@@ -35,7 +35,7 @@ impl DirectSeries {
 impl<T: Lane> DirectSeries<T> {
     /// `theta_3`, `theta_4`, and `theta_2`, `theta_1` without their first factors, from `cos 2z`.
     #[inline(always)]
-    fn thetas(&self, c: T) -> [T; 4] {
+    pub(super) fn thetas(&self, c: T) -> [T; 4] {
         let square = c * c;
         let [a, b, d, e] = self.outer;
         let (even, odd) = (a + b * square, c * (d + e * square));

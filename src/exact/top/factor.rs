@@ -54,20 +54,68 @@ impl Shape {
     }
 }
 
-/// The factor of the spin across the axis from those of `alpha` and `beta`, each with its drift. Where the
-/// axis is lowest, at the time `lowest`, the spin is parallel to the vertical's part across the axis: it is
-/// `i conj(alpha) beta` times a real number. There the series of the three are `-i sense`, 1 and 1 times
-/// positive numbers. So next to a cusp, the direction of the start, which is a rounding, is not needed.
-pub(super) fn tied(
-    [(alpha, first), (beta, second), (across, third)]: [([f64; 2], DoubleDouble); 3],
-    way: f64,
-    lowest: f64,
-) -> [f64; 2] {
-    let unit = |[re, im]: [f64; 2]| [re, im].map(|x| x / hypot(re, im));
-    let [re, im] = unit(alpha);
-    let turn = phase_factor((second - first - third) * lowest);
-    let length = way * hypot(across[0], across[1]);
-    times(times([re, -im], unit(beta)), turn).map(|x| x * length)
+/// The even turn of one of the three numbers, by which its theta function is multiplied.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Carrier {
+    pub(super) start: [f64; 2],
+    /// In turns: per unit of time, and what each half period adds.
+    pub(super) drift: DoubleDouble,
+    step: f64,
+    /// The drift is rounded relative to this.
+    terms: f64,
+    /// The largest size of the number.
+    pub(super) greatest: f64,
+}
+
+impl Carrier {
+    #[inline(always)]
+    fn at(&self, time: f64, halves: f64) -> [f64; 2] {
+        times(self.start, phase_factor(self.drift * time + DoubleDouble::product(halves, self.step)))
+    }
+}
+
+/// The carriers of `alpha`, `beta` and the spin across the axis.
+pub(super) type Carriers<'a> = [&'a mut Carrier; 3];
+
+/// Makes the three turn together. Where the axis is lowest, the spin across it is parallel to the vertical's
+/// part across it: `i conj(alpha) beta` times a real number. So over each half period the spin turns by as
+/// much as `conj(alpha) beta`, but for the signs of the theta functions, half a turn; else the momentum about
+/// the vertical would drift. That one is corrected most whose drift is the most uncertain and which counts
+/// the least, relative to `sizes`.
+pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_periods: DoubleDouble) {
+    let in_half_period = |k: usize| carriers[k].drift / half_periods + DoubleDouble::from(carriers[k].step);
+    let [alpha, beta, across] = [0, 1, 2].map(in_half_period);
+    let (_, off) = (beta - alpha - across - DoubleDouble::from(0.5)).split();
+    let shares = [0, 1, 2].map(|k| carriers[k].terms * (sizes[k] / carriers[k].greatest)).map(|x| x * x);
+    let total: f64 = shares.iter().sum();
+    // Where the zeros of the theta functions themselves are lost, next to the separatrix, the steps say
+    // nothing; no time comes to the end of a half period there.
+    if !(total > 0.0 && total.is_finite()) || off.abs() > 1e-9 {
+        return;
+    }
+    for ((carrier, share), sign) in carriers.into_iter().zip(shares).zip([1.0, -1.0, 1.0]) {
+        carrier.drift = carrier.drift + half_periods * (sign * off * (share / total));
+    }
+}
+
+/// The carrier of the number that is `weakest`, from the other two, where these keep more of their direction
+/// at the start: next to a zero of its theta function the direction of the start is a rounding, or that of
+/// the theta function is. At the time `lowest`, where the axis is lowest, the theta functions of the three
+/// are `-i sense`, 1 and 1 times positive numbers; `way` is the sign of the real number of
+/// [`turn_together`] times `-sense`.
+pub(super) fn tie([alpha, beta, across]: Carriers<'_>, weakest: usize, way: f64, lowest: f64) {
+    let unit = |carrier: &Carrier| {
+        let [re, im] = carrier.start;
+        times([re, im].map(|x| x / hypot(re, im)), phase_factor(carrier.drift * lowest))
+    };
+    let conjugate = |[re, im]: [f64; 2]| [re, -im];
+    let (carrier, there) = match weakest {
+        0 => (alpha, times(unit(beta), conjugate(unit(across)))),
+        1 => (beta, times(unit(alpha), unit(across))),
+        _ => (across, times(conjugate(unit(alpha)), unit(beta))),
+    };
+    let length = way * hypot(carrier.start[0], carrier.start[1]);
+    carrier.start = times(there, phase_factor(-(carrier.drift * lowest))).map(|x| x * length);
 }
 
 /// The form in the nome.
@@ -77,9 +125,7 @@ pub(super) struct Direct {
     /// Polynomials in `cos 2z`.
     along_cos: [f64; 4],
     along_sin: [f64; 4],
-    pub(super) factor: [f64; 2],
-    pub(super) drift: DoubleDouble,
-    pub(super) greatest: f64,
+    pub(super) carrier: Carrier,
 }
 
 /// `theta_4` in `cos 2z`.
@@ -118,17 +164,21 @@ impl Direct {
         // How fast the argument turns with the phase where it is largest, and what that is short of 1.
         let odd = [1.0, 3.0, 5.0, 7.0];
         let total = c[0] + c[1] + c[2] + c[3];
-        let turning = if fall > 0.5 {
-            DoubleDouble::from([0, 1, 2, 3].map(|n| odd[n] * s[n]).iter().sum::<f64>() / total)
+        let (turning, rounded) = if fall > 0.5 {
+            let turning = [0, 1, 2, 3].map(|n| odd[n] * s[n]).iter().sum::<f64>() / total;
+            (DoubleDouble::from(turning), turning)
         } else {
             // Sums of pairs that cancel where the zero is next to the pole.
             let r2 = rise * rise;
             let (once, twice) = (1.0 + r2, 1.0 + r2 + r2 * r2);
             let [f2, f3] = [fall * fall, falls[1]];
             let short = 2.0 * fall + 4.0 * (q * q) * f2 * once + 6.0 * powi(q, 6) * f3 * twice;
-            DoubleDouble::ONE - DoubleDouble::from(short * left / total)
+            let short = short * left / total;
+            (DoubleDouble::ONE - DoubleDouble::from(short), short)
         };
-        let drift = shape.rate / (DoubleDouble::PI * 2.0) - turns * turning * shape.sense;
+        let rate = shape.rate / (DoubleDouble::PI * 2.0);
+        let drift = rate - turns * turning * shape.sense;
+        let terms = rate.hi().abs() + (turns.hi() * rounded).abs();
         let mut direct = Self {
             first: shape.first,
             along_cos: [
@@ -144,15 +194,13 @@ impl Direct {
                 8.0 * s[3],
             ]
             .map(|x| x * shape.sense),
-            factor: [1.0, 0.0],
-            drift,
-            greatest: shape.size,
+            carrier: Carrier { start: [1.0, 0.0], drift, step: 0.0, terms, greatest: shape.size },
         };
         let largest = if shape.first { [1.0, 0.0] } else { [0.0, 1.0] };
         let [re, im] = direct.raw(largest);
         let c = if shape.first { -1.0 } else { 1.0 };
         let amplitude = shape.size * cubic(&denominator(q), c) / hypot(re, im);
-        direct.factor = shape.aligned(direct.raw(start)).map(|x| amplitude * x);
+        direct.carrier.start = shape.aligned(direct.raw(start)).map(|x| amplitude * x);
         direct
     }
 
@@ -167,8 +215,7 @@ impl Direct {
     /// Times `theta_4`.
     #[inline(always)]
     pub(super) fn at(&self, phase: [f64; 2], time: f64) -> [f64; 2] {
-        let turned = times(self.factor, phase_factor(self.drift * time));
-        times(turned, self.raw(phase))
+        times(self.carrier.at(time, 0.0), self.raw(phase))
     }
 }
 
@@ -183,11 +230,7 @@ pub(super) struct Complementary {
     off_one: f64,
     /// The complementary nome.
     nome: f64,
-    pub(super) factor: [f64; 2],
-    pub(super) drift: DoubleDouble,
-    /// Turns that each half period adds.
-    step: f64,
-    pub(super) greatest: f64,
+    pub(super) carrier: Carrier,
 }
 
 /// `theta_4` over `exp X`.
@@ -204,27 +247,38 @@ impl Complementary {
     pub(super) fn new(nome: f64, stretched: f64, rate: DoubleDouble, start: &Ends, shape: &Shape) -> Self {
         let [depth, rest] = shape.depths.map(|depth| stretched * depth);
         // The smaller has the smaller error.
-        let (depth, rest) = if depth <= rest { (depth, FRAC_PI_2 - depth) } else { (FRAC_PI_2 - rest, rest) };
+        let near_pole = rest < depth;
+        let (depth, rest) = if near_pole { (FRAC_PI_2 - rest, rest) } else { (depth, FRAC_PI_2 - depth) };
         let weights = if shape.first { [1.0, 3.0, 5.0, 7.0] } else { [0.0, 2.0, 4.0, 6.0] };
+        // Sines and cosines of the multiples, with alternating signs.
         let signs = [1.0, -1.0, 1.0, -1.0];
-        let angles = weights.map(|m| sin_cos(m * depth));
+        let waves = [0, 1, 2, 3].map(|n| match (near_pole, sin_cos(weights[n] * depth.min(rest))) {
+            (false, (sin, cos)) => (signs[n] * sin, signs[n] * cos),
+            (true, (sin, cos)) if shape.first => (cos, sin),
+            (true, (sin, cos)) => (-sin, cos),
+        });
+        let sin_depth = if near_pole { sin_cos(rest).1 } else { sin_cos(depth).0 };
         let mut new = Self {
             first: shape.first,
-            cos: [0, 1, 2, 3].map(|n| signs[n] * angles[n].1),
-            sin: [0, 1, 2, 3].map(|n| -shape.sense * signs[n] * angles[n].0),
-            off_one: 2.0 * sin_cos(depth).0 * sin_cos(depth).0,
+            cos: waves.map(|(_, cos)| cos),
+            sin: waves.map(|(sin, _)| -shape.sense * sin),
+            off_one: 2.0 * sin_depth * sin_depth,
             nome,
-            factor: [1.0, 0.0],
-            drift: DoubleDouble::ZERO,
-            step: shape.sense * if shape.first { -depth } else { rest } / PI,
-            greatest: shape.size,
+            carrier: Carrier {
+                start: [1.0, 0.0],
+                drift: DoubleDouble::ZERO,
+                step: shape.sense * if shape.first { -depth } else { rest } / PI,
+                terms: 0.0,
+                greatest: shape.size,
+            },
         };
         let largest = if shape.first { Ends::at_saddle(nome) } else { Ends::at_flip(nome) };
         let [re, im] = new.raw(&largest);
         let turning = rate * (stretched * new.turning());
-        new.drift = (shape.rate - turning) / (DoubleDouble::PI * 2.0);
+        new.carrier.drift = (shape.rate - turning) / (DoubleDouble::PI * 2.0);
+        new.carrier.terms = shape.rate.hi().abs() + turning.hi().abs();
         let amplitude = shape.size * complementary_denominator(nome, &largest) / hypot(re, im);
-        new.factor = shape.aligned(new.raw(start)).map(|x| amplitude * x);
+        new.carrier.start = shape.aligned(new.raw(start)).map(|x| amplitude * x);
         new
     }
 
@@ -276,8 +330,6 @@ impl Complementary {
     /// Times `theta_4` over `exp X`.
     #[inline(always)]
     pub(super) fn at(&self, ends: &Ends, time: f64) -> [f64; 2] {
-        let steps = DoubleDouble::product(ends.halves, self.step);
-        let turned = times(self.factor, phase_factor(self.drift * time + steps));
-        times(turned, self.raw(ends))
+        times(self.carrier.at(time, ends.halves), self.raw(ends))
     }
 }

@@ -1,12 +1,12 @@
 //! The constants of a top's motion in theta functions.
 
-use super::factor::{Complementary, Direct, Shape, denominator, tied};
+use super::factor::{Carriers, Complementary, Direct, Shape, denominator, tie, turn_together};
 use super::integrals::{Integrals, Start};
 use super::nutation::{Form, Nutation};
 use crate::exact::elliptic::{NOME_RATIO, quarter_period, quarter_period_from_root, rf_of_roots};
 use crate::exact::elliptic_motion::{Fold, argument_at_start, phase_at_start};
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::{atan2, exp};
+use crate::number::functions::{atan2, exp, hypot};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -116,25 +116,20 @@ impl Integrals {
         };
         let other = quarter_period(modulus);
         let shapes = self.shapes(start);
-        let way = self.way(&shapes);
         let part = |x: DoubleDouble, y: DoubleDouble| ratio(x, y).hi().clamp(0.0, 1.0).sqrt();
         let sn = part(self.down, swept).copysign(self.rising.hi());
         let cn = if swept.hi() > 0.0 { part(self.up, swept) } else { 1.0 };
         let dn = part(self.third + self.pull * self.from_top, long);
         let sn = if self.rising.hi() == 0.0 { sn.abs() } else { sn };
         let turn = ahead / (DoubleDouble::PI * 2.0);
-        let ahead = [turn * 0.5, turn * -0.5, -turn];
         let form = if !separatrix && other / quarter.hi() >= NOME_RATIO {
             let quarter_hi = quarter.hi();
             let nome = exp(-PI * (other / quarter_hi));
             let turns = rate / (quarter * 4.0);
             let start = phase_at_start([sn, cn, dn], complement.hi(), quarter_hi);
             let mut factors = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
-            if let Some(way) = way {
-                let lowest = -atan2(start[0], start[1]) / (TAU * turns.hi());
-                factors[2].factor = tied(factors.map(|f| (f.factor, f.drift)), way, lowest);
-            }
-            let factors = with_ahead(factors, ahead, |factor: &mut Direct| &mut factor.drift);
+            let lowest = -atan2(start[0], start[1]) / (TAU * turns.hi());
+            self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, Some(turns * 2.0), turn);
             Form::Direct { turns, start, denominator: denominator(nome), factors }
         } else {
             let nome_root = if separatrix { 0.0 } else { exp(-FRAC_PI_2 / (other / quarter.hi())) };
@@ -147,11 +142,9 @@ impl Integrals {
             let ends = at_start.ends();
             let nome = nome_root * nome_root;
             let mut factors = shapes.map(|shape| Complementary::new(nome, stretch, rate, &ends, &shape));
-            if let Some(way) = way {
-                let lowest = -fold.start.hi() / rate.hi();
-                factors[2].factor = tied(factors.map(|f| (f.factor, f.drift)), way, lowest);
-            }
-            let factors = with_ahead(factors, ahead, |factor: &mut Complementary| &mut factor.drift);
+            let lowest = -fold.start.hi() / rate.hi();
+            let half_periods = (!separatrix).then_some(run);
+            self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, half_periods, turn);
             Form::Complementary { fold, nome, separatrix, factors }
         };
         let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
@@ -163,25 +156,31 @@ impl Integrals {
         }
     }
 
-    /// The sign that ties the spin across the axis to `alpha` and `beta`, where these keep more of its
-    /// direction than its start does: next to a cusp.
-    fn way(&self, [alpha, beta, across]: &[Shape; 3]) -> Option<f64> {
-        let share = across.share();
-        let about_lowest = self.at_bottom - self.along * self.bottoms[0];
-        let small = share > 0.0 && share < 0.1 * alpha.share().min(beta.share());
-        small.then(|| -alpha.sense * sense(about_lowest))
+    /// Joins the carriers of the three, that one whose direction at the start is lost in rounding to the
+    /// others, and turns them by what the body turns ahead.
+    fn join(
+        &self,
+        shapes: &[Shape; 3],
+        mut carriers: Carriers<'_>,
+        lowest: f64,
+        half_periods: Option<DoubleDouble>,
+        ahead: DoubleDouble,
+    ) {
+        if let Some(half_periods) = half_periods {
+            let spin = hypot(shapes[2].size, self.along.hi());
+            turn_together(carriers.each_mut().map(|c| &mut **c), [1.0, 1.0, spin], half_periods);
+        }
+        let shares = shapes.map(|shape| shape.share());
+        let share = |k: usize| shares[k];
+        for (weakest, [a, b]) in [[1, 2], [2, 0], [0, 1]].into_iter().enumerate() {
+            if share(weakest) > 0.0 && share(weakest) < 0.1 * share(a).min(share(b)) {
+                let about_lowest = self.at_bottom - self.along * self.bottoms[0];
+                let way = -shapes[0].sense * sense(about_lowest);
+                tie(carriers.each_mut().map(|c| &mut **c), weakest, way, lowest);
+            }
+        }
+        for (carrier, times) in carriers.into_iter().zip([0.5, -0.5, -1.0]) {
+            carrier.drift = carrier.drift + ahead * times;
+        }
     }
-}
-
-/// Each factor's drift with what the body turns ahead.
-fn with_ahead<F>(
-    mut factors: [F; 3],
-    ahead: [DoubleDouble; 3],
-    drift: impl Fn(&mut F) -> &mut DoubleDouble,
-) -> [F; 3] {
-    for (factor, ahead) in factors.iter_mut().zip(ahead) {
-        let drift = drift(factor);
-        *drift = *drift + ahead;
-    }
-    factors
 }

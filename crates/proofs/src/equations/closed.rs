@@ -234,9 +234,9 @@ fn of_complementary() -> Scope {
         })
     };
     let squares = |sign: i64| {
-        (1..=2_i64).fold(Fraction::one(), |sum, n| {
+        (1..=3_i64).fold(Fraction::one(), |sum, n| {
             let size = nome.pow((n * n) as u32) * Fraction::from(2);
-            sum + if n == 1 { size * Fraction::from(sign) } else { size }
+            sum + if n % 2 == 1 { size * Fraction::from(sign) } else { size }
         })
     };
     Scope::default()
@@ -319,7 +319,7 @@ fn of_drift() -> Scope {
 pub(super) fn drift_at_the_saddle() -> Scope {
     let [psi, s, pi, eta, other, p] = variables(["psi", "s", "pi", "eta", "K'", "p"]);
     let (mut real, mut turned, mut scope) = (Fraction::one(), Fraction::zero(), Scope::default());
-    for n in 1..=3_i64 {
+    for n in 1..=4_i64 {
         let size = p.pow((n * n) as u32) * Fraction::from(2);
         let [cos, sin] = ["U", "Y"].map(|wave| Fraction::variable(&format!("{wave}{}", 2 * n)));
         real += &size * &cos;
