@@ -11,6 +11,7 @@ pub(crate) mod extended;
 pub(crate) mod functions;
 mod lane;
 pub(crate) mod power_of_two;
+pub(crate) mod quadrature;
 
 pub use lane::Lane;
 pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two, splat};

@@ -15,7 +15,6 @@ mod steps;
 mod sums;
 mod switching;
 mod taylor;
-mod work;
 
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, positive};
@@ -30,7 +29,6 @@ use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
 pub use dense::AdaptiveRun;
-pub(super) use work::work;
 
 /// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
 /// of each, relative to the attitude's length and the momentum's size, below `tolerance`
@@ -174,7 +172,9 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
     ) -> Result<Self, Error> {
         check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
         let mut state = *start;
-        positive(Subject::AttitudeLength, normalize(&mut state.attitude))?;
+        if normalize(&mut state.attitude) == 0.0 {
+            positive(Subject::AttitudeLength, 0.0)?;
+        }
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
         let (time, last, steps, rejected, stiff, mild) = (0.0, duration, 0, 0, 0, 0);
         Ok(Self {
@@ -277,10 +277,31 @@ fn smallest<T: Analytic>() -> f64 {
 }
 
 /// Brings the attitude to length 1; returns its length before.
-fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
-    let length = attitude.coords.dot(&attitude.coords).sqrt();
+pub(super) fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
+    let square = attitude.coords.dot(&attitude.coords);
+    if !(1e-30..=1e30).contains(&square.size()) {
+        return normalize_extreme(attitude);
+    }
+    let length = square.sqrt();
     attitude.coords.apply(|x| *x /= length.clone());
     length.size()
+}
+
+/// An attitude the square of whose length may leave the range of numbers.
+#[cold]
+fn normalize_extreme<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
+    let mut largest = attitude.coords[attitude.coords.map(|x| x.size()).imax()].clone();
+    if largest.is_zero() {
+        return 0.0;
+    }
+    // Below zero it has no root, and would turn the quaternion's sign.
+    if largest.sqrt().size().is_nan() {
+        largest = -largest;
+    }
+    attitude.coords.apply(|x| *x /= largest.clone());
+    let length = attitude.coords.dot(&attitude.coords).sqrt();
+    attitude.coords.apply(|x| *x /= length.clone());
+    largest.size() * length.size()
 }
 
 /// The size of the largest number, without a square, which would leave the range before the number does; NaN

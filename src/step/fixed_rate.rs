@@ -1,5 +1,6 @@
 //! A step at a fixed rate, as a game takes it: right at 60 Hz for ordinary bodies and spins.
 
+use super::adaptive::normalize;
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
@@ -47,7 +48,22 @@ const MOST_PARTS: f64 = 1000.0;
 /// A step of more than 1000 parts: 500 radians. A motion that leaves `f64`, a body so thin that squares of
 /// its moments do, or an attitude of no length.
 pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
+    let square = start.attitude.coords.dot(&start.attitude.coords).size();
+    if !(1e-30..=1e30).contains(&square) {
+        return brought_to_length_1(system, start, h);
+    }
     if system.is_free() { drifted(system, start, &h) } else { kicked(system, start, &h) }
+}
+
+/// From an attitude the square of whose length may leave the range of numbers.
+#[cold]
+fn brought_to_length_1<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
+    let mut unit = start.clone().checked()?;
+    let length = normalize(&mut unit.attitude);
+    if length > 0.0 {
+        return fixed_rate(system, &unit, h);
+    }
+    Err(Refusal::NotPositive { what: Subject::AttitudeLength, value: length }.into())
 }
 
 // Not inlined: the way of a free body is the shorter for it.

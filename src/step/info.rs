@@ -31,7 +31,9 @@ pub struct Conserved {
     /// The length of the attitude quaternion.
     pub unit: bool,
     /// A step back undoes every step that is taken, or is refused where the iteration of the midpoint rule or
-    /// of Gauss's stages hardly converges.
+    /// of Gauss's stages hardly converges. It does so to rounding where the step turns the body by no more
+    /// than a radian. A longer step of a splitting of order 4 or 6 goes some way forth and back several times
+    /// on itself, which multiplies rounding: of ten radians it may lead back to another state.
     pub reversible: bool,
 }
 

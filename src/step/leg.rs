@@ -1,6 +1,6 @@
 //! What a stepper has of its last step: the state at any time within, and the flips on the way.
 
-use super::adaptive::{adaptive, adaptive_with_flips, work};
+use super::adaptive::{adaptive, adaptive_with_flips};
 use super::stepper::{Rule, Stepper, number};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, finite};
@@ -21,15 +21,13 @@ pub(super) struct Leg<T: nalgebra::Scalar> {
 }
 
 impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
-    fn tolerance(&self) -> Result<(f64, usize), Error> {
+    /// The tolerance of an adaptive stepper and its budget; none of another, which has not what is requested.
+    pub(super) fn tolerance(&self, what: Subject) -> Result<(f64, usize), Error> {
         if let Rule::Adaptive { tolerance, budget } = self.rule {
             return Ok((tolerance, budget));
         }
-        Err(Refusal::Undefined {
-            what: Subject::MotionWithinStep,
-            why: "steps of a fixed method give its ends alone: make the stepper by `Stepper::adaptive`",
-        }
-        .into())
+        let why = "steps of a fixed method give their ends alone: make the stepper by `Stepper::adaptive`";
+        Err(Refusal::Undefined { what, why }.into())
     }
 
     /// The state at a time (s) within the last step of an [adaptive](Self::adaptive) stepper, as accurate as
@@ -55,7 +53,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// # Errors
     /// A stepper by a method of fixed steps, a time outside the last step, or as [`step`](Self::step).
     pub fn at(&self, time: f64) -> Result<State<T>, Error> {
-        let (tolerance, mut budget) = self.tolerance()?;
+        let (tolerance, mut budget) = self.tolerance(Subject::MotionWithinStep)?;
         let (one, other) = (self.leg.time, self.time);
         let (first, last) = if one < other { (one, other) } else { (other, one) };
         if !(first..=last).contains(&finite(Subject::Time, time)?) {
@@ -66,38 +64,6 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         system.set_time(T::from_f64(one).unwrap_or_else(T::zero));
         let there = adaptive(&system, &self.leg.state, time - one, tolerance, &mut budget)?;
         self.along_body(&there).checked()
-    }
-
-    /// The work (J) that each torque, in the order in which they were given, has done in the last step of an
-    /// [adaptive](Self::adaptive) stepper: the integral of its power, within the tolerance of the step
-    /// relative to the energy there and on the way. All of it together is what the kinetic energy has grown
-    /// by.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::step::{Stepper, Torque};
-    /// use tumbling::{Body, Inertia};
-    /// // What a thruster has given, and what drag has taken.
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
-    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
-    /// let thruster = Torque::during(0.5, 1.5, Torque::InBody(Vector3::new(0.0, 0.7, 0.0)));
-    /// let drag = Torque::Damping(Vector3::new(0.1, 0.2, 0.1));
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([thruster, drag])?;
-    /// stepper.step(3.0)?;
-    /// let work = stepper.work()?;
-    /// assert!(work[0] > 0.0 && work[1] < 0.0);
-    /// assert!((work[0] + work[1] - (stepper.body()?.energy() - body.energy())).abs() < 1e-10);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A stepper by a method of fixed steps, powers too rough for 2^14 panels of a quadrature, or as
-    /// [`step`](Self::step).
-    pub fn work(&self) -> Result<Vec<f64>, Error> {
-        let (tolerance, budget) = self.tolerance()?;
-        let mut system = self.system.clone();
-        system.set_time(T::from_f64(self.leg.time).unwrap_or_else(T::zero));
-        work(&system, &self.leg.state, self.time - self.leg.time, tolerance, budget)
     }
 
     /// Goes on to the time `end` (s), forth or back, and returns the times on the way at which the spin about
@@ -132,7 +98,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// A stepper by a method of fixed steps, a torque that is a function, two gravity gradients, three
     /// rates of periodic torques, or as [`step`](Self::step); the body then stays where it was.
     pub fn flips(&mut self, end: f64) -> Result<Vec<f64>, Error> {
-        let (tolerance, mut budget) = self.tolerance()?;
+        let (tolerance, mut budget) = self.tolerance(Subject::FlipWithinStep)?;
         let duration = finite(Subject::EndTime, end)? - self.time;
         let (state, mut flips, side) =
             adaptive_with_flips(&self.system, &self.state, duration, tolerance, &mut budget, self.leg.side)?;

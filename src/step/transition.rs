@@ -2,8 +2,8 @@
 
 mod dual;
 
-use super::adaptive::adaptive_with_slopes;
-use super::stepper::{Rule, Stepper, conjugate};
+use super::adaptive::{AdaptiveRun, adaptive_with_slopes};
+use super::stepper::{Stepper, conjugate};
 use super::system::System;
 use super::torque::Torque;
 use crate::attitude;
@@ -11,8 +11,11 @@ use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use core::f64::consts::PI;
 use dual::Dual;
-use nalgebra::{Matrix3, Matrix6, Quaternion, Vector3};
+use nalgebra::{Matrix3, Matrix6, Quaternion, Vector3, Vector6};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 impl Stepper<f64> {
     /// One step of `h` seconds of an [adaptive](Self::adaptive) stepper, as [`step`](Self::step), and its
@@ -51,27 +54,87 @@ impl Stepper<f64> {
     /// A stepper by a method of fixed steps, a torque that is a function, or as [`step`](Self::step); the
     /// body then stays where it was.
     pub fn step_with_transition(&mut self, h: f64) -> Result<Matrix6<f64>, Error> {
-        let Rule::Adaptive { tolerance, mut budget } = self.rule else {
-            return Err(Refusal::Undefined {
-                what: Subject::Transition,
-                why: "it is carried by an adaptive stepper: make it by `Stepper::adaptive`",
-            }
-            .into());
-        };
-        let torques = self.system.torques().iter().map(carried).collect::<Result<Vec<_>, _>>()?;
-        let moments = *self.system.moments();
-        let mut system = System::of_numbers(moments.map(Dual::from), torques);
-        system.set_time(Dual::from(*self.system.time()));
-        let start = varied(&self.state, &moments);
-        let slopes = |x: &Dual| x.slopes.map(f64::abs);
-        let end = adaptive_with_slopes(&system, &start, h, tolerance, &mut budget, slopes)?;
-        let transition = self.turned(&read(&end, self.system.inverse()));
+        let (tolerance, mut budget) = self.tolerance(Subject::StepTransition)?;
+        let transition =
+            self.turned(&self.transition(&self.state, [self.time, h], tolerance, &mut budget)?);
         if transition.iter().all(|x| x.is_finite()) {
             self.step(h).map(|_| transition)
         } else {
             let value = transition.sum();
             Err(Refusal::OutOfRange { what: Subject::Transition, value }.into())
         }
+    }
+
+    /// An estimate of how far off the attitude will be after a [`step`](Self::step) of `h` seconds, rad; at
+    /// most pi, where nothing is known of it. The stepper stays where it is.
+    ///
+    /// The start is taken to be right to rounding, each of the run's own steps to the tolerance, and what
+    /// they are off by is carried on to the end by the motion's state transition, as independent errors. It
+    /// costs a run with derivatives, some ten times that of the step. A motion near an unstable equilibrium
+    /// or a separatrix multiplies errors by more than any tolerance makes up for: this says so.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{Stepper, Torque};
+    /// use tumbling::{Body, Inertia};
+    /// // A pendulum let go at an angle from the upright, for a minute.
+    /// let expected = |angle: f64| {
+    ///     let inertia = Inertia::from_moments(2.0, 1.5, 1.0)?;
+    ///     let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), angle);
+    ///     let body = Body::spinning(inertia, leaning, &Vector3::zeros())?;
+    ///     let stepper = Stepper::<f64>::adaptive(&body, 1e-14, 100_000)?;
+    ///     stepper.with_torques([Torque::gravity(&Vector3::z(), 9.8)])?.expected_error(60.0)
+    /// };
+    /// assert!(expected(2.5)? < 1e-10);
+    /// assert!(expected(1e-8)? > 1.0);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`step_with_transition`](Self::step_with_transition).
+    pub fn expected_error(&self, h: f64) -> Result<f64, Error> {
+        let (tolerance, mut budget) = self.tolerance(Subject::StepError)?;
+        let mut run = AdaptiveRun::new(&self.system, &self.state, h, tolerance)?;
+        let inverse = *self.system.inverse();
+        // The variances of an error of the attitude's quaternion and of the momentum, relative to their size.
+        let made = |state: &State<f64>, error: f64| {
+            let spin = inverse * (error * state.momentum.amax());
+            let each = |i: usize| if i < 3 { 2.0 * error } else { spin[i - 3] };
+            Matrix6::from_diagonal(&Vector6::from_fn(|i, _| each(i) * each(i)))
+        };
+        let mut variance = made(&self.state, f64::EPSILON);
+        let error = tolerance.max(32.0 * f64::EPSILON);
+        let mut off = 0.0;
+        let mut start = *run.state();
+        while let Some([began, ended]) = run.next_step(&mut budget)? {
+            let times = [self.time + began, ended - began];
+            let on = self.transition(&start, times, tolerance, &mut budget)?;
+            start = *run.state();
+            variance = on * variance * on.transpose() + made(&start, error);
+            off = variance.fixed_view::<3, 3>(0, 0).trace().sqrt();
+            if off.is_nan() || off >= PI {
+                return Ok(PI);
+            }
+        }
+        Ok(off)
+    }
+
+    /// The state transition, along the principal axes, from a state at a time to the one a duration later.
+    fn transition(
+        &self,
+        start: &State<f64>,
+        [time, duration]: [f64; 2],
+        tolerance: f64,
+        budget: &mut usize,
+    ) -> Result<Matrix6<f64>, Error> {
+        let torques = self.system.torques().iter().map(carried).collect::<Result<Vec<_>, _>>()?;
+        let moments = *self.system.moments();
+        let mut system = System::of_numbers(moments.map(Dual::from), torques);
+        system.set_time(Dual::from(time));
+        let start = varied(start, &moments);
+        let slopes = |x: &Dual| x.slopes.map(f64::abs);
+        let end = adaptive_with_slopes(&system, &start, duration, tolerance, budget, slopes)?;
+        Ok(read(&end, self.system.inverse()))
     }
 
     /// A matrix along the body's axes, from one along the principal axes.

@@ -438,9 +438,8 @@ fn a_torque_added_on_the_way_acts_by_the_time_of_the_stepper() {
     let mut later = stepper.clone().with_torques([Torque::during(4.0, 5.0, push.clone())]).unwrap();
     let _ = later.step(3.0).unwrap();
     assert!((later.omega().z - 4.0 / 2.5).abs() < 1e-12);
-    // It has done nothing before it was added.
+    // What was before does not hold with it.
     let added = stepper.with_torques([push]).unwrap();
-    assert_eq!(added.work().unwrap(), [0.0]);
     assert!(added.at(1.5).is_err());
 }
 

@@ -181,7 +181,59 @@ fn a_fast_spin_about_the_free_axis_is_not_refused_before_it_slows() {
     let moments = PrincipalMoments::new(1.0, 1.0, 1.5).unwrap();
     let system = System::with(moments, vec![Torque::Damping(Vector3::new(1e5, 1e5, 1.5))]).unwrap();
     let start = spinning(&system, [0.0, 0.0, 1e4]);
-    let mut budget = 1_000_000;
+    // Fewer steps than the whole would take at the pace of the first.
+    let mut budget = 50_000;
     let end = adaptive(&system, &start, 20.0, 1e-8, &mut budget).unwrap();
     assert!((end.momentum.z / (1.5e4 * (-20.0_f64).exp()) - 1.0).abs() < 1e-5, "{}", end.momentum);
+}
+
+/// `p' = P sin(w t) - k p` from rest, about a principal axis: the torque is zero at the start, so that there is
+/// nothing yet to measure a momentum by.
+fn pushed_from_zero(push: f64, rate: f64, decay: f64, time: f64) -> f64 {
+    let (sine, cosine) = (rate * time).sin_cos();
+    push * (decay * sine - rate * cosine + rate * (-decay * time).exp()) / (decay * decay + rate * rate)
+}
+
+#[test]
+fn from_rest_the_first_step_under_a_growing_push_keeps_its_tolerance() {
+    let (rate, axis) = (3.0, Vector3::z());
+    for damping in [2e2, 3e4, 9e5] {
+        for (push, decay_times) in [(1e-4, 20.0), (1.0, 100.0), (1e3, 1e3)] {
+            let decay = damping / 2.5;
+            let time = decay_times / decay;
+            let law = Torque::function(move |t: f64, _, _| axis * (push * (rate * t).sin()));
+            let late = Torque::Periodic { amplitude: axis * push, rate, phase: -std::f64::consts::FRAC_PI_2 };
+            for torque in [law, late] {
+                let system = system(vec![torque, Torque::Damping(Vector3::new(0.3, 0.1 * damping, damping))]);
+                let rest = spinning(&system, [0.0; 3]);
+                let truth = pushed_from_zero(push, rate, decay, time);
+                for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+                    let mut budget = 3_000;
+                    let end = adaptive(&system, &rest, time, tolerance, &mut budget).unwrap();
+                    let (steps, off) =
+                        (f64::from(3_000 - budget as u32), (end.momentum.z / truth - 1.0).abs());
+                    assert!(off < tolerance * steps, "{damping} {push} {tolerance:e}: {off:e} in {steps}");
+                }
+            }
+        }
+    }
+}
+
+/// The tighter the tolerance, the shorter the pair's steps, down to where stability no longer holds them back;
+/// the motion itself is slow.
+#[test]
+fn a_push_against_stiff_damping_takes_few_steps_at_every_tolerance() {
+    let axis = Vector3::new(0.0, 0.0, 1.0);
+    for (damping, push, time) in [(8e3, 0.4, 10.0), (5e6, 300.0, 0.4), (9e7, 8e-3, 0.5)] {
+        let torque = Torque::function(move |t: f64, _, _| axis * (push * (0.9 * t).sin()));
+        let system = system(vec![torque, Torque::Damping(Vector3::new(0.0, 0.3, damping))]);
+        let rest = spinning(&system, [0.0; 3]);
+        let truth = pushed_from_zero(push, 0.9, damping / 2.5, time);
+        for (tolerance, steps) in [(1e-8, 150), (1e-10, 150), (1e-12, 200), (1e-13, 300), (1e-14, 500)] {
+            let mut budget = steps;
+            let end = adaptive(&system, &rest, time, tolerance, &mut budget).unwrap();
+            let off = (end.momentum.z / truth - 1.0).abs();
+            assert!(off < 100.0 * tolerance, "{damping:e} {tolerance:e}: {off:e}");
+        }
+    }
 }

@@ -1,41 +1,11 @@
 //! Gauss's quadrature on one step, to its end and from each node to the end.
 
-pub(super) const NODE_COUNT: usize = 8;
+pub(super) use crate::number::quadrature::{NODE_COUNT, NODES, WEIGHTS};
 
-/// The nodes of Gauss's rule on (-1, 1) ([DLMF](crate::references) 3.5(v)), and its weights on an interval of
-/// length 1.
-pub(super) const NODES: [f64; NODE_COUNT] = mirrored(
-    -1.0,
-    [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_2],
-);
-pub(super) const WEIGHTS: [f64; NODE_COUNT] = mirrored(
-    1.0,
-    [0.181_341_891_689_180_98, 0.156_853_322_938_943_64, 0.111_190_517_226_687_23, 0.050_614_268_145_188_13],
-);
+use crate::number::quadrature::legendre;
+
 /// The weights of the integrals from each node to the interval's end.
 pub(super) const REMAINING: [[f64; NODE_COUNT]; NODE_COUNT] = remaining_weights();
-
-const fn mirrored(sign: f64, upper: [f64; NODE_COUNT / 2]) -> [f64; NODE_COUNT] {
-    let mut all = [0.0; NODE_COUNT];
-    let mut n = 0;
-    while n < NODE_COUNT / 2 {
-        (all[NODE_COUNT / 2 + n], all[NODE_COUNT / 2 - 1 - n]) = (upper[n], sign * upper[n]);
-        n += 1;
-    }
-    all
-}
-
-/// Legendre's polynomials up to the degree of the number of nodes.
-const fn legendre(x: f64) -> [f64; NODE_COUNT + 1] {
-    let mut p = [1.0; NODE_COUNT + 1];
-    p[1] = x;
-    let mut n = 1;
-    while n < NODE_COUNT {
-        p[n + 1] = ((2 * n + 1) as f64 * x * p[n] - n as f64 * p[n - 1]) / (n + 1) as f64;
-        n += 1;
-    }
-    p
-}
 
 /// Of the polynomial that is 1 at one node and 0 at the others, expanded in Legendre's, whose integrals are
 /// differences of their neighbours.
@@ -43,10 +13,10 @@ const fn remaining_weights() -> [[f64; NODE_COUNT]; NODE_COUNT] {
     let mut all = [[0.0; NODE_COUNT]; NODE_COUNT];
     let mut j = 0;
     while j < NODE_COUNT {
-        let end = legendre(NODES[j]);
+        let end: [f64; NODE_COUNT + 1] = legendre(NODES[j]);
         let mut k = 0;
         while k < NODE_COUNT {
-            let at = legendre(NODES[k]);
+            let at: [f64; NODE_COUNT + 1] = legendre(NODES[k]);
             let mut sum = NODES[j] + 1.0;
             let mut m = 1;
             while m < NODE_COUNT {

@@ -12,8 +12,8 @@ use num_traits::FromPrimitive;
 
 /// A run by the steps of [`adaptive`](fn@super::adaptive), whose states are requested one after another: its
 /// steps are as long as the tolerance permits, and a state between their ends is taken from the step's
-/// series (dense output), as accurate as the step. Where a torque is a function, a step ends at each state
-/// that is requested.
+/// series (dense output), as accurate as the step; where a torque is a function, from a shorter step. What is
+/// requested on the way changes nothing of what follows.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -86,12 +86,14 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
             return Err(Refusal::Undefined { what, why }.into());
         }
         while !self.reached(time) {
-            self.advance(time, budget)?;
+            self.advance(budget)?;
         }
         let (run, (start, began)) = (&self.run, &self.before);
         let time = if time == self.until { run.duration } else { time - run.from };
-        let within = if time == run.time { None } else { self.steps.within(run, start, time - began) };
-        within.unwrap_or(run.state).checked()
+        if time == run.time {
+            return run.state.checked();
+        }
+        self.steps.within(run, start, *began, time - began)?.checked()
     }
 
     /// Whether the steps taken go as far as this time.
@@ -101,22 +103,17 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         within && (run.time == run.duration || (time - from).abs() <= run.time.abs())
     }
 
-    /// One step further, by a pair no further than `time`; at the end of a piece, on to the next.
-    fn advance(&mut self, time: f64, budget: &mut usize) -> Result<(), Error> {
+    /// One step further; at the end of a piece, on to the next.
+    fn advance(&mut self, budget: &mut usize) -> Result<(), Error> {
         let run = &mut self.run;
         if run.time == run.duration {
             return self.next_piece();
         }
         self.steps.choose(run, *budget)?;
-        let (whole, before) = (run.duration, (run.state, run.time));
-        let dense = !matches!(self.steps, Steps::Pair(_));
-        if !dense && (time - run.from).abs() < (self.until - run.from).abs() {
-            run.duration = time - run.from;
-        }
+        let before = (run.state, run.time);
         let done = self.steps.advance(run, budget);
-        run.duration = whole;
         // A step that was refused has left its series about the state that the run is in.
-        self.before = if !dense || run.time == before.1 { (run.state, run.time) } else { before };
+        self.before = if run.time == before.1 { (run.state, run.time) } else { before };
         done
     }
 
@@ -138,6 +135,25 @@ impl<'a, T: Analytic + Copy + FromPrimitive> AdaptiveRun<'a, T> {
         (self.run, self.until) = (run, next);
         self.before = (self.run.state, 0.0);
         Ok(())
+    }
+
+    /// Takes the next step: where it began and ended, s after the start of the run. None at the end.
+    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<Option<[f64; 2]>, Error> {
+        while self.run.time != self.run.duration || self.until != self.run.end {
+            let began = self.run.from + self.run.time;
+            self.advance(budget)?;
+            let whole = self.run.time == self.run.duration;
+            let ended = if whole { self.until } else { self.run.from + self.run.time };
+            if ended != began {
+                return Ok(Some([began, ended]));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The state that the steps have led to.
+    pub(in crate::step) fn state(&self) -> &State<T> {
+        &self.run.state
     }
 
     pub(super) fn finish(&mut self, budget: &mut usize) -> Result<State<T>, Error> {

@@ -3,23 +3,32 @@
 
 use super::columns::Columns;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Run, largest, over};
+use super::{Run, Watch, largest, over};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
+use alloc::borrow::Cow;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
-/// The slopes of a step.
+/// The slopes of a step, and where the last one began.
 #[derive(Debug, Clone)]
 pub(super) struct Pair<T: nalgebra::Scalar> {
     slopes: [Rate<T>; 12],
+    /// The rate at the start of the last step that was taken.
+    first: Rate<T>,
     /// The next step, s.
     h: f64,
 }
+
+/// The most steps to a state within a step.
+const SHORTER_STEPS: usize = 1000;
+
+/// How often a step from rest is tried again before the torque is taken to jump.
+const JUMP_TRIES: usize = 40;
 
 /// `start + h (sum of weights times slopes)`.
 fn combined<T: Analytic + Copy + FromPrimitive>(
@@ -51,7 +60,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let guess = eighth_root(run.tolerance) / pace;
         let remaining = run.duration - run.time;
         let h = if guess < remaining.abs() { guess.copysign(remaining) } else { remaining };
-        Ok(Self { slopes: [slope; 12], h })
+        Ok(Self { slopes: [slope; 12], first: slope, h })
     }
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
@@ -74,18 +83,15 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     }
 
     fn relative(&self, run: &Run<'_, T>, off: &State<T>, end: &State<T>, h: f64) -> f64 {
-        // A body that starts at rest has no momentum to measure by; what a torque gives it in the step will
-        // do.
-        let gained = largest(self.slopes[0].momentum.as_slice()) * h.abs();
-        // Nor does one that drag brought to rest: below this its momentum has no digits to the tolerance.
+        // A body that drag brought to rest has no digits of its momentum to the tolerance below the least.
         let least = f64::MIN_POSITIVE / run.tolerance;
-        let held = largest(run.state.momentum.as_slice()) + gained;
-        let mut whole = held.max(least);
-        if held == 0.0 {
-            // At rest, and the torque is still to come: what it has given by the end, and no less than a turn
-            // of a radian in the whole time asks for.
-            let slow = over(1.0, largest(run.system.inverse().as_slice()) * run.duration.abs());
-            whole = whole.max(largest(end.momentum.as_slice())).max(slow);
+        let held = largest(run.state.momentum.as_slice());
+        // What a torque gives a body at rest is its size after the step.
+        let mut whole = held.max(largest(end.momentum.as_slice())).max(least);
+        if held == 0.0 && run.rejected > JUMP_TRIES {
+            // A torque that jumps: no step across the jump is right relative to what it gives on the way. It
+            // is measured by the momentum that turns the body by a radian in the whole time.
+            whole = whole.max(over(1.0, largest(run.system.inverse().as_slice()) * run.duration.abs()));
         }
         let attitude =
             over(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
@@ -129,12 +135,44 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         self.h = h * factor;
         if error <= 1.0 {
             run.count_losses(self.decay(&near, &end, &end_slope, h));
-            self.slopes[0] = end_slope;
+            self.first = core::mem::replace(&mut self.slopes[0], end_slope);
             run.take(end, h, last);
         } else {
             run.rejected += 1;
         }
         Ok(())
+    }
+}
+
+impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
+    /// The state `duration` seconds after the start of the last step, where the body was in the state `start`
+    /// at the time `began`: by a shorter step from there, or several if its error is not below the tolerance.
+    pub(super) fn within(
+        &self,
+        run: &Run<'_, T>,
+        start: &State<T>,
+        began: f64,
+        duration: f64,
+    ) -> Result<State<T>, Error> {
+        let mut pair = Self { slopes: [self.first; 12], first: self.first, h: duration };
+        let end = began + duration;
+        let watch = Watch { flips: None, ..run.watch.clone() };
+        let mut part = Run {
+            time: began,
+            state: *start,
+            duration: end,
+            watch,
+            system: Cow::Borrowed(&run.system),
+            ..*run
+        };
+        let before = run.steps + run.rejected;
+        while part.time != end {
+            if part.steps + part.rejected > before + SHORTER_STEPS {
+                return Err(part.no_step(pair.h));
+            }
+            pair.advance(&mut part)?;
+        }
+        Ok(part.state)
     }
 }
 

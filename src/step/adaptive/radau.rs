@@ -1,6 +1,7 @@
 //! Radau's nodes, and what integrates a polynomial that is given at them ([HW96](crate::references), IV.5).
 
 use crate::number::Analytic;
+use crate::number::quadrature::legendre;
 use alloc::vec;
 use alloc::vec::Vec;
 #[cfg(not(feature = "std"))]
@@ -31,7 +32,7 @@ impl Radau {
         let ends: Vec<f64> = (0..count).map(|i| node(count, i)).collect();
         let mut coefficients = vec![[0.0; MOST]; count];
         for (j, &x) in ends.iter().enumerate() {
-            let at = legendre(x, count);
+            let at: [f64; MOST + 1] = legendre(x);
             let value = order * at[count - 1];
             let weight = if j == 0 { 2.0 / (order * order) } else { (1.0 + x) / (value * value) };
             for (k, row) in coefficients.iter_mut().enumerate() {
@@ -47,7 +48,7 @@ impl Radau {
     /// What the values are multiplied by for the integral from 0 to a share of the interval.
     fn integral(&self, share: f64) -> Row {
         let x = 2.0 * share - 1.0;
-        let at = legendre(x, self.nodes.len());
+        let at: [f64; MOST + 1] = legendre(x);
         let mut sum = [0.0; MOST];
         for (k, row) in self.coefficients.iter().enumerate() {
             let below = if k == 0 { -1.0 } else { at[k - 1] };
@@ -102,17 +103,6 @@ impl Radau {
     }
 }
 
-/// Legendre's polynomials up to this order.
-fn legendre(x: f64, order: usize) -> [f64; MOST + 1] {
-    let mut values = [1.0; MOST + 1];
-    values[1] = x;
-    for k in 1..order {
-        let n = k as f64;
-        values[k + 1] = ((2.0 * n + 1.0) * x * values[k] - n * values[k - 1]) / (n + 1.0);
-    }
-    values
-}
-
 /// The root `i` of the difference of Legendre's polynomials of orders `count` and `count - 1`, down from the
 /// root 1, by Newton's rule from Chebyshev's.
 fn node(count: usize, i: usize) -> f64 {
@@ -122,7 +112,7 @@ fn node(count: usize, i: usize) -> f64 {
     let n = count as f64;
     let (_, mut x) = Analytic::sin_cos(&(core::f64::consts::TAU * i as f64 / (2.0 * n - 1.0)));
     for _ in 0..5 {
-        let at = legendre(x, count);
+        let at: [f64; MOST + 1] = legendre(x);
         let [before, one, two] = [at[count - 2], at[count - 1], at[count]];
         // `(x² - 1) P' = n (x P - P_before)`.
         let slope = n * (x * two - one) - (n - 1.0) * (x * one - before);

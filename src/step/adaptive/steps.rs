@@ -14,6 +14,11 @@ use num_traits::FromPrimitive;
 /// After this number of stiff steps, damping is solved for.
 const DAMPED_STEPS: u32 = 4;
 
+/// Rounding keeps steps of a tight tolerance below the bound of stability, so that none counts as stiff: after
+/// each so many steps damping is looked at that has this number of decay times in the last.
+const CHECKED_STEPS: usize = 16;
+const LONG: f64 = 0.25;
+
 /// Where it is this number of times faster than the motion: a step by collocation, of about a radian, takes
 /// as long as some ten by series, of some seven decay times.
 const FASTER: f64 = 64.0;
@@ -48,11 +53,11 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// What takes the next step: it may be another than took the last.
-    pub(super) fn choose(&mut self, run: &Run<'_, T>, budget: usize) -> Result<(), Error> {
+    pub(super) fn choose(&mut self, run: &mut Run<'_, T>, budget: usize) -> Result<(), Error> {
         let solves = matches!(self, Self::Collocation(_));
         if run.stiff == 0 && solves {
             *self = Self::new(run)?;
-        } else if run.stiff >= DAMPED_STEPS && !solves {
+        } else if !solves && (run.stiff >= DAMPED_STEPS || run.steps % CHECKED_STEPS == CHECKED_STEPS - 1) {
             self.meet_losses(run, budget)?;
         }
         Ok(())
@@ -72,13 +77,16 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// After some steps held back by losses: solves for those that are damping, once the motion is slow.
-    fn meet_losses(&mut self, run: &Run<'_, T>, budget: usize) -> Result<(), Error> {
+    fn meet_losses(&mut self, run: &mut Run<'_, T>, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
         let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
+        if run.stiff < DAMPED_STEPS && decay * run.last <= LONG {
+            return Ok(());
+        }
         let change = change(run);
         let watched = run.watch.flips.is_some() || run.watch.slopes.is_some();
         let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
-        if !watched && !dissipates && decay * run.last > STIFF {
+        if !watched && !dissipates && decay * run.last > LONG {
             let periodic = |torque: &Torque<T>| match torque {
                 Torque::Periodic { rate, .. } => rate.size(),
                 _ => 0.0,
@@ -86,8 +94,12 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
             let rate = system.torques().iter().map(periodic).fold(change, f64::max);
             if decay > FASTER * largest(system.omega(&state.momentum).as_slice()).max(rate) {
                 *self = Self::Collocation(Collocation::new(run));
+                run.stiff = DAMPED_STEPS;
+                return Ok(());
             }
-            return Ok(());
+            if decay * run.last > STIFF {
+                return Ok(());
+            }
         }
         // To the end, or until nothing is left of the momentum.
         let left = (run.duration - run.time).abs().min(FADED / change) / run.last.abs();
@@ -97,13 +109,19 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         Ok(())
     }
 
-    /// The state `time` seconds after the start of the last step, where the body was in the state `start`;
-    /// none within steps of a pair.
-    pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> Option<State<T>> {
+    /// The state `time` seconds after the start of the last step, where the body was in the state `start` at
+    /// the time `began`.
+    pub(super) fn within(
+        &self,
+        run: &Run<'_, T>,
+        start: &State<T>,
+        began: f64,
+        time: f64,
+    ) -> Result<State<T>, Error> {
         match self {
-            Self::Series(series) => Some(series.within(run, start, time)),
-            Self::Collocation(steps) => Some(steps.within(run, start, time)),
-            Self::Pair(_) => None,
+            Self::Series(series) => Ok(series.within(run, start, time)),
+            Self::Collocation(steps) => Ok(steps.within(run, start, time)),
+            Self::Pair(pair) => pair.within(run, start, began, time),
         }
     }
 }

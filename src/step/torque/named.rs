@@ -129,19 +129,6 @@ impl<T: Analytic> Torque<T> {
         before_or_at(start, time) && !before_or_at(end, time)
     }
 
-    /// Its potential energy on a body of these moments at the attitude with this rotation matrix, J, if it
-    /// has one that does not change with the time.
-    pub(in crate::step) fn potential(&self, moments: &Vector3<T>, rotation: &Matrix3<T>) -> Option<T> {
-        match self {
-            Self::Aligning { arm, field } => Some(-arm.dot(&rotation.tr_mul(field))),
-            Self::GravityGradient { strength, direction, orbit } if orbit.iter().all(T::is_zero) => {
-                let n = rotation.tr_mul(direction);
-                Some(n.dot(&n.component_mul(moments)) * strength.clone() / T::integer(2))
-            }
-            _ => None,
-        }
-    }
-
     /// The gravity gradient.
     pub(super) fn gradient(&self, inverse: &Vector3<T>, time: &T, rotation: &Matrix3<T>) -> Vector3<T> {
         let Self::GravityGradient { strength, direction, orbit } = self else {

@@ -1,0 +1,102 @@
+//! Legendre's polynomials, and the rule of Gauss whose nodes are the roots of the eighth of them
+//! ([DLMF](crate::references) 3.5(v)).
+
+pub(crate) const NODE_COUNT: usize = 8;
+
+/// The nodes of Gauss's rule on (-1, 1).
+pub(crate) const NODES: [f64; NODE_COUNT] = mirrored(
+    -1.0,
+    [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_3],
+);
+
+/// Its weights on an interval of length 1.
+pub(crate) const WEIGHTS: [f64; NODE_COUNT] = mirrored(
+    1.0,
+    [0.181_341_891_689_181, 0.156_853_322_938_943_63, 0.111_190_517_226_687_24, 0.050_614_268_145_188_13],
+);
+
+const fn mirrored(sign: f64, upper: [f64; NODE_COUNT / 2]) -> [f64; NODE_COUNT] {
+    let mut all = [0.0; NODE_COUNT];
+    let mut n = 0;
+    while n < NODE_COUNT / 2 {
+        (all[NODE_COUNT / 2 + n], all[NODE_COUNT / 2 - 1 - n]) = (upper[n], sign * upper[n]);
+        n += 1;
+    }
+    all
+}
+
+/// Legendre's polynomials of the degrees 0 to `N - 1`, by their recurrence.
+pub(crate) const fn legendre<const N: usize>(x: f64) -> [f64; N] {
+    let mut p = [1.0; N];
+    if N > 1 {
+        p[1] = x;
+    }
+    let mut n = 1;
+    while n + 1 < N {
+        p[n + 1] = ((2 * n + 1) as f64 * x * p[n] - n as f64 * p[n - 1]) / (n + 1) as f64;
+        n += 1;
+    }
+    p
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+
+    fn rational(x: f64) -> BigRational {
+        BigRational::from_float(x).expect("a finite number")
+    }
+
+    fn fraction(n: i32, below: i32) -> BigRational {
+        BigRational::new(BigInt::from(n), BigInt::from(below))
+    }
+
+    /// `(P7, P8)`, in fractions.
+    fn seventh_and_eighth(x: &BigRational) -> (BigRational, BigRational) {
+        let (mut before, mut p) = (fraction(1, 1), x.clone());
+        for n in 1..8 {
+            let next = fraction(2 * n + 1, n + 1) * x * &p - fraction(n, n + 1) * &before;
+            (before, p) = (p, next);
+        }
+        (before, p)
+    }
+
+    /// The number is the nearest to one between two others.
+    fn nearest(x: f64, low: &BigRational, high: &BigRational) -> bool {
+        let half = |other: f64| (rational(x) + rational(other)) / fraction(2, 1);
+        half(x.next_down()) <= *low && *high <= half(x.next_up())
+    }
+
+    #[test]
+    fn each_node_is_the_number_nearest_to_a_root_of_the_eighth_polynomial_and_so_is_its_weight() {
+        let sign = |x: &BigRational| seventh_and_eighth(x).1 > fraction(0, 1);
+        for (&node, &weight) in NODES.iter().zip(&WEIGHTS) {
+            let (mut low, mut high) = (rational(node.next_down()), rational(node.next_up()));
+            assert_ne!(sign(&low), sign(&high), "{node}");
+            for _ in 0..20 {
+                let middle = (&low + &high) / fraction(2, 1);
+                if sign(&middle) == sign(&low) { low = middle } else { high = middle }
+            }
+            assert!(nearest(node, &low, &high), "{node}");
+            let weights = [&low, &high].map(|x| {
+                let (p, _) = seventh_and_eighth(x);
+                (fraction(1, 1) - x * x) / (fraction(64, 1) * &p * &p)
+            });
+            let (less, more) = (weights.iter().min().unwrap(), weights.iter().max().unwrap());
+            assert!(nearest(weight, less, more), "{weight}");
+        }
+    }
+
+    /// `P2 = (3 x^2 - 1)/2`, `P3 = (5 x^3 - 3 x)/2`.
+    #[test]
+    fn the_recurrence_gives_legendres_polynomials() {
+        for x in [-0.7, 0.0, 0.3, 1.0] {
+            let [p0, p1, p2, p3] = legendre(x);
+            assert_eq!([p0, p1], [1.0, x]);
+            assert!((p2 - (1.5 * x * x - 0.5)).abs() < 1e-15, "{x}");
+            assert!((p3 - (2.5 * x * x * x - 1.5 * x)).abs() < 1e-15, "{x}");
+        }
+    }
+}

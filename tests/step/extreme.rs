@@ -1,0 +1,164 @@
+//! Extreme inputs: whatever is answered is finite, of a unit attitude where that is promised, and the rest is
+//! refused.
+
+use super::finite;
+use crate::common::{attitude, generic_spin, moments};
+use nalgebra::Vector3;
+use proptest::prelude::*;
+use tumbling::step::{Engine, Method, PositionStage, State, Stepper, System, Torque, fixed_rate};
+use tumbling::{Body, PrincipalMoments};
+
+/// A number of any size, its logarithm spread evenly.
+fn of_any_size() -> impl Strategy<Value = f64> {
+    (-320.0..308.0_f64, any::<bool>()).prop_map(|(x, less)| 10.0_f64.powf(x) * if less { -1.0 } else { 1.0 })
+}
+
+fn vector_of_any_size() -> impl Strategy<Value = Vector3<f64>> {
+    prop::array::uniform3(of_any_size()).prop_map(Vector3::from)
+}
+
+/// Of a top, a satellite, a motor and drag.
+fn torques(v: Vector3<f64>, w: Vector3<f64>, x: f64) -> Vec<Torque<f64>> {
+    vec![
+        Torque::InBody(v),
+        Torque::InWorld(v),
+        Torque::Aligning { arm: v, field: w },
+        Torque::Damping(v.abs()),
+        Torque::Dissipation(x.abs()),
+        Torque::GravityGradient { strength: x.abs(), direction: Vector3::y(), orbit: w },
+        Torque::Periodic { amplitude: v, rate: x, phase: w.x },
+        Torque::during(-1.0, x.abs(), Torque::InBody(w)),
+        Torque::function(move |time, rotation, omega| {
+            rotation.transpose() * v + omega.component_mul(&w) * time
+        }),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3_000))]
+
+    #[test]
+    fn a_step_of_fixed_rate_ends_in_a_unit_attitude_or_is_refused(
+        moments in moments(), omega in generic_spin(), length in of_any_size(), unit in attitude(),
+        kind in 0..10_usize, v in vector_of_any_size(), w in vector_of_any_size(), h in of_any_size(),
+    ) {
+        let acting = torques(v, w, h).into_iter().skip(kind).take(1).collect();
+        let system = System::with(moments.try_into().unwrap(), acting);
+        prop_assume!(system.is_ok());
+        let system = system.unwrap();
+        let start = State { attitude: unit.into_inner() * length, momentum: system.momentum(&omega) };
+        for h in [1.0 / 60.0, h] {
+            if let Ok(end) = fixed_rate(&system, &start, h) {
+                prop_assert!(finite(&end) && (end.attitude.norm() - 1.0).abs() < 1e-14, "{:?}", end);
+            }
+        }
+        // A free body's motion does not depend on the length of its attitude, if that has its digits.
+        if kind == 9 && length.abs() > 1e-290 {
+            let one = State { attitude: unit.into_inner(), ..start };
+            let (one, other) = (fixed_rate(&system, &one, 0.01), fixed_rate(&system, &start, 0.01));
+            if let (Ok(one), Ok(other)) = (&one, &other) {
+                prop_assert!((one.momentum - other.momentum).norm() <= 1e-14 * one.momentum.norm());
+                let turned = one.attitude.coords - other.attitude.coords * length.signum();
+                prop_assert!(turned.norm() < 1e-13, "{:?} {:?}", one, other);
+            }
+            prop_assert_eq!(one.is_ok(), other.is_ok(), "{:e}", length);
+        }
+    }
+
+    #[test]
+    fn a_step_of_every_method_is_finite_or_refused(
+        a in of_any_size(), b in of_any_size(), c in of_any_size(), momentum in vector_of_any_size(),
+        unit in attitude(), length in of_any_size(), kind in 0..10_usize, v in vector_of_any_size(),
+        w in vector_of_any_size(), h in of_any_size(),
+    ) {
+        let moments = PrincipalMoments::new(a.abs(), b.abs(), c.abs())
+            .or_else(|_| PrincipalMoments::new(a.abs(), 1.5 * a.abs(), 0.7 * a.abs()));
+        let Ok(moments) = moments else { return Ok(()) };
+        let system = System::with(moments, torques(v, w, h).into_iter().skip(kind).take(1).collect());
+        prop_assume!(system.is_ok());
+        let system = system.unwrap();
+        for length in [1.0, length] {
+            let start = State { attitude: unit.into_inner() * length, momentum };
+            for &method in Method::ALL {
+                if let Ok(end) = method.step(&system, &start, h) {
+                    prop_assert!(finite(&end), "{:?}: {:?}", method, end);
+                }
+            }
+        }
+        let body = moments.into();
+        if let Ok(body) = Body::new(body, unit, &momentum) {
+            for tolerance in [1e-3, 1e-12] {
+                let Ok(stepper) = Stepper::<f64>::adaptive(&body, tolerance, 30) else { continue };
+                let Ok(mut stepper) = stepper.with_torques(system.torques().to_vec()) else { continue };
+                if let Ok(end) = stepper.step(h) {
+                    prop_assert!(finite(&end) && (end.attitude.norm() - 1.0).abs() < 1e-14, "{:?}", end);
+                    prop_assert!(stepper.omega().iter().all(|x| x.is_finite()));
+                    prop_assert!(stepper.body().is_ok());
+                }
+                if let Ok(transition) = stepper.step_with_transition(h) {
+                    prop_assert!(transition.iter().all(|x| x.is_finite()));
+                }
+            }
+        }
+    }
+    #[test]
+    fn a_position_stage_and_an_engine_end_in_finite_unit_attitudes_or_say_that_they_took_no_step(
+        a in of_any_size(), b in of_any_size(), unit in attitude(), omega in vector_of_any_size(),
+        h in of_any_size(),
+    ) {
+        let moments = Vector3::new(a.abs(), b.abs(), 0.4 * (a.abs() + b.abs()));
+        if let Ok(stage) = PositionStage::new(&moments) {
+            let end = stage.step(&unit.into_inner(), &omega, h);
+            prop_assert!(end.parts == 0 || end.omega.iter().all(|x| x.is_finite()), "{:?}", end);
+            prop_assert!((end.attitude.norm() - 1.0).abs() < 1e-12, "{:?}", end);
+        }
+        let Ok(moments) = PrincipalMoments::try_from(moments) else { return Ok(()) };
+        let Ok(body) = Body::spinning(moments.into(), unit, &omega) else { return Ok(()) };
+        for engine in [Engine::Turned, Engine::Frozen, Engine::MomentumForSpin, Engine::NoGyroscopicTerm] {
+            for end in engine.run(&body, h, 2).unwrap_or_default() {
+                prop_assert!((end.attitude().norm() - 1.0).abs() < 1e-12, "{:?}", end);
+                prop_assert!(end.momentum_world().iter().all(|x| x.is_finite()), "{:?}", end);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Whatever the body, if not thinner than a needle of 1 to 20.
+    #[test]
+    fn a_reversible_step_of_at_most_a_radian_leads_back_to_rounding(
+        moments in moments(), omega in generic_spin(), unit in attitude(), turn in 0.01..1.0,
+    ) {
+        let system = System::free(moments.try_into().unwrap()).unwrap();
+        // The spin stays below what the energy allows about the axis of the smallest moment.
+        let energy = omega.dot(&moments.component_mul(&omega));
+        let h = turn / (energy / moments.min()).sqrt();
+        let start = State { attitude: unit.into_inner(), momentum: system.momentum(&omega) };
+        for &method in Method::ALL.iter().filter(|method| method.info().conserved.reversible) {
+            let Ok(end) = method.step(&system, &start, h) else { continue };
+            let Ok(back) = method.step(&system, &end, -h) else { continue };
+            let off = super::apart(&back, &start);
+            prop_assert!(off < 2e-13, "{:?} of {} rad: {:e}", method, turn, off);
+        }
+    }
+}
+
+/// The body for which a step of ten seconds by nine splittings in one was called reversible.
+#[test]
+fn a_step_of_many_radians_by_a_composed_splitting_is_not_undone_to_rounding() {
+    let moments = PrincipalMoments::new(1.126, 0.4996, 0.8697).unwrap();
+    let system = System::free(moments).unwrap();
+    let start = State {
+        attitude: nalgebra::Quaternion::identity(),
+        momentum: system.momentum(&Vector3::new(0.8, 0.9, -0.6)),
+    };
+    let off = |method: Method, h: f64| {
+        let end = method.step(&system, &start, h).unwrap();
+        super::apart(&method.step(&system, &end, -h).unwrap(), &start)
+    };
+    for method in [Method::RotationSplitting4, Method::RotationSplitting6] {
+        assert!(off(method, 0.5) < 1e-14 && off(method, 10.0) > 1e-12, "{method:?}: {:e}", off(method, 10.0));
+    }
+}
