@@ -1,5 +1,5 @@
 // What the drawings of the widgets show, read back from the page, and set beside numbers worked out here.
-import { frames } from "./drawn.moving.mjs";
+import { frames } from "./widgets/hands.mjs";
 
 /** A drawing's parts, by class: the numbers of their paths, and what else they have. */
 const parts = (page, selector) => page.locator(selector).evaluate((svg) => {

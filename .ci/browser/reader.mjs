@@ -1,5 +1,5 @@
 // Readers who use the book otherwise than with a mouse and scripts.
-import { finger } from "./drawn.moving.mjs";
+import { finger } from "./widgets/hands.mjs";
 
 /** By keyboard alone: past the controls, and each control itself. */
 export async function keyboard(page, base, fault) {

@@ -1,8 +1,8 @@
 // Methods and steps: the path that a method takes beside the exact one, and its errors at this step and at others.
 "use strict";
 
-tumblingLive.widget("steps", async (stage, from) => {
-    const { load, module, fixed, raised, short, draw, drawing, sayer } = tumblingLive;
+tumblingLive.widget("steps", async (stage) => {
+    const { module, fixed, raised, short, draw, drawing, sayer } = tumblingLive;
     const [methods, motion] = await Promise.all([module("steps"), module("tumble")]);
     const [method, body, start, step] = ["method", "body", "start", "step"].map((id) => stage.querySelector(`#steps-${id}`));
     const svgs = ["path", "errors"].map((what) => stage.querySelector(`[data-drawing=${what}]`));

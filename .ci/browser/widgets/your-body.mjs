@@ -1,0 +1,74 @@
+// A body of the reader's own.
+import { set, shown } from "./controls.mjs";
+import { finger } from "./hands.mjs";
+
+/** A phone, a satellite and a robot's link: their numbers, their drawings, and the address that keeps them. */
+export async function yourBody(page, wants) {
+  const tell = (what) => shown(page, "your-body", what);
+  const wrong = "#live-your-body .live-wrong";
+  const fill = async (values) => { for (const [field, value] of Object.entries(values)) await set(page, `#your-body-${field}`, value); };
+  const choose = (kind) => page.selectOption("#your-body-kind", kind);
+  await fill({ a: 2, b: 1, c: 3, m: 1 });
+  for (const [k, moment, along] of [[1, 5 / 12, "0.000, 0.000, 1.000"], [2, 10 / 12, "1.000, 0.000, 0.000"], [3, 13 / 12, "0.000, 1.000, 0.000"]]) {
+    const text = await tell(`axis-${k}`);
+    wants(`the box's moment ${k} and its axis: ${text}`, Math.abs(parseFloat(text) - moment) < 1e-3 && text.includes(along));
+  }
+  const rate = Math.sqrt((3 * 5) / (13 * 5));
+  const growth = await tell("growth");
+  wants(`a push on the box grows e-fold in 1/(2π ${rate}) turns: ${growth}`, growth.includes(`e-fold in ${Number((1 / (2 * Math.PI * rate)).toPrecision(3))} turns`));
+  const flips = await page.locator(".your-body-flips td").allTextContents();
+  const steps = flips.slice(1).map((text, k) => Number(text) - Number(flips[k]));
+  const step = Math.log(100) / rate / 2 / Math.PI;
+  wants(`each push ten times smaller waits ${step} turns longer: ${flips}`, flips.length === 9 && steps.slice(2).every((x) => Math.abs(x - step) < 0.08));
+  const ratio = 13 / 5;
+  const gap = (Math.atan((ratio - 1) / 2 / Math.sqrt(ratio)) * 180) / Math.PI;
+  wants(`the widest gap is ${gap}: ${await tell("gap")}`, Math.abs(parseFloat(await tell("gap")) - gap) < 0.06);
+  await page.waitForFunction(() => location.hash.startsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"), null, { timeout: 60000 }).catch(() => {});
+  wants(`the address keeps the box: ${page.url()}`, page.url().endsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"));
+
+  // All paths lie inside the outline of their ellipsoid.
+  const inside = await page.locator("#live-your-body [data-drawing=polhodes]").evaluate((svg) => {
+    const box = (path) => path.getBBox();
+    const whole = box(svg.querySelector(".live-body"));
+    const paths = [...svg.querySelectorAll(".your-body-path")].map(box);
+    return [paths.length, paths.every((b) => b.x >= whole.x - 1 && b.y >= whole.y - 1 && b.x + b.width <= whole.x + whole.width + 1 && b.y + b.height <= whole.y + whole.height + 1)];
+  });
+  wants(`${inside[0]} paths lie on the ellipsoid`, inside[0] >= 18 && inside[1]);
+
+  for (const [kind, never] of [["ball", "any spin stays"], ["cylinder", "equal"], ["disk", "equal"]]) {
+    await choose(kind);
+    await fill({ a: 0.1, b: 0.02 });
+    wants(`a ${kind}: ${await tell("growth")}`, (await tell("growth")).includes(never) && !(await page.isVisible(".your-body-flips")));
+  }
+  await choose("moments");
+  for (const [values, says] of [[{ xx: 1, yy: 2, zz: 4 }, "no body"], [{ zz: "" }, "Type a number for zz"], [{ xx: 1, yy: 2, zz: 2.5 }, null]]) {
+    await fill(values);
+    const text = (await page.isVisible(wrong)) ? await page.textContent(wrong) : null;
+    wants(`moments ${Object.values(values)}: ${text}`, says === null ? text === null : text?.includes(says));
+  }
+  await page.locator("#live-your-body summary").click();
+  const link = '<link name="arm"><inertial><origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/><mass value="2"/><inertia ixx="1" iyy="2" izz="2.5" ixy="0.1" ixz="0" iyz="0"/></inertial></link>';
+  await page.fill("#your-body-urdf", link);
+  const taken = await Promise.all(["xx", "yy", "zz", "xy", "m"].map(async (field) => Number(await page.inputValue(`#your-body-${field}`))));
+  wants(`a link is turned into its own axes: ${taken}`, [2, 1, 2.5, -0.1, 2].every((x, k) => Math.abs(taken[k] - x) < 1e-9));
+  await page.fill("#your-body-urdf", "<link><inertial><mass value='2'/></inertial></link>");
+  wants(`half a link is refused: ${await tell("urdf")}`, (await tell("urdf")).includes("missing"));
+  await page.locator("#live-your-body summary").click();
+
+  // Another's link is taken over, and by finger and keyboard the view goes round.
+  await page.evaluate(() => { location.hash = "#your-body?kind=ellipsoid&m=1e12&a=620&b=500&c=384"; });
+  await page.waitForFunction(() => document.querySelector("#your-body-kind").value === "ellipsoid", null, { timeout: 60000 }).catch(() => {});
+  wants(`a link in the address is taken over: ${await tell("axis-1")}`, (await tell("axis-1")).includes("10¹⁶"));
+  const svg = page.locator("#live-your-body [data-drawing=body]");
+  await svg.scrollIntoViewIfNeeded();
+  const before = await svg.innerHTML();
+  const box = await svg.boundingBox();
+  const centre = [box.x + box.width / 2, box.y + box.height / 2];
+  const scrolled = await finger(page, centre, [[centre[0] + 40, centre[1] + 15]]);
+  wants(`under a finger the body turns and the page does not scroll: ${scrolled} px`, scrolled === 0 && (await svg.innerHTML()) !== before);
+  const turned = await svg.innerHTML();
+  await page.locator("#your-body-turn").focus();
+  await page.keyboard.press("ArrowRight");
+  wants("by keyboard too", (await svg.innerHTML()) !== turned);
+  wants("every part of the drawings has a place", !/NaN|Infinity|undefined/.test(await page.locator("#live-your-body .live-stage").innerHTML()));
+}
