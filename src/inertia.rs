@@ -197,16 +197,27 @@ impl Inertia {
     ///
     /// # Errors
     /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that
-    /// body's about that point, since what remains about the centre is zero or impossible by more than the
-    /// rounding of the tensor given.
+    /// body's about that point, since what remains about the centre is impossible by more than the rounding
+    /// of the tensor given, or not above that rounding: it has no digit left.
     pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
         positive(Subject::Mass, mass)?;
         finite_vector(Subject::Offset, offset)?;
-        let shifted = self.tensor - point_mass(&mass, offset);
-        Self::rounded(&shifted, self.tensor.amax()).map_err(|error| {
+        self.at_centre(&symmetrized(&(self.tensor - point_mass(&mass, offset)))).map_err(|error| {
             let source = Box::new(error);
             TensorRefusal::OffCentre { mass, distance: length(offset), source }.into()
         })
+    }
+
+    /// What is left of this tensor about the centre of mass, which carries this one's rounding. What is
+    /// impossible by no more than that goes to the nearest that a body can have.
+    fn at_centre(&self, shifted: &Matrix3<f64>) -> Result<Self, Error> {
+        Self::rounded(shifted, self.tensor.amax())?;
+        let (value, least) = (shifted.diagonal().max(), possible::rounding(self.tensor.amax()));
+        if value <= least {
+            let (what, meaning) = (Subject::LargestMoment, "the rounding of the tensor given");
+            return Err(Refusal::TooSmall { what, value, least, meaning }.into());
+        }
+        Self::within(shifted, 2.0 * least / value).map(|(tensor, _)| tensor)
     }
 
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.

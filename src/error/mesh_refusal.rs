@@ -28,6 +28,11 @@ pub(crate) enum MeshRefusal {
         tolerance: f64,
     },
     /// `winding`: how many times the shells together enclose a point next to this one.
+    /// More shells in one another than can be looked at.
+    TooManyShells {
+        shells: usize,
+        most: usize,
+    },
     MisplacedShell {
         face: usize,
         volume: f64,
@@ -41,7 +46,7 @@ impl MeshRefusal {
             Self::BadFace { .. } | Self::FlippedFace { .. } | Self::RepeatedFace { .. } => Subject::Face,
             Self::OpenMesh { .. } => Subject::MeshEdge,
             Self::NoVolume { .. } => Subject::Volume,
-            Self::MisplacedShell { .. } => Subject::Shell,
+            Self::MisplacedShell { .. } | Self::TooManyShells { .. } => Subject::Shell,
         }
     }
 }
@@ -70,6 +75,10 @@ impl fmt::Display for MeshRefusal {
             Self::RepeatedFace { face, before, vertices: [a, b, c] } => {
                 write!(f, "face {face}, ({a}, {b}, {c}), is face {before} again: each must be listed once")
             }
+            Self::TooManyShells { shells, most } => write!(
+                f,
+                "{shells} shells of which so many lie in one another that to see how would take more than the {most}                  views of a face that are taken"
+            ),
             Self::MisplacedShell { face, volume, winding } => write!(
                 f,
                 "the shell that face {face} belongs to, of volume {volume:?}, is turned or placed wrongly: next to it \

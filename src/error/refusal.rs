@@ -121,7 +121,9 @@ impl Refusal {
             | Self::NoSuchAxis { .. } => ErrorKind::OutOfBounds,
             Self::OutOfRange { .. } | Self::Underflow { .. } => ErrorKind::Unrepresentable,
             Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::Undefined,
-            Self::TooMany { .. } | Self::Unfinished { .. } => ErrorKind::TooMany,
+            Self::TooMany { .. }
+            | Self::Unfinished { .. }
+            | Self::Mesh(MeshRefusal::TooManyShells { .. }) => ErrorKind::TooMany,
             Self::NotConverged { .. } | Self::NoStep { .. } => ErrorKind::NotConverged,
             Self::Tensor(TensorRefusal::Singular { .. }) => ErrorKind::NotInvertible,
             Self::Tensor(_) => ErrorKind::Impossible,

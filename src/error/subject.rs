@@ -100,7 +100,7 @@ subjects! {
     FlipNumber => "the number of flips from the start",
     Derivative => "a derivative of the motion",
     FlipTimes => "the times of flips",
-    ComplementaryModulus => "the complementary modulus of the motion",
+    ComplementaryModulus => "how close to the separatrix the motion is (its complementary modulus)",
     Arm => "the arm",
     Weight => "the weight",
     ArmOffAxis => "the part of the arm across the nearest principal axis, as a share of the arm",

@@ -1,7 +1,7 @@
 //! Three principal moments that belong to one body, checked once.
 
 use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
-use super::{Axis, Inertia};
+use super::{Axis, Inertia, nearest};
 use crate::error::{Error, Subject, positive};
 use crate::number::power_of_two::ulp;
 use core::fmt;
@@ -37,10 +37,14 @@ impl PrincipalMoments {
     /// A moment that is not finite and positive, or a largest above the sum of the others by more than
     /// rounding.
     pub fn new(first: f64, second: f64, third: f64) -> Result<Self, Error> {
-        let moments = Self::of_tensor(Vector3::new(first, second, third))?;
-        let sorted = moments.sorted();
-        physically_possible(&sorted, DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))?;
+        let moments = Self::ordered(Vector3::new(first, second, third))?;
+        moments.possible()?;
         Ok(moments)
+    }
+
+    fn possible(&self) -> Result<(), Error> {
+        let sorted = self.sorted();
+        physically_possible(&sorted, DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
     }
 
     /// The nearest moments to those whose digits were rounded, and how far they were moved, as
@@ -61,7 +65,14 @@ impl PrincipalMoments {
     }
 
     /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.
+    /// The rounding of a turn may leave moments of a flat body that [`new`](Self::new) refuses: they go to
+    /// the nearest that it takes.
     pub(crate) fn of_tensor(moments: Vector3<f64>) -> Result<Self, Error> {
+        let found = Self::ordered(moments)?;
+        if found.possible().is_ok() { Ok(found) } else { Self::ordered(nearest::possible(&moments)) }
+    }
+
+    fn ordered(moments: Vector3<f64>) -> Result<Self, Error> {
         moments.iter().try_for_each(|&moment| positive(Subject::PrincipalMoment, moment).map(drop))?;
         Ok(Self { moments, order: ascending(&moments).map(|i| i as u8) })
     }

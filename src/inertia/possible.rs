@@ -29,6 +29,11 @@ const ENTRIES: [Subject; 9] = [
     Subject::Izz,
 ];
 
+/// What counts as rounding of a tensor whose largest entry is `largest`.
+pub(super) fn rounding(largest: f64) -> f64 {
+    ROUNDING_ULPS * ulp(largest)
+}
+
 impl Inertia {
     /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
     /// its sums have, so only its range is checked.
@@ -42,7 +47,7 @@ impl Inertia {
     /// whose rounding it carries.
     pub(super) fn rounded(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
         tensor.iter().zip(ENTRIES).try_for_each(|(&entry, what)| finite(what, entry).map(drop))?;
-        let tolerance = ROUNDING_ULPS * ulp(tensor.amax().max(origin));
+        let tolerance = rounding(tensor.amax().max(origin));
         for (row, column) in [(0, 1), (0, 2), (1, 2)] {
             let (value, mirrored) = (tensor[(row, column)], tensor[(column, row)]);
             let difference = (value - mirrored).abs();
@@ -69,7 +74,7 @@ impl Inertia {
         let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         let moments = moments_of(&tensor);
         moments_in_range(&moments)?;
-        physically_possible(&moments, (ulps * ulp(moments[2])).max(ROUNDING_ULPS * ulp(origin)))?;
+        physically_possible(&moments, (ulps * ulp(moments[2])).max(rounding(origin)))?;
         Ok(Self { tensor })
     }
 

@@ -24,6 +24,9 @@ const BESIDE: f64 = 1.0 / 1024.0;
 /// What unit vectors' products may be off by.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// The most views of a face from a shell that are taken: some seconds.
+const MOST_VIEWS: usize = 30_000_000;
+
 /// That just inside and just outside each shell the winding number is 0 or 1. `shell` is the shell of each
 /// face, and each is closed.
 pub(super) fn check(
@@ -36,11 +39,20 @@ pub(super) fn check(
         // One alone is right if its volume is positive, which is checked anyway.
         return Ok(());
     }
+    let bounds: Vec<_> = shells.iter().map(Shell::bounds).collect();
+    let mut views = 0;
     for own in &shells {
         for side in [-BESIDE, BESIDE] {
             let point = own.next_to(vertices, side);
             let (mut winding, mut doubt) = (0.0, 0.0);
-            for other in shells.iter().filter(|other| other.may_enclose(&point)) {
+            let near = point.nearest();
+            let around = shells.iter().zip(&bounds).filter(|(_, bounds)| !outside(&near, bounds));
+            for (other, _) in around.filter(|(other, _)| other.may_enclose(&point)) {
+                views += other.faces.len();
+                if views > MOST_VIEWS {
+                    let shells = shells.len();
+                    return Err(MeshRefusal::TooManyShells { shells, most: MOST_VIEWS }.into());
+                }
                 for face in &other.faces {
                     match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
                         Some(angle) => winding += angle / (2.0 * TAU),
@@ -117,6 +129,11 @@ impl Shell {
         !above.iter().chain(&below).any(|x| x.is_positive())
     }
 
+    /// The corners of its bounding box, which are coordinates of vertices.
+    fn bounds(&self) -> [Vector3<f64>; 2] {
+        [self.low, self.high].map(|corner| corner.map(Extended::nearest))
+    }
+
     fn volume(&self, vertices: &[Vector3<Extended>]) -> Extended {
         let start = vertices[self.best[0]];
         let mut six_volumes = Extended::zero();
@@ -128,7 +145,22 @@ impl Shell {
     }
 }
 
+/// Whether a point is surely outside a box: its coordinates may be off by their rounding. Much faster than
+/// [`Shell::may_enclose`], which decides.
+fn outside([near, size]: &[Vector3<f64>; 2], [low, high]: &[Vector3<f64>; 2]) -> bool {
+    (0..3).any(|i| {
+        let room = ROUNDING * size[i];
+        near[i] + room < low[i] || near[i] - room > high[i]
+    })
+}
+
 impl Point {
+    /// Where it is, and the sum of the sizes that were added, to rounding.
+    fn nearest(&self) -> [Vector3<f64>; 2] {
+        let [start, step] = [self.start, self.step].map(|v| v.map(Extended::nearest));
+        [start + step, start.abs() + step.abs()]
+    }
+
     /// The direction in which a vertex is seen, if it is not here.
     fn sight(&self, vertex: &Vector3<Extended>) -> Option<Vector3<f64>> {
         let away = (vertex - self.start) - self.step;

@@ -6,7 +6,8 @@ use crate::inertia::about;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_traits::Signed;
 use proptest::prelude::*;
-use tumbling::{Body, ErrorKind, Inertia};
+use tumbling::solid::Compound;
+use tumbling::{Body, ErrorKind, Inertia, MassProperties, PrincipalMoments};
 
 /// The gap of the very numbers given, with no rounding before the last step.
 fn exact_gap(inertia: &Inertia, omega: &Vector3<f64>) -> f64 {
@@ -186,4 +187,66 @@ fn zeros_of_a_tensor_its_inverse_and_its_axes_have_no_sign() {
             }
         }
     }
+}
+
+/// Bodies of all shapes: solid, flat, needles, of all sizes.
+fn body_of_any_shape() -> impl Strategy<Value = Inertia> {
+    let flat = prop_oneof![Just(0.0), Just(1e-9), 0.0..1.0_f64];
+    (flat, 0.001..1.0_f64, 0.001..1.0_f64, -60..60_i32).prop_map(|(a, b, c, scale)| {
+        let [a, b, c] = [a, b, c].map(|x| x * 10_f64.powi(scale));
+        Inertia::from_moments(b + c, a + c, a + b).unwrap()
+    })
+}
+
+/// Whether the checked constructor takes the result of another function.
+fn holds(tensor: Inertia) -> Result<(), TestCaseError> {
+    prop_assert_eq!(Inertia::try_from(tensor.matrix()).map_err(|e| e.to_string()), Ok(tensor));
+    if let Ok(moments) = PrincipalMoments::try_from(tensor.principal()) {
+        prop_assert!(PrincipalMoments::try_from(moments.vector()).is_ok(), "{moments:?}");
+        prop_assert!(Inertia::try_from(Inertia::from(moments).matrix()).is_ok(), "{moments:?}");
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn every_tensor_that_is_returned_is_one_that_can_be_given(
+        tensor in body_of_any_shape(), turns in prop::array::uniform2(attitude()), far in -3..12_i32,
+        direction in prop::array::uniform3(-1.0..1.0_f64), mass in 0.01..100.0_f64,
+    ) {
+        let size = (tensor.matrix().amax() / mass).sqrt();
+        let offset = Vector3::from(direction) * size * 10_f64.powi(far);
+        let turned = tensor.turned(turns[0]).unwrap();
+        holds(turned)?;
+        holds(turned.turned(turns[1]).unwrap())?;
+        let body = MassProperties::new(mass, &offset, turned).unwrap();
+        holds(body.turned(turns[1]).unwrap().inertia())?;
+        let about = body.about(&Vector3::zeros()).unwrap();
+        holds(about)?;
+        if let Ok(back) = about.shifted_to_centre(mass, &offset) {
+            holds(back)?;
+            // What was lost on the way is no more than the rounding of the larger tensor.
+            let off = (back.matrix() - turned.matrix()).amax();
+            prop_assert!(off <= 256.0 * f64::EPSILON * about.matrix().amax(), "{off:e}");
+        }
+        let pair = Compound::new().at(body, &-offset).at(body, &(offset * 0.7));
+        holds(pair.properties().unwrap().inertia())?;
+        if let Ok((nearest, _)) = Inertia::within(&(turned.matrix() * 1.001), 0.1) {
+            holds(nearest)?;
+        }
+    }
+}
+
+#[test]
+fn a_tensor_of_which_the_way_to_the_centre_leaves_no_digit_is_refused() {
+    let offset = Vector3::new(1e9, 0.0, 0.0);
+    let body = MassProperties::new(1.0, &offset, Inertia::from_moments(1.0, 1.5, 2.0).unwrap()).unwrap();
+    let about = body.about(&Vector3::zeros()).unwrap();
+    for distance in [1e9, 1e9 * (1.0 - 1e-16), 1e9 - 1e-6] {
+        let back = about.shifted_to_centre(1.0, &Vector3::new(distance, 0.0, 0.0));
+        if let Ok(back) = back {
+            assert!(Inertia::try_from(back.matrix()).is_ok(), "{distance}: {back:?}");
+        }
+    }
+    refused(about.shifted_to_centre(1.0, &offset), ErrorKind::Impossible, "the rounding of the tensor given");
 }

@@ -5,8 +5,8 @@ use super::surface::{Surface, both, brick, cube, inside_out, solid, turned_and_c
 use crate::common::{number_after, refused};
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use tumbling::ErrorKind;
 use tumbling::solid::*;
+use tumbling::{Error, ErrorKind};
 
 /// The shells' first face, volume and the winding number found next to it.
 fn misplaced(surface: &Surface) -> (usize, f64, f64) {
@@ -130,4 +130,38 @@ fn parts_that_share_a_face_are_one_shell() {
     assert_eq!(solid(&pair).unwrap().measure().unwrap(), 2.0);
     let wrong = both(cube([0.0; 3], 2.0), inside_out(pair));
     assert_eq!(misplaced(&wrong), (12, -2.0, -1.0));
+}
+
+/// Tetrahedra, each at its place and of its size, every second one turned inside out if `cavities`.
+fn tetrahedra(
+    count: usize,
+    cavities: bool,
+    place: impl Fn(usize) -> (Vector3<f64>, f64),
+) -> Result<Mesh, Error> {
+    let corners =
+        [Vector3::new(-1.0, -1.0, -1.0), Vector3::x() * 3.0, Vector3::y() * 3.0, Vector3::z() * 3.0];
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for k in 0..count {
+        let (middle, size) = place(k);
+        vertices.extend(corners.map(|corner| middle + corner * size));
+        let at = |face: [usize; 3]| face.map(|i| 4 * k + i);
+        let inward = cavities && k % 2 == 1;
+        let own = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(at);
+        faces.extend(own.map(|[a, b, c]| if inward { [a, c, b] } else { [a, b, c] }));
+    }
+    Mesh::new(&vertices, &faces)
+}
+
+#[test]
+fn twenty_thousand_shells_side_by_side_are_a_solid_and_as_many_in_one_another_are_refused_with_their_number()
+{
+    let row =
+        tetrahedra(20_000, false, |k| (Vector3::new((k % 100) as f64, (k / 100) as f64, 0.0) * 4.0, 1.0));
+    let one = tetrahedra(1, false, |_| (Vector3::zeros(), 1.0)).unwrap().measure().unwrap();
+    assert!((row.unwrap().measure().unwrap() / (20_000.0 * one) - 1.0).abs() < 1e-12);
+    let nested = |count: usize| tetrahedra(count, true, |k| (Vector3::zeros(), 1.0 - k as f64 / 20_000.0));
+    refused(nested(20_000), ErrorKind::TooMany, "20000 shells");
+    let whole: f64 =
+        (0..100).map(|k| (1.0 - f64::from(k) / 20_000.0).powi(3) * if k % 2 == 1 { -one } else { one }).sum();
+    assert!((nested(100).unwrap().measure().unwrap() / whole - 1.0).abs() < 1e-10);
 }

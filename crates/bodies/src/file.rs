@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::files::read_text;
 use crate::model::BodyModel;
 use crate::shape::{KINDS, Sizes, Weight, shaped, sides};
-use crate::surface::Surface;
+use crate::surface::{FARTHEST, Surface};
 use crate::{mesh, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde::Deserialize;
@@ -57,8 +57,9 @@ const GIVEN_BY: [(&str, &[&str]); 8] = [
     ("body", &[]),
 ];
 
-/// The farthest place of a body whose shape is still drawn to a millionth, relative to its size.
-const FARTHEST: f64 = 1e9;
+/// How many parts a body may have, and how deep they may be nested.
+const MOST_PARTS: usize = 10_000;
+const DEEPEST: usize = 30;
 
 /// Where a table stands, and what it names.
 struct Reader<'a> {
@@ -71,10 +72,26 @@ pub(crate) fn read(text: &str, folder: &Path) -> Result<BodyModel, Error> {
         Some(span) => Error::at(text, &span, error.message()),
         None => Error::new(error.message()),
     })?;
+    let (count, depth) = table.parts();
+    let first = table.part.as_ref().map_or(0..0, Spanned::span);
+    for (found, of, most) in
+        [(count, "parts", MOST_PARTS), (depth, "bodies, one the part of the other", DEEPEST)]
+    {
+        if found > most {
+            let why = format!("{found} {of}: at most {most} are read");
+            return Err(Error::at(text, &first, why).of_field("part"));
+        }
+    }
     Reader { text, folder }.body(&table, &(0..0))
 }
 
 impl Table {
+    /// How many parts it has in all, and how deep they are nested.
+    fn parts(&self) -> (usize, usize) {
+        let inner = self.part.iter().flat_map(Spanned::get_ref).map(|part| part.get_ref().parts());
+        inner.fold((0, 1), |(count, depth), (inner, below)| (count + 1 + inner, depth.max(below + 1)))
+    }
+
     /// The fields that there are, and where.
     fn present(&self) -> Vec<(&'static str, Range<usize>)> {
         macro_rules! spans {
@@ -172,10 +189,40 @@ impl Reader<'_> {
             "body" => self.named(table, &by),
             _ => self.shape(table, &by),
         }?;
+        self.drawable(table, &by, &found)?;
         let name = table.name.as_ref().map(|name| self.name(name)).transpose()?;
         let name = name.unwrap_or_else(|| found.name.clone());
         let spin = table.spin.as_ref().map(|spin| self.spin(spin)).transpose()?;
         self.placed(table, BodyModel { name, spin, ..found })
+    }
+
+    /// That what is drawn has a size that can be computed with, or else which field is to blame.
+    fn drawable(
+        &self,
+        table: &Table,
+        by: &(&'static str, Range<usize>),
+        found: &BodyModel,
+    ) -> Result<(), Error> {
+        let Err(why) = found.drawable() else { return Ok(()) };
+        let size = |field: &Option<Spanned<f64>>| field.as_ref().map_or(1.0, |x| x.get_ref().abs());
+        let sizes = [
+            ("radius", size(&table.radius)),
+            ("height", size(&table.height)),
+            ("length", size(&table.length)),
+        ];
+        let largest = sizes.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or("", |size| size.0);
+        // Too large a box is that of too large moments or of too small a mass.
+        let moment = found.inertia.matrix().amax();
+        let off = |x: f64| x.log10().abs();
+        let weight = if off(size(&table.mass)) > off(moment) { "mass" } else { "moments" };
+        let meant: &[&str] = match by.0 {
+            "moments" if table.sides.is_none() => &[weight],
+            _ => &["unit", "sides", "semiaxes", "vertices", largest],
+        };
+        let present = table.present();
+        let blamed = meant.iter().find_map(|meant| present.iter().find(|(field, _)| field == meant));
+        let (field, span) = blamed.unwrap_or(by);
+        Err(self.wrong(span, field, why))
     }
 
     fn weight(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<Weight, Error> {
@@ -497,6 +544,16 @@ mod tests {
                 &[("urdf", "'none'"), ("link", "'leg'"), ("tolerance", "-1"), ("tolerance", "nan")],
             ),
             (
+                "sides = [1, 2, 3]\ndensity = 1",
+                &[("sides", "[1e101, 1, 1]"), ("sides", "[1e-105, 1e-105, 1e-105]")],
+            ),
+            (
+                "shape = 'cylinder'\nradius = 2\nheight = 1\nmass = 1",
+                &[("radius", "1e120"), ("height", "1e120")],
+            ),
+            ("moments = [2, 3, 4]\nmass = 1", &[("moments", "[1e308, 1e308, 1e308]"), ("mass", "1e-250")]),
+            ("moments = [2, 3, 4]", &[("moments", "[1e308, 1e308, 1e308]")]),
+            (
                 "body = 'book'\nspin = 1\nat = [1, 0, 0]\nturn = [1, 0, 0, 30]",
                 &[("body", "'page'"), ("spin", "-1"), ("at", "[inf, 0, 0]"), ("turn", "[0, 0, 0, 1]")],
             ),
@@ -515,6 +572,28 @@ mod tests {
                     "{text}: {error}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
+        let part = "[[part]]\nsides = [1, 2, 3]\nmass = 1\n";
+        let error = body(&part.repeat(100_000)).unwrap_err();
+        assert!(error.why.starts_with("100000 parts: at most 10000"), "{error}");
+        let nested = |depth: usize| {
+            let heads =
+                (1..depth).map(|k| format!("[[{}]]\n", vec!["part"; k].join("."))).collect::<String>();
+            body(&format!("{heads}sides = [1, 2, 3]\nmass = 1\n"))
+        };
+        assert!(nested(30).is_ok());
+        assert!(nested(31).unwrap_err().why.starts_with("31 bodies, one the part of the other: at most 30"));
+        for depth in [100, 1000] {
+            assert!(nested(depth).is_err());
+        }
+        for depth in [1000, 100_000] {
+            assert!(body(&format!("part = {}{}", "[".repeat(depth), "]".repeat(depth))).is_err());
+            assert!(body(&format!("[{}]", vec!["part"; depth].join("."))).is_err());
+            assert!(body(&format!("{}x = 1{}", "part = [{ ".repeat(depth), " }]".repeat(depth))).is_err());
         }
     }
 

@@ -1,7 +1,7 @@
 //! A body as figures, films and reports take it.
 
 use crate::error::Error;
-use crate::surface::Surface;
+use crate::surface::{LARGEST, SMALLEST, Surface};
 use nalgebra::{Matrix3, Vector3};
 use tumbling::body::named::NamedBody;
 use tumbling::{Inertia, PrincipalAxes, PrincipalMoments};
@@ -81,6 +81,15 @@ impl BodyModel {
     #[must_use]
     pub fn reach(&self) -> f64 {
         self.drawn().iter().flat_map(|s| &s.vertices).map(|p| p.norm()).fold(0.0, f64::max)
+    }
+
+    /// That what is drawn has a size that can be computed with, or why not.
+    pub(crate) fn drawable(&self) -> Result<(), String> {
+        let reach = self.drawn().iter().map(Surface::reach).fold(0.0, f64::max);
+        if (SMALLEST..=LARGEST).contains(&reach) {
+            return Ok(());
+        }
+        Err(format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m"))
     }
 
     /// Whether what is drawn has a length: a surface or a mass was given.

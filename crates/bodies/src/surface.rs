@@ -15,6 +15,14 @@ pub struct Surface {
     pub convex: bool,
 }
 
+/// The least and the greatest distance of a surface from its origin that is drawn, m: squares and ratios of
+/// these are numbers.
+pub(crate) const SMALLEST: f64 = 1e-100;
+pub(crate) const LARGEST: f64 = 1e100;
+
+/// The farthest place of a body whose shape is still drawn to a millionth, relative to its size.
+pub(crate) const FARTHEST: f64 = 1e9;
+
 /// How many corners a circle has.
 const ROUND: usize = 48;
 
@@ -145,6 +153,12 @@ impl Surface {
     #[must_use]
     pub fn ellipsoid(semiaxes: &Vector3<f64>) -> Self {
         Self::capsule(1.0, 0.0).mapped(|p| p.component_mul(semiaxes))
+    }
+
+    /// The largest coordinate; infinite where one is not a number.
+    pub(crate) fn reach(&self) -> f64 {
+        let sizes = self.vertices.iter().flatten().map(|x| if x.is_nan() { f64::INFINITY } else { x.abs() });
+        sizes.fold(0.0, f64::max)
     }
 
     /// The same with each vertex moved.

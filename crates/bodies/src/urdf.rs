@@ -5,7 +5,7 @@
 
 use crate::error::Error;
 use crate::model::BodyModel;
-use crate::surface::Surface;
+use crate::surface::{FARTHEST, LARGEST, SMALLEST, Surface};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 use tumbling::{Inertia, MassProperties};
@@ -35,6 +35,53 @@ fn number(node: Node<'_, '_>, name: &str) -> Result<f64, Error> {
         .ok_or_else(|| wrong(node, format!("the attribute `{name}` is missing")))
 }
 
+/// How deep elements may be nested: the parser calls itself for each.
+const DEEPEST: usize = 200;
+
+/// How many attributes an element, and namespaces a file, may have: the parser compares each with all before.
+const MOST: usize = 200;
+
+/// Refuses what would overflow the parser's stack, or keep it for minutes. In text that the parser takes,
+/// tags and quotes are what they seem here; it ends at the first that is not.
+fn bounded(text: &str) -> Result<(), Error> {
+    let refused = |count: usize, of: &str, most: usize| {
+        Err(Error::new(format!("{count} {of}: at most {most} are read")))
+    };
+    let namespaces = text.matches("xmlns").count();
+    if namespaces > MOST {
+        return refused(namespaces, "namespaces", MOST);
+    }
+    let (mut depth, mut deepest, mut rest) = (0_usize, 0, text);
+    while let Some(start) = rest.find('<') {
+        rest = &rest[start..];
+        let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("</", ">"), ("<!", ">")];
+        if let Some((open, close)) = skipped.into_iter().find(|(open, _)| rest.starts_with(open)) {
+            depth = depth.saturating_sub(usize::from(open == "</"));
+            let body = &rest[open.len()..];
+            rest = body.find(close).map_or("", |end| &body[end + close.len()..]);
+            continue;
+        }
+        let (mut quote, mut attributes, mut before) = (None, 0, ' ');
+        let end = rest.char_indices().find(|&(_, c)| {
+            match quote {
+                Some(open) if open == c => quote = None,
+                None if c == '"' || c == '\'' => (quote, attributes) = (Some(c), attributes + 1),
+                None if c == '>' => return true,
+                _ => {}
+            }
+            before = c;
+            false
+        });
+        if attributes > MOST {
+            return refused(attributes, "attributes of one element", MOST);
+        }
+        depth += usize::from(before != '/');
+        deepest = deepest.max(depth);
+        rest = end.map_or("", |(end, _)| &rest[end + 1..]);
+    }
+    if deepest > DEEPEST { refused(deepest, "elements, one in the other", DEEPEST) } else { Ok(()) }
+}
+
 /// Where an element lies in the link's frame, and how it is turned.
 fn origin(node: Node<'_, '_>) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
     let Some(origin) = child(node, "origin") else {
@@ -49,7 +96,11 @@ fn origin(node: Node<'_, '_>) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Err
 }
 
 /// What of the link is a box, a cylinder or a sphere.
-fn surfaces(link: Node<'_, '_>) -> Result<Vec<Surface>, Error> {
+fn surfaces(
+    link: Node<'_, '_>,
+    inertial: Node<'_, '_>,
+    centre: &Vector3<f64>,
+) -> Result<Vec<Surface>, Error> {
     let mut found = Vec::new();
     for visual in link.children().filter(|node| node.has_tag_name("visual")) {
         let (place, turn) = origin(visual)?;
@@ -65,8 +116,15 @@ fn surfaces(link: Node<'_, '_>) -> Result<Vec<Surface>, Error> {
             "sphere" => Surface::ellipsoid(&Vector3::repeat(number(solid, "radius")?)),
             _ => continue,
         };
-        if surface.vertices.iter().any(|p| !p.iter().all(|x| x.is_finite())) {
-            return Err(wrong(solid, "its sizes must be finite"));
+        let reach = surface.reach();
+        if !(SMALLEST..=LARGEST).contains(&reach) {
+            let why =
+                format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m");
+            return Err(wrong(solid, why));
+        }
+        if (place - centre).amax() > FARTHEST * reach {
+            let far = [visual, inertial].into_iter().find_map(|node| child(node, "origin"));
+            return Err(wrong(far.unwrap_or(solid), "so far away that rounding would change its shape"));
         }
         found.push(surface.mapped(|p| turn * p + place));
     }
@@ -75,6 +133,7 @@ fn surfaces(link: Node<'_, '_>) -> Result<Vec<Surface>, Error> {
 
 /// The link `name`, or the only one that has inertia. Its tensor may be moved by `tolerance`.
 pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<BodyModel, Error> {
+    bounded(text)?;
     let document = Document::parse(text)
         .map_err(|error| Error { line: usize::try_from(error.pos().row).ok(), ..Error::new(error) })?;
     let links: Vec<_> = document
@@ -83,7 +142,11 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
         .collect();
     let called = |link: &Node<'_, '_>| link.attribute("name").unwrap_or_default().to_owned();
     let heavy: Vec<_> = links.iter().copied().filter(|&link| child(link, "inertial").is_some()).collect();
-    let names = || heavy.iter().map(|link| format!("`{}`", called(link))).collect::<Vec<_>>().join(", ");
+    let names = || {
+        let first: Vec<_> = heavy.iter().take(20).map(|link| format!("`{}`", called(link))).collect();
+        let more = heavy.len().saturating_sub(20);
+        first.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
+    };
     let link = match name {
         Some(name) => *links.iter().find(|link| called(link) == name).ok_or_else(|| {
             Error::new(format!("no link is called `{name}`; those with inertia are {}", names()))
@@ -115,16 +178,18 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     let (inertia, moved) = read().map_err(|error| wrong(tensor, error))?;
     let properties =
         MassProperties::new(number(mass, "value")?, &centre, inertia).map_err(|error| wrong(mass, error))?;
-    Ok(BodyModel {
+    let model = BodyModel {
         name: called(&link),
         mass: Some(properties.mass()),
         centre,
         inertia,
         moved,
-        surfaces: surfaces(link)?,
+        surfaces: surfaces(link, inertial, &centre)?,
         spin: None,
         sides: None,
-    })
+    };
+    model.drawable().map_err(|why| wrong(tensor, why))?;
+    Ok(model)
 }
 
 #[cfg(test)]
@@ -171,9 +236,40 @@ mod tests {
             assert_eq!(error.line, Some(line), "{error}");
             assert!(error.to_string().contains(words), "{error}");
         }
+        for (from, to, line, words) in [
+            ("size='0.2 0.3 0.4'", "size='1e308 1e308 1e308'", 9, "drawn is from 1e-100 m to 1e100 m"),
+            ("size='0.2 0.3 0.4'", "size='0 0 0'", 9, "drawn is from"),
+            ("<visual>", "<visual>\n<origin xyz='1e300 0 0'/>", 10, "so far away"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0.1 1e300 0.3'", 5, "so far away"),
+        ] {
+            let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
+            assert_eq!(error.line, Some(line), "{error}");
+            assert!(error.to_string().contains(words), "{error}");
+        }
         assert!(read(ARM, Some("leg"), 0.0).unwrap_err().why.contains("`arm`"));
         assert!(read(ARM, Some("world"), 0.0).unwrap_err().why.contains("no `<inertial>`"));
         assert!(read(&ARM.replace("<mass", "<maß"), None, 0.0).is_err());
+    }
+
+    #[test]
+    fn what_the_parser_cannot_hold_is_refused_with_its_count() {
+        let refused = |text: &str| read(text, None, 0.0).unwrap_err().to_string();
+        for depth in [201, 16_000, 1_000_000] {
+            let nested = format!("{}{}", "<a>".repeat(depth), "</a>".repeat(depth));
+            let hidden = format!("{}{}", "<a b='/>'><!--</a></a>-->".repeat(depth), "</a>".repeat(depth));
+            for text in [nested, hidden, "<a>".repeat(depth)] {
+                assert!(refused(&text).starts_with(&format!("{depth} elements, one in the other")));
+            }
+        }
+        let many = |count: usize| (0..count).map(|k| format!(" b{k}='{k}'")).collect::<String>();
+        assert!(refused(&format!("<a{}/>", many(50_000))).starts_with("50000 attributes"));
+        let spaces: String = (0..300).map(|k| format!(" xmlns:b{k}='{k}'")).collect();
+        assert!(refused(&format!("<a{spaces}/>")).starts_with("300 namespaces"));
+        let links = (0..100_000).map(|k| format!("<link name='l{k}'><inertial/></link>")).collect::<String>();
+        assert!(refused(&format!("<robot>{links}</robot>")).ends_with("`l19` and 99980 more"));
+        // As deep and as wide as is read.
+        let most = |inner: &str| format!("{}{inner}{}", "<a>".repeat(199), "</a>".repeat(199));
+        assert!(refused(&most(&format!("<b{}/>", many(200)))).contains("no link has"));
     }
 
     #[test]
