@@ -76,9 +76,6 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         /// Also list what holds each number and equation
         #[arg(long)]
         list: bool,
-        /// Alter numbers and equations, one change at a time, and report which alterations go unnoticed
-        #[arg(long, conflicts_with = "list")]
-        mutants: bool,
     },
     /// Write what the proofs claim as theorems for Coq, into crates/proofs/coq/certificates/
     Certificates(certificates::Arguments),
@@ -147,9 +144,9 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Film(arguments) => film::run(&arguments)?,
         Command::Build { site } => build::build(site.as_ref())?,
         Command::Print(arguments) => paper::run(&arguments)?,
-        Command::Check { folder, list, mutants } => {
+        Command::Check { folder, list } => {
             let folder = folder.unwrap_or_else(paths::chapters);
-            return Ok(checked(&folder, list, mutants));
+            return Ok(checked(&folder, list));
         }
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
         Command::Certificates(arguments) => certificates::run(&arguments)?,
@@ -185,8 +182,8 @@ fn everything() -> Result<ExitCode, Box<dyn Error>> {
 }
 
 /// Runs the guard; 1 if something is not held, 2 if something cannot be read.
-fn checked(folder: &Path, list: bool, mutants: bool) -> ExitCode {
-    match if mutants { alterations(folder) } else { offences(folder, list) } {
+fn checked(folder: &Path, list: bool) -> ExitCode {
+    match offences(folder, list) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(wrong) => {
@@ -209,37 +206,6 @@ fn offences(folder: &Path, list: bool) -> Result<bool, String> {
     }
     say!("{report}");
     Ok(report.offences.is_empty())
-}
-
-/// Prints what became of each alteration; returns whether those of numbers were all noticed. Altered
-/// equations that go unnoticed are proven true.
-fn alterations(folder: &Path) -> Result<bool, String> {
-    let tallies = guard::alterations(folder)?;
-    say!(
-        "{:18} {:>12} {:>10} {:>22} {:>11} {:>12}",
-        "altered, noticed",
-        "numbers",
-        "words",
-        "assertions",
-        "tolerances",
-        "equations"
-    );
-    let mut all = guard::Tally { name: "the book".into(), ..guard::Tally::default() };
-    for tally in &tallies {
-        all.add(tally);
-        say!("{tally}");
-    }
-    say!("{all}");
-    say!(
-        "(assertions: noticed by the guard + only by the assertion itself; a tolerance altered may leave it true)"
-    );
-    for survivor in &all.survivors {
-        say!("unnoticed: {survivor}");
-    }
-    for still in &all.still_true {
-        say!("altered, and proven true as well: {still}");
-    }
-    Ok(all.text.killed == all.text.made)
 }
 
 fn listing(all: &[Figure]) -> String {
@@ -316,7 +282,6 @@ mod tests {
             &["print", "problems", "--out", "folder"],
             &["check"],
             &["check", "folder", "--list"],
-            &["check", "--mutants"],
             &["certificates", "--check"],
             &["exercises"],
             &["exercises", "next"],
@@ -370,7 +335,7 @@ mod tests {
             &["print"],
             &["print", "epub", "coin"],
             &["print", "pdf", "--paper", "a0"],
-            &["figures", "--mutants"],
+            &["figures", "--list"],
             &["film"],
             &["film", "book", "--format", "mp4"],
             &["film", "book", "--spin", "fast"],
@@ -381,7 +346,6 @@ mod tests {
             &["figures", "--body", "hamer"],
             &["figures", "--check", "--body", "hammer"],
             &["check", "a", "b"],
-            &["check", "--list", "--mutants"],
             &["exercises", "next", "one"],
             &["exercises", "reset"],
             &["judge"],

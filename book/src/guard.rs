@@ -26,11 +26,17 @@
 //! Equations are proven from their TeX, against the library's own functions: see
 //! `tumbling_proofs::equations`.
 //!
+//! The right answer of a question, in words or a number, is a string that an assertion of its section expects,
+//! and so is something in the answer of each problem: see `answers`.
+//!
 //! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers
 //! before headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a
 //! factor, a matrix's zero) are a part of the formula, and counted. Quantities in words (`a twentieth`,
-//! `twice`, `ten radians a second`) are held like numbers; words that count are counted: see `words`.
+//! `twice`, `ten radians a second`) are held like numbers. Words that only count or order (`three axes`, `the
+//! third line`, `half a turn`) stand in `words.toml` with what they count, as often as the chapter says them,
+//! so that none becomes another unseen.
 
+mod answers;
 mod certainty;
 mod chapter;
 mod code;
@@ -42,7 +48,6 @@ mod facts;
 mod holding;
 mod hollow;
 mod laws;
-mod mutants;
 mod offence;
 mod passage;
 mod phrase;
@@ -52,10 +57,9 @@ use crate::{paths, preprocess};
 use chapter::{Chapter, Reader};
 use counts::Counts;
 use holding::Beside;
-pub(crate) use mutants::Tally;
 use offence::Offence;
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{fmt, fs};
 
 /// What the guard found.
@@ -126,6 +130,7 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         let found = holding::findings(chapter, &book.beside);
         report.offences.extend(found.offences);
         report.held.extend(found.held);
+        report.offences.extend(answers::offences(chapter));
         report.offences.extend(equations::offences(chapter, &mut report.equations, &mut report.held));
         report.counts.add(&found.counts);
         if found.counts.all() > 0 {
@@ -135,25 +140,10 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     Ok(report)
 }
 
-/// Alters the chapters in this folder one digit at a time, and their equations, and returns what came of it.
-///
-/// # Errors
-/// What could not be read, or what the guard objects to already.
-pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
-    let mut book = Book::read(folder)?;
-    let tallies = (0..).map_while(|place| book.alterations_of_numbers(place));
-    let mut tallies = tallies.collect::<Result<Vec<_>, _>>()?;
-    for (tally, chapter) in tallies.iter_mut().zip(&book.chapters) {
-        tally.take_equations(chapter, equations::altered(chapter));
-    }
-    Ok(tallies)
-}
-
 /// The chapters and what stands beside them.
 struct Book {
     chapters: Vec<Chapter>,
     beside: Beside,
-    reader: Reader,
     /// Whether it is the book's own folder, and not a copy of some of it.
     own: bool,
 }
@@ -198,17 +188,11 @@ impl Book {
             facts.extend(versions()?);
         }
         let drawings = drawings(folder, &chapters)?;
-        Ok(Self { chapters, beside: Beside { facts, drawings }, reader, own })
-    }
-
-    /// Alters the numbers of the chapter at this place, one digit at a time; nothing where there is none.
-    fn alterations_of_numbers(&mut self, place: usize) -> Option<Result<Tally, String>> {
-        let chapter = self.chapters.get(place)?;
-        let offences = holding::findings(chapter, &self.beside).offences;
-        Some(match offences.first() {
-            Some(offence) => Err(format!("{offence}\nAlterations can be judged once the chapters hold.")),
-            None => Ok(mutants::tally(chapter, &self.beside, &mut self.reader)),
-        })
+        let mut words = words(folder)?;
+        for chapter in chapters.iter().filter(|_| own) {
+            words.entry(chapter.name.clone()).or_default();
+        }
+        Ok(Self { chapters, beside: Beside { facts, drawings, words }, own })
     }
 }
 
@@ -268,10 +252,26 @@ fn versions() -> Result<Vec<facts::Fact>, String> {
 
 /// The facts beside the chapters, or those of this book where there are none.
 fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
-    let beside = folder.join("../facts.toml");
-    let file = if beside.is_file() { beside } else { paths::book().join("facts.toml") };
-    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    let (file, text) = beside(folder, "facts.toml")?;
     facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+/// The words that count, likewise.
+fn words(folder: &Path) -> Result<holding::Words, String> {
+    let (file, text) = beside(folder, "words.toml")?;
+    let all: HashMap<String, String> =
+        toml::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
+    let words = |entry: &str| entry.split_whitespace().collect::<Vec<_>>().join(" ");
+    let split = |list: String| list.split(',').map(words).filter(|entry| !entry.is_empty()).collect();
+    Ok(all.into_iter().map(|(chapter, list)| (chapter, split(list))).collect())
+}
+
+/// A file beside the folder of the chapters, or this book's own where there is none.
+fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
+    let beside = folder.join("..").join(name);
+    let file = if beside.is_file() { beside } else { paths::book().join(name) };
+    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    Ok((file, text))
 }
 
 /// What the drawings of these chapters say of themselves.

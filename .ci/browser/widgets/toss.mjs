@@ -15,15 +15,20 @@ export async function toss(page, wants) {
   for (const [which, axis, flips] of [["across", 0, true], ["spine", 2, false], ["through", 1, false]]) {
     await page.click(`[data-toss=${which}]`);
     await page.waitForFunction(() => window.byHand.waiting.size > 0);
-    let [least, most] = [1, -1];
+    let [least, most, read] = [1, -1, 0];
     for (let i = 0; i < 60; i += 1) {
       await page.evaluate((now) => { for (let k = 1; k <= 10; k += 1) window.byHand.step(now + 70 * k); }, now);
       now += 700;
-      const { turned } = await shows();
+      const { turned, titles } = await shows();
+      // On the screen y points down: from the way across to the way down is a right-handed turn, and in a mirror the other.
+      const mirrored = titles.filter(([across, down]) => across[0] * down[1] <= across[1] * down[0]);
+      wants(`${which}: no title is mirrored: ${JSON.stringify(mirrored)}`, mirrored.length === 0);
+      read += titles.length;
       [least, most] = [Math.min(least, turned[axis][axis]), Math.max(most, turned[axis][axis])];
       const size = Math.hypot(...turned[axis]);
       wants(`${which}: what is drawn is turned, not stretched: ${size}`, Math.abs(size - 1) < 1e-9);
     }
+    wants(`${which}: a title is seen`, read > 0);
     wants(`tossed ${which} its axis points along itself from ${least} to ${most}`, flips ? least < -0.95 && most > 0.95 : least > 0.95);
   }
   await page.click(play);

@@ -36,20 +36,6 @@ pub(crate) struct Section {
     pub(crate) blocks: Vec<Block>,
 }
 
-impl Section {
-    /// Whether it has the words and the code of the other, wherever in a file they stand.
-    pub(crate) fn says_the_same(&self, other: &Self) -> bool {
-        self.blocks.len() == other.blocks.len()
-            && self.passages.len() == other.passages.len()
-            && self.blocks.iter().zip(&other.blocks).all(|(a, b)| Rc::ptr_eq(&a.code, &b.code))
-            && self
-                .passages
-                .iter()
-                .zip(&other.passages)
-                .all(|(a, b)| a.kind == b.kind && a.text == b.text && a.figure == b.figure && a.tex == b.tex)
-    }
-}
-
 /// A Rust block.
 #[derive(Debug)]
 pub(crate) struct Block {

@@ -1,8 +1,8 @@
-//! Reads the Rust of a block: which phrases it holds, and which literals its assertions stand on.
+//! Reads the Rust of a block: which phrases it holds.
 
 use super::certainty::{Certainty, laundering, rests_on};
 use super::digits;
-use super::hollow::{is_literal, prints_own_digits, wraps};
+use super::hollow::{is_literal, prints_own_digits};
 use super::spelled;
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use std::collections::HashMap;
@@ -15,7 +15,8 @@ use syn::{BinOp, Expr, ExprLit, Lit, Token};
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     pub(crate) phrases: Vec<Phrase>,
-    pub(crate) claims: Vec<(Role, Literal)>,
+    /// The strings without a number that assertions expect: answers in words.
+    pub(crate) answers: Vec<String>,
     /// What holds nothing, though it looks so: the line, from zero, what stands there, and what would be
     /// right.
     pub(crate) hollow: Vec<(usize, String, &'static str)>,
@@ -53,14 +54,6 @@ pub(crate) struct Literal {
     pub(crate) line: usize,
     pub(crate) start: usize,
     pub(crate) end: usize,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// What an assertion compares with.
-    Expected,
-    /// A bound that could be another: the right-hand side of `<`, and the left where it is no distance.
-    Tolerance,
 }
 
 /// A comment, by its lines.
@@ -253,37 +246,16 @@ impl<'a> Reader<'a> {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
                 let phrase = Phrase::new(&text.value(), true, at.line, certainty);
-                self.code.phrases.extend(Some(phrase).filter(|p| !digits::plain(&p.text).is_empty()));
+                if digits::plain(&phrase.text).is_empty() {
+                    self.code.answers.push(phrase.text);
+                } else {
+                    self.code.phrases.push(phrase);
+                }
             }
             Expr::Array(array) => array.elems.iter().for_each(|e| self.expected(e, certainty)),
             Expr::Reference(inner) => self.expected(&inner.expr, certainty),
             _ => {}
         }
-    }
-
-    /// Notes the literals that an assertion compares with, apart from what functions are given.
-    fn compared(&mut self, expr: &Expr, role: Role) {
-        struct Operands<'r, 'a>(&'r mut Reader<'a>, Role);
-        impl<'ast> Visit<'ast> for Operands<'_, '_> {
-            fn visit_expr_lit(&mut self, lit: &'ast ExprLit) {
-                let at = self.0.literal(lit.lit.span());
-                self.0.code.claims.push((self.1, at));
-            }
-            fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-                // A vector is compared by its components.
-                if wraps(&call.func) {
-                    call.args.iter().for_each(|a| self.visit_expr(a));
-                }
-            }
-            fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
-                self.visit_expr(&call.receiver);
-            }
-            fn visit_expr_index(&mut self, _: &'ast syn::ExprIndex) {}
-            fn visit_macro(&mut self, mac: &'ast syn::Macro) {
-                self.0.visit_macro(mac);
-            }
-        }
-        Operands(self, role).visit_expr(expr);
     }
 
     /// The comparisons of an `assert!`.
@@ -307,13 +279,8 @@ impl<'a> Reader<'a> {
                             COMPUTED,
                         ));
                     }
-                    self.compared(&binary.left, if apart { Role::Expected } else { Role::Tolerance });
-                    self.compared(&binary.right, Role::Tolerance);
                 }
-                _ => {
-                    self.compared(&binary.left, Role::Expected);
-                    self.compared(&binary.right, Role::Expected);
-                }
+                _ => {}
             },
             Expr::Paren(inner) => self.claim(&inner.expr),
             other => self.visit_expr(other),
@@ -375,7 +342,6 @@ impl<'ast> Visit<'ast> for Reader<'_> {
                 }
                 for side in sides {
                     self.expected(side, certainty);
-                    self.compared(side, Role::Expected);
                 }
             }
             "assert" => rest.by_ref().take(1).for_each(|claim| self.claim(claim)),

@@ -2,7 +2,6 @@
 
 use super::certainty::Certainty;
 use super::chapter::{Chapter, Section};
-use super::code::Role;
 use super::counts::Counts;
 use super::digits::{self, Numeral};
 use super::facts::Fact;
@@ -14,39 +13,29 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
 
+/// The words that count, with what they count, by chapter; each as often as it is said.
+pub(crate) type Words = HashMap<String, Vec<String>>;
+
 /// What there is besides the chapter.
 #[derive(Debug, Default)]
 pub(crate) struct Beside {
     pub(crate) facts: Vec<Fact>,
     /// What the drawings say of themselves, title and description, by the figure's name.
     pub(crate) drawings: HashMap<String, String>,
-}
-
-/// A number of the text, where it stands in the chapter's bytes: to be altered, one digit at a time.
-#[derive(Debug, Clone)]
-pub(crate) struct Place {
-    pub(crate) kind: &'static str,
-    /// Its bytes.
-    pub(crate) at: Range<usize>,
+    /// The words that count, with what they count, by the chapter's name. Those of other chapters are free.
+    pub(crate) words: Words,
 }
 
 /// The kind of a quantity in words.
-pub(crate) const WORDS: &str = "words";
-
-/// A literal of an assertion, where it stands in the chapter's bytes.
-#[derive(Debug, Clone)]
-pub(crate) struct Claim {
-    pub(crate) role: Role,
-    pub(crate) at: Range<usize>,
-}
+const WORDS: &str = "words";
 
 /// All that was found in a chapter.
 #[derive(Debug, Default)]
 pub(crate) struct Findings {
     pub(crate) offences: Vec<Offence>,
     pub(crate) counts: Counts,
-    pub(crate) places: Vec<Place>,
-    pub(crate) claims: Vec<Claim>,
+    /// Where the numbers and number words of the text stand in the chapter's bytes.
+    pub(crate) places: Vec<Range<usize>>,
     /// Each number and what holds it: `file:line: number: holder`.
     pub(crate) held: Vec<String>,
 }
@@ -62,32 +51,20 @@ enum Holder {
 
 /// Checks a chapter.
 pub(crate) fn findings(chapter: &Chapter, beside: &Beside) -> Findings {
-    let mut checker = Checker { chapter, beside, found: Findings::default(), ordinals: HashMap::new() };
+    let mut checker = Checker {
+        chapter,
+        beside,
+        found: Findings::default(),
+        ordinals: HashMap::new(),
+        counting: Vec::new(),
+    };
     for section in &chapter.sections {
         checker.section(section);
     }
     checker.facts_are_stated();
+    checker.words_are_listed();
     checker.found.offences.sort();
     checker.found
-}
-
-/// Whether an altered chapter has an offence. The original has none, so sections that say what they
-/// said there are not looked at again, except for the order of headings.
-pub(crate) fn objects(altered: &Chapter, original: &Chapter, beside: &Beside) -> bool {
-    if altered.sections.len() != original.sections.len() {
-        return !findings(altered, beside).offences.is_empty();
-    }
-    let mut checker =
-        Checker { chapter: altered, beside, found: Findings::default(), ordinals: HashMap::new() };
-    for (section, before) in altered.sections.iter().zip(&original.sections) {
-        if section.says_the_same(before) {
-            checker.headings(section);
-        } else {
-            checker.section(section);
-        }
-    }
-    checker.facts_are_stated();
-    !checker.found.offences.is_empty()
 }
 
 struct Checker<'a> {
@@ -95,6 +72,8 @@ struct Checker<'a> {
     beside: &'a Beside,
     found: Findings,
     ordinals: HashMap<u8, usize>,
+    /// The words that count, and where.
+    counting: Vec<(String, usize)>,
 }
 
 impl Checker<'_> {
@@ -117,11 +96,6 @@ impl Checker<'_> {
             for (line, found, expected) in &block.code.hollow {
                 self.offend(block.source(*line, 0), found.clone(), (*expected).to_owned());
             }
-            let claims = block.code.claims.iter().map(|(role, literal)| Claim {
-                role: *role,
-                at: block.source(literal.line, literal.start)..block.source(literal.line, literal.end),
-            });
-            self.found.claims.extend(claims);
         }
         let phrases = strengthened(phrases);
         for passage in &section.passages {
@@ -176,7 +150,7 @@ impl Checker<'_> {
             self.place(kind, passage, &number.at);
         }
         let (words, counting) = spelled::spelled(text);
-        self.found.counts.counting += counting;
+        self.found.counts.counting += counting.len();
         for word in &words {
             self.place(WORDS, passage, &word.at);
         }
@@ -187,12 +161,15 @@ impl Checker<'_> {
             let certainty = own.map_or(Certainty::Given, |p| p.certainty);
             self.found.counts.by_note += numbers.len() + words.len();
             *self.found.counts.certainty.entry(certainty).or_default() += numbers.len() + words.len();
+            counting.iter().for_each(|at| self.count(passage, at));
             return;
         }
-        if numbers.is_empty() && words.is_empty() {
+        if numbers.is_empty() && words.is_empty() && counting.is_empty() {
             return;
         }
         let quoted = self.quoted(passage, phrases);
+        let free = counting.iter().filter(|at| holder(&quoted, at).is_none());
+        free.for_each(|at| self.count(passage, at));
         let drawing = passage.figure.as_ref().and_then(|name| self.beside.drawings.get(name));
         let mut drawn =
             drawing.map(|words| digits::plain(words).into_iter().map(move |n| digits::with_unit(words, &n)));
@@ -216,17 +193,15 @@ impl Checker<'_> {
         }
     }
 
-    fn headings(&mut self, section: &Section) {
-        for passage in &section.passages {
-            if let Kind::Heading(level) = passage.kind {
-                self.ordinal(passage, level, &mut digits::numerals(&passage.text, &[]).0);
-            }
-        }
-    }
-
     fn place(&mut self, kind: &'static str, passage: &Passage, at: &Range<usize>) {
         *self.found.counts.places.entry(kind).or_default() += 1;
-        self.found.places.push(Place { kind, at: span(passage, at) });
+        self.found.places.push(span(passage, at));
+    }
+
+    /// Notes a word that only counts, for the list.
+    fn count(&mut self, passage: &Passage, at: &Range<usize>) {
+        self.counting.push((spelled::counted(&passage.text, at), passage.source(at.start)));
+        self.found.places.push(span(passage, at));
     }
 
     /// The stretches of the passage that quote a phrase or a fact.
@@ -304,7 +279,7 @@ impl Checker<'_> {
         *next += 1;
         let next = next.to_string();
         self.found.counts.ordinals += 1;
-        self.found.places.push(Place { kind: "heading", at: span(passage, &first.at) });
+        self.found.places.push(span(passage, &first.at));
         let own = &passage.text[first.at.clone()];
         if own != next {
             self.offend(passage.source(0), format!("the heading number {own}"), next);
@@ -314,6 +289,22 @@ impl Checker<'_> {
 
     fn own_facts(&self) -> impl Iterator<Item = &Fact> {
         self.beside.facts.iter().filter(|f| f.chapter == self.chapter.name)
+    }
+
+    /// Each word that counts stands in the chapter's list with what it counts, and as often as there.
+    fn words_are_listed(&mut self) {
+        let Some(listed) = self.beside.words.get(&self.chapter.name) else { return };
+        let mut left: Vec<&str> = listed.iter().map(String::as_str).collect();
+        for (words, at) in std::mem::take(&mut self.counting) {
+            match left.iter().position(|listed| *listed == words) {
+                Some(place) => drop(left.swap_remove(place)),
+                None => self.offend(at, format!("`{words}`"), LISTED.into()),
+            }
+        }
+        for words in left {
+            let expected = "it, as book/words.toml lists it, or not there";
+            self.offend(0, format!("no `{words}`"), expected.into());
+        }
     }
 
     fn facts_are_stated(&mut self) {
@@ -328,6 +319,9 @@ impl Checker<'_> {
         }
     }
 }
+
+/// What a word that counts must be.
+const LISTED: &str = "digits that the section's code asserts or notes, or, where it is language, these words for this chapter in book/words.toml";
 
 /// The bytes of the chapter from which these of a passage came.
 fn span(passage: &Passage, at: &Range<usize>) -> Range<usize> {

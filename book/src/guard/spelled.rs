@@ -1,9 +1,9 @@
 //! Quantities spelled out: `a twentieth`, `twice`, `ten radians a second`, `one to four`.
 //!
-//! Words mostly count what the reader has before him (`three axes`, `both spins`, `a half turn`). Those are
-//! counted and left alone. A word states a quantity when it is a fraction finer than a third (`a twentieth`,
-//! `three tenths`), a multiple (`twice`, `tenfold`, `ten times smaller`), a ratio (`one to four`), or has a
-//! unit after it (`two turns a second`).
+//! A word states a quantity when it is a fraction finer than a third (`a twentieth`, `three tenths`), a
+//! multiple (`twice`, `tenfold`, `ten times smaller`), a ratio (`one to four`), or has a unit after it (`two
+//! turns a second`). All others count or order what the reader has before him (`three axes`, `the third line`,
+//! `half a turn`): see `words`.
 
 use std::ops::Range;
 
@@ -111,12 +111,47 @@ fn part(word: &str) -> Option<f64> {
     PARTS.iter().find(|(name, ..)| *name == single).map(|&(_, n)| 1.0 / n)
 }
 
-/// The quantities in this text, and how many number words only count.
-pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
+/// Words that count or order, besides the cardinals.
+const COUNTING: [&str; 25] = [
+    "first",
+    "second",
+    "third",
+    "thirds",
+    "fourth",
+    "fifth",
+    "sixth",
+    "seventh",
+    "eighth",
+    "ninth",
+    "tenth",
+    "sixteenth",
+    "half",
+    "halves",
+    "quarter",
+    "quarters",
+    "once",
+    "ones",
+    "double",
+    "doubled",
+    "triple",
+    "dozen",
+    "hundreds",
+    "thousands",
+    "millions",
+];
+
+/// Whether a word, or a part of it between hyphens, counts or orders.
+fn counts(word: &str) -> bool {
+    let known = |word: &str| cardinal(word).is_some() || part(word).is_some() || COUNTING.contains(&word);
+    known(word) || word.split('-').any(known)
+}
+
+/// The quantities in this text, and the words that only count or order.
+pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, Vec<Range<usize>>) {
     let words = words(text);
     let word = |i: usize| words.get(i).map_or("", |(w, _)| w.as_str());
     let mut found = Vec::new();
-    let mut counting = 0;
+    let mut counting = Vec::new();
     let mut i = 0;
     while i < words.len() {
         let start = words[i].1.start;
@@ -137,6 +172,11 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
         let article = matches!(word(i), "a" | "an") && POWERS.iter().any(|(name, _)| *name == word(i + 1));
         let first = i + usize::from(article);
         let Some(mut value) = cardinal(word(first)) else {
+            // `a second`, `per second` and `1 second` are a unit.
+            let unit = word(i) == "second" && i > 0 && matches!(word(i - 1), "a" | "each" | "every" | "per");
+            if counts(word(i)) && !unit {
+                counting.push(words[i].1.clone());
+            }
             i += 1;
             continue;
         };
@@ -159,34 +199,20 @@ pub(crate) fn spelled(text: &str) -> (Vec<Spelled>, usize) {
         } else if unit(&text[words[last].1.end..]).is_some() {
             take(last, value, false)
         } else {
-            counting += 1;
+            counting.push(words[first].1.start..words[last].1.end);
             last + 1
         };
     }
     (found, counting)
 }
 
-/// The phrase with one of its number words replaced by another of its kind, in every place.
-pub(crate) fn altered(phrase: &str) -> Vec<String> {
-    let cardinals = || CARDINALS[1..].iter().copied().chain(POWERS.iter().map(|p| p.0));
-    let parts = || PARTS.iter().map(|p| p.0);
-    let mut found = Vec::new();
-    for (word, at) in words(phrase) {
-        let plural = if word.ends_with('s') { "s" } else { "" };
-        let others: Vec<String> = if cardinal(&word).is_some() {
-            cardinals().filter(|c| *c != word).map(str::to_owned).collect()
-        } else if part(&word).is_some() {
-            parts().filter(|p| *p != word.trim_end_matches('s')).map(|p| format!("{p}{plural}")).collect()
-        } else {
-            let own = MULTIPLES.iter().find(|m| m.0 == word).map(|m| m.1);
-            let others = MULTIPLES.iter().filter(|m| own.is_some_and(|own| own != m.1));
-            others.map(|m| m.0.to_owned()).collect()
-        };
-        for other in others {
-            found.push(format!("{}{other}{}", &phrase[..at.start], &phrase[at.end..]));
-        }
-    }
-    found
+/// A counting word with the word behind it, in lower case: what it counts.
+pub(crate) fn counted(text: &str, at: &Range<usize>) -> String {
+    let rest = &text[at.end..];
+    let behind = rest.strip_prefix(' ').unwrap_or_default();
+    let length = behind.find(|c: char| !c.is_alphabetic() && c != '-').unwrap_or(behind.len());
+    let end = at.end + if length > 0 { 1 + length } else { 0 };
+    text[at.start..end].to_lowercase()
 }
 
 /// The words of the text in lower case, and where.

@@ -14,7 +14,7 @@ mod maths;
 mod palette;
 mod programs;
 pub(crate) mod protocol;
-mod question;
+pub(crate) mod question;
 mod svg;
 mod theme;
 mod turning;

@@ -44,6 +44,20 @@ pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edi
     faults
 }
 
+/// The right answer of each question of a chapter, and where the question begins.
+pub(crate) fn answers(text: &str) -> Vec<(usize, String)> {
+    let pieces = super::pieces(text);
+    let opens = |range: &Range<usize>| text[range.clone()].starts_with(OPENING);
+    let questions = pieces
+        .iter()
+        .filter(|(event, range)| matches!(event, Event::Start(Tag::BlockQuote(_))) && opens(range));
+    let right = |(_, range): &Piece<'_>| {
+        let (_, answer) = text[range.clone()].rsplit_once("\n>\n> *")?;
+        Some((range.start, plain(answer.split_once('*')?.0)))
+    };
+    questions.filter_map(right).collect()
+}
+
 /// Why this quote, the first of the pieces, is no question.
 fn wrong(text: &str, pieces: &[Piece<'_>], quote: &Range<usize>, depth: usize) -> Option<String> {
     if depth > 0 {

@@ -1,4 +1,4 @@
-// The first screen: a hardback in the air, in slow motion, tossed about one of its three axes. Where it is, the tumble's module says.
+// The first screen: a book in the air, in slow motion, tossed about one of its three axes. Where it is, the tumble's module says.
 "use strict";
 
 tumblingLive.widget("toss", async (stage) => {
@@ -112,37 +112,39 @@ tumblingLive.widget("toss", async (stage) => {
                 if (name === "pages" && axis !== 1) leaves(pen, onto, axis, sign, from, to);
             }
         }
-        // The front cover's frame and title, and the spine's, as they lie on the book.
-        const print = (place, across, down, paint) => {
-            const [at, far, below] = [place, place.map((v, n) => v + across[n]), place.map((v, n) => v + down[n])].map(onto);
+        // The front cover's frame and title, and the spine's, as they lie on the book: upright along `top`, and read from outside, where
+        // the way across is the cross product of the way up and the way out. `unit`, the covers' width, is 1 in what is painted.
+        const unit = 2 * x;
+        const titles = [];
+        const print = (place, out, top, paint) => {
+            if (dot(toward, out) <= 0) return;
+            const across = [0, 1, 2].map((n) => unit * (top[(n + 1) % 3] * out[(n + 2) % 3] - top[(n + 2) % 3] * out[(n + 1) % 3]));
+            const [at, far, below] = [place, place.map((v, n) => v + across[n]), place.map((v, n) => v - unit * top[n])].map(onto);
+            titles.push([[far[0] - at[0], far[1] - at[1]], [below[0] - at[0], below[1] - at[1]]]);
             pen.setTransform(dots * (far[0] - at[0]), dots * (far[1] - at[1]), dots * (below[0] - at[0]), dots * (below[1] - at[1]), dots * at[0], dots * at[1]);
             pen.fillStyle = pen.strokeStyle = colours.gilt;
             pen.textAlign = "center";
             pen.textBaseline = "middle";
             paint();
         };
-        const unit = 2 * x; // the covers' width is 1 in what follows
-        if (toward[1] < 0) {
-            print([0, -y, 0], [unit, 0, 0], [0, 0, -unit], () => {
-                pen.lineWidth = 0.012;
-                pen.strokeRect(-0.37, -0.66, 0.78, 1.32);
-                pen.font = "600 0.125px Literata, serif";
-                pen.fillText("TUMBLING", 0.02, -0.36, 0.66);
-                pen.beginPath();
-                pen.ellipse(0.02, 0.14, 0.24, 0.16, 0, 0, 2 * Math.PI);
-                pen.moveTo(0.02 - 0.24, 0.3);
-                pen.quadraticCurveTo(0.02, 0.1, 0.26, -0.02);
-                pen.stroke();
-            });
-        }
-        if (toward[0] < 0) {
-            print([-x, 0, 0], [0, 0, unit], [0, unit, 0], () => {
-                pen.font = "600 0.075px Literata, serif";
-                pen.fillText("TUMBLING", 0, 0.004);
-            });
-        }
+        print([0, -y, 0], [0, -1, 0], [0, 0, 1], () => {
+            pen.lineWidth = 0.012;
+            pen.strokeRect(-0.37, -0.66, 0.78, 1.32);
+            pen.font = "600 0.125px Literata, serif";
+            pen.fillText("TUMBLING", 0.02, -0.36, 0.66);
+            pen.beginPath();
+            pen.ellipse(0.02, 0.14, 0.24, 0.16, 0, 0, 2 * Math.PI);
+            pen.moveTo(0.02 - 0.24, 0.3);
+            pen.quadraticCurveTo(0.02, 0.1, 0.26, -0.02);
+            pen.stroke();
+        });
+        // The spine's title stands upright where the book lies on its back, and so runs from top to bottom.
+        print([-x, 0, 0], [-1, 0, 0], [0, -1, 0], () => {
+            pen.font = "600 0.075px Literata, serif";
+            pen.fillText("TUMBLING", 0, 0.004);
+        });
         pen.setTransform(dots, 0, 0, dots, 0, 0);
-        canvas.shows = { t: state.t, turned, layers }; // for a test that reads the drawing back
+        canvas.shows = { t: state.t, turned, layers, titles }; // for a test that reads the drawing back
     }
     /** Lines that leaves show at their edges. */
     function leaves(pen, onto, axis, sign, from, to) {

@@ -63,8 +63,9 @@ pub(super) fn draw() -> Drawing {
         canvas,
         description: format!(
             "A hammer from its side: a wooden handle {long} m long, a steel head {across} m wide across its end and {OFF} m off its \
-             middle. Its centre of mass lies in the handle, {:.3} m from the head. The easiest of its principal axes leans by {lean:.1}° from the \
+             middle. Its centre of mass lies {:.4} m to the side of the handle's axis, outside the wood, and {:.3} m from the head. The easiest of its principal axes leans by {lean:.1}° from the \
              handle, the middle one stands across it, and the hardest goes through the page.",
+            centre.x,
             long - centre.z
         ),
     })

@@ -71,7 +71,7 @@ fn precessing(spin: Fraction, sin: Fraction, cos: Fraction) -> Scope {
 
 fn of_top(spin: Fraction, cos: Fraction) -> Scope {
     let [i1, i3, rate] = variables(["I1", "I3", "Omega"]);
-    let scope = Scope::default().with("I_1", i1).with("I_3", i3).with(r"\Omega", rate);
+    let scope = Scope::default().with("I_1", i1).with("I_3", i3).with("P", rate);
     scope.with(r"\omega_3", spin).with(r"\cos(\theta)", cos)
 }
 
