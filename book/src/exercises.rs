@@ -6,7 +6,6 @@
 use crate::{complain, say};
 use clap::Subcommand;
 use clap::builder::{PossibleValue, PossibleValuesParser, ValueParser};
-use std::collections::BTreeSet;
 use std::fs;
 use std::process::ExitCode;
 use tumbling_exercises::{self as exercises, Exercise};
@@ -42,6 +41,7 @@ fn name() -> ValueParser {
 /// What could not be read, written or run.
 pub(crate) fn run(command: Option<&Command>) -> Result<ExitCode, String> {
     let all = exercises::all()?;
+    exercises::lay_out(&all, &exercises::stubs())?;
     match command {
         None => list(&all)?,
         Some(Command::Next) => say!("{}", next(&all, &standings(&all)?)),
@@ -54,13 +54,12 @@ pub(crate) fn run(command: Option<&Command>) -> Result<ExitCode, String> {
             }
         }
         Some(Command::Untouched) => {
-            let mut touched = BTreeSet::from_iter(exercises::unmatched(&all)?);
-            let open = |e: &&Exercise| before_running(e) == Some(Standing::Open);
-            touched.extend(all.iter().filter(|e| !open(e)).map(|e| e.name.clone()));
-            for name in &touched {
-                complain!("book/exercises/stubs/{name}.md is not as the book has it");
+            let mut code = ExitCode::SUCCESS;
+            for exercise in all.iter().filter(|e| before_running(e) != Some(Standing::Open)) {
+                complain!("{} is not as the book has it", shown(exercise));
+                code = ExitCode::FAILURE;
             }
-            return Ok(if touched.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+            return Ok(code);
         }
     }
     Ok(ExitCode::SUCCESS)
@@ -75,7 +74,7 @@ enum Standing {
     Begun,
     /// Passes.
     Done,
-    /// The file is not there, or is no text.
+    /// The file is no text.
     Gone,
 }
 

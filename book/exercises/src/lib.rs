@@ -2,12 +2,12 @@
 //!
 //! Each is one file, `whole/NAME.md`: the task, a Rust block with a place left open, hints, what to put
 //! there, and wrong answers. All else is made of it: the page's folds, the file that a reader edits
-//! (`stubs/NAME.md`, whose block is a doc-test of its own, run by `cargo exercise NAME`, the program in
-//! `command/`), and the program of `tests/proof.rs`, which runs every block open, solved and answered
+//! (`stubs/NAME.md`, made by the first `cargo exercise NAME`, the program in `command/`, which runs its block as a
+//! doc-test of its own), and the program of `tests/proof.rs`, which runs every block open, solved and answered
 //! wrongly.
 //!
 //! The reader's files are tested only with the feature `mine`: `cargo test` proves the exercises and stays
-//! green, however far the reader has come, as long as he keeps to the place between the marks.
+//! green, however far the reader has come.
 
 mod answer;
 mod exercise;
@@ -19,7 +19,7 @@ pub use run::{passed, run, verdict};
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 /// Where the whole exercises are.
@@ -78,30 +78,31 @@ pub fn all() -> Result<Vec<Exercise>, String> {
     Ok(ordered)
 }
 
-/// The files that a reader edits and that belong to no exercise, and the exercises that have no such file.
+/// Makes the files that a reader edits where there are none yet, each with its place open.
 ///
 /// # Errors
-/// If the folder cannot be read.
-pub fn unmatched(exercises: &[Exercise]) -> Result<Vec<String>, String> {
-    let folder = stubs();
-    let entries = fs::read_dir(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
-    let files: BTreeSet<String> = entries
-        .flatten()
-        .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".md")?.to_owned()))
-        .collect();
-    let names: BTreeSet<String> = exercises.iter().map(|e| e.name.clone()).collect();
-    Ok(files.symmetric_difference(&names).cloned().collect())
+/// What cannot be written.
+pub fn lay_out(exercises: &[Exercise], folder: &Path) -> Result<(), String> {
+    let cannot = |e: std::io::Error| format!("cannot write to {}: {e}", folder.display());
+    fs::create_dir_all(folder).map_err(cannot)?;
+    for exercise in exercises {
+        match fs::File::create_new(folder.join(format!("{}.md", exercise.name))) {
+            Ok(mut file) => file.write_all(exercise.stub().as_bytes()).map_err(cannot)?,
+            Err(e) if e.kind() == ErrorKind::AlreadyExists => {}
+            Err(e) => return Err(cannot(e)),
+        }
+    }
+    Ok(())
 }
 
 /// The text of the file in this folder that the reader edits.
 ///
 /// # Errors
-/// If it is missing or is no text, with what brings it back.
+/// If it is no text, with what brings it back.
 pub fn file(exercise: &Exercise, folder: &Path) -> Result<String, String> {
     let name = &exercise.name;
     fs::read_to_string(folder.join(format!("{name}.md"))).map_err(|e| {
         let why = match e.kind() {
-            ErrorKind::NotFound => "is missing".into(),
             ErrorKind::InvalidData => "is no text in UTF-8".into(),
             _ => format!("cannot be read: {e}"),
         };

@@ -92,21 +92,18 @@ fn exercises_left_open_stop_at_their_own_todo_solved_ones_pass_and_wrong_answers
 }
 
 #[test]
-fn every_chapter_has_three_to_five_exercises_and_every_exercise_a_file_to_edit() {
+fn every_chapter_has_three_to_five_exercises() {
     let all = exercises::all().unwrap();
     for chapter in exercises::chapters() {
         let count = all.iter().filter(|e| e.place().0 == chapter).count();
         assert!((3..=5).contains(&count), "{chapter} has {count}");
     }
-    let unmatched = exercises::unmatched(&all).unwrap();
-    assert!(unmatched.is_empty(), "in stubs/ and not in whole/, or the other way round: {unmatched:?}");
 }
 
 #[test]
 fn the_file_to_edit_differs_from_the_solution_in_the_marked_place_alone() {
-    // The files as they are: a reader may have filled the place, which is nothing against them.
     for exercise in exercises::all().unwrap() {
-        let text = exercises::file(&exercise, &exercises::stubs()).unwrap().replace("\r\n", "\n");
+        let text = exercise.stub();
         let around = |text: &str| {
             let (before, rest) = text.split_once(exercises::BEGIN)?;
             Some((before.to_owned(), rest.rsplit_once(exercises::END)?.1.to_owned()))
@@ -118,11 +115,7 @@ fn the_file_to_edit_differs_from_the_solution_in_the_marked_place_alone() {
                 && below.starts_with(&format!("{after}```\n\n"))
         });
         let name = &exercise.name;
-        assert!(
-            same,
-            "book/exercises/stubs/{name}.md is not the exercise's outside of its marks; this brings it back: \
-             cargo run -- exercises reset {name}"
-        );
+        assert!(same, "{name} is another outside of its marks");
         assert!(!exercise.stub().contains(exercise.solution()), "{name} tells its solution");
     }
 }
@@ -207,24 +200,33 @@ fn an_answer_that_goes_round_the_check_is_none() {
 }
 
 #[test]
-fn a_file_that_is_missing_or_no_text_is_named_with_what_brings_it_back() {
+fn files_to_edit_are_made_where_they_are_missing_and_what_a_reader_wrote_stays() {
     let kept = tempfile::TempDir::new().unwrap();
-    let folder = kept.path();
+    let folder = kept.path().join("stubs");
     let all = exercises::all().unwrap();
+    exercises::lay_out(&all, &folder).unwrap();
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), all.len());
     for exercise in &all {
-        std::fs::write(folder.join(format!("{}.md", exercise.name)), exercise.stub()).unwrap();
+        assert_eq!(exercises::file(exercise, &folder), Ok(exercise.stub()));
     }
-    assert_eq!(exercises::readable(&all, folder), Ok(()));
-    let file = folder.join("proofs_3.md");
-    std::fs::write(&file, [0xff, 0xfe, 0x00]).unwrap();
-    let no_text = exercises::readable(&all, folder).unwrap_err();
-    std::fs::remove_file(&file).unwrap();
-    let missing = exercises::readable(&all, folder).unwrap_err();
+    let [mine, gone] = ["proofs_3.md", "proofs_2.md"].map(|name| folder.join(name));
+    std::fs::write(&mine, "mine").unwrap();
+    std::fs::remove_file(&gone).unwrap();
+    exercises::lay_out(&all, &folder).unwrap();
+    assert_eq!(std::fs::read_to_string(&mine).unwrap(), "mine");
+    assert_eq!(std::fs::read_to_string(&gone).unwrap(), named("proofs_2").stub());
+    assert_eq!(exercises::readable(&all, &folder), Ok(()));
+}
+
+#[test]
+fn a_file_that_is_no_text_is_named_with_what_brings_it_back() {
+    let kept = tempfile::TempDir::new().unwrap();
+    let all = exercises::all().unwrap();
+    exercises::lay_out(&all, kept.path()).unwrap();
+    std::fs::write(kept.path().join("proofs_3.md"), [0xff, 0xfe, 0x00]).unwrap();
+    let no_text = exercises::readable(&all, kept.path()).unwrap_err();
     assert!(no_text.starts_with("book/exercises/stubs/proofs_3.md is no text in UTF-8"), "{no_text}");
-    assert!(missing.starts_with("book/exercises/stubs/proofs_3.md is missing"), "{missing}");
-    for message in [no_text, missing] {
-        assert!(message.ends_with("cargo run -- exercises reset proofs_3"), "{message}");
-    }
+    assert!(no_text.ends_with("cargo run -- exercises reset proofs_3"), "{no_text}");
 }
 
 #[test]

@@ -2,13 +2,8 @@
 
 use std::process::{Command, Output};
 
-/// The program, which `cargo test` builds beside the tests.
 fn exercise(names: &[&str]) -> Output {
-    let mut path = std::env::current_exe().unwrap();
-    path.pop();
-    path.pop();
-    let program = path.join("examples").join(format!("exercise{}", std::env::consts::EXE_SUFFIX));
-    Command::new(program).args(names).output().unwrap()
+    Command::new(env!("CARGO_BIN_EXE_exercise")).args(names).output().unwrap()
 }
 
 #[test]

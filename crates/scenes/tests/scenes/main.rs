@@ -10,7 +10,6 @@ mod exact_drift;
 mod files;
 mod free;
 #[cfg(feature = "file")]
-mod program;
 mod same_bits;
 mod scene;
 mod torques;

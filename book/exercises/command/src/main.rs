@@ -33,6 +33,7 @@ fn run(names: &[String]) -> Result<ExitCode, String> {
         }
     }
     let folder = exercises::stubs();
+    exercises::lay_out(&all, &folder)?;
     exercises::readable(&all, &folder)?;
     for exercise in all.iter().filter(|exercise| names.contains(&exercise.name)) {
         if let Some(fault) = exercises::fault(exercise, &exercises::file(exercise, &folder)?) {

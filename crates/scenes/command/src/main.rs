@@ -1,12 +1,13 @@
 //! Answers a scene from a file, in the cheapest way that is accurate enough.
 //!
 //! ```text
-//! cargo run --example scene -- FILE.toml             the states, as comma-separated values
-//! cargo run --example scene -- --summary FILE.toml   each body in a few lines
-//! cargo run --example scene -- --explain FILE.toml   what was chosen, what left out, what it costs
+//! cargo scene FILE.toml             the states, as comma-separated values
+//! cargo scene --summary FILE.toml   each body in a few lines
+//! cargo scene --explain FILE.toml   what was chosen, what left out, what it costs
 //! ```
 //!
-//! With `--features tumbling-scenes/threads` a scene of many bodies is shared out over the processor's cores.
+//! With `cargo run -p tumbling-scenes-command --features threads -- FILE.toml` a scene of many bodies is
+//! shared out over the processor's cores.
 //!
 //! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part
 //! first; the kinetic energy, J; the angle between spin and momentum, rad. Lines are in order of time, all

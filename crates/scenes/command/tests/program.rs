@@ -5,20 +5,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tumbling::exact::FreeMotion;
 
-/// The program, which `cargo test` builds with the tests.
-fn program() -> PathBuf {
-    let mut path = std::env::current_exe().unwrap();
-    path.pop();
-    path.pop();
-    path.join("examples").join(format!("scene{}", std::env::consts::EXE_SUFFIX))
-}
-
 fn answered(words: &[&str], file: &Path) -> Output {
-    Command::new(program()).args(words).arg(file).output().unwrap()
+    Command::new(env!("CARGO_BIN_EXE_scene")).args(words).arg(file).output().unwrap()
 }
 
 fn story(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("files").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../files").join(name)
 }
 
 fn of_text(name: &str, text: &str) -> Output {
@@ -107,11 +99,14 @@ fn a_file_that_cannot_be_read_ends_with_two() {
     let output = answered(&[], Path::new("there/is/none.toml"));
     assert_eq!(output.status.code(), Some(2));
     for words in [&[][..], &["--sumary", "x"], &["a", "b"], &["--summary", "--explain", "x"]] {
-        let output = Command::new(program()).args(words).output().unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_scene")).args(words).output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{words:?}");
         assert!(said(&output.stderr).contains("Usage: scene"), "{words:?}");
     }
-    assert_eq!(Command::new(program()).arg("--help").output().unwrap().status.code(), Some(0));
+    assert_eq!(
+        Command::new(env!("CARGO_BIN_EXE_scene")).arg("--help").output().unwrap().status.code(),
+        Some(0)
+    );
 }
 
 /// Bodies that are answered alike are explained once.
@@ -157,13 +152,14 @@ fn a_closed_pipe_ends_well_and_a_full_disk_does_not() {
     use std::process::Stdio;
     let text = "accuracy = 1e-6\nspan = 1e4\nevery = 0.01\nwants = [\"spin\"]\n[[body]]\nmoments = [1.0, 2.0, 2.5]\nspin = [0.1, 5.0, 0.1]\n";
     let (_folder, path) = written("long", text);
-    let mut child = Command::new(program()).arg(&path).stdout(Stdio::piped()).spawn().unwrap();
+    let mut child =
+        Command::new(env!("CARGO_BIN_EXE_scene")).arg(&path).stdout(Stdio::piped()).spawn().unwrap();
     let mut pipe = child.stdout.take().unwrap();
     pipe.read_exact(&mut [0; 100]).unwrap();
     drop(pipe);
     assert_eq!(child.wait().unwrap().code(), Some(0));
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let ended = Command::new(program()).arg(&path).stdout(full).output().unwrap();
+    let ended = Command::new(env!("CARGO_BIN_EXE_scene")).arg(&path).stdout(full).output().unwrap();
     assert_eq!(ended.status.code(), Some(2));
     assert!(said(&ended.stderr).contains("the answers cannot be written"), "{}", said(&ended.stderr));
 }
