@@ -174,7 +174,7 @@ fn a_driven_body_given_in_other_axes_moves_the_same() {
         assert!((frame * a.spin.unwrap() - b.spin.unwrap()).norm() < 1e-7, "at {} s", a.time);
         assert!((a.attitude.unwrap() * frame.inverse()).angle_to(&b.attitude.unwrap()) < 1e-7);
         assert!((a.energy.unwrap() - b.energy.unwrap()).abs() < 1e-6);
-        assert!((a.gap.unwrap() - b.gap.unwrap()).abs() < 1e-7);
+        assert!((a.angle_to_momentum.unwrap() - b.angle_to_momentum.unwrap()).abs() < 1e-7);
     }
 }
 
