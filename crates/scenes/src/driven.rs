@@ -69,7 +69,9 @@ fn strategy_to(accuracy: f64, body: &Principal, scene: &Scene) -> Result<Strateg
         let control = StepControl::Tolerance(first_tolerance(accuracy));
         (Chosen { control, difference: 0.0, steps: 0 }, 0.0)
     } else {
-        first_right(&trial, &candidates(&rates, accuracy, scene))?
+        // Where losses are that fast each step is a collocation, and so many of them take too long to try.
+        let most = if rates.are_stiff(end) { MOST_STEPS / 20 } else { MOST_STEPS };
+        first_right(&trial, &candidates(&rates, accuracy, scene), most)?
     };
     let Chosen { control, difference, steps } = chosen;
     let stops = if have_series(system.torques()) { Vec::new() } else { times.clone() };
@@ -106,8 +108,8 @@ fn candidates(rates: &Rates, accuracy: f64, scene: &Scene) -> Vec<StepControl> {
 }
 
 /// The first that is accurate enough, with the instructions of the trial runs.
-fn first_right(trial: &Trial<'_>, candidates: &[StepControl]) -> Result<(Chosen, f64), Error> {
-    let (mut left, mut trials, mut refusal) = (MOST_STEPS, 0.0, None);
+fn first_right(trial: &Trial<'_>, candidates: &[StepControl], most: usize) -> Result<(Chosen, f64), Error> {
+    let (mut left, mut trials, mut refusal) = (most, 0.0, None);
     for (k, &first) in candidates.iter().enumerate() {
         let share = left / (candidates.len() - k);
         let mut budget = Budget { left: share, spent: 0.0 };

@@ -5,7 +5,7 @@
 //! accuracy = 1e-9
 //! span = 60.0                 # s
 //! every = 0.5                 # s; or a list of times instead of the two: times = [0.0, 1.5]
-//! wants = ["spin", "energy"]  # of spin, attitude, energy, gap, flips, polhode
+//! wants = ["spin", "energy"]  # of spin, attitude, energy, angle-to-momentum, flips, polhode
 //!
 //! [[body]]
 //! moments = [1.0, 2.0, 2.5]   # kg m², the diagonal of the tensor; products = [xy, xz, yz] where there are any
@@ -88,4 +88,4 @@ impl Place {
 
 const SCENE: [&str; 7] = ["accuracy", "span", "every", "times", "wants", "body", "torque"];
 const BODY: [&str; 5] = ["moments", "products", "attitude", "spin", "momentum"];
-const OUTPUTS: [&str; 6] = ["spin", "attitude", "energy", "gap", "flips", "polhode"];
+const OUTPUTS: [&str; 6] = ["spin", "attitude", "energy", "angle-to-momentum", "flips", "polhode"];

@@ -18,7 +18,7 @@ pub(crate) fn strategy(
     end: f64,
     accuracy: f64,
 ) -> Result<Strategy, Error> {
-    if !(outputs.attitude || outputs.spin || outputs.gap || outputs.flips) {
+    if !(outputs.attitude || outputs.spin || outputs.angle_to_momentum || outputs.flips) {
         return Ok(Strategy::Nothing);
     }
     let motion = FreeMotion::new(body.moments, &body.omega)?;
@@ -50,7 +50,7 @@ pub(crate) fn strategy(
             attainable(&motion, regime, body, end, accuracy)?;
             Ok(match outputs {
                 Outputs { attitude: true, .. } => Strategy::Elliptic(Box::new(motion)),
-                Outputs { spin: true, .. } | Outputs { gap: true, .. } => {
+                Outputs { spin: true, .. } | Outputs { angle_to_momentum: true, .. } => {
                     Strategy::EllipticSpin(Box::new(motion))
                 }
                 _ => Strategy::Nothing,

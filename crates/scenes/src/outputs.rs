@@ -10,7 +10,7 @@ pub struct Outputs {
     /// The kinetic energy, at each time.
     pub energy: bool,
     /// The angle between spin and momentum, at each time.
-    pub gap: bool,
+    pub angle_to_momentum: bool,
     /// The instants up to the end at which the spin along the middle axis changes sign. Of free bodies alone.
     pub flips: bool,
     /// The path of the spin in the body. Of free bodies alone.
@@ -19,12 +19,18 @@ pub struct Outputs {
 
 impl Outputs {
     /// None of them.
-    pub const NOTHING: Self =
-        Self { spin: false, attitude: false, energy: false, gap: false, flips: false, polhode: false };
+    pub const NOTHING: Self = Self {
+        spin: false,
+        attitude: false,
+        energy: false,
+        angle_to_momentum: false,
+        flips: false,
+        polhode: false,
+    };
 
     /// Whether any of them belongs to a time.
     #[must_use]
     pub fn states(self) -> bool {
-        self.spin || self.attitude || self.energy || self.gap
+        self.spin || self.attitude || self.energy || self.angle_to_momentum
     }
 }

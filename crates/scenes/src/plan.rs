@@ -20,7 +20,7 @@ pub struct Plan<'a> {
     pub(crate) strategy: Strategy,
     /// Where it does not change.
     pub(crate) energy: Option<f64>,
-    pub(crate) gap: Option<f64>,
+    pub(crate) angle_to_momentum: Option<f64>,
 }
 
 impl Scene {
@@ -53,7 +53,7 @@ impl<'a> Plan<'a> {
             if outputs.states() { driven::strategy(&body, scene)? } else { Strategy::Nothing }
         };
         let energy = if outputs.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
-        if outputs.gap && body.omega == Vector3::zeros() {
+        if outputs.angle_to_momentum && body.omega == Vector3::zeros() {
             return Err(Error::Undefined {
                 what: "the angle between spin and momentum",
                 why: "a body at rest has neither",
@@ -66,12 +66,12 @@ impl<'a> Plan<'a> {
                 | Strategy::Rotation { .. }
                 | Strategy::SymmetricTop(_)
         );
-        let gap = if outputs.gap && steady {
+        let angle_to_momentum = if outputs.angle_to_momentum && steady {
             Some(Inertia::from(body.moments).angle_to_momentum(&body.omega)?)
         } else {
             None
         };
-        Ok(Self { scene, body, strategy, energy, gap })
+        Ok(Self { scene, body, strategy, energy, angle_to_momentum })
     }
 
     /// The strategy chosen.
@@ -88,8 +88,8 @@ impl<'a> Plan<'a> {
 
     /// The angle between spin and momentum, rad, where it is requested and constant.
     #[must_use]
-    pub fn gap(&self) -> Option<f64> {
-        self.gap
+    pub fn angle_to_momentum(&self) -> Option<f64> {
+        self.angle_to_momentum
     }
 
     /// The free motion that the states are taken from, along the body's principal axes and from their

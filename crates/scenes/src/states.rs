@@ -20,7 +20,7 @@ pub struct Answer {
     /// Kinetic energy, J.
     pub energy: Option<f64>,
     /// The angle between spin and momentum, rad.
-    pub gap: Option<f64>,
+    pub angle_to_momentum: Option<f64>,
 }
 
 /// The states of one body, in order of time. After an error there are no more.
@@ -76,18 +76,18 @@ impl<'a> States<'a> {
         let (along, attitude): SpinAndAttitude = match &plan.strategy {
             Strategy::Nothing => (None, None),
             Strategy::Constant { spin, attitude } => {
-                let (energy, gap) = (plan.energy, plan.gap);
-                return Ok(Answer { time, spin: *spin, attitude: *attitude, energy, gap });
+                let (energy, angle_to_momentum) = (plan.energy, plan.angle_to_momentum);
+                return Ok(Answer { time, spin: *spin, attitude: *attitude, energy, angle_to_momentum });
             }
             _ if time == 0.0 => (Some(plan.body.omega), Some(plan.body.attitude)),
             Strategy::Rotation { motion, spin } => {
                 let attitude = Some(plan.turned(motion.attitude(time)?.into_inner()));
-                let (energy, gap) = (plan.energy, plan.gap);
-                return Ok(Answer { time, spin: *spin, attitude, energy, gap });
+                let (energy, angle_to_momentum) = (plan.energy, plan.angle_to_momentum);
+                return Ok(Answer { time, spin: *spin, attitude, energy, angle_to_momentum });
             }
             Strategy::SymmetricTop(motion) | Strategy::EllipticSpin(motion) | Strategy::Elliptic(motion) => {
                 let outputs = plan.scene.outputs();
-                let spin = outputs.spin || (outputs.gap && plan.gap.is_none());
+                let spin = outputs.spin || (outputs.angle_to_momentum && plan.angle_to_momentum.is_none());
                 match (spin, outputs.attitude) {
                     (_, false) => (Some(motion.omega(time)?), None),
                     (false, true) => (None, Some(plan.turned(motion.attitude(time)?.into_inner()))),
@@ -155,7 +155,7 @@ impl Plan<'_> {
     /// ```
     ///
     /// # Errors
-    /// An energy or a gap beyond `f64`.
+    /// An energy or a angle to the momentum beyond `f64`.
     pub fn state(
         &self,
         time: f64,
@@ -194,9 +194,9 @@ impl Plan<'_> {
                 Some(omega) => Some(energy(self.body.moments, &omega)?),
                 None => self.energy,
             },
-            gap: match moving(outputs.gap, self.gap) {
+            angle_to_momentum: match moving(outputs.angle_to_momentum, self.angle_to_momentum) {
                 Some(omega) => Some(Inertia::from(self.body.moments).angle_to_momentum(&omega)?),
-                None => self.gap,
+                None => self.angle_to_momentum,
             },
         })
     }

@@ -33,7 +33,7 @@ const HELP: &str = "FILE.toml has the bodies, the torques and what is requested:
     accuracy = 1e-9              # of angles (rad), and of spin and energy relative to their largest
     span = 10.0                  # s
     every = 0.1                  # s; or instead of the two: times = [0.0, 0.5, 2.0]
-    wants = [\"spin\", \"flips\"]  # of spin, attitude, energy, gap, flips, polhode
+    wants = [\"spin\", \"flips\"]  # of spin, attitude, energy, angle-to-momentum, flips, polhode
 
     [[body]]                     # as many as you like
     moments = [1.0, 2.0, 2.5]    # kg m^2: xx, yy, zz; with products = [xy, xz, yz] where there are any
@@ -194,10 +194,11 @@ fn states(file: &File, name: &str, out: &mut impl Write) -> io::Result<usize> {
 fn lines(block: &Block<'_>) -> (String, u64, Vec<(usize, Error)>) {
     let (mut text, mut count) = (String::new(), 0);
     for (body, state) in block.states() {
-        let Answer { time, spin, attitude, energy, gap } = state;
+        let Answer { time, spin, attitude, energy, angle_to_momentum } = state;
         count += 1;
         let quaternion = attitude.map(|q| [q.w, q.i, q.j, q.k]);
-        let numbers = spin.iter().flatten().chain(quaternion.iter().flatten()).chain(energy).chain(gap);
+        let numbers =
+            spin.iter().flatten().chain(quaternion.iter().flatten()).chain(energy).chain(angle_to_momentum);
         // Text takes all that is written to it.
         let _ = write!(text, "{body},{time:.16e}");
         for x in numbers {
@@ -228,8 +229,8 @@ fn columns(outputs: Outputs) -> Vec<&'static str> {
     if outputs.energy {
         names.push("kinetic energy [J]");
     }
-    if outputs.gap {
-        names.push("gap [rad]");
+    if outputs.angle_to_momentum {
+        names.push("angle to momentum [rad]");
     }
     names
 }
@@ -256,8 +257,8 @@ fn summary(
     if let Some(energy) = last.energy {
         writeln!(out, "  energy    {energy:.16e} J, kinetic")?;
     }
-    if let Some(gap) = last.gap {
-        writeln!(out, "  gap       {gap:.16e} rad")?;
+    if let Some(angle) = last.angle_to_momentum {
+        writeln!(out, "  angle to momentum {angle:.16e} rad")?;
     }
     if outputs.flips {
         let flips = match plan.flips() {

@@ -90,7 +90,7 @@ fn outputs(root: &Fields<'_, '_>) -> Result<Outputs, Error> {
             "spin" => &mut outputs.spin,
             "attitude" => &mut outputs.attitude,
             "energy" => &mut outputs.energy,
-            "gap" => &mut outputs.gap,
+            "angle-to-momentum" => &mut outputs.angle_to_momentum,
             "flips" => &mut outputs.flips,
             "polhode" => &mut outputs.polhode,
             other => {

@@ -28,8 +28,14 @@ pub fn write(scene: &Scene) -> String {
         }
     };
     let outputs = scene.outputs();
-    let requested =
-        [outputs.spin, outputs.attitude, outputs.energy, outputs.gap, outputs.flips, outputs.polhode];
+    let requested = [
+        outputs.spin,
+        outputs.attitude,
+        outputs.energy,
+        outputs.angle_to_momentum,
+        outputs.flips,
+        outputs.polhode,
+    ];
     let words: Vec<String> = OUTPUTS
         .iter()
         .zip(requested)

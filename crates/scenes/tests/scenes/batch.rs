@@ -39,7 +39,7 @@ fn bits(state: &Answer) -> Vec<Option<u64>> {
     let q = state.attitude.map(|q| [q.w, q.i, q.j, q.k]);
     let spin = (0..3).map(|i| state.spin.map(|w| w[i]));
     let turn = (0..4).map(|i| q.map(|q| q[i]));
-    let all = [Some(state.time), state.energy, state.gap];
+    let all = [Some(state.time), state.energy, state.angle_to_momentum];
     all.into_iter().chain(spin).chain(turn).map(|x| x.map(f64::to_bits)).collect()
 }
 
@@ -80,12 +80,18 @@ fn a_batch_answers_as_each_body_alone_whatever_is_requested() {
     let mut tried = 0;
     for requested in 1_u8..16 {
         let on = |bit: u8| requested & bit != 0;
-        let outputs = Outputs { spin: on(1), attitude: on(2), energy: on(4), gap: on(8), ..Outputs::NOTHING };
-        // A body at rest has no gap: it goes wrong, and alone.
+        let outputs = Outputs {
+            spin: on(1),
+            attitude: on(2),
+            energy: on(4),
+            angle_to_momentum: on(8),
+            ..Outputs::NOTHING
+        };
+        // A body at rest has no angle to the momentum: it goes wrong, and alone.
         let scene = Scene::new(mixed(300), vec![], Times::every(0.3, 10.0), outputs, 1e-9).unwrap();
         let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
         assert_eq!(batched.1, alone.1, "{outputs:?}");
-        assert_eq!(batched.1.is_empty(), !outputs.gap);
+        assert_eq!(batched.1.is_empty(), !outputs.angle_to_momentum);
         assert_eq!(batched.0.len(), alone.0.len(), "{outputs:?}");
         for ((body, one), (other, two)) in batched.0.iter().zip(&alone.0) {
             assert_eq!((body, bits(one)), (other, bits(two)), "{outputs:?}, body {body} at {} s", two.time);

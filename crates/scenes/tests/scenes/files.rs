@@ -68,14 +68,16 @@ fn times() -> impl Strategy<Value = Times> {
 }
 
 fn outputs() -> impl Strategy<Value = Outputs> {
-    prop::array::uniform6(any::<bool>()).prop_map(|[spin, attitude, energy, gap, flips, polhode]| Outputs {
-        spin,
-        attitude,
-        energy,
-        gap,
-        flips,
-        polhode,
-    })
+    prop::array::uniform6(any::<bool>()).prop_map(
+        |[spin, attitude, energy, angle_to_momentum, flips, polhode]| Outputs {
+            spin,
+            attitude,
+            energy,
+            angle_to_momentum,
+            flips,
+            polhode,
+        },
+    )
 }
 
 proptest! {

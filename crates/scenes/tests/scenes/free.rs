@@ -46,8 +46,11 @@ fn each_scene_is_answered_in_the_way_that_leaves_out_the_most() {
     assert_eq!(name(top, oblique, SPIN), "symmetric top");
     assert_eq!(name(top, oblique, BOTH), "symmetric top");
     assert_eq!(name(uneven, oblique, SPIN), "elliptic spin");
-    assert_eq!(name(uneven, oblique, Outputs { gap: true, ..Outputs::NOTHING }), "elliptic spin");
-    assert_eq!(name(top, oblique, Outputs { gap: true, ..Outputs::NOTHING }), "nothing");
+    assert_eq!(
+        name(uneven, oblique, Outputs { angle_to_momentum: true, ..Outputs::NOTHING }),
+        "elliptic spin"
+    );
+    assert_eq!(name(top, oblique, Outputs { angle_to_momentum: true, ..Outputs::NOTHING }), "nothing");
     assert_eq!(name(uneven, oblique, attitude), "elliptic");
 }
 
@@ -71,7 +74,10 @@ fn a_body_that_lies_turned_in_its_own_axes_and_in_the_world_is_answered_in_those
                 assert!((state.spin.unwrap() - at.omega).norm() < 1e-12);
                 assert!(state.attitude.unwrap().angle_to(&at.attitude) < 1e-12);
                 assert!((state.energy.unwrap() / body.energy() - 1.0).abs() < 1e-13);
-                assert!((state.gap.unwrap() - tensor.angle_to_momentum(&at.omega).unwrap()).abs() < 1e-12);
+                assert!(
+                    (state.angle_to_momentum.unwrap() - tensor.angle_to_momentum(&at.omega).unwrap()).abs()
+                        < 1e-12
+                );
             }
         }
     }
@@ -108,7 +114,10 @@ fn answers_are_continuous_in_the_entries_of_the_tensor() {
         states(&scene.plan(0).unwrap())
     };
     for (a, b) in at(0.0).iter().zip(&at(1e-12)) {
-        assert!(apart(a, b) < 1e-9 && (a.gap.unwrap() - b.gap.unwrap()).abs() < 1e-9, "{a:?} {b:?}");
+        assert!(
+            apart(a, b) < 1e-9 && (a.angle_to_momentum.unwrap() - b.angle_to_momentum.unwrap()).abs() < 1e-9,
+            "{a:?} {b:?}"
+        );
     }
 }
 

@@ -90,8 +90,11 @@ fn what_cannot_be_answered_is_refused_and_says_why() {
         Error::Undefined { what: "the list of flips", .. }
     ));
     let still = InitialState::spinning(body.moments, Vector3::zeros());
-    let gap = Outputs { gap: true, ..Outputs::NOTHING };
-    assert!(matches!(source(&one(still, vec![], times.clone(), gap, 1e-9)), Error::Undefined { .. }));
+    let angle_to_momentum = Outputs { angle_to_momentum: true, ..Outputs::NOTHING };
+    assert!(matches!(
+        source(&one(still, vec![], times.clone(), angle_to_momentum, 1e-9)),
+        Error::Undefined { .. }
+    ));
     let long =
         InitialState { attitude: UnitQuaternion::new_unchecked(Quaternion::new(2.0, 0.0, 0.0, 0.0)), ..body };
     assert_eq!(source(&one(long, vec![], times, BOTH, 1e-9)).field(), Some(Field::Attitude));

@@ -19,14 +19,20 @@ pub fn hash(rounds: u32) -> Hash {
     hash
 }
 
-const OUTPUTS: Outputs =
-    Outputs { spin: true, attitude: true, energy: true, gap: true, flips: false, polhode: false };
+const OUTPUTS: Outputs = Outputs {
+    spin: true,
+    attitude: true,
+    energy: true,
+    angle_to_momentum: true,
+    flips: false,
+    polhode: false,
+};
 
 fn answer(hash: &mut Hash, answer: &Answer) {
     hash.all(&answer.spin.unwrap_or_default());
     hash.all(&answer.attitude.unwrap_or_default().coords);
     hash.put(answer.energy.unwrap_or(f64::NAN));
-    hash.put(answer.gap.unwrap_or(f64::NAN));
+    hash.put(answer.angle_to_momentum.unwrap_or(f64::NAN));
 }
 
 /// Bodies side by side, some of them in axes other than the principal ones, and what is conserved of each.
