@@ -4,133 +4,46 @@
 //! Edition 2024 lets rustdoc build all of it as one program; a block fenced `rust,standalone_crate`
 //! gets one of its own. One chapter alone: `cargo test -p tumbling-book --doc two_arrows`.
 
-#[cfg(doctest)]
-#[doc = include_str!("introduction.md")]
-mod introduction {}
+macro_rules! chapters {
+    ($($file:literal $name:ident)*) => {
+        $(#[cfg(doctest)] #[doc = include_str!($file)] mod $name {})*
+    };
+}
 
-#[cfg(doctest)]
-#[doc = include_str!("toss-a-book.md")]
-mod toss_a_book {}
-
-#[cfg(doctest)]
-#[doc = include_str!("matrix-mass.md")]
-mod matrix_mass {}
-
-#[cfg(doctest)]
-#[doc = include_str!("principal-axes.md")]
-mod principal_axes {}
-
-#[cfg(doctest)]
-#[doc = include_str!("two-arrows.md")]
-mod two_arrows {}
-
-#[cfg(doctest)]
-#[doc = include_str!("worked-example.md")]
-mod worked_example {}
-
-#[cfg(doctest)]
-#[doc = include_str!("body-and-world.md")]
-mod body_and_world {}
-
-#[cfg(doctest)]
-#[doc = include_str!("eulers-equations.md")]
-mod eulers_equations {}
-
-#[cfg(doctest)]
-#[doc = include_str!("three-pitfalls.md")]
-mod three_pitfalls {}
-
-#[cfg(doctest)]
-#[doc = include_str!("dzhanibekov.md")]
-mod dzhanibekov {}
-
-#[cfg(doctest)]
-#[doc = include_str!("coin.md")]
-mod coin {}
-
-#[cfg(doctest)]
-#[doc = include_str!("exact-motion.md")]
-mod exact_motion {}
-
-#[cfg(doctest)]
-#[doc = include_str!("closed-form.md")]
-mod closed_form {}
-
-#[cfg(doctest)]
-#[doc = include_str!("a-top.md")]
-mod a_top {}
-
-#[cfg(doctest)]
-#[doc = include_str!("stepping-through-time.md")]
-mod stepping_through_time {}
-
-#[cfg(doctest)]
-#[doc = include_str!("error-against-run-time.md")]
-mod error_against_run_time {}
-
-#[cfg(doctest)]
-#[doc = include_str!("only-what-you-need.md")]
-mod only_what_you_need {}
-
-#[cfg(doctest)]
-#[doc = include_str!("where-things-break.md")]
-mod where_things_break {}
-
-#[cfg(doctest)]
-#[doc = include_str!("test-your-engine.md")]
-mod test_your_engine {}
-
-#[cfg(doctest)]
-#[doc = include_str!("put-it-into-your-engine.md")]
-mod put_it_into_your_engine {}
-
-#[cfg(doctest)]
-#[doc = include_str!("proofs.md")]
-mod proofs {}
-
-#[cfg(doctest)]
-#[doc = include_str!("problems.md")]
-mod problems {}
-
-#[cfg(doctest)]
-#[doc = include_str!("for-teachers.md")]
-mod for_teachers {}
-
-#[cfg(doctest)]
-#[doc = include_str!("where-next.md")]
-mod where_next {}
-
-#[cfg(doctest)]
-#[doc = include_str!("your-own-body.md")]
-mod your_own_body {}
-
-#[cfg(doctest)]
-#[doc = include_str!("about.md")]
-mod about {}
-
-#[cfg(doctest)]
-#[doc = include_str!("library.md")]
-mod library {}
-
-#[cfg(doctest)]
-#[doc = include_str!("records.md")]
-mod records {}
-
-#[cfg(doctest)]
-#[doc = include_str!("notation.md")]
-mod notation {}
-
-#[cfg(doctest)]
-#[doc = include_str!("errata.md")]
-mod errata {}
-
-#[cfg(doctest)]
-#[doc = include_str!("references.md")]
-mod references {}
-
-#[cfg(doctest)]
-#[doc = include_str!("glossary.md")]
-mod glossary {}
+chapters! {
+    "introduction.md" introduction
+    "toss-a-book.md" toss_a_book
+    "matrix-mass.md" matrix_mass
+    "principal-axes.md" principal_axes
+    "two-arrows.md" two_arrows
+    "worked-example.md" worked_example
+    "body-and-world.md" body_and_world
+    "eulers-equations.md" eulers_equations
+    "three-pitfalls.md" three_pitfalls
+    "dzhanibekov.md" dzhanibekov
+    "coin.md" coin
+    "exact-motion.md" exact_motion
+    "closed-form.md" closed_form
+    "a-top.md" a_top
+    "stepping-through-time.md" stepping_through_time
+    "error-against-run-time.md" error_against_run_time
+    "only-what-you-need.md" only_what_you_need
+    "where-things-break.md" where_things_break
+    "test-your-engine.md" test_your_engine
+    "put-it-into-your-engine.md" put_it_into_your_engine
+    "proofs.md" proofs
+    "problems.md" problems
+    "for-teachers.md" for_teachers
+    "where-next.md" where_next
+    "your-own-body.md" your_own_body
+    "about.md" about
+    "library.md" library
+    "records.md" records
+    "notation.md" notation
+    "errata.md" errata
+    "references.md" references
+    "glossary.md" glossary
+}
 
 /// A chapter that is not listed here is a chapter whose code nobody runs; one that `SUMMARY.md` lacks
 /// is one that nobody reads.
@@ -154,11 +67,13 @@ mod listed {
         let modules = include_str!("lib.rs");
 
         let read = between(&summary, "](", ")");
-        let tested = between(modules, "#[doc = include_str!(\"", "\")]");
+        let tested = between(modules, "    \"", "\" ");
         assert_eq!(read, tested, "left: SUMMARY.md, right: chapters/lib.rs");
 
-        let names: Vec<&str> =
-            modules.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(" {}")).collect();
+        let names: Vec<&str> = modules
+            .lines()
+            .filter_map(|line| Some(line.strip_prefix("    \"")?.split_once("\" ")?.1))
+            .collect();
         let expected: Vec<String> =
             tested.iter().map(|file| file.trim_end_matches(".md").replace(['-', '/'], "_")).collect();
         assert_eq!(names, expected, "a module is named after its chapter");

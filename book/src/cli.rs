@@ -1,10 +1,9 @@
 //! The command line: its grammar, and what each command does.
 
-use crate::share::Site;
-use crate::{
-    build, certificates, complain, docs, draw, exercises, export, film, guard, judge, measure, paper, paths,
-    preprocess, report, say,
-};
+use crate::command::{certificates, docs, draw, exercises, export, film, judge, measure, report};
+use crate::site::share::Site;
+use crate::site::{build, paths};
+use crate::{complain, guard, paper, preprocess, say};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use clap_complete::Shell;
@@ -197,7 +196,7 @@ fn checked(folder: &Path, list: bool) -> ExitCode {
 fn offences(folder: &Path, list: bool) -> Result<bool, String> {
     let report = guard::check(folder)?;
     if list {
-        for line in report.held.iter().chain(&report.certainties) {
+        for line in &report.held {
             say!("{line}");
         }
     }

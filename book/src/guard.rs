@@ -53,7 +53,8 @@ mod passage;
 mod phrase;
 mod spelled;
 
-use crate::{paths, preprocess};
+use crate::preprocess;
+use crate::site::{manifests, paths};
 use chapter::{Chapter, Reader};
 use counts::Counts;
 use holding::Beside;
@@ -69,8 +70,6 @@ pub(crate) struct Report {
     pub(crate) offences: Vec<Offence>,
     pub(crate) counts: Counts,
     pub(crate) equations: equations::Counts,
-    /// What the numbers of each chapter rest on.
-    pub(crate) certainties: Vec<String>,
     /// Each number, and each equation, with what holds it.
     pub(crate) held: Vec<String>,
 }
@@ -78,17 +77,18 @@ pub(crate) struct Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let c = &self.counts;
-        let mut places: Vec<String> =
-            c.places.iter().map(|(place, count)| format!("{place} {count}")).collect();
-        places.sort();
-        writeln!(f, "numbers: {} in {} files ({})", c.all(), self.chapters, places.join(", "))?;
+        writeln!(f, "numbers: {} in {} files", c.all, self.chapters)?;
         writeln!(
             f,
             "held by: assertions {}, notes {}, facts {}, drawings {}; headings in order {}",
             c.by_assertion, c.by_note, c.by_fact, c.by_drawing, c.ordinals
         )?;
         writeln!(f, "resting on: {}", c.by_certainty())?;
-        writeln!(f, "not held: {} counting words, {} numbers inside formulas", c.counting, c.structural)?;
+        writeln!(
+            f,
+            "not held: {} number words that the code or the list has, {} numbers inside formulas",
+            c.counting, c.structural
+        )?;
         let e = &self.equations;
         writeln!(
             f,
@@ -123,7 +123,6 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         offences: dropped.collect(),
         counts: Counts::default(),
         equations: equations::Counts::default(),
-        certainties: Vec::new(),
         held: Vec::new(),
     };
     for chapter in &book.chapters {
@@ -133,9 +132,6 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         report.offences.extend(answers::offences(chapter));
         report.offences.extend(equations::offences(chapter, &mut report.equations, &mut report.held));
         report.counts.add(&found.counts);
-        if found.counts.all() > 0 {
-            report.certainties.push(format!("{}: {}", chapter.path, found.counts.by_certainty()));
-        }
     }
     Ok(report)
 }
@@ -223,31 +219,13 @@ fn readme(reader: &mut Reader) -> Result<Chapter, String> {
 
 /// The versions that the first page names, as the manifests have them.
 fn versions() -> Result<Vec<facts::Fact>, String> {
-    let manifest = |file: &Path| -> Result<toml::Table, String> {
-        let text = fs::read_to_string(file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
-        text.parse().map_err(|e| format!("{}: {e}", file.display()))
+    let fact = |text| facts::Fact {
+        chapter: "README".into(),
+        text,
+        source: "the manifests".into(),
+        certainty: "certain".into(),
     };
-    let whole = manifest(&paths::repository().join("Cargo.toml"))?;
-    let book = manifest(&paths::book().join("Cargo.toml"))?;
-    let package = |key: &str| whole.get("workspace")?.get("package")?.get(key)?.as_str();
-    let mdbook = || book.get("dependencies")?.get("mdbook-preprocessor")?.as_str()?.rsplit_once('.');
-    let versions = [
-        ("Rust", package("rust-version")),
-        ("Apache", package("license").and_then(|license| license.rsplit_once("Apache-")).map(|(_, v)| v)),
-        ("mdBook", mdbook().map(|(major_minor, _)| major_minor)),
-    ];
-    versions
-        .into_iter()
-        .map(|(name, version)| {
-            let version = version.ok_or_else(|| format!("the manifests have no version of {name}"))?;
-            Ok(facts::Fact {
-                chapter: "README".into(),
-                text: format!("{name} {version}"),
-                source: "the manifests".into(),
-                certainty: "certain".into(),
-            })
-        })
-        .collect()
+    Ok(manifests::versions()?.into_iter().map(fact).collect())
 }
 
 /// The facts beside the chapters, or those of this book where there are none.

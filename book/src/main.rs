@@ -1,26 +1,11 @@
 //! Draws the figures and builds the book; `--help` lists the commands.
 
-mod build;
-mod certificates;
-mod chapters;
 mod cli;
-mod docs;
-mod draw;
-mod exercises;
-mod export;
-mod files;
-mod film;
-mod goals;
+mod command;
 mod guard;
-mod judge;
-mod log;
-mod measure;
 mod paper;
-mod paths;
-mod places;
 mod preprocess;
-mod report;
-mod share;
+mod site;
 
 use clap::Parser as _;
 use std::process::ExitCode;

@@ -6,8 +6,8 @@ use std::collections::HashMap;
 /// How many numbers there are, by where they stand and by what holds them.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Counts {
-    /// By the kind of place.
-    pub(crate) places: HashMap<&'static str, usize>,
+    /// All numbers and quantities in words that must be held.
+    pub(crate) all: usize,
     /// By what they rest on.
     pub(crate) certainty: HashMap<Certainty, usize>,
     pub(crate) by_assertion: usize,
@@ -25,13 +25,11 @@ pub(crate) struct Counts {
 
 impl Counts {
     pub(crate) fn add(&mut self, other: &Self) {
-        for (place, count) in &other.places {
-            *self.places.entry(place).or_default() += count;
-        }
         for (certainty, count) in &other.certainty {
             *self.certainty.entry(*certainty).or_default() += count;
         }
         for (mine, others) in [
+            (&mut self.all, other.all),
             (&mut self.by_assertion, other.by_assertion),
             (&mut self.by_note, other.by_note),
             (&mut self.by_fact, other.by_fact),
@@ -48,10 +46,5 @@ impl Counts {
     pub(crate) fn by_certainty(&self) -> String {
         let count = |c: Certainty| format!("{c} {}", self.certainty.get(&c).copied().unwrap_or(0));
         Certainty::ALL.map(count).join(", ")
-    }
-
-    /// All numbers and quantities in words that must be held.
-    pub(crate) fn all(&self) -> usize {
-        self.places.values().sum()
     }
 }

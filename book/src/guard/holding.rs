@@ -26,9 +26,6 @@ pub(crate) struct Beside {
     pub(crate) words: Words,
 }
 
-/// The kind of a quantity in words.
-const WORDS: &str = "words";
-
 /// All that was found in a chapter.
 #[derive(Debug, Default)]
 pub(crate) struct Findings {
@@ -141,19 +138,11 @@ impl Checker<'_> {
         if let Kind::Heading(level) = passage.kind {
             self.ordinal(passage, level, &mut numbers);
         }
-        for number in &numbers {
-            let kind = match passage.tex.iter().find(|t| t.at.contains(&number.at.start)) {
-                Some(formula) if formula.display => "display TeX",
-                Some(_) => "TeX",
-                None => name(passage.kind),
-            };
-            self.place(kind, passage, &number.at);
-        }
         let (words, counting) = spelled::spelled(text);
         self.found.counts.counting += counting.len();
-        for word in &words {
-            self.place(WORDS, passage, &word.at);
-        }
+        let all = numbers.iter().map(|number| &number.at).chain(words.iter().map(|word| &word.at));
+        self.found.places.extend(all.map(|at| span(passage, at)));
+        self.found.counts.all += numbers.len() + words.len();
         if passage.kind == Kind::Note {
             // The code's reader holds them.
             let line = self.chapter.line(passage.source(0));
@@ -191,11 +180,6 @@ impl Checker<'_> {
             let holder = holder(&quoted, &word.at).or_else(drawn);
             self.settle(passage, own, &word.at, holder, phrases);
         }
-    }
-
-    fn place(&mut self, kind: &'static str, passage: &Passage, at: &Range<usize>) {
-        *self.found.counts.places.entry(kind).or_default() += 1;
-        self.found.places.push(span(passage, at));
     }
 
     /// Notes a word that only counts, for the list.
@@ -331,14 +315,4 @@ fn span(passage: &Passage, at: &Range<usize>) -> Range<usize> {
 fn holder(quoted: &[(Range<usize>, Holder)], at: &Range<usize>) -> Option<Holder> {
     let held = quoted.iter().find(|(range, _)| range.start <= at.start && at.end <= range.end);
     held.map(|(_, holder)| *holder)
-}
-
-fn name(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Caption => "caption",
-        Kind::Row => "table",
-        Kind::Alt => "alt text",
-        Kind::Comment | Kind::Note => "comment",
-        Kind::Prose | Kind::Heading(_) => "prose",
-    }
 }

@@ -26,60 +26,22 @@ impl Spelled {
 }
 
 /// What makes a quantity of the number word before it.
-const UNITS: [&str; 18] = [
-    "radians a second",
-    "radian a second",
-    "turns a second",
-    "turn a second",
-    "radians",
-    "radian",
-    "per second",
-    "per cent",
-    "percent",
-    "degrees",
-    "seconds",
-    "second",
-    "minutes",
-    "joules",
-    "metres",
-    "kilograms",
-    "kilogram",
-    "hours",
-];
+const UNITS: &str = "radians a second,radian a second,turns a second,turn a second,radians,radian,\
+    per second,per cent,percent,degrees,seconds,second,\
+    minutes,joules,metres,kilograms,kilogram,hours";
 
 /// The length of the unit, with the blank before it, that the text begins with.
 fn unit(text: &str) -> Option<usize> {
     let text = text.strip_prefix(' ')?;
-    let whole = |unit: &&&str| {
-        text.strip_prefix(**unit).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
+    let whole = |unit: &&str| {
+        text.strip_prefix(*unit).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
     };
-    UNITS.iter().find(whole).map(|unit| 1 + unit.len())
+    UNITS.split(',').find(whole).map(|unit| 1 + unit.len())
 }
 
-const CARDINALS: [&str; 21] = [
-    "zero",
-    "one",
-    "two",
-    "three",
-    "four",
-    "five",
-    "six",
-    "seven",
-    "eight",
-    "nine",
-    "ten",
-    "eleven",
-    "twelve",
-    "thirteen",
-    "fourteen",
-    "fifteen",
-    "sixteen",
-    "seventeen",
-    "eighteen",
-    "nineteen",
-    "twenty",
-];
-const TENS: [&str; 8] = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"];
+const CARDINALS: &str = "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen \
+    sixteen seventeen eighteen nineteen twenty";
+const TENS: &str = "twenty thirty forty fifty sixty seventy eighty ninety";
 const POWERS: [(&str, f64); 4] = [("hundred", 1e2), ("thousand", 1e3), ("million", 1e6), ("billion", 1e9)];
 /// Fractions by the number that they are one part of.
 const PARTS: [(&str, f64); 9] = [
@@ -98,9 +60,9 @@ const MULTIPLES: [(&str, f64); 5] =
 
 fn cardinal(word: &str) -> Option<f64> {
     let small =
-        |word: &str| CARDINALS.iter().zip(0_u8..).find(|(c, _)| **c == word).map(|(_, n)| f64::from(n));
+        |word: &str| CARDINALS.split(' ').zip(0_u8..).find(|(c, _)| *c == word).map(|(_, n)| f64::from(n));
     let tens =
-        |word: &str| TENS.iter().zip(2_u8..).find(|(t, _)| **t == word).map(|(_, n)| f64::from(n * 10));
+        |word: &str| TENS.split(' ').zip(2_u8..).find(|(t, _)| *t == word).map(|(_, n)| f64::from(n * 10));
     let both = || word.split_once('-').and_then(|(ten, one)| Some(tens(ten)? + small(one)?));
     let power = || POWERS.iter().find(|(name, _)| *name == word).map(|&(_, p)| p);
     small(word).or_else(|| tens(word)).or_else(both).or_else(power)
@@ -112,37 +74,14 @@ fn part(word: &str) -> Option<f64> {
 }
 
 /// Words that count or order, besides the cardinals.
-const COUNTING: [&str; 25] = [
-    "first",
-    "second",
-    "third",
-    "thirds",
-    "fourth",
-    "fifth",
-    "sixth",
-    "seventh",
-    "eighth",
-    "ninth",
-    "tenth",
-    "sixteenth",
-    "half",
-    "halves",
-    "quarter",
-    "quarters",
-    "once",
-    "ones",
-    "double",
-    "doubled",
-    "triple",
-    "dozen",
-    "hundreds",
-    "thousands",
-    "millions",
-];
+const COUNTING: &str = "first second third thirds fourth fifth sixth seventh eighth ninth tenth sixteenth half halves \
+    quarter quarters once ones double doubled triple dozen hundreds thousands millions";
 
 /// Whether a word, or a part of it between hyphens, counts or orders.
 fn counts(word: &str) -> bool {
-    let known = |word: &str| cardinal(word).is_some() || part(word).is_some() || COUNTING.contains(&word);
+    let known = |word: &str| {
+        cardinal(word).is_some() || part(word).is_some() || COUNTING.split(' ').any(|known| known == word)
+    };
     known(word) || word.split('-').any(known)
 }
 

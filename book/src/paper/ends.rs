@@ -98,7 +98,7 @@ fn is_moved(fold: &Element) -> bool {
 }
 
 fn chapter_heading(page: &str, title: &str) -> Node {
-    let back = link(&format!("{page}.html"), vec![Node::Text(crate::places::escaped(title))]);
+    let back = link(&format!("{page}.html"), vec![Node::Text(crate::site::places::escaped(title))]);
     Element::new("h2", &[("id", &format!("of-{page}"))], vec![back]).into()
 }
 

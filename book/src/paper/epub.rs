@@ -3,8 +3,8 @@
 use super::page::Page;
 use super::pages::{Paper, sections};
 use super::tree::{Node, each, rewritten, xml};
-use crate::paths;
-use crate::places::escaped;
+use crate::site::paths;
+use crate::site::places::escaped;
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 use std::time::{Duration, SystemTime};

@@ -3,8 +3,8 @@
 use super::pages::Paper;
 use super::sheet::{self, Size};
 use super::tree::{Element, Node, rewritten, xml};
-use crate::goals;
-use crate::places::escaped;
+use crate::site::goals;
+use crate::site::places::escaped;
 
 /// The handout of a chapter as HTML, set this closely.
 ///

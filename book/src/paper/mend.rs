@@ -6,7 +6,7 @@
 
 use super::numbers;
 use super::pages::About;
-use crate::places::escaped;
+use crate::site::places::escaped;
 use flate2::Compression;
 use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;

@@ -17,8 +17,9 @@ mod tests;
 mod title;
 mod tree;
 
-use crate::files::write_changed;
-use crate::{paths, say};
+use crate::say;
+use crate::site::files::write_changed;
+use crate::site::paths;
 use pages::{About, Paper};
 use sheet::Size;
 use std::path::{Path, PathBuf};

@@ -9,7 +9,7 @@ use super::page::{Page, opened};
 use super::still;
 use super::tree::{self, Element, Node, each, parse, rewritten};
 use crate::preprocess::Preprocess;
-use crate::{build, paths};
+use crate::site::{build, paths};
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::BookItem;
 use std::collections::{BTreeMap, BTreeSet};

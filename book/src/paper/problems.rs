@@ -4,7 +4,7 @@ use super::page::Page;
 use super::pages::Paper;
 use super::sheet::{self, Size, after};
 use super::tree::{Element, Node, rewritten, xml};
-use crate::places::escaped;
+use crate::site::places::escaped;
 use std::fmt::Write as _;
 
 /// The page with the problems; its sections have the names of the chapters.

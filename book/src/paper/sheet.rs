@@ -4,8 +4,8 @@ use super::mend;
 use super::page::Page;
 use super::pages::{Paper, sections};
 use super::tree::{Element, Node, xml};
-use crate::paths;
-use crate::places::escaped;
+use crate::site::paths;
+use crate::site::places::escaped;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use std::fmt::Write as _;
 

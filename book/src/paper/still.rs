@@ -2,7 +2,7 @@
 
 use super::ink;
 use super::tree::{Element, Node, parse};
-use crate::paths;
+use crate::site::paths;
 use std::collections::BTreeSet;
 use std::fs;
 

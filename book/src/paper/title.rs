@@ -3,8 +3,8 @@
 use super::ink;
 use super::pages::Paper;
 use super::tree::{Node, parse, xml};
-use crate::paths;
-use crate::places::escaped;
+use crate::site::paths;
+use crate::site::places::escaped;
 
 /// The cover: a drawing of the book, as a file of its own.
 ///

@@ -1,7 +1,7 @@
 //! The atlas: `{{#atlas}}`, alone in its line, becomes the committed record as tables, and a script that
 //! searches them. Without the script the tables are simply shown.
 
-use crate::places::escaped;
+use crate::site::places::escaped;
 use tumbling_measure::atlas::{Fate, Precision, Row, recorded};
 
 const DIRECTIVE: &str = "{{#atlas}}";

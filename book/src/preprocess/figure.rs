@@ -6,7 +6,7 @@ use super::edits::Edits;
 use super::palette::Palette;
 use super::svg::{self, Drawing};
 use super::{Folders, Piece, Source};
-use crate::files::write_changed;
+use crate::site::files::write_changed;
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::collections::BTreeMap;
 use std::fs;

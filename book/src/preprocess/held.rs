@@ -6,7 +6,7 @@
 //! words in `search.toml`, by which a reader would look for a page, stand in it only as long as the index is
 //! made. Where mdBook builds the book by itself, drawings and widgets stand in the chapters from the first.
 
-use crate::places::escaped;
+use crate::site::places::escaped;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::collections::BTreeMap;
 use std::fs;

@@ -20,7 +20,7 @@ mod theme;
 mod turning;
 mod widget;
 
-use crate::goals;
+use crate::site::goals;
 use edits::Edits;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::errors::{Error, Result};

@@ -1,6 +1,6 @@
 //! A drawing, as its own document and as a part of a page.
 
-use crate::places::escaped;
+use crate::site::places::escaped;
 
 /// A drawing that may stand in a page: it is one `<svg>` and its ids cannot clash with another's.
 #[derive(Debug)]

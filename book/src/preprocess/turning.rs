@@ -1,6 +1,6 @@
 //! The foot of each page: the chapter before and the one after, each with a sentence.
 
-use crate::places::{Sentences, escaped};
+use crate::site::places::{Sentences, escaped};
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,7 @@
 
 use super::edits::Edits;
 use super::{Folders, Piece, Source};
-use crate::files::write_changed;
+use crate::site::files::write_changed;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use pulldown_cmark::{Event, Tag};
 use std::collections::BTreeMap;

@@ -1,7 +1,8 @@
 //! Drawing figures into their committed files, or checking that these are what would be drawn.
 
-use crate::files::write_changed;
-use crate::{paths, say};
+use crate::say;
+use crate::site::files::write_changed;
+use crate::site::paths;
 use std::any::Any;
 use std::fs;
 use std::panic::{RefUnwindSafe, catch_unwind};

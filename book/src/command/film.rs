@@ -1,8 +1,8 @@
 //! Films of a body in free motion.
 
-use crate::export::{own_folder_refused, theme};
-use crate::files::write_changed;
+use crate::command::export::{own_folder_refused, theme};
 use crate::say;
+use crate::site::files::write_changed;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -241,7 +241,7 @@ fn frames(
 mod tests {
     use super::*;
     use crate::cli::Cli;
-    use crate::paths;
+    use crate::site::paths;
     use clap::Parser as _;
     use std::fs;
 

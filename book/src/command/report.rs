@@ -1,8 +1,8 @@
 //! The command `report`: one page on a body, as HTML and as PDF.
 
-use crate::draw::folder_name;
-use crate::files::write_changed;
+use crate::command::draw::folder_name;
 use crate::say;
+use crate::site::files::write_changed;
 use clap::Args;
 use std::error::Error;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,11 @@
 //! Building the pages.
 
+use crate::command::docs;
 use crate::preprocess::held::Held;
 use crate::preprocess::{Bare, Holding};
-use crate::share::{self, Site};
-use crate::{docs, log, paths, say};
+use crate::say;
+use crate::site::share::{self, Site};
+use crate::site::{log, paths};
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 use std::fs;
@@ -106,7 +108,7 @@ mod tests {
         let folder = tempfile::TempDir::new().unwrap();
         let site = Site::parse("https://example.org/book/").unwrap();
         let pages = build_into(Some(folder.path()), Some(&site)).unwrap();
-        let chapters = include_str!("../chapters/SUMMARY.md").matches("](").count();
+        let chapters = include_str!("../../chapters/SUMMARY.md").matches("](").count();
         // Besides the chapters: the first once more as index, the table of contents, the whole book
         // for printing, and the page for addresses that lead nowhere.
         assert_eq!(pages, chapters + 4);

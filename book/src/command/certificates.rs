@@ -1,7 +1,8 @@
 //! Writing the theorems for Coq, or checking that the committed ones are what would be written.
 
-use crate::files::write_changed;
-use crate::{paths, say};
+use crate::say;
+use crate::site::files::write_changed;
+use crate::site::paths;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;

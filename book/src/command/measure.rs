@@ -1,6 +1,7 @@
 //! The command `measure`: error against run time, on this machine.
 
-use crate::{paths, say};
+use crate::say;
+use crate::site::paths;
 use clap::{Args, Subcommand};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};

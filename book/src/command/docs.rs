@@ -1,6 +1,6 @@
 //! The library's documentation, made by rustdoc and laid beside the pages, where the chapters link to it.
 
-use crate::paths;
+use crate::site::paths;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

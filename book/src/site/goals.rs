@@ -1,6 +1,6 @@
 //! What a reader can do after each chapter, `book/goals.toml`, and by which exercise or question it shows.
 
-use crate::paths;
+use crate::site::paths;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,6 @@
 //! What a page says to other programs: its description, how it looks when shared, and the map of the site.
 
-use crate::places::{Sentences, escaped};
+use crate::site::places::{Sentences, escaped};
 use std::fs;
 use std::path::Path;
 

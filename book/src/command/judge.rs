@@ -1,7 +1,7 @@
 //! The command `judge`: an engine's record in, a verdict out.
 
-use crate::chapters::chapter;
 use crate::complain;
+use crate::site::chapters::chapter;
 use clap::Args;
 use nalgebra::Vector3;
 use std::fs::File;

@@ -1,8 +1,9 @@
 //! Figures as files for other programs: slides, papers, printers.
 
-use crate::draw::each_made;
-use crate::files::write_changed;
-use crate::{paths, say};
+use crate::command::draw::each_made;
+use crate::say;
+use crate::site::files::write_changed;
+use crate::site::paths;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use tumbling_bodies::BodyModel;

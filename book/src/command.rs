@@ -1,0 +1,11 @@
+//! What the commands do, one in a file; the command line itself stands in `cli`.
+
+pub(crate) mod certificates;
+pub(crate) mod docs;
+pub(crate) mod draw;
+pub(crate) mod exercises;
+pub(crate) mod export;
+pub(crate) mod film;
+pub(crate) mod judge;
+pub(crate) mod measure;
+pub(crate) mod report;

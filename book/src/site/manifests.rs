@@ -1,0 +1,30 @@
+//! What the manifests say of versions.
+
+use crate::site::paths;
+use std::fs;
+
+/// The versions that a reader is told, each with its name: `Rust 1.95`.
+///
+/// # Errors
+/// A manifest that cannot be read, or that lacks one of them.
+pub(crate) fn versions() -> Result<Vec<String>, String> {
+    let manifest = |folder: &std::path::Path| -> Result<toml::Table, String> {
+        let file = folder.join("Cargo.toml");
+        let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+        text.parse().map_err(|e| format!("{}: {e}", file.display()))
+    };
+    let (whole, book) = (manifest(paths::repository())?, manifest(paths::book())?);
+    let package = |key: &str| whole.get("workspace")?.get("package")?.get(key)?.as_str();
+    let mdbook = || book.get("dependencies")?.get("mdbook-preprocessor")?.as_str()?.rsplit_once('.');
+    let versions = [
+        ("Rust", package("rust-version")),
+        ("Apache", package("license").and_then(|license| license.rsplit_once("Apache-")).map(|(_, v)| v)),
+        ("mdBook", mdbook().map(|(major_minor, _)| major_minor)),
+    ];
+    let named = |(name, version): (&str, Option<&str>)| {
+        version
+            .map(|v| format!("{name} {v}"))
+            .ok_or_else(|| format!("the manifests have no version of {name}"))
+    };
+    versions.into_iter().map(named).collect()
+}
