@@ -15,7 +15,7 @@ import { chromium } from "playwright-core";
 import { figures } from "./figures.mjs";
 import { foreignLetters, watchCanvases, withFonts } from "./fonts.mjs";
 import { comesToRest, liveJobs } from "./live.mjs";
-import { atlas, codeFolds, keyboard, questions, search, withoutScripts } from "./reader.mjs";
+import { codeFolds, keyboard, questions, search, withoutScripts } from "./reader.mjs";
 import { serve } from "./serve.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
@@ -205,7 +205,6 @@ const jobs = [
   { name: "questions", run: () => questions(open, bases.file, pages, fault) },
   ...Object.entries(bases).flatMap(([kind, base]) => [
     { name: `keyboard, ${kind}`, run: async () => keyboard(await open(base), base, fault) },
-    { name: `atlas, ${kind}`, run: async () => atlas(await open(base), base, fault) },
     { name: `search, ${kind}`, run: async () => search(await open(base), base, fault) },
     { name: `code folds, ${kind}`, run: async () => codeFolds(await open(base), base, fault) },
   ]),

@@ -98,22 +98,6 @@ export async function search(page, base, fault) {
   await page.context().close();
 }
 
-/** The atlas is searched by its lists and by a click in its tables. */
-export async function atlas(page, base, fault) {
-  const wants = (what, holds) => holds || fault(`atlas, ${base.slice(0, 4)}`, what);
-  await page.goto(base + "records.html");
-  const said = () => page.textContent(".atlas-fate");
-  const lists = page.locator(".atlas-choice select");
-  await lists.nth(0).selectOption("damping");
-  await lists.nth(1).selectOption("10");
-  await lists.nth(2).selectOption("explicit Euler");
-  wants(`it says what becomes of a choice: ${await said()}`, /^explicit Euler \(damping, .*: 10\): it \w/.test(await said()));
-  wants("one table is shown", (await page.locator(".atlas .table-wrapper:visible").count()) === 1);
-  await page.locator(".atlas .table-wrapper:visible tbody tr").nth(3).locator("td").nth(2).click();
-  wants("a click chooses", (await lists.nth(1).inputValue()) === "0.5" && !(await said()).startsWith("explicit Euler"));
-  await page.context().close();
-}
-
 /** Text, figures and formulas of an open page are there without scripts too. */
 export async function withoutScripts(open, base, page, fault) {
   const count = () => {

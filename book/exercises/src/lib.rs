@@ -2,9 +2,9 @@
 //!
 //! Each is one file, `whole/NAME.md`: the task, a Rust block with a place left open, hints, what to put
 //! there, and wrong answers. All else is made of it: the page's folds, the file that a reader edits
-//! (`stubs/NAME.md`, made by the first `cargo exercise NAME`, the program in `command/`, which runs its block as a
-//! doc-test of its own), and the program of `tests/proof.rs`, which runs every block open, solved and answered
-//! wrongly.
+//! (`stubs/NAME.md`, made by the first `cargo exercise NAME`, the program in `command/`, which runs its
+//! block as a doc-test of its own), and the program of `tests/proof.rs`, which runs every block open,
+//! solved and answered wrongly.
 //!
 //! The reader's files are tested only with the feature `mine`: `cargo test` proves the exercises and stays
 //! green, however far the reader has come.

@@ -7,6 +7,7 @@ use crate::torques::is_loss;
 use std::fmt::Write as _;
 
 /// A count of instructions in two digits.
+#[expect(clippy::disallowed_methods, reason = "a plan in words rounds its numbers")]
 fn about(x: f64) -> String {
     if x < 1.0 {
         return "none".to_owned();

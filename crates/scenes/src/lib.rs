@@ -31,6 +31,7 @@
 //! compared with a finer one, and refined until the two agree to half of the accuracy, or to a tenth if the
 //! coarser is to answer. That is evidence, not proof.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))] // of clippy.toml
 
 pub mod batch;
 pub mod ensemble;
