@@ -90,7 +90,7 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
     Judge(judge::Arguments),
     /// Run every method against the exact motion, some minutes; renews crates/measure/record/
     Measure(measure::Arguments),
-    /// Run every method on every hard case, some seconds; renews crates/measure/record/atlas.tsv
+    /// Run every method on every hard case under torques, and say how each ends
     Atlas,
     /// Print a script that completes commands in your shell, for target/release/tumbling-book
     Completions { shell: Shell },
@@ -291,11 +291,7 @@ mod tests {
             &["report", "phone", "--out", "reports"],
             &["measure"],
             &["measure", "--quick", "--peers"],
-            &["measure", "--long", "Buss"],
-            &["measure", "scale", "--quick"],
             &["measure", "scenes", "--check"],
-            &["measure", "scenes", "--builds"],
-            &["measure", "count", "name", "1"],
             &["atlas"],
             &["completions", "fish"],
             &["preprocess"],

@@ -36,8 +36,8 @@ pub struct Figure {
     /// The chapter's file name without its ending, for instance `two-arrows`.
     pub chapter: &'static str,
     draw: fn() -> Result<picture::Picture, Box<dyn std::error::Error>>,
-    /// How it is drawn for another body, or why it is not.
-    of_body: Result<Follows, &'static str>,
+    /// How it is drawn for another body, if it shows a body and not a record, a rule or the book's example.
+    of_body: Option<Follows>,
 }
 
 /// A figure that follows a body.
@@ -58,7 +58,7 @@ impl Figure {
         Ok(canvas.finish(self.name, self.shows, &picture::with_powers(&description)))
     }
 
-    /// The same for another body: its numbers, its shape, with units and ticks that suit them.
+    /// Draws it for another body: its numbers, its shape, with units and ticks that suit them.
     ///
     /// # Errors
     /// That this figure is about no one body, or that the body has nothing of what it shows, in a sentence;
@@ -71,7 +71,8 @@ impl Figure {
     }
 
     fn picture_of(&self, body: &BodyModel) -> Result<picture::Drawing, String> {
-        let follows = self.of_body.map_err(|why| format!("it follows no other body: {why}"))?;
+        let follows =
+            self.of_body.ok_or("it shows a record, a rule or the book's own example, not one body")?;
         let subject = of_body::Subject::new(body).map_err(|error| error.to_string())?;
         Ok((follows.draw)(&subject))
     }
@@ -79,12 +80,12 @@ impl Figure {
     /// Whether it can be drawn for another body.
     #[must_use]
     pub fn follows_a_body(&self) -> bool {
-        self.of_body.is_ok()
+        self.of_body.is_some()
     }
 }
 
 /// Every figure, in the order of the book.
 #[must_use]
 pub fn registry() -> &'static [Figure] {
-    &figures::ALL
+    figures::ALL
 }

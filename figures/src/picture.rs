@@ -12,6 +12,13 @@ pub(crate) struct Picture {
 
 pub(crate) type Drawing = Result<Picture, Box<dyn std::error::Error>>;
 
+impl Canvas {
+    /// This sheet as a picture, and what it shows in words.
+    pub(crate) fn described(self, description: impl Into<String>) -> Drawing {
+        Ok(Picture { canvas: self, description: description.into() })
+    }
+}
+
 /// The ink of a principal axis.
 pub(crate) fn ink_of(axis: Axis) -> Ink {
     match axis {
@@ -30,7 +37,7 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
     }
 }
 
-/// The same in letters that are as large as the others.
+/// A power of ten in letters that are as large as the others.
 pub(crate) fn raised(exponent: i32) -> String {
     let digits = exponent.unsigned_abs().to_string();
     let high = digits.chars().filter_map(|c| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c.to_digit(10)? as usize));

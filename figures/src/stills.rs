@@ -1,7 +1,6 @@
 //! Stills of what moves in the pages, for paper: a body in flight, at equal instants.
 
-use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
-use crate::ink::Ink;
+use crate::draw::{Canvas, Cuboid, Fill, Ink, Label, P, Pen, View};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -9,13 +8,11 @@ use tumbling::body::named::{BOOK, NamedBody, PHONE};
 use tumbling::{Axis, Body, exact::FreeMotion};
 
 /// A toss about the middle axis of a flat body: its width along x, its thickness along y, its height along z.
-struct Toss {
+struct Flight {
     body: NamedBody,
     sizes: [f64; 3],
     /// What it is called.
     words: &'static str,
-    /// Turns a second.
-    turns: f64,
     /// The spin about each of the other axes, as a part of the one about the middle axis.
     push: f64,
     /// Seconds from one picture to the next.
@@ -24,6 +21,8 @@ struct Toss {
     scale: f64,
 }
 
+/// Turns a second.
+const TURNS: f64 = 2.0;
 const ROWS: usize = 2;
 const COLUMNS: usize = 6;
 
@@ -33,35 +32,20 @@ const COLUMNS: usize = 6;
 /// What the library or the drawing reported.
 #[must_use]
 pub fn still(widget: &str) -> Option<Result<String, Box<dyn Error>>> {
+    let flight = |body, sizes, words, push, step, scale| Flight { body, sizes, words, push, step, scale };
     let toss = match widget {
-        "toss" => Toss {
-            body: NamedBody::Book,
-            sizes: BOOK.sizes,
-            words: "a book",
-            turns: 2.0,
-            push: 0.05,
-            step: 0.1,
-            scale: 280.0,
-        },
-        "tumble" => Toss {
-            body: NamedBody::Phone,
-            sizes: PHONE.sizes,
-            words: "a phone",
-            turns: 2.0,
-            push: 0.01,
-            step: 0.15,
-            scale: 400.0,
-        },
+        "toss" => flight(NamedBody::Book, BOOK.sizes, "a book", 0.05, 0.1, 280.0),
+        "tumble" => flight(NamedBody::Phone, PHONE.sizes, "a phone", 0.01, 0.15, 400.0),
         _ => return None,
     };
-    Some(flight(widget, &toss))
+    Some(drawn(widget, &toss))
 }
 
-fn flight(widget: &str, toss: &Toss) -> Result<String, Box<dyn Error>> {
+fn drawn(widget: &str, toss: &Flight) -> Result<String, Box<dyn Error>> {
     let inertia = toss.body.properties()?.inertia();
     let axes = inertia.principal();
     let [easy, middle, hard] = Axis::ALL.map(|axis| axes.axis(axis));
-    let omega = (middle + (easy + hard) * toss.push) * (toss.turns * TAU);
+    let omega = (middle + (easy + hard) * toss.push) * (TURNS * TAU);
     // The momentum lies level, to the right.
     let level = UnitQuaternion::rotation_between(&inertia.momentum(&omega), &Vector3::x());
     let start = Body::spinning(inertia, level.ok_or("a momentum to the left")?, &omega)?;
@@ -91,7 +75,7 @@ fn flight(widget: &str, toss: &Toss) -> Result<String, Box<dyn Error>> {
         &format!(
             "{words} with {:.0} turns a second about its middle axis and {} of that about each other axis, drawn every {} s. The \
              momentum, an orange arrow, stays; the spin, a blue one, sways about it. After {flip:.2} s the other face is up.",
-            toss.turns, toss.push, toss.step
+            TURNS, toss.push, toss.step
         ),
     ))
 }

@@ -157,8 +157,7 @@ fn spins(canvas: &Canvas, verdict: &Verdict, end: f64) -> Drawn {
     let (exact, found) = (size(|point| &point.exact_range), size(|point| &point.spin_range));
     let most = 1.12 * exact.max(found.min(ROOM * exact));
     let most = if most > 0.0 && most.is_finite() { most } else { 1.0 };
-    let plot =
-        Plot::new(canvas, LEFT, SPIN[0], RIGHT, SPIN[1], Scale::linear(0.0..end), Scale::linear(-most..most));
+    let plot = Plot::new(canvas, [LEFT, SPIN[0], RIGHT, SPIN[1]], 0.0..end, -most..most);
     let name = ["$ω_1$", "$ω_2$", "$ω_3$"][axis.min(2)];
     let middle = verdict.flips.is_some() && middle(verdict) == axis;
     let about = if middle { ", middle axis" } else { "" };
@@ -265,8 +264,7 @@ fn errors(canvas: &Canvas, verdict: &Verdict, end: f64, upper: f64, drawn: &[Sai
     let top = (largest.log10().ceil() as i32).clamp(-12, 300);
     let ceiling = 10_f64.powi(top);
     let lower = upper + HIGH;
-    let plot =
-        Plot::new(canvas, LEFT, upper, RIGHT, lower, Scale::linear(0.0..end), Scale::log(FLOOR..ceiling));
+    let plot = Plot::new(canvas, [LEFT, upper, RIGHT, lower], 0.0..end, Scale::log(FLOOR..ceiling));
     let every = ((top + 21) / 6).max(1);
     plot.x_axis(ticks(0.0, end), "time $t$ (s)");
     plot.y_axis((-16..=top).filter(|n| (n + 16) % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n))), "");

@@ -14,11 +14,8 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Where each kind begins, and what follows it.
-const KINDS: [(&str, &str); 3] = [
-    ("<svg", "</div>\n<a class=\"fig-large\""),
-    ("<div class=\"live\"", "\n<script src=\""),
-    ("<div class=\"atlas\"", "\n<script>"),
-];
+const KINDS: [(&str, &str); 2] =
+    [("<svg", "</div>\n<a class=\"fig-large\""), ("<div class=\"live\"", "\n<script src=\"")];
 
 const OPENING: &str = "<!--held ";
 const CLOSING: &str = "-->";

@@ -4,7 +4,6 @@
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
 //! a figure, a widget or a program; what only looks like one stays as written.
 
-mod atlas;
 mod check;
 mod edits;
 mod exercises;
@@ -114,9 +113,7 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
             return;
         };
         let written = Source { path: &path, text: &chapter.content };
-        let text = exercises::replace(&written, &exercises)
-            .and_then(|text| atlas::replace(&text))
-            .and_then(|text| goals::replace(&text));
+        let text = exercises::replace(&written, &exercises).and_then(|text| goals::replace(&text));
         let text = match text {
             Ok(text) => text,
             Err(fault) => return faults.push(fault),

@@ -1,9 +1,9 @@
 """Published integrators of Python on the stories with a torque: DOP853 of SciPy, and heyoka, a Taylor integrator that compiles the law.
 
 The program of the peers runs this and asks by lines, `SOLVER<tab>STORY<tab>TOLERANCE`; each is answered by a line: seconds, steps,
-evaluations of the law (0 where they are not counted), the attitude (scalar first), the momentum in body axes; or `refused`, and why. The
-first line names the solvers found here, with their versions. The time is that of one run in this process, from a state that is set to one
-that is read; compiling the law, and all else that is done once, is left out. SciPy's law is plain Python: it stands here for scale.
+the attitude (scalar first), the momentum in body axes; or `refused`, and why. The first line names the solvers found here, with their
+versions. The time is that of one run in this process, from a state that is set to one that is read; compiling the law, and all else that
+is done once, is left out. SciPy's law is plain Python: it stands here for scale.
 
     python3 -m venv ENV; ENV/bin/pip install -r crates/measure/peers/requirements.txt
     PATH=ENV/bin:$PATH cargo run --release -- measure --peers
@@ -97,7 +97,7 @@ class Compiled:
                 run.pars[:] = torque
             steps += run.propagate_until(end)[3]
         state = run.state.tolist()
-        return perf_counter() - start, steps, 0, state
+        return perf_counter() - start, steps, state
 
 
 class Interpreted:
@@ -107,7 +107,7 @@ class Interpreted:
         self.law, self.tolerance = Law(story), tolerance
 
     def run(self):
-        law, steps, evaluations, at = self.law, 0, 0, 0.0
+        law, steps, at = self.law, 0, 0.0
         start = perf_counter()
         state = law.start
         for seconds, torque in law.phases:
@@ -119,9 +119,9 @@ class Interpreted:
                 if run.status == "failed":
                     raise ValueError(why)
                 steps += 1
-            at, state, evaluations = at + seconds, run.y, evaluations + run.nfev
+            at, state = at + seconds, run.y
         state = [float(x) for x in state]
-        return perf_counter() - start, steps, evaluations, state
+        return perf_counter() - start, steps, state
 
 
 KINDS = {"heyoka": Compiled, "SciPy": Interpreted}
@@ -133,9 +133,9 @@ def answer(solver, story, tolerance):
     if key not in READY:
         READY[key] = KINDS[solver](STORIES[story], float(tolerance))
     ready = READY[key]
-    seconds, steps, evaluations, state = ready.run()
+    seconds, steps, state = ready.run()
     state[4:] = [x * ready.law.size for x in state[4:]]
-    return " ".join(map(repr, [seconds, steps, evaluations, *state]))
+    return " ".join(map(repr, [seconds, steps, *state]))
 
 
 def main():

@@ -1,259 +1,209 @@
-//! The atlas: every method on every hard case, and what became of it.
+//! The atlas: how each method ends on each hard case under torques.
 //!
-//! A [`Chart`] sweeps one difficulty (a turn per step, a needle's thinness, a push, a damping, or a list of
-//! named cases); each of its [`Place`]s is one run of one method, judged with the rules of [`Fate`]: against
-//! the exact motion, or, under torques, against a table of many digits. A run in single precision is judged
-//! on the body that it is given, with rounded numbers. No time is measured, so the same machine always draws
-//! the same atlas.
+//! A chart sweeps one difficulty: a damping, a weight, a needle's thinness, the frequency of a push. Where the
+//! body of each case truly is at the end, `data/atlas.py` computed to 20 digits, by Taylor series that share
+//! no code with the library. No time is measured, so every machine draws the same atlas.
 
-mod cases;
-mod driven;
-mod run;
+use crate::AnyError;
+use crate::drive::{Components, Drive, digits};
+use crate::errors::turn;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use num_traits::{FromPrimitive, ToPrimitive};
+use serde::Deserialize;
+use tumbling::number::Analytic;
+use tumbling::step::{Method, State, Stepper};
+use tumbling::{Body, Error, Inertia};
 
-pub use cases::{Case, Chart, charts};
-pub use driven::DRIVEN;
-
-use crate::story::Wrong;
-use std::fmt;
-use tumbling::step::Method;
-
-/// What became of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+/// How a run on a hard case ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fate {
-    /// All is within its bounds: energy and momentum to a hundredth, the count of flips, the last flip or the
-    /// attitude to a tenth.
+    /// The momentum is right to a hundredth, the attitude to a tenth of a radian.
     Right,
-    /// The flips are counted right, but the last comes more than a tenth of the time between flips too early
-    /// or late; of a motion without flips, or under torques, the attitude is off by more than a tenth of a
-    /// radian, or the momentum's direction by as much.
+    /// The attitude is off by more than a tenth of a radian, or the momentum's direction by as much.
     Late,
-    /// Energy or momentum is off by more than a hundredth, and no more than a tenth.
-    Worn,
-    /// The wrong number of sign changes of the watched spin.
-    WrongFlips,
-    /// Energy, or momentum, more than a tenth too high.
+    /// The momentum is off by more than a hundredth, and no more than a tenth.
+    Inaccurate,
+    /// The momentum is more than a tenth too long.
     Gained,
-    /// Energy, or momentum, more than a tenth too low.
+    /// The momentum is more than a tenth too short.
     Lost,
-    /// Damping that turned the momentum round.
-    Reversed,
     /// An error that says why.
     Refused,
     /// Infinite or not a number, without an error.
     NotFinite,
 }
 
-impl Precision {
-    /// As Rust calls it.
-    #[must_use]
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Single => "f32",
-            Self::Double => "f64",
-        }
-    }
-}
-
 impl Fate {
-    /// All of them, best first.
-    pub const ALL: [Self; 9] = [
-        Self::Right,
-        Self::Late,
-        Self::Worn,
-        Self::WrongFlips,
-        Self::Gained,
-        Self::Lost,
-        Self::Reversed,
-        Self::Refused,
-        Self::NotFinite,
-    ];
-
-    /// One word.
+    /// One word or two.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
             Self::Right => "right",
             Self::Late => "late",
-            Self::Worn => "worn",
-            Self::WrongFlips => "miscounted",
+            Self::Inaccurate => "inaccurate",
             Self::Gained => "gained",
             Self::Lost => "lost",
-            Self::Reversed => "reversed",
             Self::Refused => "refused",
             Self::NotFinite => "not finite",
         }
     }
 }
 
-impl fmt::Display for Fate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
-    }
+/// The relative error that the adaptive run is allowed.
+pub const TOLERANCE: f64 = 1e-10;
+
+/// The charts, in their order.
+pub const CHARTS: [&str; 7] = ["drag", "one axis", "weight", "shapes", "stop", "resonance", "blow"];
+
+/// A hard case.
+#[derive(Debug, Clone, Deserialize)]
+pub struct Case {
+    /// The chart that it belongs to.
+    pub chart: String,
+    /// What it is called, or the value that is swept.
+    pub name: String,
+    /// Principal moments, kg m².
+    pub moments: Components,
+    /// The spin at the start, rad/s.
+    pub omega: Components,
+    /// The step of the methods with a fixed one, s.
+    pub step: f64,
+    /// When it ends, s.
+    pub t: f64,
+    /// What acts.
+    #[serde(flatten)]
+    pub drive: Drive,
+    /// The true attitude at the end, scalar first.
+    pub attitude: [String; 4],
+    /// The true momentum at the end, body axes, kg m²/s.
+    pub momentum: [String; 3],
 }
 
-/// Who runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Runner {
-    /// The closed form: the whole way at once, or between kicks where a torque acts.
-    Exact,
-    /// The run within a tolerance, which chooses its steps.
-    Adaptive,
-    /// A stepper.
-    Stepper(Method),
+/// All cases, a chart after another, the mildest first.
+///
+/// # Errors
+/// A table that cannot be read.
+pub fn cases() -> Result<Vec<Case>, AnyError> {
+    #[derive(Deserialize)]
+    struct Table {
+        cases: Vec<Case>,
+    }
+    let Table { cases } = serde_json::from_str(include_str!("../data/atlas.json"))?;
+    Ok(cases.into_iter().map(|case| Case { drive: case.drive.until(case.t), ..case }).collect())
 }
 
-impl Runner {
-    /// The exact motion, the run within a tolerance, then every method.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let methods = Method::ALL.iter().map(|&method| Self::Stepper(method));
-        [Self::Exact, Self::Adaptive].into_iter().chain(methods)
+impl Case {
+    /// Where it truly is at the end.
+    ///
+    /// # Errors
+    /// A number of the table that cannot be read.
+    pub fn truth(&self) -> Result<State<f64>, AnyError> {
+        let [w, x, y, z] = digits(&self.attitude)?;
+        Ok(State { attitude: Quaternion::new(w, x, y, z), momentum: digits(&self.momentum)?.into() })
     }
 
-    /// What it is called.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Exact => "exact motion",
-            Self::Adaptive => "adaptive",
-            Self::Stepper(method) => method.info().name,
+    /// Where a method at its fixed step ends, or the adaptive run within a tolerance.
+    ///
+    /// # Errors
+    /// What the library refuses.
+    pub fn run<T>(&self, runner: Option<Method>, tolerance: f64) -> Result<State<f64>, Error>
+    where
+        T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync,
+    {
+        let [a, b, c] = self.moments;
+        let inertia = Inertia::from_moments(a, b, c)?;
+        let mut body = Body::spinning(inertia, UnitQuaternion::identity(), &self.omega.into())?;
+        for &(seconds, pulse) in &self.drive.phases {
+            let (stepper, steps) = match runner {
+                Some(method) => {
+                    (Stepper::<T>::new(&body, method)?, (seconds / self.step).ceil().clamp(1.0, 1e5))
+                }
+                None => (Stepper::adaptive(&body, tolerance, 100_000)?, 1.0),
+            };
+            let mut stepper = stepper.with_torques(self.drive.torques(pulse))?;
+            let h = T::from_f64(seconds / steps).unwrap_or_else(T::zero);
+            stepper.run(h, steps as usize).try_for_each(|state| state.map(drop))?;
+            body = stepper.body()?;
         }
+        Ok(body.state())
+    }
+
+    /// How far one end is from another: the momentum as a share of the larger of those at start and end, and
+    /// the angle, rad.
+    #[must_use]
+    pub fn off(&self, end: &State<f64>, truth: &State<f64>) -> [f64; 2] {
+        let angle = turn(&end.attitude, &truth.attitude);
+        [(end.momentum - truth.momentum).norm() / self.scale(truth), angle]
+    }
+
+    fn scale(&self, truth: &State<f64>) -> f64 {
+        let [moments, omega] = [self.moments, self.omega].map(Vector3::from);
+        moments.component_mul(&omega).norm().max(truth.momentum.norm())
+    }
+
+    /// How it ends in `f64`, the adaptive run within [`TOLERANCE`].
+    ///
+    /// # Errors
+    /// A number of the table that cannot be read.
+    pub fn fate(&self, runner: Option<Method>) -> Result<Fate, AnyError> {
+        let truth = self.truth()?;
+        let Ok(end) = self.run::<f64>(runner, TOLERANCE) else { return Ok(Fate::Refused) };
+        let [momentum, angle] = self.off(&end, &truth);
+        Ok(match (end.momentum.norm() - truth.momentum.norm()) / self.scale(&truth) {
+            longer if !(longer + momentum + angle).is_finite() => Fate::NotFinite,
+            longer if longer > 0.1 => Fate::Gained,
+            longer if longer < -0.1 => Fate::Lost,
+            _ if momentum > 0.1 || angle > 0.1 => Fate::Late,
+            _ if momentum > 0.01 => Fate::Inaccurate,
+            _ => Fate::Right,
+        })
     }
 }
 
-/// The numbers that a run computes with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Precision {
-    /// `f32`.
-    Single,
-    /// `f64`.
-    Double,
-}
-
-/// A run's place in the atlas.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
-    /// The chart's name.
-    pub chart: &'static str,
-    /// The case's name.
-    pub case: String,
-    /// Who ran.
-    pub runner: &'static str,
-    /// With which numbers.
-    pub precision: Precision,
-    /// What became of it.
-    pub fate: Fate,
-}
-
-/// A line of the committed record.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Row {
-    /// The chart's name.
-    pub chart: &'static str,
-    /// The case's name.
-    pub case: &'static str,
-    /// Who ran.
-    pub runner: &'static str,
-    /// With which numbers.
-    pub precision: Precision,
-    /// What became of it.
-    pub fate: Fate,
-}
-
-/// The committed record, a row for each place.
+/// How the adaptive run and every method end on each of these cases, in their order.
 ///
 /// # Errors
-/// A line that is none of the atlas.
-pub fn recorded() -> Result<Vec<Row>, String> {
-    let lines = include_str!("../record/atlas.tsv").lines().filter(|line| !line.starts_with('#')).skip(1);
-    let read = |line: &'static str| {
-        let fields: Vec<&str> = line.split('\t').collect();
-        let [chart, case, runner, precision, fate] = fields[..] else { return None };
-        let precision = [Precision::Single, Precision::Double].into_iter().find(|p| p.word() == precision)?;
-        let fate = Fate::ALL.into_iter().find(|known| known.word() == fate)?;
-        Some(Row { chart, case, runner, precision, fate })
+/// A number of the table that cannot be read.
+pub fn fates(cases: &[Case]) -> Result<Vec<(&'static str, Vec<Fate>)>, AnyError> {
+    let methods = Method::ALL.iter().copied().map(Some);
+    let ends = |runner: Option<Method>| {
+        let name = runner.map_or("adaptive", |method| method.info().name);
+        Ok((name, cases.iter().map(|case| case.fate(runner)).collect::<Result<_, _>>()?))
     };
-    lines.map(|line| read(line).ok_or_else(|| format!("not a line of the atlas: {line}"))).collect()
+    [None].into_iter().chain(methods).map(ends).collect()
 }
 
-/// Runs everything, some seconds, on as many threads as there are charts.
-///
-/// # Errors
-/// A table that cannot be read, or a case that the exact motion refuses.
-pub fn atlas() -> Result<Vec<Place>, Wrong> {
-    let (free, driven) = (charts()?, driven::charts()?);
-    Ok(std::thread::scope(|scope| {
-        let free = free.iter().map(|chart| scope.spawn(|| filled(chart.name, &chart.cases)));
-        let mut runs: Vec<_> = free.collect();
-        runs.extend(driven.iter().map(|(name, cases)| scope.spawn(|| filled(name, cases))));
-        runs.into_iter().flat_map(|run| run.join().unwrap_or_default()).collect()
-    }))
-}
-
-/// The atlas as a record: a head that says what it is, then a line for each place.
+/// The lines of a table: for each of [`fates`] and each of the [`CHARTS`], in how many cases it is right, and how
+/// many it refuses.
 #[must_use]
-pub fn written(places: &[Place]) -> String {
-    let mut text = String::from(
-        "# What becomes of each method of the library on each hard case, judged against the exact motion, and under \
-         torques against data/atlas.json; in f32 on the body of rounded numbers.\n\
-         # Made by: cargo run --release -- atlas. No time is measured.\n\
-         chart\tcase\trunner\tprecision\tfate\n",
-    );
-    for Place { chart, case, runner, precision, fate } in places {
-        text += &format!("{chart}\t{case}\t{runner}\t{}\t{fate}\n", precision.word());
+pub fn table(cases: &[Case], fates: &[(&str, Vec<Fate>)]) -> Vec<String> {
+    let line = |(name, fates): &(&str, Vec<Fate>)| {
+        let cell = |chart: &str| {
+            let here = cases.iter().zip(fates).filter(|(case, _)| case.chart == chart);
+            let count = |fate| here.clone().filter(|(_, found)| **found == fate).count();
+            match count(Fate::Refused) {
+                0 => count(Fate::Right).to_string(),
+                refused => format!("{}, {refused} refused", count(Fate::Right)),
+            }
+        };
+        format!("| {name} | {} |", CHARTS.map(cell).join(" | "))
+    };
+    fates.iter().map(line).collect()
+}
+
+/// For a terminal: how each of [`fates`] ends on each case, chart by chart.
+#[must_use]
+pub fn text(cases: &[Case], fates: &[(&str, Vec<Fate>)]) -> String {
+    let mut text = String::new();
+    for chart in CHARTS {
+        let of_chart = |case: &Case| case.chart == chart;
+        let names: Vec<&str> = cases.iter().filter(|case| of_chart(case)).map(|case| &*case.name).collect();
+        text += &format!("\n{chart}: {}\n", names.join(" | "));
+        for (name, fates) in fates {
+            let here = cases.iter().zip(fates).filter(|(case, _)| of_chart(case));
+            let words: String = here.map(|(_, fate)| format!(" {:10}", fate.word())).collect();
+            text += &format!("{name:28}{words}\n");
+        }
     }
     text
-}
-
-/// The atlas to be read on a terminal: a table for each chart and precision, a line for each method.
-#[must_use]
-pub fn table(places: &[Place]) -> String {
-    let mut text = String::new();
-    let mut head = None;
-    let mut line = None;
-    for place in places {
-        if head != Some((place.chart, place.precision)) {
-            head = Some((place.chart, place.precision));
-            let cases = places.iter().filter(|p| {
-                p.chart == place.chart && p.precision == place.precision && p.runner == place.runner
-            });
-            text += &format!("\n\n{}, {}:\n", place.chart, place.precision.word());
-            let names: Vec<&str> = cases.map(|p| p.case.as_str()).collect();
-            text += &format!("{}\n", names.join(" | "));
-            line = None;
-        }
-        if line != Some(place.runner) {
-            line = Some(place.runner);
-            text += &format!("\n{:28}", place.runner);
-        }
-        text += &format!(" {:10}", place.fate);
-    }
-    text.trim().to_owned()
-}
-
-/// The error that a run with a chosen step may make in a step, as a share, in `f64` and in `f32`.
-const TOLERANCES: [f64; 2] = [1e-10, 1e-5];
-
-/// Steps that such a run may take.
-const BUDGET: usize = 100_000;
-
-/// A case that a run can be judged on.
-trait Judged {
-    fn name(&self) -> &str;
-
-    /// `None` where there is no such run: the closed form is of `f64` and of free bodies alone.
-    fn judged(&self, runner: Runner, precision: Precision) -> Option<Fate>;
-}
-
-fn filled(chart: &'static str, cases: &[impl Judged]) -> Vec<Place> {
-    let mut places = Vec::new();
-    for precision in [Precision::Double, Precision::Single] {
-        for runner in Runner::all() {
-            for case in cases {
-                let Some(fate) = case.judged(runner, precision) else { continue };
-                let (case, runner) = (case.name().to_owned(), runner.name());
-                places.push(Place { chart, case, runner, precision, fate });
-            }
-        }
-    }
-    places
 }

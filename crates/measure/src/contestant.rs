@@ -1,10 +1,9 @@
 //! The contestants: the library's methods, the exact motion, and all else that implements [`Contestant`].
 
-use crate::ended::{Ended, Failure};
-use crate::errors::Watch;
-use crate::operations;
+use crate::errors::{Ended, Observer, Outcome};
 use crate::story::Story;
 use std::cell::RefCell;
+use std::fmt;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, MethodInfo, State, Stepper, adaptive};
@@ -44,7 +43,7 @@ impl Group {
         }
     }
 
-    fn of(info: MethodInfo) -> Self {
+    pub(crate) fn of(info: MethodInfo) -> Self {
         match (info.order, info.conserved.energy, info.conserved.momentum) {
             (0, ..) => Self::Wrong,
             (_, true, true) => Self::Both,
@@ -76,6 +75,16 @@ pub enum Setting {
     None,
 }
 
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Steps(steps) => write!(f, "{steps} steps"),
+            Self::Tolerance(tolerance) => write!(f, "tolerance {tolerance:e}"),
+            Self::None => Ok(()),
+        }
+    }
+}
+
 /// What a contestant says of itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct About {
@@ -83,12 +92,8 @@ pub struct About {
     pub name: &'static str,
     /// What it keeps.
     pub group: Group,
-    /// The order it claims, 0 for none.
-    pub order: u32,
     /// What it is set by.
     pub knob: Knob,
-    /// Whether it knows free bodies alone.
-    pub free_only: bool,
 }
 
 /// A way to take a body from the start of a story to its end.
@@ -96,36 +101,32 @@ pub trait Contestant {
     /// What it says of itself.
     fn about(&self) -> About;
 
-    /// Its name.
-    fn name(&self) -> &'static str {
-        self.about().name
-    }
-
     /// Whether it can take this story on at all: the exact motion is of free bodies.
-    fn takes(&self, story: &Story) -> bool {
-        !self.about().free_only || story.is_free()
+    fn takes(&self, _story: &Story) -> bool {
+        true
     }
 
-    /// From start to end, showing the watch each step where there is one.
+    /// From start to end, showing the observer each step where there is one.
     ///
     /// # Errors
     /// Why it could not.
-    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure>;
-
-    /// How many evaluations of the law one step of this length is worth, where that is known beforehand.
-    fn evaluations_of_step(&self, _story: &Story, _step: f64) -> Option<f64> {
-        None
-    }
-
-    /// Claims that a run longer than a few turns can test.
-    fn keeps_something(&self) -> bool {
-        matches!(self.about().group, Group::Both | Group::Momentum)
-    }
+    fn run(
+        &self,
+        story: &Story,
+        setting: Setting,
+        observer: Option<&mut Observer<'_>>,
+    ) -> Result<Ended, Outcome>;
 
     /// The method behind it, for runs of a million turns.
     fn method(&self) -> Option<Method> {
         None
     }
+}
+
+/// What a contestant says to a setting that it does not have.
+#[must_use]
+pub fn unsettable() -> Outcome {
+    Outcome::Refused("it has no such setting".into())
 }
 
 /// A method of the library, at equal steps.
@@ -136,20 +137,20 @@ impl Contestant for Ours {
     fn about(&self) -> About {
         let info = self.0.info();
         let group = Group::of(info);
-        About { name: info.name, group, order: info.order, knob: Knob::Steps, free_only: false }
+        About { name: info.name, group, knob: Knob::Steps }
     }
 
     fn run(
         &self,
         story: &Story,
         setting: Setting,
-        mut watch: Option<&mut Watch<'_>>,
-    ) -> Result<Ended, Failure> {
+        mut observer: Option<&mut Observer<'_>>,
+    ) -> Result<Ended, Outcome> {
         let Setting::Steps(steps) = setting else {
-            return Err(Failure::Refused("it is set by its steps".into()));
+            return Err(unsettable());
         };
         if story.drive.timed() {
-            return counting_time(self.0, story, steps, watch);
+            return counting_time(self.0, story, steps, observer);
         }
         let (mut motion, mut done, mut before) = (story.start, 0, 0.0);
         for phase in &story.phases {
@@ -158,18 +159,14 @@ impl Contestant for Ours {
             let h = black_box(phase.seconds / count as f64);
             for k in 1..=count {
                 motion = self.0.step(&phase.system, &motion, h)?;
-                if let Some(watch) = watch.as_deref_mut() {
-                    watch.see(before + time_of(k, count, phase.seconds), &motion);
+                if let Some(observer) = observer.as_deref_mut() {
+                    observer.observe(before + time_of(k, count, phase.seconds), &motion);
                 }
             }
             done += count;
             before += phase.seconds;
         }
-        Ok(Ended { motion, steps: done, evaluations: None, seconds: None })
-    }
-
-    fn evaluations_of_step(&self, story: &Story, step: f64) -> Option<f64> {
-        operations::evaluations_of_step(self.0, &story.system, &story.start, step)
+        Ok(Ended { motion, steps: done, seconds: None })
     }
 
     fn method(&self) -> Option<Method> {
@@ -182,18 +179,18 @@ fn counting_time(
     method: Method,
     story: &Story,
     steps: u64,
-    mut watch: Option<&mut Watch<'_>>,
-) -> Result<Ended, Failure> {
+    mut observer: Option<&mut Observer<'_>>,
+) -> Result<Ended, Outcome> {
     let h = black_box(step_of(story, steps));
     let mut stepper = story.stepper(|body| Stepper::new(body, method))?;
     let mut motion = story.start;
     for k in 1..=steps {
         motion = stepper.step(h)?;
-        if let Some(watch) = watch.as_deref_mut() {
-            watch.see(time_of(k, steps, story.end), &motion);
+        if let Some(observer) = observer.as_deref_mut() {
+            observer.observe(time_of(k, steps, story.end), &motion);
         }
     }
-    Ok(Ended { motion, steps, evaluations: None, seconds: None })
+    Ok(Ended { motion, steps, seconds: None })
 }
 
 /// The library's run within a tolerance.
@@ -205,7 +202,7 @@ const BUDGET: usize = 10_000_000;
 
 impl Contestant for Adaptive {
     fn about(&self) -> About {
-        About { name: "adaptive", group: Group::Neither, order: 0, knob: Knob::Tolerance, free_only: false }
+        About { name: "adaptive", group: Group::Neither, knob: Knob::Tolerance }
     }
 
     // Its steps are not to be seen, and so neither are the flips of a free body.
@@ -217,21 +214,21 @@ impl Contestant for Adaptive {
         &self,
         story: &Story,
         setting: Setting,
-        mut watch: Option<&mut Watch<'_>>,
-    ) -> Result<Ended, Failure> {
+        mut observer: Option<&mut Observer<'_>>,
+    ) -> Result<Ended, Outcome> {
         let Setting::Tolerance(tolerance) = setting else {
-            return Err(Failure::Refused("it is set by a tolerance".into()));
+            return Err(unsettable());
         };
         let (mut motion, mut budget, mut time) = (story.start, BUDGET, 0.0);
         for phase in &story.phases {
             motion = adaptive(&phase.system, &motion, black_box(phase.seconds), tolerance, &mut budget)?;
             time += phase.seconds;
-            if let Some(watch) = watch.as_deref_mut() {
-                watch.see(time, &motion);
+            if let Some(observer) = observer.as_deref_mut() {
+                observer.observe(time, &motion);
             }
         }
         let steps = (BUDGET - budget) as u64;
-        Ok(Ended { motion, steps, evaluations: None, seconds: None })
+        Ok(Ended { motion, steps, seconds: None })
     }
 }
 
@@ -246,14 +243,18 @@ fn time_of(k: u64, steps: u64, end: f64) -> f64 {
 }
 
 /// The closed form at the story's end.
-fn at_the_end(exact: &FreeMotion, story: &Story, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+fn at_the_end(
+    exact: &FreeMotion,
+    story: &Story,
+    observer: Option<&mut Observer<'_>>,
+) -> Result<Ended, Outcome> {
     let there = exact.at(black_box(story.end))?;
-    if let Some(watch) = watch {
-        watch.take_flips(exact.flips(0.0, story.end)?.count());
+    if let Some(observer) = observer {
+        observer.set_flips(exact.flips(0.0, story.end)?.count());
     }
     let vector = story.system.moments().component_mul(&there.omega);
     let motion = State { attitude: there.attitude.into_inner(), momentum: vector };
-    Ok(Ended { motion, steps: 1, evaluations: None, seconds: None })
+    Ok(Ended { motion, steps: 1, seconds: None })
 }
 
 /// The exact motion: prepared from moments and spin, evaluated once.
@@ -262,14 +263,18 @@ pub struct Exact;
 
 impl Contestant for Exact {
     fn about(&self) -> About {
-        About { name: "exact motion", group: Group::Exact, order: 0, knob: Knob::None, free_only: true }
+        About { name: "exact motion", group: Group::Exact, knob: Knob::None }
     }
 
-    fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+    fn takes(&self, story: &Story) -> bool {
+        story.is_free()
+    }
+
+    fn run(&self, story: &Story, _: Setting, observer: Option<&mut Observer<'_>>) -> Result<Ended, Outcome> {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.momentum);
         let exact = FreeMotion::new((*moments).try_into()?, &omega)?;
-        at_the_end(&exact, story, watch)
+        at_the_end(&exact, story, observer)
     }
 }
 
@@ -279,23 +284,21 @@ pub struct Prepared(RefCell<Option<(&'static str, FreeMotion)>>);
 
 impl Contestant for Prepared {
     fn about(&self) -> About {
-        About {
-            name: "exact motion, prepared",
-            group: Group::Exact,
-            order: 0,
-            knob: Knob::None,
-            free_only: true,
-        }
+        About { name: "exact motion, prepared", group: Group::Exact, knob: Knob::None }
     }
 
-    fn run(&self, story: &Story, _: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+    fn takes(&self, story: &Story) -> bool {
+        story.is_free()
+    }
+
+    fn run(&self, story: &Story, _: Setting, observer: Option<&mut Observer<'_>>) -> Result<Ended, Outcome> {
         let mut kept = self.0.borrow_mut();
         if kept.as_ref().is_none_or(|(name, _)| *name != story.name) {
             let omega = story.system.omega(&story.start.momentum);
             *kept = Some((story.name, FreeMotion::new((*story.system.moments()).try_into()?, &omega)?));
         }
-        let Some((_, exact)) = kept.as_ref() else { return Err(Failure::Refused("not prepared".into())) };
-        at_the_end(exact, story, watch)
+        let Some((_, exact)) = kept.as_ref() else { return Err(unsettable()) };
+        at_the_end(exact, story, observer)
     }
 }
 

@@ -1,18 +1,29 @@
 //! How wrong a run was: each kind of error by itself, for energy hides phase.
 
-use crate::ended::{Ended, Failure};
-use crate::fields::row;
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};
+use std::fmt;
 use tumbling::exact::FreeMotion;
 use tumbling::step::State;
+use tumbling::{Error, ErrorKind};
 
-/// What came of a run.
+/// Where a run ended, and what it took.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ended {
+    /// Attitude, and momentum in body axes.
+    pub motion: State<f64>,
+    /// Steps done.
+    pub steps: u64,
+    /// The time it took by its own clock, s, where it runs in another process.
+    pub seconds: Option<f64>,
+}
+
+/// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// It came to the end, with every flip.
+    /// At the end, with every flip.
     Right,
-    /// It came to the end, but flipped another number of times than the body does.
+    /// At the end, after another number of flips than the body makes.
     Flips(u64),
     /// A number in it is not finite.
     NotFinite,
@@ -20,35 +31,44 @@ pub enum Outcome {
     Refused(String),
 }
 
-impl From<Failure> for Outcome {
-    fn from(failure: Failure) -> Self {
-        match failure {
-            Failure::NotFinite => Self::NotFinite,
-            Failure::Refused(why) => Self::Refused(why),
+impl From<Error> for Outcome {
+    fn from(error: Error) -> Self {
+        match error.kind() {
+            ErrorKind::Unrepresentable | ErrorKind::NotFinite => Self::NotFinite,
+            _ => Self::Refused(error.to_string()),
         }
     }
 }
 
-row! {
-    /// The errors of a run, each by itself. What there is not (flips under torque) is `None`.
-    #[derive(Debug, Clone, Copy, PartialEq, Default)]
-    pub struct Errors {
-        /// How early or late the last flip came, as a share of the time between two.
-        pub phase: Option<f64>,
-        /// The angle between the body's attitude and the true one at the end, rad.
-        pub attitude: Option<f64>,
-        /// Relative error of the energy: where it is kept, the largest at any step, else at the end.
-        pub energy: Option<f64>,
-        /// The same of the length of the angular momentum.
-        pub momentum: Option<f64>,
-        /// The same of its direction in the world, rad.
-        pub direction: Option<f64>,
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Right => f.write_str("right"),
+            Self::Flips(count) => write!(f, "{count} flips"),
+            Self::NotFinite => f.write_str("not finite"),
+            Self::Refused(why) => write!(f, "refused: {why}"),
+        }
     }
+}
+
+/// The errors of a run, each by itself. What there is not (flips under a torque) is `None`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Errors {
+    /// How early or late the last flip came, as a share of the time between two.
+    pub phase: Option<f64>,
+    /// The angle between the body's attitude and the true one at the end, rad.
+    pub attitude: Option<f64>,
+    /// Relative error of the energy: where it is conserved, the largest at any step, else at the end.
+    pub energy: Option<f64>,
+    /// Relative error of the length of the angular momentum, at the same times.
+    pub momentum: Option<f64>,
+    /// Error of its direction in the world at the same times, rad.
+    pub direction: Option<f64>,
 }
 
 /// A run as it is seen from outside, step by step.
 #[derive(Debug)]
-pub struct Watch<'a> {
+pub struct Observer<'a> {
     story: &'a Story,
     middle: usize,
     world: Vector3<f64>,
@@ -60,8 +80,8 @@ pub struct Watch<'a> {
     finite: bool,
 }
 
-impl<'a> Watch<'a> {
-    /// Ready to watch a run of this story.
+impl<'a> Observer<'a> {
+    /// Ready to observe a run of this story.
     #[must_use]
     pub fn new(story: &'a Story) -> Self {
         let start = &story.start;
@@ -78,7 +98,7 @@ impl<'a> Watch<'a> {
     }
 
     /// The motion after a step.
-    pub fn see(&mut self, time: f64, motion: &State<f64>) {
+    pub fn observe(&mut self, time: f64, motion: &State<f64>) {
         if !motion.attitude.coords.iter().chain(&motion.momentum).all(|x| x.is_finite()) {
             self.finite = false;
             return;
@@ -106,16 +126,16 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Takes the number of flips of a run that makes no steps. Their times are then not compared.
-    pub fn take_flips(&mut self, flips: usize) {
+    /// Sets the number of flips of a run that makes no steps. Their times are then not compared.
+    pub fn set_flips(&mut self, flips: usize) {
         self.flips = flips as u64;
     }
 
     /// What to say of the run when it is over.
     #[must_use]
-    pub fn judge(self, ended: Result<&Ended, &Failure>) -> (Outcome, Errors) {
+    pub fn judge(self, ended: Result<&Ended, &Outcome>) -> (Outcome, Errors) {
         let end = match ended {
-            Err(failure) => return (failure.clone().into(), Errors::default()),
+            Err(outcome) => return (outcome.clone(), Errors::default()),
             Ok(end) => &end.motion,
         };
         if !self.finite || !end.attitude.coords.iter().chain(&end.momentum).all(|x| x.is_finite()) {

@@ -1,144 +1,106 @@
 //! Long runs: the energy of a free body after a million turns.
 
-use crate::contestant::Contestant;
-use crate::ended::Failure;
+use crate::contestant::{Contestant, Group};
 use crate::errors::Outcome;
 use crate::measure::Effort;
-use crate::operations::evaluations_of_step;
-use crate::record::Long;
+use crate::record::{Long, short};
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::TAU;
-use tumbling::PrincipalMoments;
+use std::time::Instant;
+use tumbling::dynamics::observe;
 use tumbling::step::{Method, State, System};
+use tumbling::{Error, PrincipalMoments};
 
 /// Steps in a turn of the spin.
 pub const STEPS: u32 = 20;
 
 /// The document's box, and spins that differ a little from start to start.
-fn start(k: u32) -> Option<(System<f64>, State<f64>, f64)> {
-    let system = System::free(PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0).ok()?).ok()?;
+fn start(k: u32) -> Result<(System<f64>, State<f64>, f64), Error> {
+    let system = System::free(PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?)?;
     let omega = Vector3::new(0.6 + 0.07 * f64::from(k), 0.5, 0.7 - 0.05 * f64::from(k));
-    let h = TAU / (f64::from(STEPS) * omega.norm());
-    Some((system.clone(), State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) }, h))
+    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    Ok((system, start, TAU / (f64::from(STEPS) * omega.norm())))
 }
 
 /// Errors gathered over a window.
 #[derive(Debug, Clone, Copy, Default)]
 struct Window {
     sum: f64,
-    count: f64,
     energy: f64,
     momentum: f64,
 }
 
 /// The ends of the windows, in turns: 1, 2, 4 and so on, and the last.
 fn ends(turns: u64) -> Vec<u64> {
-    let mut ends: Vec<u64> = (0..).map(|k| 1_u64 << k).take_while(|&n| n < turns).collect();
-    ends.push(turns);
-    ends
+    (0..63).map(|k| 1_u64 << k).take_while(|&n| n < turns).chain([turns]).collect()
 }
 
 /// Those that keep something, and the classical Runge-Kutta method for comparison.
-pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, tell: &mut dyn FnMut(&str)) -> Vec<Long> {
+pub fn all(contestants: &[Box<dyn Contestant>], effort: Effort, progress: &mut dyn FnMut(&str)) -> Vec<Long> {
     let mut rows = Vec::new();
     for contestant in contestants {
-        let Some(method) = contestant.method() else { continue };
-        if !contestant.keeps_something() && method != Method::RungeKutta4 {
-            continue;
+        let (Some(method), about) = (contestant.method(), contestant.about()) else { continue };
+        if matches!(about.group, Group::Both | Group::Momentum) || method == Method::RungeKutta4 {
+            progress(&format!("{} turns: {}", effort.turns, about.name));
+            rows.extend(run(method, effort));
         }
-        tell(&format!("{} turns: {}", effort.turns, contestant.name()));
-        let starts = starts(method, effort);
-        rows.extend(run(method, contestant.about().group.word(), effort.turns, starts));
     }
     rows
 }
 
-/// From how many starts this method runs: from fewer where its steps are dear.
-fn starts(method: Method, effort: Effort) -> u32 {
-    let Some((system, motion, h)) = start(0) else { return effort.starts };
-    let Some(each) = evaluations_of_step(method, &system, &motion, h) else { return effort.starts };
-    let one = each * f64::from(STEPS) * effort.turns as f64;
-    ((effort.long / one) as u32).clamp(1, effort.starts.max(1))
-}
-
-/// One method through this number of turns from each of these starts.
+/// One method from each of the starts that the effort has time for.
 #[must_use]
-pub fn run(method: Method, group: &str, turns: u64, starts: u32) -> Vec<Long> {
-    let ends = ends(turns);
-    let runs: Vec<(Vec<Window>, Outcome)> =
-        (0..starts).filter_map(|k| start(k).map(|(s, m, h)| one(method, &s, m, h, &ends))).collect();
-    let mut rows = Vec::new();
-    for (at, &end) in ends.iter().enumerate() {
-        let windows: Vec<Window> = runs.iter().filter_map(|(windows, _)| windows.get(at).copied()).collect();
-        if windows.len() < runs.len() || runs.is_empty() {
-            break;
-        }
+pub fn run(method: Method, effort: Effort) -> Vec<Long> {
+    let (ends, began) = (ends(effort.turns), Instant::now());
+    let in_time = |k: &u32| *k == 0 || began.elapsed().as_secs_f64() < effort.long;
+    let runs: Vec<_> = (0..effort.starts).take_while(in_time).map(|k| one(method, k, &ends)).collect();
+    // As far as all came through, and then once more what went wrong.
+    let through = runs.iter().map(|(windows, _)| windows.len()).min().unwrap_or(0);
+    let failed = runs.iter().find_map(|(_, outcome)| outcome.as_ref().err());
+    let row = |(at, &turns): (usize, &u64)| {
         let rms = |of: fn(&Window) -> f64| {
-            let squares: Vec<f64> = windows.iter().map(|w| of(w).powi(2)).collect();
-            (squares.iter().sum::<f64>() / f64::from(starts)).sqrt()
+            let squares = runs.iter().map(|(windows, _)| windows.get(at).map_or(f64::NAN, of).powi(2));
+            short((squares.sum::<f64>() / runs.len() as f64).sqrt())
         };
-        rows.push(Long {
+        Long {
             contestant: method.info().name.into(),
-            group: group.into(),
+            group: Group::of(method.info()).word().into(),
             steps: STEPS,
-            turns: end,
-            mean: rms(|w| w.sum / w.count),
-            largest: rms(|w| w.energy),
-            momentum: rms(|w| w.momentum),
-            outcome: Outcome::Right,
-        });
-    }
-    // What went wrong, once, after the last window that all came through.
-    if let Some((_, outcome)) = runs.iter().find(|(_, outcome)| *outcome != Outcome::Right) {
-        rows.push(Long {
-            contestant: method.info().name.into(),
-            group: group.into(),
-            steps: STEPS,
-            turns: ends.get(rows.len()).copied().unwrap_or(turns),
-            mean: f64::NAN,
-            largest: f64::NAN,
-            momentum: f64::NAN,
-            outcome: outcome.clone(),
-        });
-    }
-    rows
+            turns,
+            mean: rms(|window| window.sum),
+            largest: rms(|window| window.energy),
+            momentum: rms(|window| window.momentum),
+            outcome: failed.filter(|_| at == through).unwrap_or(&Outcome::Right).to_string(),
+        }
+    };
+    ends.iter().enumerate().take(through + usize::from(failed.is_some())).map(row).collect()
 }
 
-fn one(
-    method: Method,
-    system: &System<f64>,
-    start: State<f64>,
-    h: f64,
-    ends: &[u64],
-) -> (Vec<Window>, Outcome) {
-    let energy =
-        |m: &State<f64>| tumbling::dynamics::observe::energy(&system.omega(&m.momentum), &m.momentum);
-    let (energy0, momentum0) = (energy(&start), start.momentum.norm());
+/// The windows of one start that came through, and what ended it.
+fn one(method: Method, k: u32, ends: &[u64]) -> (Vec<Window>, Result<(), Outcome>) {
     let mut windows = Vec::new();
-    let mut motion = start;
-    let mut done = 0;
-    for &end in ends {
-        let mut window = Window::default();
-        for _ in done..end {
-            for _ in 0..STEPS {
-                motion = match method.step(system, &motion, h) {
-                    Ok(motion) => motion,
-                    Err(e) => return (windows, Failure::from(e).into()),
-                };
+    let outcome = start(k).map_err(Outcome::from).and_then(|(system, mut motion, h)| {
+        let energy = |m: &State<f64>| observe::energy(&system.omega(&m.momentum), &m.momentum);
+        let (energy0, momentum0, mut done) = (energy(&motion), motion.momentum.norm(), 0);
+        for &end in ends {
+            let mut window = Window::default();
+            let steps = u64::from(STEPS) * (end - done);
+            for _ in 0..steps {
+                motion = method.step(&system, &motion, h)?;
                 let off = energy(&motion) / energy0 - 1.0;
-                window.sum += off;
-                window.count += 1.0;
+                window.sum += off / steps as f64;
                 window.energy = window.energy.max(off.abs());
                 window.momentum = window.momentum.max((motion.momentum.norm() / momentum0 - 1.0).abs());
             }
+            done = end;
+            if !(window.sum.is_finite() && window.energy.is_finite()) {
+                return Err(Outcome::NotFinite);
+            }
+            windows.push(window);
         }
-        done = end;
-        if !(window.sum.is_finite() && window.energy.is_finite()) {
-            return (windows, Outcome::NotFinite);
-        }
-        windows.push(window);
-    }
-    (windows, Outcome::Right)
+        Ok(())
+    });
+    (windows, outcome)
 }
 
 /// The slope of a line through logarithms of error against logarithms of turns, by least squares, over rows

@@ -1,11 +1,8 @@
-//! The record: files of comma-separated values whose heads say what, when and on which machine, written and
-//! read back.
+//! The record: files of comma-separated values whose heads say what, when and on which machine.
 
-use crate::contestant::Setting;
-use crate::errors::{Errors, Outcome};
-pub use crate::fields::{Fields, Wrong};
-use crate::fields::{field, full, parsed, plain, row};
-use std::fmt::Write as _;
+use crate::AnyError;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
 /// A record: what its head says, and its rows.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,154 +13,101 @@ pub struct Record<R> {
     pub rows: Vec<R>,
 }
 
-row! {
-    /// One contestant on one story at one setting.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct Work {
-        /// The name of the story.
-        pub story: String,
-        /// The name of the contestant.
-        pub contestant: String,
-        /// The word of its group.
-        pub group: String,
-        /// The order it claims, 0 for none.
-        pub order: u32,
-        /// What it was set to.
-        pub setting: Setting,
-        /// Steps done.
-        pub steps: Option<u64>,
-        /// Evaluations of the law, or what the arithmetic was worth in them.
-        pub evaluations: Option<f64>,
-        /// Processor instructions.
-        pub instructions: Option<f64>,
-        /// Median time of a run, s.
-        pub seconds: Option<f64>,
-        /// The longest of the times measured over the shortest.
-        pub spread: Option<f64>,
-        /// Each kind of error.
-        pub errors: Errors,
-        /// What came of it.
-        pub outcome: Outcome,
-    }
+/// One contestant on one story at one setting.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Work {
+    /// The name of the story.
+    pub story: String,
+    /// The name of the contestant.
+    pub contestant: String,
+    /// The word of its group.
+    pub group: String,
+    /// What it was set to, as [`Setting`](crate::contestant::Setting) prints it.
+    pub setting: String,
+    /// Steps done.
+    pub steps: Option<u64>,
+    /// Median time of a run, s.
+    pub seconds: Option<f64>,
+    /// The longest of the times measured over the shortest.
+    pub spread: Option<f64>,
+    /// How early or late the last flip came, as a share of the time between two.
+    pub phase: Option<f64>,
+    /// The angle between the body's attitude and the true one at the end, rad.
+    pub attitude: Option<f64>,
+    /// Relative error of the energy.
+    pub energy: Option<f64>,
+    /// Relative error of the length of the angular momentum.
+    pub momentum: Option<f64>,
+    /// Error of its direction in the world, rad.
+    pub direction: Option<f64>,
+    /// How the run ended, as [`Outcome`](crate::errors::Outcome) prints it.
+    pub outcome: String,
 }
 
-row! {
-    /// One method after a number of turns of a long run.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct Long {
-        /// The name of the contestant.
-        pub contestant: String,
-        /// The word of its group.
-        pub group: String,
-        /// Steps in a turn.
-        pub steps: u32,
-        /// Turns from the start to the end of the window: from half of them.
-        pub turns: u64,
-        /// The mean over the window of the relative error of the energy, its size; root mean square over the
-        /// starts.
-        pub mean: f64,
-        /// The largest relative error of the energy in the window; root mean square over the starts.
-        pub largest: f64,
-        /// The same of the length of the momentum.
-        pub momentum: f64,
-        /// What came of it.
-        pub outcome: Outcome,
-    }
-}
-
-field!(Outcome, Outcome::field, Outcome::of);
-field!(Setting, Setting::field, Setting::of);
-
-impl Outcome {
-    fn field(&self) -> String {
-        match self {
-            Self::Right => "right".into(),
-            Self::Flips(count) => format!("{count} flips"),
-            Self::NotFinite => "not finite".into(),
-            Self::Refused(why) => plain(&format!("refused: {why}")),
-        }
-    }
-
-    fn of(field: &str) -> Result<Self, Wrong> {
-        if let Some(why) = field.strip_prefix("refused: ") {
-            return Ok(Self::Refused(full(why)));
-        }
-        Ok(match field {
-            "right" => Self::Right,
-            "not finite" => Self::NotFinite,
-            other => match other.strip_suffix(" flips") {
-                Some(count) => Self::Flips(parsed(count)?),
-                None => return Err(format!("`{other}` is no outcome")),
-            },
-        })
-    }
-}
-
-impl Setting {
-    fn field(&self) -> String {
-        match self {
-            Self::Steps(steps) => format!("{steps} steps"),
-            Self::Tolerance(tolerance) => format!("tolerance {tolerance:e}"),
-            Self::None => String::new(),
-        }
-    }
-
-    fn of(field: &str) -> Result<Self, Wrong> {
-        if let Some(steps) = field.strip_suffix(" steps") {
-            return Ok(Self::Steps(parsed(steps)?));
-        }
-        match field.strip_prefix("tolerance ") {
-            Some(tolerance) => Ok(Self::Tolerance(parsed(tolerance)?)),
-            None if field.is_empty() => Ok(Self::None),
-            None => Err(format!("`{field}` is no setting")),
-        }
-    }
-}
-
-impl<R: Fields> Record<R> {
-    /// As a file has it.
+impl Work {
+    /// Whether it came to the end with every flip.
     #[must_use]
-    pub fn write(&self) -> String {
-        let mut text = String::new();
-        for (key, value) in &self.head {
-            let _ = writeln!(text, "# {key}: {}", value.replace('\n', " "));
-        }
-        let _ = writeln!(text, "{}", R::columns("").join(","));
-        for row in &self.rows {
-            let mut fields = Vec::new();
-            row.write(&mut fields);
-            let _ = writeln!(text, "{}", fields.join(","));
-        }
-        text
+    pub fn right(&self) -> bool {
+        self.outcome == "right"
+    }
+
+    /// The number of equal steps that it was set to, if it was set to one.
+    #[must_use]
+    pub fn equal_steps(&self) -> Option<u64> {
+        self.setting.strip_suffix(" steps")?.parse().ok()
+    }
+}
+
+/// One method after a number of turns of a long run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Long {
+    /// The name of the contestant.
+    pub contestant: String,
+    /// The word of its group.
+    pub group: String,
+    /// Steps in a turn.
+    pub steps: u32,
+    /// Turns from the start to the end of the window, which begins at half of them.
+    pub turns: u64,
+    /// Size of the mean over the window of the relative error of the energy; root mean square over the starts.
+    pub mean: f64,
+    /// The largest relative error of the energy in the window; root mean square over the starts.
+    pub largest: f64,
+    /// The largest relative error of the momentum's length; root mean square over the starts.
+    pub momentum: f64,
+    /// How the run ended, as [`Outcome`](crate::errors::Outcome) prints it.
+    pub outcome: String,
+}
+
+impl Long {
+    /// Whether it came to the end of the window.
+    #[must_use]
+    pub fn right(&self) -> bool {
+        self.outcome == "right"
+    }
+}
+
+impl<R: Serialize + DeserializeOwned> Record<R> {
+    /// As a file has it.
+    ///
+    /// # Errors
+    /// A row that has no form in such a file.
+    pub fn write(&self) -> Result<String, AnyError> {
+        let head: String = self.head.iter().map(|(key, value)| format!("# {key}: {value}\n")).collect();
+        let mut rows = csv::Writer::from_writer(Vec::new());
+        self.rows.iter().try_for_each(|row| rows.serialize(row))?;
+        Ok(head + &String::from_utf8(rows.into_inner()?)?)
     }
 
     /// Back from a file.
     ///
     /// # Errors
     /// The line that cannot be read, and why.
-    pub fn read(text: &str) -> Result<Self, Wrong> {
-        let mut head = Vec::new();
-        let mut rows = Vec::new();
-        let names = R::columns("").join(",");
-        let mut columns = false;
-        for (at, line) in text.lines().enumerate() {
-            if let Some(said) = line.strip_prefix("# ") {
-                let (key, value) = said.split_once(": ").unwrap_or((said, ""));
-                head.push((key.to_owned(), value.to_owned()));
-            } else if !columns {
-                if line != names {
-                    return Err(format!("line {}: other columns than {names}", at + 1));
-                }
-                columns = true;
-            } else {
-                let mut fields = line.split(',');
-                rows.push(R::read(&mut fields).map_err(|why| format!("line {}: {why}", at + 1))?);
-                if fields.next().is_some() {
-                    return Err(format!("line {}: too many fields", at + 1));
-                }
-            }
-        }
-        if columns { Ok(Self { head, rows }) } else { Err("there are no columns".into()) }
+    pub fn read(text: &str) -> Result<Self, AnyError> {
+        let heads = text.lines().map_while(|line| line.strip_prefix("# ")?.split_once(": "));
+        let head = heads.map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
+        let mut lines = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+        Ok(Self { head, rows: lines.deserialize().collect::<Result<_, _>>()? })
     }
 
     /// What the head says under a key.
@@ -173,11 +117,16 @@ impl<R: Fields> Record<R> {
     }
 }
 
+/// A number to four digits, which is what a record keeps of it.
+pub(crate) fn short(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
+
 /// The committed record of work.
 ///
 /// # Errors
 /// A record that cannot be read.
-pub fn work() -> Result<Record<Work>, Wrong> {
+pub fn work() -> Result<Record<Work>, AnyError> {
     Record::read(include_str!("../record/work.csv"))
 }
 
@@ -185,9 +134,12 @@ pub fn work() -> Result<Record<Work>, Wrong> {
 ///
 /// # Errors
 /// A record that cannot be read.
-pub fn long() -> Result<Record<Long>, Wrong> {
+pub fn long() -> Result<Record<Long>, AnyError> {
     Record::read(include_str!("../record/long.csv"))
 }
+
+/// Free motions of bodies from the whole triangle of moments, to 20 digits, in JSON: `data/errors.py` made it.
+pub const FREE_MOTIONS: &str = include_str!("../record/errors.json");
 
 #[cfg(test)]
 mod tests {
@@ -199,32 +151,26 @@ mod tests {
             story: "box".into(),
             contestant: "one, or another".into(),
             group: "neither".into(),
-            order: 4,
-            setting: Setting::Steps(1234),
+            setting: "1234 steps".into(),
             steps: Some(1234),
-            evaluations: Some(5.125e6),
-            instructions: None,
-            seconds: Some(1.5e-3),
-            spread: Some(1.25),
-            errors: Errors { phase: None, attitude: Some(1e-9), ..Errors::default() },
-            outcome: Outcome::Right,
+            seconds: Some(short(1.500_04e-3)),
+            spread: None,
+            phase: None,
+            attitude: Some(1e-9),
+            energy: Some(0.0),
+            momentum: None,
+            direction: None,
+            outcome: "refused: no, it does not \"find\" its end".into(),
         };
-        let refused = Outcome::Refused("no, it does not find its end".into());
-        let rows = vec![
-            base.clone(),
-            Work { setting: Setting::Tolerance(1e-8), outcome: Outcome::Flips(99), ..base.clone() },
-            Work { setting: Setting::None, seconds: None, outcome: Outcome::NotFinite, ..base.clone() },
-            Work { outcome: refused, ..base },
-        ];
-        let head = vec![("machine".to_owned(), "a machine: two cores".to_owned())];
-        let written = Record { head, rows }.write();
-        let back = Record::<Work>::read(&written).unwrap();
-        assert_eq!(back.write(), written);
-        assert_eq!(back.rows[0].contestant, "one, or another");
-        assert_eq!(back.said("machine"), Some("a machine: two cores"));
-        assert_eq!(back.rows[1].outcome, Outcome::Flips(99));
-        assert_eq!(back.rows[3].outcome, Outcome::Refused("no, it does not find its end".into()));
-        assert!(Record::<Work>::read(&written.replace("1234 steps", "many steps")).is_err());
+        let rows = vec![base.clone(), Work { setting: String::new(), outcome: "right".into(), ..base }];
+        let record = Record { head: vec![("machine".into(), "one: two cores".into())], rows };
+        let written = record.write().unwrap();
+        assert_eq!(Record::<Work>::read(&written).unwrap(), record);
+        assert_eq!(record.said("machine"), Some("one: two cores"));
+        assert_eq!((record.rows[0].seconds, record.rows[0].right()), (Some(1.5e-3), false));
+        assert_eq!((record.rows[0].equal_steps(), record.rows[1].equal_steps()), (Some(1234), None));
+        assert!(record.rows[1].right());
+        assert!(Record::<Work>::read(&written.replace(",1234,", ",many,")).is_err());
         assert!(Record::<Long>::read(&written).is_err());
     }
 }

@@ -1,14 +1,12 @@
 //! The stories: bodies let go in some way, and where they truly are at the end.
 
-use crate::drive::{Drive, Phase};
+use crate::AnyError;
+use crate::drive::{Components, Drive, digits};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use serde_json::Value;
+use serde::Deserialize;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, Stepper, System, Torque};
 use tumbling::{Body, Error, Inertia};
-
-/// What went wrong with a story, in words.
-pub type Wrong = Box<dyn std::error::Error>;
 
 /// A body let go in some way, and where it truly is at the end.
 #[derive(Debug, Clone)]
@@ -31,15 +29,23 @@ pub struct Story {
     pub truth: Truth,
 }
 
+/// A time in which the same torques act.
+#[derive(Debug, Clone)]
+pub struct Phase {
+    /// s.
+    pub seconds: f64,
+    /// The body and its torques.
+    pub system: System<f64>,
+}
+
 /// Where a body truly is at the end of its story.
 #[derive(Debug, Clone)]
 pub struct Truth {
     /// Attitude, and momentum in body axes.
     pub motion: State<f64>,
-    /// Kinetic energy and that of its place, J.
+    /// Kinetic and potential energy, J.
     pub energy: f64,
-    /// The changes of sign of the spin along the middle axis, counted, and the instant of the last, s; of a
-    /// free body alone.
+    /// The changes of sign of the spin along the middle axis; of a free body alone.
     pub flips: Option<Flips>,
 }
 
@@ -54,20 +60,30 @@ pub struct Flips {
     pub apart: f64,
 }
 
-/// Where the bodies truly are, by the program that stands with the table.
-const TABLE: &str = include_str!("../data/truth.json");
+/// A story as the table has it.
+#[derive(Deserialize)]
+struct Entry {
+    name: String,
+    moments: Components,
+    omega: Components,
+    t: f64,
+    attitude: [String; 4],
+    momentum: [String; 3],
+    energy: String,
+    #[serde(flatten)]
+    drive: Drive,
+}
+
+#[derive(Deserialize)]
+struct Table {
+    stories: Vec<Entry>,
+}
 
 impl Story {
     /// The spin at the start, rad/s: what a step is judged by.
     #[must_use]
     pub fn speed(&self) -> f64 {
         self.system.omega(&self.start.momentum).norm()
-    }
-
-    /// How many times a body turning at that speed turns from start to end.
-    #[must_use]
-    pub fn turns(&self) -> f64 {
-        self.speed() * self.end / std::f64::consts::TAU
     }
 
     /// Which component belongs to the middle moment.
@@ -79,16 +95,16 @@ impl Story {
         order[1]
     }
 
-    /// Kinetic energy and that of its place, J. The attitude may have any length.
+    /// Kinetic and potential energy, J. The attitude may have any length.
     #[must_use]
     pub fn energy(&self, motion: &State<f64>) -> f64 {
         let kinetic =
             tumbling::dynamics::observe::energy(&self.system.omega(&motion.momentum), &motion.momentum);
-        let place = |torque: &Torque<f64>| match torque {
-            Torque::Aligning { arm, field } => -arm.dot(&in_body(&motion.attitude, field)),
+        let potential = |torque: &Torque<f64>| match torque {
+            Torque::Aligning { arm, field } => -in_world(&motion.attitude, arm).dot(field),
             _ => 0.0,
         };
-        kinetic + self.system.torques().iter().map(place).sum::<f64>()
+        kinetic + self.system.torques().iter().map(potential).sum::<f64>()
     }
 
     /// Whether its energy stays what it was.
@@ -116,30 +132,34 @@ impl Story {
         made(&body)?.with_torques(self.system.torques().iter().cloned())
     }
 
-    /// From its entry in the table.
-    fn read(entry: &Value, name: &'static str, title: &'static str) -> Result<Self, Wrong> {
-        let moments = vector(&entry["moments"])?;
-        let drive = Drive::read(entry)?;
-        let phases = drive.systems(&moments)?;
+    fn read(entry: Entry, name: &'static str, title: &'static str) -> Result<Self, AnyError> {
+        let drive = entry.drive.until(entry.t);
+        let phase = |&(seconds, pulse): &(f64, Components)| {
+            Ok::<_, Error>(Phase {
+                seconds,
+                system: System::with(entry.moments.try_into()?, drive.torques(pulse))?,
+            })
+        };
+        let phases = drive.phases.iter().map(phase).collect::<Result<Vec<_>, _>>()?;
         let system = phases.first().ok_or("a story without a phase")?.system.clone();
-        let start =
-            State { attitude: Quaternion::identity(), momentum: system.momentum(&vector(&entry["omega"])?) };
-        let [w, x, y, z] = numbers(&entry["attitude"])?;
-        let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: vector(&entry["momentum"])? };
-        let end = number(&entry["t"])?;
-        let truth = Truth { motion, energy: number(&entry["energy"])?, flips: None };
-        let mut story = Self { name, title, system, phases, drive, start, end, truth };
+        let momentum = system.momentum(&entry.omega.into());
+        let start = State { attitude: Quaternion::identity(), momentum };
+        let [w, x, y, z] = digits(&entry.attitude)?;
+        let motion =
+            State { attitude: Quaternion::new(w, x, y, z), momentum: digits(&entry.momentum)?.into() };
+        let truth = Truth { motion, energy: entry.energy.parse()?, flips: None };
+        let mut story = Self { name, title, system, phases, drive, start, end: entry.t, truth };
         if story.is_free() {
-            story.truth.flips = Some(flips(&story.system, &start, end)?);
+            story.truth.flips = Some(flips(&story)?);
         }
         Ok(story)
     }
 }
 
 /// Those of a free body, by the exact motion.
-fn flips(system: &System<f64>, start: &State<f64>, end: f64) -> Result<Flips, Wrong> {
+fn flips(Story { system, start, end, .. }: &Story) -> Result<Flips, AnyError> {
     let exact = FreeMotion::new((*system.moments()).try_into()?, &system.omega(&start.momentum))?;
-    let times: Vec<f64> = exact.flips(0.0, end)?.collect();
+    let times: Vec<f64> = exact.flips(0.0, *end)?.collect();
     let [.., before, last] = times.as_slice() else { return Err("fewer than two flips".into()) };
     Ok(Flips { count: u64::try_from(times.len())?, last: *last, apart: last - before })
 }
@@ -164,41 +184,18 @@ const STORIES: [(&str, &str); 12] = [
 ///
 /// # Errors
 /// A table that cannot be read, or a body that the library refuses.
-pub fn all() -> Result<Vec<Story>, Wrong> {
-    let table: Value = serde_json::from_str(TABLE)?;
-    let entries = table["stories"].as_array().ok_or("a table without stories")?;
-    STORIES
-        .iter()
-        .map(|&(name, title)| {
-            let entry = entries.iter().find(|entry| entry["name"] == name);
-            Story::read(entry.ok_or_else(|| format!("{name} is not in the table"))?, name, title)
-        })
-        .collect()
+pub fn all() -> Result<Vec<Story>, AnyError> {
+    let Table { stories } = serde_json::from_str(include_str!("../data/truth.json"))?;
+    let known = |entry: &Entry| STORIES.into_iter().find(|(name, _)| *name == entry.name);
+    let read = |entry: Entry| {
+        let (name, title) = known(&entry).ok_or_else(|| format!("{} is no story", entry.name))?;
+        Story::read(entry, name, title)
+    };
+    stories.into_iter().map(read).collect()
 }
 
-/// A world vector in the axes of a body with this attitude, of whatever length.
-fn in_body(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    tumbling::attitude::rotation_matrix(attitude).tr_mul(v) / attitude.norm_squared()
-}
-
-/// A body vector in the axes of the world.
+/// A body vector in the axes of the world, by an attitude of any length.
 #[must_use]
 pub fn in_world(attitude: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     tumbling::attitude::rotation_matrix(attitude) * v / attitude.norm_squared()
-}
-
-pub(crate) fn number(value: &Value) -> Result<f64, Wrong> {
-    match value {
-        Value::String(digits) => Ok(digits.parse()?),
-        other => other.as_f64().ok_or_else(|| format!("{other} is no number").into()),
-    }
-}
-
-pub(crate) fn numbers<const N: usize>(value: &Value) -> Result<[f64; N], Wrong> {
-    let list = value.as_array().ok_or("not a list")?.iter().map(number).collect::<Result<Vec<_>, _>>()?;
-    <[f64; N]>::try_from(list).map_err(|list| format!("{} numbers instead of {N}", list.len()).into())
-}
-
-pub(crate) fn vector(value: &Value) -> Result<Vector3<f64>, Wrong> {
-    Ok(Vector3::from(numbers(value)?))
 }

@@ -1,12 +1,11 @@
 //! What the record says, in ratios.
 
 use crate::contestant::Group;
-use crate::errors::{Errors, Outcome};
 use crate::long::slope;
-use crate::record::{Long, Record, Work};
+use crate::record::{Long, Work};
 use std::fmt::Write as _;
 
-/// A kind of error: its name, what it is, and where it stands.
+/// A kind of error: its name in the record, what it is, and where it stands.
 #[derive(Clone, Copy)]
 pub struct Kind {
     /// One word, as in the record's columns.
@@ -14,22 +13,38 @@ pub struct Kind {
     /// What it is, with its unit.
     pub title: &'static str,
     /// Where it stands.
-    pub of: fn(&Errors) -> Option<f64>,
+    pub of: fn(&Work) -> Option<f64>,
 }
 
 /// Each kind of error.
 pub const KINDS: [Kind; 5] = [
-    Kind { name: "phase", title: "phase: share of the time between flips", of: |e| e.phase },
-    Kind { name: "attitude", title: "attitude: angle (rad)", of: |e| e.attitude },
-    Kind { name: "energy", title: "energy: relative", of: |e| e.energy },
-    Kind { name: "momentum", title: "length of the momentum: relative", of: |e| e.momentum },
-    Kind { name: "direction", title: "direction of the momentum: angle (rad)", of: |e| e.direction },
+    Kind { name: "phase", title: "phase: share of the time between flips", of: |row| row.phase },
+    Kind { name: "attitude", title: "attitude: angle (rad)", of: |row| row.attitude },
+    Kind { name: "energy", title: "energy: relative", of: |row| row.energy },
+    Kind { name: "momentum", title: "length of the momentum: relative", of: |row| row.momentum },
+    Kind { name: "direction", title: "direction of the momentum: angle (rad)", of: |row| row.direction },
 ];
 
 /// The kind that is called so in the record.
 #[must_use]
 pub fn kind(name: &str) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.name == name)
+}
+
+/// All kinds of error side by side: a line of a table for each contestant that ran a story in this number of
+/// equal steps and came to its end. Where flips were miscounted, their number stands in place of the phase.
+#[must_use]
+pub fn side_by_side(rows: &[Work], story: &str, steps: u64) -> Vec<String> {
+    let here = |row: &&Work| row.story == story && row.equal_steps() == Some(steps) && row.attitude.is_some();
+    let line = |row: &Work| {
+        let cell = |kind: &Kind| match (kind.of)(row) {
+            Some(error) if error == 0.0 || error > 0.095 => format!("{error:.1}").replace(".0", ""),
+            Some(error) => format!("{error:.0e}"),
+            None => row.outcome.clone(),
+        };
+        format!("| {} | {} |", row.contestant, KINDS.map(|kind| cell(&kind)).join(" | "))
+    };
+    rows.iter().filter(here).map(line).collect()
 }
 
 /// The least time in which a contestant comes below an error, s: between two neighbouring rungs of its ladder
@@ -40,9 +55,8 @@ pub fn seconds_at(rows: &[Work], story: &str, contestant: &str, kind: &Kind, err
         .iter()
         .filter(|row| row.story == story && row.contestant == contestant)
         .filter_map(|row| {
-            let off = (kind.of)(&row.errors)?;
-            let right = row.outcome == Outcome::Right;
-            Some((row.seconds?, if right { off } else { f64::INFINITY }))
+            let off = (kind.of)(row)?;
+            Some((row.seconds?, if row.right() { off } else { f64::INFINITY }))
         })
         .collect();
     let mut best: Option<f64> = None;
@@ -124,45 +138,23 @@ pub fn drift(rows: &[Long], contestant: &str) -> Option<f64> {
 
 /// The whole verdict as lines of text.
 #[must_use]
-pub fn text(work: &Record<Work>, long: &Record<Long>) -> String {
+pub fn text(work: &[Work], long: &[Long]) -> String {
     let mut out = String::new();
     let Some(attitude) = kind("attitude") else { return out };
-    for error in [1e-2, 1e-6, 1e-8, 1e-9] {
-        let ranking = ranking(&work.rows, "box", attitude, error);
-        let Some(&(_, _, yardstick)) = ranking.first() else { continue };
+    for error in [1e-2, 1e-8] {
         let _ = writeln!(out, "The box after 100 flips, attitude within {error:.0e} rad:");
-        for (name, group, seconds) in ranking {
-            let _ = writeln!(
-                out,
-                "  {:44} {:20} {:>10.2e} s {:>10.1} x",
-                name,
-                group.word(),
-                seconds,
-                seconds / yardstick
-            );
+        for (name, group, seconds) in ranking(work, "box", attitude, error) {
+            let _ = writeln!(out, "  {name:44} {:20} {seconds:>10.2e} s", group.word());
         }
     }
     let _ = writeln!(
         out,
-        "How many times as long as adaptive the fastest published program takes, at {DIGITS:?} rad:"
+        "How many times as long as adaptive the fastest published program takes, at {DIGITS:?} rad:\n{}",
+        driven(work).join("\n")
     );
-    for line in driven(&work.rows) {
-        let _ = writeln!(out, "{line}");
-    }
-    let mut seen: Vec<&str> = Vec::new();
-    for row in &long.rows {
-        if seen.contains(&row.contestant.as_str()) {
-            continue;
-        }
-        seen.push(&row.contestant);
-        if let Some(slope) = drift(&long.rows, &row.contestant) {
-            let last = long.rows.iter().rfind(|r| r.contestant == row.contestant);
-            let (turns, mean) = last.map_or((0, f64::NAN), |row| (row.turns, row.mean));
-            let _ = writeln!(
-                out,
-                "{:46} energy off by {mean:.1e} after {turns} turns, slope {slope:.2}",
-                row.contestant
-            );
+    for row in long.iter().filter(|row| row.turns == 1) {
+        if let Some(slope) = drift(long, &row.contestant) {
+            let _ = writeln!(out, "{:46} error of the energy: slope {slope:.2}", row.contestant);
         }
     }
     out
@@ -171,23 +163,32 @@ pub fn text(work: &Record<Work>, long: &Record<Long>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contestant::Setting;
 
     fn rung(steps: u64, seconds: f64, attitude: f64) -> Work {
         Work {
             story: "box".into(),
             contestant: "one".into(),
             group: Group::Neither.word().into(),
-            order: 2,
-            setting: Setting::Steps(steps),
+            setting: format!("{steps} steps"),
             steps: Some(steps),
-            evaluations: None,
-            instructions: None,
             seconds: Some(seconds),
             spread: None,
-            errors: Errors { attitude: Some(attitude), ..Errors::default() },
-            outcome: Outcome::Right,
+            phase: Some(1e-5),
+            attitude: Some(attitude),
+            energy: Some(0.0),
+            momentum: Some(2e-3),
+            direction: Some(3e-7),
+            outcome: "right".into(),
         }
+    }
+
+    #[test]
+    fn errors_of_equal_steps_stand_side_by_side() {
+        let mut rows = vec![rung(10, 1.0, 1e-2), rung(100, 10.0, 1e-4)];
+        assert_eq!(side_by_side(&rows, "box", 100), ["| one | 1e-5 | 1e-4 | 0 | 2e-3 | 3e-7 |"]);
+        (rows[1].phase, rows[1].outcome) = (None, "99 flips".into());
+        assert_eq!(side_by_side(&rows, "box", 100), ["| one | 99 flips | 1e-4 | 0 | 2e-3 | 3e-7 |"]);
+        assert!(side_by_side(&rows, "racket", 100).is_empty());
     }
 
     #[test]
@@ -200,7 +201,7 @@ mod tests {
         assert_eq!(at(&rows, 1e-7), None);
         // A rung that flipped wrongly is no way to an error, and nothing is to be read between it and the
         // next.
-        rows[0].outcome = Outcome::Flips(3);
+        rows[0].outcome = "3 flips".into();
         assert_eq!(at(&rows, 1e-3), Some(10.0));
     }
 }

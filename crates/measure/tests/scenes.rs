@@ -1,6 +1,5 @@
 //! Plans of scenes against the table of truth: 30 digits of bodies free and under torques.
 
-use nalgebra::Vector3;
 use tumbling::step::Torque;
 use tumbling_measure::story::{Story, all};
 use tumbling_scenes::{Answer, Error, InitialState, Outputs, Scene, Times};
@@ -19,10 +18,10 @@ fn torques(story: &Story) -> Vec<Torque<f64>> {
         return story.system.torques().to_vec();
     }
     let mut begin = 0.0;
-    let phase = |&(seconds, torque): &(f64, Vector3<f64>)| {
+    let phase = |&(seconds, torque): &(f64, [f64; 3])| {
         let from = begin;
         begin += seconds;
-        Torque::during(from, begin, Torque::InBody(torque))
+        Torque::during(from, begin, Torque::InBody(torque.into()))
     };
     story.drive.phases.iter().map(phase).collect()
 }

@@ -7,9 +7,7 @@ use super::pen::{DEFAULT_WIDTH, FINENESS, Fill, Pen};
 use super::point::{P, polar};
 use super::text::{Label, SIZE, escaped};
 use crate::ink::{Ink, stand_alone_style};
-use plotters_backend::{
-    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
-};
+use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind};
 use std::cell::RefCell;
 use std::convert::Infallible;
 use std::fmt::Write as _;
@@ -29,6 +27,11 @@ pub(crate) const WIDTH: u32 = 680;
 
 fn fine(p: P) -> BackendCoord {
     ((p.0 * FINENESS).round() as i32, (p.1 * FINENESS).round() as i32)
+}
+
+/// The style of an area, with an outline or without.
+fn look(fill: Fill, outline: Option<Pen>) -> String {
+    outline.map_or(fill.css(), |pen| format!("{};{}", fill.css(), pen.css()))
 }
 
 impl Canvas {
@@ -71,21 +74,14 @@ impl Canvas {
     /// A closed area, with an outline or without.
     pub(crate) fn area(&self, points: &[P], fill: Fill, outline: Option<Pen>) {
         let points: Vec<_> = points.iter().map(|&p| fine(p)).collect();
-        let mut style = fill.css();
-        if let Some(pen) = outline {
-            style = format!("{style};{}", pen.css());
-        }
-        self.shape(&simplified(&points), true, &style);
+        self.shape(&simplified(&points), true, &look(fill, outline));
     }
 
     /// A filled disc, with an outline or without.
     pub(crate) fn disc(&self, centre: P, r: f64, fill: Fill, outline: Option<Pen>) {
         let (x, y) = fine(centre);
-        let mut style = fill.css();
-        if let Some(pen) = outline {
-            style = format!("{style};{}", pen.css());
-        }
-        self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{:.0}\" style=\"{style}\"/>\n", r * FINENESS));
+        let (r, style) = (r * FINENESS, look(fill, outline));
+        self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r:.0}\" style=\"{style}\"/>\n"));
     }
 
     /// Many rectangles (left, top, right, bottom) of one look in one element.
@@ -96,12 +92,8 @@ impl Canvas {
             data.push_str(&path_data(&corners.map(fine)));
             data.push('z');
         }
-        let mut style = fill.css();
-        if let Some(pen) = outline {
-            style = format!("{style};{}", pen.css());
-        }
         if !data.is_empty() {
-            self.push(&format!("<path d=\"{data}\" style=\"{style}\"/>\n"));
+            self.push(&format!("<path d=\"{data}\" style=\"{}\"/>\n", look(fill, outline)));
         }
     }
 
@@ -212,32 +204,17 @@ impl Canvas {
 
 /// Absolute start, then steps: shorter than absolute points.
 fn path_data(points: &[BackendCoord]) -> String {
-    let mut data = String::new();
-    let mut last = (0, 0);
-    for (i, &(x, y)) in points.iter().enumerate() {
-        if i == 0 {
-            let _ = write!(data, "M{x} {y}");
-        } else {
-            let (dx, dy) = (x - last.0, y - last.1);
-            let _ = write!(
-                data,
-                "{}{dx}",
-                if i == 1 {
-                    "l"
-                } else if dx < 0 {
-                    ""
-                } else {
-                    " "
-                }
-            );
-            let _ = write!(data, "{}{dy}", if dy < 0 { "" } else { " " });
-        }
-        last = (x, y);
+    let Some(&(x, y)) = points.first() else { return String::new() };
+    let mut data = format!("M{x} {y}");
+    for (at, step) in points.windows(2).enumerate() {
+        let (dx, dy) = (step[1].0 - step[0].0, step[1].1 - step[0].1);
+        let gap = |d: i32| if d < 0 { "" } else { " " };
+        let _ = write!(data, "{}{dx}{}{dy}", if at == 0 { "l" } else { gap(dx) }, gap(dy));
     }
     data
 }
 
-/// The same curve by fewer points: none moves by more than a tenth of a point (Ramer, Douglas, Peucker).
+/// A curve by fewer points: none moves by more than a tenth of a point (Ramer, Douglas, Peucker).
 fn simplified(points: &[BackendCoord]) -> Vec<BackendCoord> {
     const TOLERANCE: f64 = 1.0;
     let mut keep = vec![false; points.len()];
@@ -268,7 +245,7 @@ fn simplified(points: &[BackendCoord]) -> Vec<BackendCoord> {
     points.iter().zip(&keep).filter(|&(_, &kept)| kept).map(|(&p, _)| p).collect()
 }
 
-type Drawn = Result<(), DrawingErrorKind<Infallible>>;
+type Written = Result<(), DrawingErrorKind<Infallible>>;
 
 impl DrawingBackend for Canvas {
     type ErrorType = Infallible;
@@ -278,82 +255,33 @@ impl DrawingBackend for Canvas {
         (self.size.0 * fine, self.size.1 * fine)
     }
 
-    fn ensure_prepared(&mut self) -> Drawn {
+    fn ensure_prepared(&mut self) -> Written {
         Ok(())
     }
 
-    fn present(&mut self) -> Drawn {
+    fn present(&mut self) -> Written {
         Ok(())
     }
 
-    fn draw_pixel(&mut self, at: BackendCoord, color: BackendColor) -> Drawn {
+    fn draw_pixel(&mut self, at: BackendCoord, color: BackendColor) -> Written {
         let ink = Ink::from_index(usize::from(color.rgb.0));
         self.push(&format!("<path d=\"M{} {}h1v1h-1z\" style=\"{}\"/>\n", at.0, at.1, Fill::new(ink).css()));
         Ok(())
-    }
-
-    fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Drawn {
-        self.shape(&[from, to], false, &Pen::of_backend(style).css());
-        Ok(())
-    }
-
-    fn draw_rect<S: BackendStyle>(
-        &mut self,
-        upper_left: BackendCoord,
-        bottom_right: BackendCoord,
-        style: &S,
-        fill: bool,
-    ) -> Drawn {
-        let ((l, t), (r, b)) = (upper_left, bottom_right);
-        let corners = [(l, t), (r, t), (r, b), (l, b)];
-        if fill {
-            self.fill_polygon(corners, style)
-        } else {
-            self.draw_path([(l, t), (r, t), (r, b), (l, b), (l, t)], style)
-        }
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
         &mut self,
         path: I,
         style: &S,
-    ) -> Drawn {
+    ) -> Written {
         let points: Vec<_> = path.into_iter().collect();
         self.shape(&simplified(&points), false, &Pen::of_backend(style).css());
         Ok(())
     }
 
-    fn draw_circle<S: BackendStyle>(
-        &mut self,
-        centre: BackendCoord,
-        radius: u32,
-        style: &S,
-        fill: bool,
-    ) -> Drawn {
-        let pen = Pen::of_backend(style);
-        let css = if fill { Fill::new(pen.ink()).opacity(style.color().alpha).css() } else { pen.css() };
-        self.push(&format!(
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" style=\"{css}\"/>\n",
-            centre.0, centre.1
-        ));
-        Ok(())
-    }
-
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Drawn {
-        let pen = Pen::of_backend(style);
-        let points: Vec<_> = path.into_iter().collect();
-        self.shape(&simplified(&points), true, &Fill::new(pen.ink()).opacity(style.color().alpha).css());
-        Ok(())
-    }
-
-    fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
-        let ink = Ink::from_index(usize::from(style.color().rgb.0));
-        let at = (f64::from(at.0) / FINENESS, f64::from(at.1) / FINENESS);
-        self.label(at, &Label::new(text).ink(ink).size(style.size() / FINENESS));
+    fn draw_circle<S: BackendStyle>(&mut self, (x, y): BackendCoord, r: u32, style: &S, _: bool) -> Written {
+        let css = Fill::new(Pen::of_backend(style).ink()).css();
+        self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" style=\"{css}\"/>\n"));
         Ok(())
     }
 }

@@ -8,6 +8,7 @@ mod solid;
 mod space;
 mod text;
 
+pub(crate) use crate::ink::Ink;
 pub(crate) use canvas::Canvas;
 pub(crate) use pen::{Fill, Pen};
 pub(crate) use plot::{Plot, Scale};

@@ -20,11 +20,13 @@ pub(crate) enum Scale {
     Log(LogCoord<f64>),
 }
 
-impl Scale {
-    pub(crate) fn linear(range: Range<f64>) -> Self {
+impl From<Range<f64>> for Scale {
+    fn from(range: Range<f64>) -> Self {
         Self::Linear(range.into())
     }
+}
 
+impl Scale {
     /// Each power of ten takes the same room.
     pub(crate) fn log(range: Range<f64>) -> Self {
         Self::Log(range.log_scale().into())
@@ -75,19 +77,16 @@ fn fine(x: f64) -> i32 {
 }
 
 impl Plot {
-    /// In the rectangle from `left`, `top` to `right`, `bottom`.
+    /// In the rectangle from left and top to right and bottom.
     pub(crate) fn new(
         canvas: &Canvas,
-        left: f64,
-        top: f64,
-        right: f64,
-        bottom: f64,
-        x: Scale,
-        y: Scale,
+        [left, top, right, bottom]: [f64; 4],
+        x: impl Into<Scale>,
+        y: impl Into<Scale>,
     ) -> Self {
         let whole: DrawingArea<Canvas, Shift> = canvas.clone().into_drawing_area();
         let place = (fine(left)..fine(right), fine(bottom)..fine(top));
-        let area = whole.apply_coord_spec(Cartesian2d::new(x, y, place));
+        let area = whole.apply_coord_spec(Cartesian2d::new(x.into(), y.into(), place));
         Self { canvas: canvas.clone(), area, left, right, top, bottom }
     }
 

@@ -41,12 +41,12 @@ impl View {
         self.scale
     }
 
-    /// The same view of a world whose centre was moved to `p`.
+    /// This view of a world whose centre was moved to `p`.
     pub(crate) fn moved(self, p: &Vector3<f64>) -> Self {
         Self { centre: self.at(p), ..self }
     }
 
-    /// The same view moved so that `p` falls where the world's centre did.
+    /// This view moved so that `p` falls where the world's centre did.
     pub(crate) fn moved_back(self, p: &Vector3<f64>) -> Self {
         self.moved(&-p)
     }

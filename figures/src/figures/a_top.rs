@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen, View};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 use tumbling::PrincipalMoments;
@@ -48,13 +47,10 @@ pub(super) fn draw() -> Drawing {
     canvas.label((tip.0 - 96.0, tip.1 - 12.0), &Label::new("let go here"));
     canvas.label((origin.0 + 14.0, origin.1 + 4.0), &Label::new("the point stands still"));
     let nods = (whole / period).ceil();
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The axis of a top as an arrow from the point on which it stands, leaning by {LEAN:.0}°. From there its tip goes round \
-             the vertical, on a path with about {nods:.0} arches that hang between cusps: each touches a lower dashed circle, at \
-             {:.0}°, and returns to the upper one, at which the top was let go.",
-            lowest.to_degrees()
-        ),
-    })
+    canvas.described(format!(
+        "The axis of a top as an arrow from the point on which it stands, leaning by {LEAN:.0}°. From there its tip goes round \
+         the vertical, on a path with about {nods:.0} arches that hang between cusps: each touches a lower dashed circle, at \
+         {:.0}°, and returns to the upper one, at which the top was let go.",
+        lowest.to_degrees()
+    ))
 }

@@ -1,6 +1,5 @@
-use super::{BOX_EDGES, Drawing, Picture, document_box};
-use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
-use crate::ink::Ink;
+use super::{BOX_EDGES, Drawing, document_box};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, polar};
 use nalgebra::Vector3;
 
 const CENTRE: P = (128.0, 352.0);
@@ -24,20 +23,17 @@ pub(super) fn draw() -> Drawing {
     the_box(&canvas);
     components(&canvas, &omega, &momentum);
     arrows(&canvas, &omega, &momentum, gap);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The box, {:.0} m by {:.0} m, seen along z. The spin (1, 1, 0) is a blue arrow from its centre at {:.0}° from x. \
-             The momentum ({:.3}, {:.3}, 0) is an orange arrow from the same point at {:.1}°: each component of the spin is \
-             multiplied by its own moment, so it leans to the y edge. The gap between them is {gap:.1}°.",
-            BOX_EDGES[0],
-            BOX_EDGES[1],
-            w_angle.to_degrees(),
-            momentum.x,
-            momentum.y,
-            l_angle.to_degrees()
-        ),
-    })
+    canvas.described(format!(
+        "The box, {:.0} m by {:.0} m, seen along z. The spin (1, 1, 0) is a blue arrow from its centre at {:.0}° from x. \
+         The momentum ({:.3}, {:.3}, 0) is an orange arrow from the same point at {:.1}°: each component of the spin is \
+         multiplied by its own moment, so it leans to the y edge. The gap between them is {gap:.1}°.",
+        BOX_EDGES[0],
+        BOX_EDGES[1],
+        w_angle.to_degrees(),
+        momentum.x,
+        momentum.y,
+        l_angle.to_degrees()
+    ))
 }
 
 fn the_box(canvas: &Canvas) {

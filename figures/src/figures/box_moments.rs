@@ -1,6 +1,5 @@
-use super::{BOX_EDGES, Drawing, Picture, document_box, ink_of};
-use crate::draw::{Canvas, Cuboid, Label, P, Pen, View};
-use crate::ink::Ink;
+use super::{BOX_EDGES, Drawing, document_box, ink_of};
+use crate::draw::{Canvas, Cuboid, Ink, Label, P, Pen, View};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 use tumbling::{Axis, PrincipalAxes};
@@ -42,13 +41,10 @@ pub(super) fn draw() -> Drawing {
     edge(0.0, 1.0, -1.0, 34.0, 26.0, format!("$a$ = {a:.0} m"));
     edge(1.0, 0.0, -1.0, -34.0, 26.0, format!("$b$ = {b:.0} m"));
     edge(-1.0, 1.0, 0.25, 46.0, 6.0, format!("$c$ = {c:.0} m"));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A solid box of 1 kg with edges of {a:.0} m along x, {b:.0} m along y and {c:.0} m along z. An arrow along each edge direction, with a turn about it, carries the moment of inertia about it: {}.",
-            said.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "A solid box of 1 kg with edges of {a:.0} m along x, {b:.0} m along y and {c:.0} m along z. An arrow along each edge direction, with a turn about it, carries the moment of inertia about it: {}.",
+        said.join(", ")
+    ))
 }
 
 /// How far the arrows stand out, m.

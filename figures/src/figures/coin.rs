@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen, View};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tumbling::solid::{Solid, ThinDisk};
@@ -48,19 +47,14 @@ pub(super) fn draw() -> Drawing {
     canvas.arrow(origin, tips[0], Pen::new(Ink::Text, 3.0));
     canvas.arrow(origin, tips[1], Pen::new(Ink::Omega, 3.6));
     canvas.disc(origin, 4.5, Fill::new(Ink::Text), None);
-    canvas.label(
-        (tips[2].0 + 12.0, tips[2].1 + 10.0),
-        &Label::new("momentum $!L$: stands still").ink(Ink::Momentum),
-    );
+    let momentum = Label::new("momentum $!L$: stands still").ink(Ink::Momentum);
+    canvas.label((tips[2].0 + 12.0, tips[2].1 + 10.0), &momentum);
     canvas.label((tips[0].0 + 14.0, tips[0].1 + 4.0), &Label::new("the plate’s axis $!e$"));
     canvas.label((tips[1].0 - 10.0, tips[1].1 + 30.0), &Label::new("spin $!ω$").ink(Ink::Omega).end());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A flat round plate in flight. Its momentum, an orange arrow upwards, stands still. The axis of the plate leans {TILT:.0}° from \
-             it to the right, the spin {:.0}° to the left, in one plane with it. Dashed circles show how the tips of both go round \
-             the momentum together.",
-            beyond.to_degrees()
-        ),
-    })
+    canvas.described(format!(
+        "A flat round plate in flight. Its momentum, an orange arrow upwards, stands still. The axis of the plate leans {TILT:.0}° from \
+         it to the right, the spin {:.0}° to the left, in one plane with it. Dashed circles show how the tips of both go round \
+         the momentum together.",
+        beyond.to_degrees()
+    ))
 }

@@ -1,5 +1,5 @@
 use super::polhode::Ellipsoid;
-use super::{Drawing, Picture, polhodes};
+use super::{Drawing, polhodes};
 use crate::draw::{Canvas, View};
 
 pub(super) fn draw() -> Drawing {
@@ -11,10 +11,8 @@ pub(super) fn draw() -> Drawing {
         &view,
         &[0.12, 0.26, 0.4, 0.54, 0.68, 0.82, 0.94],
     )?;
-    Ok(Picture {
-        canvas,
-        description: "An ellipsoid covered with the paths that the spin of a tumbling body can take: loops round the ends of \
+    canvas.described(
+        "An ellipsoid covered with the paths that the spin of a tumbling body can take: loops round the ends of \
                       two axes, and between them, crossing at the ends of the third, the two curves that part them; near those a body flips."
-            .into(),
-    })
+    )
 }

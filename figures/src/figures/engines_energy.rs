@@ -1,6 +1,5 @@
-use super::{Drawing, Picture, bound, document_box};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, bound, document_box};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot};
 use crate::motion;
 use nalgebra::Vector3;
 use tumbling::step::Engine;
@@ -11,7 +10,7 @@ const STEP: f64 = 0.01;
 pub(super) fn draw() -> Drawing {
     let body = motion::spun(document_box()?, Vector3::new(1.0, 1.0, 1.0))?;
     let canvas = Canvas::sized(500, 430);
-    let plot = Plot::new(&canvas, 66.0, 56.0, 484.0, 356.0, Scale::linear(0.0..END), Scale::linear(0.5..1.3));
+    let plot = Plot::new(&canvas, [66.0, 56.0, 484.0, 356.0], 0.0..END, 0.5..1.3);
     plot.x_axis((0..=4).map(|s| (10.0 * f64::from(s), (10 * s).to_string())), "time $t$ (s)");
     plot.y_axis(
         [60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %"))),
@@ -40,15 +39,12 @@ pub(super) fn draw() -> Drawing {
     canvas.label(at, &Label::new("frozen tensor (dashed)").ink(Ink::Wrong));
     let at = plot.at(20.2, 1.0);
     canvas.label((at.0, at.1 - 12.0), &Label::new("tensor turned").middle());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Kinetic energy of the free box, spun at (1, 1, 1) rad/s, over {END:.0} s. The right engine, which turns the tensor \
-             at each step, keeps it to better than {:.0e}. The one that leaves the body's tensor frozen in the world gains up to \
-             {:.0} % and loses up to {:.0} %, though no torque acts.",
-            bound(drift),
-            100.0 * (most.1 - 1.0),
-            100.0 * (1.0 - least.1)
-        ),
-    })
+    canvas.described(format!(
+        "Kinetic energy of the free box, spun at (1, 1, 1) rad/s, over {END:.0} s. The right engine, which turns the tensor \
+         at each step, keeps it to better than {:.0e}. The one that leaves the body's tensor frozen in the world gains up to \
+         {:.0} % and loses up to {:.0} %, though no torque acts.",
+        bound(drift),
+        100.0 * (most.1 - 1.0),
+        100.0 * (1.0 - least.1)
+    ))
 }

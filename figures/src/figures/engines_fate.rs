@@ -1,8 +1,7 @@
 //! What engines make of a stable spin, each with the rule and the step that it has by default.
 
-use super::{Drawing, NARROW, Picture};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, NARROW};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, System};
@@ -66,8 +65,7 @@ fn exactly() -> Result<Vec<(f64, f64)>, Box<dyn std::error::Error>> {
 pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(NARROW, 380);
     let end = f64::from(END);
-    let plot =
-        Plot::new(&canvas, 62.0, 50.0, 484.0, 316.0, Scale::linear(0.0..end), Scale::linear(0.0..94.0));
+    let plot = Plot::new(&canvas, [62.0, 50.0, 484.0, 316.0], 0.0..end, 0.0..94.0);
     plot.x_axis((0..=4).map(|k| (15.0 * f64::from(k), (15 * k).to_string())), "time $t$ (s)");
     plot.y_axis([0, 30, 60, 90].map(|y| (f64::from(y), format!("{y}°"))), "lean of the spin from its axis");
     let mut sentences = Vec::new();
@@ -85,12 +83,9 @@ pub(super) fn draw() -> Drawing {
     let most = exact.iter().map(|point| point.1).fold(0.0, f64::max);
     plot.curve(exact, Pen::new(Ink::Text, 3.4))?;
     canvas.label(plot.at(34.0, 8.5), &Label::new("exact, fixed_rate").halo(Ink::Paper));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A free body with moments 1, 2 and 3 kg m², spun at (0.5, 0.5, 10) rad/s for {END} s: the angle between the spin and the axis of \
-             the largest moment, the greatest in each half second. Exactly it stays within {most:.1}°. By the engines' own defaults: {}.",
-            sentences.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "A free body with moments 1, 2 and 3 kg m², spun at (0.5, 0.5, 10) rad/s for {END} s: the angle between the spin and the axis of \
+         the largest moment, the greatest in each half second. Exactly it stays within {most:.1}°. By the engines' own defaults: {}.",
+        sentences.join("; ")
+    ))
 }

@@ -1,6 +1,5 @@
-use super::{Drawing, Picture, document_box};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, document_box};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot};
 use crate::motion;
 use nalgebra::Vector3;
 use tumbling::dynamics::observe::sign_changes;
@@ -15,8 +14,7 @@ pub(super) fn draw() -> Drawing {
     // x is the box's middle axis.
     let body = motion::spun(document_box()?, Vector3::new(SPIN, PUSH, PUSH))?;
     let canvas = Canvas::sized(500, 450);
-    let plot =
-        Plot::new(&canvas, 50.0, 56.0, 484.0, 376.0, Scale::linear(0.0..END), Scale::linear(-12.0..14.0));
+    let plot = Plot::new(&canvas, [50.0, 56.0, 484.0, 376.0], 0.0..END, -12.0..14.0);
     plot.x_axis((0..=6).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
     let ticks = [-10, -5, 0, 5, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−")));
     plot.y_axis(ticks, "spin about the middle axis, $ω_2$ (rad/s)");
@@ -50,13 +48,10 @@ pub(super) fn draw() -> Drawing {
         canvas.label((at.0 + 12.0, at.1 + 20.0), &label);
     }
     let when: Vec<_> = flips.iter().map(|t| format!("{t:.2} s")).collect();
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Spin of the box about its middle axis, {SPIN:.0} rad/s at the start, with {PUSH} rad/s about both others. In the right \
-             engine it reverses, at {}. Two wrong engines never flip: the one that takes the momentum for the spin stays at \
-             {taken_at:.1} rad/s, the one without the gyroscopic term at {without_at:.1} rad/s.",
-            when.join(" and ")
-        ),
-    })
+    canvas.described(format!(
+        "Spin of the box about its middle axis, {SPIN:.0} rad/s at the start, with {PUSH} rad/s about both others. In the right \
+         engine it reverses, at {}. Two wrong engines never flip: the one that takes the momentum for the spin stays at \
+         {taken_at:.1} rad/s, the one without the gyroscopic term at {without_at:.1} rad/s.",
+        when.join(" and ")
+    ))
 }

@@ -1,65 +1,31 @@
 //! Errors of the exact motion over all bodies, against a table of more digits than an `f64` has.
 
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, Pen};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, Pen};
 use nalgebra::Vector3;
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-
-/// Made by the program beside it.
-const TABLE: &str = include_str!("../../data/errors.json");
+use tumbling_measure::record::FREE_MOTIONS;
 
 /// The rounding of one input, relative.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
-/// A decimal number as 36 digits and the power of ten of the last one.
-struct Decimal {
-    digits: i128,
-    exponent: i32,
+/// Decimals of the numbers whose differences are taken.
+const DECIMALS: i32 = 30;
+
+/// A number of a few digits before its point, in units of the last decimal; what lies below that is cut.
+fn fixed(text: &str) -> Option<i128> {
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: i128 = format!("{whole}{part}").parse().ok()?;
+    let shift = DECIMALS + power.parse::<i32>().ok()? - i32::try_from(part.len()).ok()?;
+    let Some(factor) = 10_i128.checked_pow(shift.unsigned_abs()) else { return Some(0) };
+    if shift < 0 { Some(digits / factor) } else { digits.checked_mul(factor) }
 }
 
-const DIGITS: usize = 36;
-
-impl Decimal {
-    /// From a numeral with or without a point and a power of ten; digits after the 36th are cut.
-    fn parse(text: &str) -> Option<Self> {
-        let (mantissa, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        let negative = mantissa.starts_with('-');
-        let (whole, part) = mantissa
-            .trim_start_matches(['-', '+'])
-            .split_once('.')
-            .unwrap_or((mantissa.trim_start_matches(['-', '+']), ""));
-        let all: String = [whole, part].concat();
-        let leading = all.len() - all.trim_start_matches('0').len();
-        let kept: String = all[leading..].chars().chain(std::iter::repeat('0')).take(DIGITS).collect();
-        let first = i32::try_from(whole.len()).ok()? - i32::try_from(leading).ok()?;
-        let digits: i128 = kept.parse().ok()?;
-        Some(Self {
-            digits: if negative { -digits } else { digits },
-            exponent: power.parse::<i32>().ok()? + first - i32::try_from(DIGITS).ok()?,
-        })
-    }
-
-    /// All that matters of an `f64`.
-    fn of(x: f64) -> Option<Self> {
-        Self::parse(&format!("{x:.*e}", DIGITS - 1))
-    }
-
-    /// The difference, from which nothing is lost but what lies below the 36th digit of the larger number.
-    fn minus(&self, other: &Self) -> Option<f64> {
-        let top = match (self.digits, other.digits) {
-            (0, _) => other.exponent,
-            (_, 0) => self.exponent,
-            _ => self.exponent.max(other.exponent),
-        };
-        let lined_up = |x: &Self| {
-            10_i128
-                .checked_pow(u32::try_from(top - x.exponent).unwrap_or(0))
-                .map_or(0, |power| x.digits / power)
-        };
-        format!("{}e{top}", lined_up(self) - lined_up(other)).parse().ok()
-    }
+/// How much a number exceeds one of a table, which has more digits than an `f64`.
+fn difference(x: f64, table: &str) -> Option<f64> {
+    Some((fixed(&format!("{x:.30e}"))? - fixed(table)?) as f64 * 10_f64.powi(-DECIMALS))
 }
 
 fn length(v: &[f64]) -> f64 {
@@ -77,7 +43,7 @@ fn numbers(value: &Value) -> Option<Vec<f64>> {
 
 fn off(ours: &[f64], table: &[&str]) -> Option<f64> {
     let differences: Option<Vec<f64>> =
-        ours.iter().zip(table).map(|(x, text)| Decimal::of(*x)?.minus(&Decimal::parse(text)?)).collect();
+        ours.iter().zip(table).map(|(x, text)| difference(*x, text)).collect();
     Some(length(&differences?))
 }
 
@@ -109,7 +75,7 @@ const LIMIT: f64 = 8.0;
 const BARS: [(f64, &str); 5] = [(0.25, "¼"), (0.5, "½"), (1.0, "1"), (2.0, "2"), (LIMIT, "8")];
 
 pub(super) fn draw() -> Drawing {
-    let file: Value = serde_json::from_str(TABLE)?;
+    let file: Value = serde_json::from_str(FREE_MOTIONS)?;
     let mut units = Vec::new();
     for entry in file["cases"].as_array().ok_or("a table without cases")? {
         let both = case(entry).ok_or_else(|| format!("case {} cannot be read", entry["inertia"]))?;
@@ -131,10 +97,8 @@ pub(super) fn draw() -> Drawing {
         let per_cent = share(from, to);
         let top = foot - 3.1 * per_cent;
         canvas.tiles(&[[left + 6.0, top, right - 6.0, foot]], Fill::new(Ink::Text).opacity(0.7), None);
-        canvas.label(
-            (0.5 * (left + right), top - 9.0),
-            &Label::new(format!("{per_cent:.0} %")).bold().middle(),
-        );
+        let written = Label::new(format!("{per_cent:.0} %")).bold().middle();
+        canvas.label((0.5 * (left + right), top - 9.0), &written);
         canvas.label((right, foot + 24.0), &Label::new(words).middle());
         said.push(format!("{per_cent:.0} % up to {words}"));
         from = to;
@@ -144,38 +108,33 @@ pub(super) fn draw() -> Drawing {
     canvas.line((294.0, 96.0), (294.0, foot), Pen::new(Ink::Text, 1.6).dashed());
     canvas.label((304.0, 112.0), &Label::new("what rounding"));
     canvas.label((304.0, 134.0), &Label::new("one input causes"));
-    canvas.label(
-        (249.0, foot + 54.0),
-        &Label::new("error, in units of what rounding one input causes").middle(),
-    );
+    let title = Label::new("error, in units of what rounding one input causes").middle();
+    canvas.label((249.0, foot + 54.0), &title);
     canvas.label((24.0, 28.0), &Label::new("share of the answers").bold());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A bar for each size of the error of the exact motion, over {} bodies and ways of spinning, for spin and attitude, in \
-             units of what the rounding of one input does by itself: {}; none is beyond {LIMIT:.0}.",
-            units.len() / 2,
-            said.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "A bar for each size of the error of the exact motion, over {} bodies and ways of spinning, for spin and attitude, in \
+         units of what the rounding of one input does by itself: {}; none is beyond {LIMIT:.0}.",
+        units.len() / 2,
+        said.join(", ")
+    ))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn difference(x: f64, table: &str) -> f64 {
-        Decimal::of(x).unwrap().minus(&Decimal::parse(table).unwrap()).unwrap()
-    }
-
     /// An `f64` has 3602879701896397 / 2^55 for 0.1, which is more by a fifth of 2^-55.
     #[test]
     fn a_difference_far_below_the_last_digit_of_a_number_is_seen() {
-        assert_eq!(difference(0.1, "0.1"), 2_f64.powi(-55) / 5.0);
-        assert_eq!(difference(-0.1, "-1.00E-1"), -2_f64.powi(-55) / 5.0);
-        assert_eq!(difference(1.0, "0.99999999999999999999"), 1e-20);
-        assert_eq!(difference(0.0, "2.5e-300"), -2.5e-300);
-        assert_eq!(difference(3e-310, "0"), 3e-310);
-        assert_eq!(difference(100.0, "1e2"), 0.0);
+        let near = |x: f64, table: &str, expected: f64| {
+            let found = difference(x, table).unwrap();
+            assert!((found - expected).abs() < 1e-29, "{x} - {table}: {found:e}, not {expected:e}");
+        };
+        near(0.1, "0.1", 2_f64.powi(-55) / 5.0);
+        near(-0.1, "-1.00e-1", -2_f64.powi(-55) / 5.0);
+        near(1.0, "0.99999999999999999999", 1e-20);
+        near(0.0, "2.5e-20", -2.5e-20);
+        near(0.0, "2.5e-300", 0.0);
+        near(100.0, "1e2", 0.0);
     }
 }

@@ -1,6 +1,5 @@
-use super::{Drawing, Picture, bound, document_box, in_principal_axes, power_of_ten};
-use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, bound, document_box, in_principal_axes, power_of_ten};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
 use crate::motion;
 use nalgebra::Vector3;
 use tumbling::dynamics::observe::sign_changes;
@@ -14,7 +13,7 @@ pub(super) fn draw() -> Drawing {
     let m = inertia.principal().moments();
     let rate = motion::growth(&m, SPIN)?;
     let canvas = Canvas::sized(500, 450);
-    let plot = Plot::new(&canvas, 50.0, 56.0, 484.0, 376.0, Scale::log(1e-12..1.0), Scale::linear(0.0..14.0));
+    let plot = Plot::new(&canvas, [50.0, 56.0, 484.0, 376.0], Scale::log(1e-12..1.0), 0.0..14.0);
     plot.x_axis(
         (-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
         "push, as a fraction of the spin",
@@ -55,17 +54,14 @@ pub(super) fn draw() -> Drawing {
     );
     let word = plot.at(3e-9, 10.6);
     canvas.label(word, &Label::new("line: the formula; rings: simulated"));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis, against the push, from {:.2} s at a \
-             push of 0.1 to {:.2} s at 1e-12: nearly a straight line over a logarithmic axis, {decade:.2} s for each factor of \
-             ten. Twelve simulated motions lie on the formula, all to better than {:.0e}.",
-            time(0.1)?,
-            time(1e-12)?,
-            bound(worst)
-        ),
-    })
+    canvas.described(format!(
+        "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis, against the push, from {:.2} s at a \
+         push of 0.1 to {:.2} s at 1e-12: nearly a straight line over a logarithmic axis, {decade:.2} s for each factor of \
+         ten. Twelve simulated motions lie on the formula, all to better than {:.0e}.",
+        time(0.1)?,
+        time(1e-12)?,
+        bound(worst)
+    ))
 }
 
 fn spin(push: f64) -> Vector3<f64> {

@@ -1,8 +1,7 @@
 //! The time between flips down to the smallest number above zero, and where a plain computation gives up.
 
-use super::{Drawing, Picture, document_box, in_principal_axes, power_of_ten};
-use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, document_box, in_principal_axes, power_of_ten};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot};
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
@@ -21,7 +20,7 @@ fn exact(moments: &Vector3<f64>, push: f64) -> Result<f64, Box<dyn Error>> {
     Ok(0.5 * FreeMotion::new((*moments).try_into()?, &spin(push))?.period()?.ok_or("never flips")?)
 }
 
-/// The same as a textbook's formulas give it, typed in as they stand: energy and momentum, then the parameter
+/// That time by a textbook's formulas, typed in as they stand: energy and momentum, then the parameter
 /// `m`, then `1 - m` for the arithmetic-geometric mean.
 fn plain(moments: &Vector3<f64>, push: f64) -> f64 {
     let (i, w) = (moments, spin(push));
@@ -49,8 +48,8 @@ pub(super) fn draw() -> Drawing {
         .ok_or("no plain time")?;
     let least = exact(&m, LEAST)?;
     let canvas = Canvas::sized(500, 400);
-    let (x, y) = (Scale::linear(-324.0..0.0), Scale::linear(0.0..350.0));
-    let plot = Plot::new(&canvas, 50.0, 56.0, 486.0, 336.0, x, y);
+    let (x, y) = (-324.0..0.0, 0.0..350.0);
+    let plot = Plot::new(&canvas, [50.0, 56.0, 486.0, 336.0], x, y);
     plot.x_axis(
         (-3..=0).map(|n| (100.0 * f64::from(n), power_of_ten(100 * n))),
         "push, as a fraction of the spin",
@@ -76,16 +75,13 @@ pub(super) fn draw() -> Drawing {
     };
     word(-24.0, "parameter rounded to one:".into());
     word(-2.0, format!("no flips below {}", power_of_ten(last.round() as i32)));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis against a push about its largest, as a \
-             fraction of the spin. The exact time is a straight line over the powers of ten, from {:.2} s at 0.1 to {:.0} s at \
-             1e-300 and {least:.0} s at 5e-324, the smallest number above zero. A computation that rounds the elliptic parameter \
-             ends below {:.0e}, where the parameter rounds to 1: it says that the box never flips.",
-            exact(&m, 0.1)?,
-            exact(&m, 1e-300)?,
-            10_f64.powf(last)
-        ),
-    })
+    canvas.described(format!(
+        "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis against a push about its largest, as a \
+         fraction of the spin. The exact time is a straight line over the powers of ten, from {:.2} s at 0.1 to {:.0} s at \
+         1e-300 and {least:.0} s at 5e-324, the smallest number above zero. A computation that rounds the elliptic parameter \
+         ends below {:.0e}, where the parameter rounds to 1: it says that the box never flips.",
+        exact(&m, 0.1)?,
+        exact(&m, 1e-300)?,
+        10_f64.powf(last)
+    ))
 }

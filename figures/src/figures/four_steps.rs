@@ -1,8 +1,7 @@
 //! What four methods make of the energy of a box.
 
-use super::{Drawing, NARROW, Picture};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, NARROW};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::body::named::NamedBody;
 use tumbling::step::{Method, State, System};
@@ -34,15 +33,7 @@ fn energies(method: Method) -> Result<Vec<(f64, f64)>, tumbling::Error> {
 pub(super) fn draw() -> Drawing {
     let end = STEP * f64::from(STEPS);
     let canvas = Canvas::sized(NARROW, 360);
-    let plot = Plot::new(
-        &canvas,
-        72.0,
-        46.0,
-        474.0,
-        300.0,
-        Scale::linear(0.0..end),
-        Scale::linear(SHOWN[0]..SHOWN[1]),
-    );
+    let plot = Plot::new(&canvas, [72.0, 46.0, 474.0, 300.0], 0.0..end, SHOWN[0]..SHOWN[1]);
     plot.x_axis((0..=4).map(|k| (25.0 * f64::from(k), (25 * k).to_string())), "time $t$ (s)");
     let ticks = [0.94, 0.96, 0.98, 1.0, 1.02, 1.04, 1.06];
     plot.y_axis(ticks.map(|y| (y, format!("{:.0} %", 100.0 * y))), "energy, as a share of the first");
@@ -66,15 +57,12 @@ pub(super) fn draw() -> Drawing {
         canvas.label(plot.at(t, y), &Label::new(text).ink(ink).halo(Ink::Paper));
     }
     let spread = |seen: &[(f64, f64)]| seen.iter().map(|p| (p.1 - 1.0).abs()).fold(0.0_f64, f64::max);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Energy of the box with a spin of (1, 1, 1) rad/s, as a share of the first, over {end:.0} s in steps of {STEP} s. Euler's method \
-             leaves the sheet upward at the first step. Runge and Kutta's sinks to {:.0} % after {:.0} s. The splitting into three rotations \
-             sways by up to {:.1} %. Moser and Veselov's method stays level.",
-            100.0 * classical.last().map_or(1.0, |p| p.1),
-            classical.last().map_or(0.0, |p| p.0),
-            100.0 * spread(&turns),
-        ),
-    })
+    canvas.described(format!(
+        "Energy of the box with a spin of (1, 1, 1) rad/s, as a share of the first, over {end:.0} s in steps of {STEP} s. Euler's method \
+         leaves the sheet upward at the first step. Runge and Kutta's sinks to {:.0} % after {:.0} s. The splitting into three rotations \
+         sways by up to {:.1} %. Moser and Veselov's method stays level.",
+        100.0 * classical.last().map_or(1.0, |p| p.1),
+        classical.last().map_or(0.0, |p| p.0),
+        100.0 * spread(&turns),
+    ))
 }

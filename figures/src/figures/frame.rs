@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, Pen};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, Pen};
 
 /// A stage: its name, what acts in it, and what it changes.
 const STAGES: [[&str; 3]; 3] = [
@@ -33,11 +32,9 @@ pub(super) fn draw() -> Drawing {
     let (first, last) = (20.0 + height / 2.0, 20.0 + 2.0 * (height + gap) + height / 2.0);
     let back = [(right, last), (440.0, last), (440.0, first), (right + 4.0, first)];
     canvas.arrow_along(&back, Pen::new(Ink::Text, 2.2));
-    Ok(Picture {
-        canvas,
-        description: "A frame of an engine as three boxes, one below the other, joined by arrows, with an arrow from the last back to \
+    canvas.described(
+        "A frame of an engine as three boxes, one below the other, joined by arrows, with an arrow from the last back to \
                       the first. Forces: gravity, thrusters and damping change the spin. Solver: contacts, joints and motors change \
                       the spin. Positions, drawn bold: in the position stage nothing acts; it changes attitude and spin."
-            .into(),
-    })
+    )
 }

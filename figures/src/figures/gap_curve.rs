@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Ink, Label, Pen, Plot};
 use nalgebra::Vector3;
 use tumbling::solid::{Ball, Cylinder, Solid, ThinPlate};
 use tumbling::{Axis, Error, Inertia, body::named::NamedBody};
@@ -56,8 +55,7 @@ pub(super) fn draw() -> Drawing {
         Curve::across("ball", Ball::new(1.0)?.with_mass(1.0)?.inertia()),
     ];
     let canvas = Canvas::sized(500, 440);
-    let plot =
-        Plot::new(&canvas, 50.0, 56.0, 484.0, 366.0, Scale::linear(0.0..90.0), Scale::linear(0.0..90.0));
+    let plot = Plot::new(&canvas, [50.0, 56.0, 484.0, 366.0], 0.0..90.0, 0.0..90.0);
     let ticks = || (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
     plot.x_axis(ticks(), "spin, from the easy axis (0°) to the hard one (90°)");
     plot.y_axis(ticks(), "gap between $!ω$ and $!L$");
@@ -89,13 +87,10 @@ pub(super) fn draw() -> Drawing {
         }
         said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()?));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The gap between spin and momentum against the direction of the spin, from the easy to the hard one of two \
-             principal axes. It is zero at both ends and widest between them. The widest gaps: {}. The more unequal the \
-             moments, the wider the gap, and the nearer to the easy axis.",
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "The gap between spin and momentum against the direction of the spin, from the easy to the hard one of two \
+         principal axes. It is zero at both ends and widest between them. The widest gaps: {}. The more unequal the \
+         moments, the wider the gap, and the nearer to the easy axis.",
+        said.join("; ")
+    ))
 }

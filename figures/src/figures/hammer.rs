@@ -1,6 +1,5 @@
-use super::{Drawing, Picture, ink_of};
-use crate::draw::{Canvas, Fill, Label, P, Pen};
-use crate::ink::Ink;
+use super::{Drawing, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen};
 use nalgebra::Vector3;
 use tumbling::Axis;
 use tumbling::solid::{Compound, Cuboid, Cylinder, Solid};
@@ -59,14 +58,11 @@ pub(super) fn draw() -> Drawing {
     name((middle.0 - 172.0, middle.1 - 26.0), "hardest:", Axis::Largest);
     name((middle.0 - 172.0, middle.1 - 4.0), "through the page", Axis::Largest);
     canvas.label((130.0, 282.0), &Label::new(format!("{lean:.1}° from the handle")).bold());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A hammer from its side: a wooden handle {long} m long, a steel head {across} m wide across its end and {OFF} m off its \
-             middle. Its centre of mass lies {:.4} m to the side of the handle's axis, outside the wood, and {:.3} m from the head. The easiest of its principal axes leans by {lean:.1}° from the \
-             handle, the middle one stands across it, and the hardest goes through the page.",
-            centre.x,
-            long - centre.z
-        ),
-    })
+    canvas.described(format!(
+        "A hammer from its side: a wooden handle {long} m long, a steel head {across} m wide across its end and {OFF} m off its \
+         middle. Its centre of mass lies {:.4} m to the side of the handle's axis, outside the wood, and {:.3} m from the head. The easiest of its principal axes leans by {lean:.1}° from the \
+         handle, the middle one stands across it, and the hardest goes through the page.",
+        centre.x,
+        long - centre.z
+    ))
 }

@@ -1,8 +1,7 @@
 //! The named bodies, each drawn to a scale of its own, with its three moments as bars.
 
-use super::{Drawing, Picture, ink_of};
-use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
-use crate::ink::Ink;
+use super::{Drawing, ink_of};
+use crate::draw::{Canvas, Cuboid, Fill, Ink, Label, P, Pen, View};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 use tumbling::body::named::{NamedBody, Part, Section};
@@ -133,13 +132,10 @@ pub(super) fn draw() -> Drawing {
     for (i, body) in NamedBody::ALL.into_iter().enumerate() {
         said.push(one(&canvas, (14.0, 14.0 + 114.0 * i as f64), body)?);
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Eight bodies and their principal moments in kg m², smallest, middle and largest, as three bars beside a drawing of each. {}.",
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "Eight bodies and their principal moments in kg m², smallest, middle and largest, as three bars beside a drawing of each. {}.",
+        said.join("; ")
+    ))
 }
 
 /// One body in its cell; returns its words.

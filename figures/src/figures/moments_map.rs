@@ -1,14 +1,13 @@
 //! Every body's place among all bodies: its two smaller moments relative to its largest.
 
-use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
-use crate::picture::{Drawing, Picture};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot};
+use crate::picture::Drawing;
 use tumbling::body::named::NamedBody;
 use tumbling::dynamics::stability::rate_squared;
 
 /// The triangle of possible bodies, with its corners and edges named.
 pub(crate) fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
-    let plot = Plot::new(canvas, 52.0, 92.0, 432.0, 412.0, Scale::linear(0.0..1.0), Scale::linear(0.5..1.0));
+    let plot = Plot::new(canvas, [52.0, 92.0, 432.0, 412.0], 0.0..1.0, 0.5..1.0);
     let tenths = |range: std::ops::RangeInclusive<i32>| {
         range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))))
     };
@@ -76,15 +75,12 @@ pub(super) fn draw() -> Drawing {
     let plot = map(&canvas)?;
     edges(&canvas, &plot);
     let said = points(&canvas, &plot)?;
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Every rigid body is a point in a triangle: across, its smallest moment over the largest; up, its middle moment \
-             over the largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). No body \
-             lies left of the edge I1 + I2 = I3, where flat plates are. The book's bodies: {}.",
-            said.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "Every rigid body is a point in a triangle: across, its smallest moment over the largest; up, its middle moment \
+         over the largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). No body \
+         lies left of the edge I1 + I2 = I3, where flat plates are. The book's bodies: {}.",
+        said.join(", ")
+    ))
 }
 
 /// How much the angle grows on the way of one radian of spin, for a body at this place of the map.
@@ -124,6 +120,15 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
     Ok(levels)
 }
 
+/// What the lines of equal growth are.
+pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
+    let words = plot.at(0.76, 0.72);
+    let lines = [(0.0, "dashed: $λ/ω$,"), (21.0, "a push’s growth"), (42.0, "per radian of spin")];
+    for (down, line) in lines {
+        canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
+    }
+}
+
 /// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
 pub(super) fn draw_growth() -> Drawing {
     let canvas = Canvas::sized(500, 476);
@@ -131,24 +136,17 @@ pub(super) fn draw_growth() -> Drawing {
     let levels = growth_lines(&canvas, &plot)?;
     edges(&canvas, &plot);
     points(&canvas, &plot)?;
-    let words = plot.at(0.76, 0.72);
-    for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a push’s growth"), (42.0, "per radian of spin")]
-    {
-        canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
-    }
+    growth_key(&canvas, &plot);
     let mut said = Vec::new();
     for body in NamedBody::ALL {
         let m = body.properties()?.inertia().principal().moments();
         said.push(format!("{body} {:.2}", rate(m[0] / m[2], m[1] / m[2])));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The triangle of all rigid bodies with lines of equal growth rate of a push off the middle axis, relative to the spin: \
-             {}. It is zero along the two edges of round bodies and largest towards the needle along the edge of flat \
-             plates. The book's bodies: {}.",
-            levels.join(", "),
-            said.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "The triangle of all rigid bodies with lines of equal growth rate of a push off the middle axis, relative to the spin: \
+         {}. It is zero along the two edges of round bodies and largest towards the needle along the edge of flat \
+         plates. The book's bodies: {}.",
+        levels.join(", "),
+        said.join(", ")
+    ))
 }

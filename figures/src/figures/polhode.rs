@@ -1,7 +1,6 @@
 //! The ellipsoid of equal energy and the paths of the spin on it, shared by two figures.
 
-use crate::draw::{Canvas, Fill, P, Pen, View};
-use crate::ink::Ink;
+use crate::draw::{Canvas, Fill, Ink, P, Pen, View};
 use crate::motion;
 use nalgebra::Vector3;
 use std::error::Error;

@@ -1,7 +1,6 @@
 use super::polhode::Ellipsoid;
-use super::{Drawing, Picture, ink_of};
-use crate::draw::{Canvas, Fill, Label, Pen, View};
-use crate::ink::Ink;
+use super::{Drawing, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, View};
 use nalgebra::Vector3;
 use tumbling::Axis;
 
@@ -33,15 +32,12 @@ pub(super) fn draw() -> Drawing {
     let left = ellipses.iter().map(|p| view.at(p)).min_by(|p, q| p.0.total_cmp(&q.0)).unwrap_or_default();
     canvas.label((4.0, left.1 - 22.0), &Label::new("separatrix").ink(Ink::Separatrix));
     let [a, b, c] = [0, 1, 2].map(|i| ellipsoid.reach[i]);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The ellipsoid of all spins with the same energy, for moments 1, 2 and 3; its half axes are {a:.3}, {b:.3} and \
-             {c:.3}. The paths of the spin on it, as a body turned by the library draws them, are closed loops round the \
-             ends of the axes with the smallest and the largest moment. Two ellipses, the separatrix, part the loops and cross \
-             at the ends of the middle axis: a spin that starts near a crossing runs away along them to the opposite one."
-        ),
-    })
+    canvas.described(format!(
+        "The ellipsoid of all spins with the same energy, for moments 1, 2 and 3; its half axes are {a:.3}, {b:.3} and \
+         {c:.3}. The paths of the spin on it, as a body turned by the library draws them, are closed loops round the \
+         ends of the axes with the smallest and the largest moment. Two ellipses, the separatrix, part the loops and cross \
+         at the ends of the middle axis: a spin that starts near a crossing runs away along them to the opposite one."
+    ))
 }
 
 /// The surface and the paths on it.

@@ -1,6 +1,5 @@
-use super::{Drawing, Picture, ink_of};
-use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
-use crate::ink::Ink;
+use super::{Drawing, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, polar};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 use tumbling::Axis;
@@ -61,15 +60,12 @@ pub(super) fn draw() -> Drawing {
     under(hard.0, Axis::Largest, ["end over end".into(), format!("$I$ = {hard_words} kg m²")]);
     let ratio = across / along;
     canvas.label((250.0, 312.0), &Label::new(format!("{ratio:.0} times as hard")).bold().middle());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The same rod, {LENGTH:.0} m long, {:.0} cm thick, {MASS} kg, turned in two ways. About its length its moment is {:.1e} \
-             kg m², end over end {across:.4} kg m²: {ratio:.0} times as much. (Drawn thicker than it is.)",
-            200.0 * RADIUS,
-            along
-        ),
-    })
+    canvas.described(format!(
+        "The same rod, {LENGTH:.0} m long, {:.0} cm thick, {MASS} kg, turned in two ways. About its length its moment is {:.1e} \
+         kg m², end over end {across:.4} kg m²: {ratio:.0} times as much. (Drawn thicker than it is.)",
+        200.0 * RADIUS,
+        along
+    ))
 }
 
 /// As `1.00 × 10⁻⁵`.

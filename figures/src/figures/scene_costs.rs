@@ -1,12 +1,10 @@
 //! What a state costs by the outputs requested, from the committed record.
 
-use super::{Drawing, NARROW, Picture, raised};
-use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
-use tumbling_measure::saving;
-use tumbling_measure::savings::{GENERAL, STATE, value};
+use super::{Drawing, NARROW, raised};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
+use tumbling_measure::costs::{self, GENERAL};
 
-/// What a row of the record is called here, and whether the attitude is asked for too.
+/// What a row of the record is called here, and whether the attitude is requested too.
 const ROWS: [(&str, &str, bool); 8] = [
     ("ball; spin alone", "a ball", false),
     ("two equal moments; spin alone", "a coin", false),
@@ -19,15 +17,15 @@ const ROWS: [(&str, &str, bool); 8] = [
 ];
 
 pub(super) fn draw() -> Drawing {
-    let rows = saving::recorded()?.rows;
+    let rows = costs::recorded()?.rows;
     let canvas = Canvas::sized(NARROW, 420);
     let (top, apart) = (20.0, 38.0);
     let bottom = top + apart * ROWS.len() as f64;
-    let plot = Plot::new(&canvas, 206.0, top, 484.0, bottom, Scale::log(50.0..3e5), Scale::linear(0.0..1.0));
+    let plot = Plot::new(&canvas, [206.0, top, 484.0, bottom], Scale::log(50.0..3e5), 0.0..1.0);
     plot.x_axis((2..=5).map(|n| (10_f64.powi(n), raised(n))), "processor instructions for a state");
     let mut sentences = Vec::new();
     for (k, (row, words, attitude)) in ROWS.into_iter().enumerate() {
-        let count = value(&rows, "executed", row, STATE).ok_or_else(|| format!("no count of {row}"))?;
+        let count = costs::of(&rows, row)?.state;
         let y = top + apart * (k as f64 + 0.5);
         let (from, to) = (plot.at(50.0, 0.5).0, plot.at(count, 0.5).0);
         let fill = if attitude { Ink::Paper } else { Ink::Text };
@@ -38,13 +36,10 @@ pub(super) fn draw() -> Drawing {
         let asked = if attitude { "spin and attitude" } else { "spin" };
         sentences.push(format!("{words}, {asked}: {}", grouped(count)));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The instructions that one state takes, by what is asked, as dots on an axis where each power of ten takes the same room. {}.",
-            sentences.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "The instructions that one state takes, by what is asked, as dots on an axis where each power of ten takes the same room. {}.",
+        sentences.join("; ")
+    ))
 }
 
 /// With a thin space before the last three digits.

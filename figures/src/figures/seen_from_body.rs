@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, polar};
 use std::f64::consts::FRAC_PI_2;
 
 /// The turn that is seen, rad.
@@ -55,11 +54,9 @@ pub(super) fn draw() -> Drawing {
     canvas.label((room.0 + 92.0, 128.0), &Label::new("$!ω$").ink(Ink::Omega));
     canvas.label((riding.0 - 14.0, 74.0), &Label::new("$!v$ turns").ink(Ink::Momentum).end());
     canvas.label((riding.0 - 14.0, 96.0), &Label::new("at −$!ω$ × $!v$").ink(Ink::Momentum).end());
-    Ok(Picture {
-        canvas,
-        description: "The same turn seen twice. Left, from the room: a body with a mark turns counter-clockwise about the axis of its \
+    canvas.described(
+        "The same turn seen twice. Left, from the room: a body with a mark turns counter-clockwise about the axis of its \
                       spin, and an arrow fixed in the room stays. Right, from the body: the body stays, and the arrow has turned \
                       clockwise by the same angle."
-            .into(),
-    })
+    )
 }

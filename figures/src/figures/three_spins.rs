@@ -1,6 +1,7 @@
-use super::{Drawing, Picture, document_box, in_principal_axes, ink_of};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
+use super::{Drawing, document_box, in_principal_axes};
+use crate::draw::{Canvas, Label, Plot};
 use crate::motion;
+use crate::of_body::spins;
 use nalgebra::Vector3;
 use tumbling::Axis;
 use tumbling::dynamics::observe::sign_changes;
@@ -14,11 +15,7 @@ const STEP: f64 = 0.002;
 pub(super) fn draw() -> Drawing {
     let inertia = in_principal_axes(&document_box()?)?;
     let canvas = Canvas::sized(500, 626);
-    let pens = [
-        Pen::new(ink_of(Axis::Smallest), 2.2).dash_dotted(),
-        Pen::new(ink_of(Axis::Middle), 2.8),
-        Pen::new(ink_of(Axis::Largest), 2.2).dashed(),
-    ];
+    let pens = spins::pens();
     let mut said = Vec::new();
     for (k, axis) in Axis::ALL.into_iter().enumerate() {
         let name = ["smallest", "middle", "largest"][k];
@@ -61,20 +58,17 @@ pub(super) fn draw() -> Drawing {
         }
     }
     canvas.label((14.0, 22.0), &Label::new("spin in body axes, $ω$ (rad/s)"));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The box spun at {SPIN:.0} rad/s about each principal axis in turn, with the same push of {PUSH} rad/s about both \
-             others. {}.",
-            said.join(". ")
-        ),
-    })
+    canvas.described(format!(
+        "The box spun at {SPIN:.0} rad/s about each principal axis in turn, with the same push of {PUSH} rad/s about both \
+         others. {}.",
+        said.join(". ")
+    ))
 }
 
 /// Axes for one spin; the last one's carry the times.
 fn axes(canvas: &Canvas, top: f64, last: bool) -> Plot {
-    let (times, spins) = (Scale::linear(0.0..END), Scale::linear(-11.5..11.5));
-    let plot = Plot::new(canvas, 44.0, top, 418.0, top + 130.0, times, spins);
+    let (times, spins) = (0.0..END, -11.5..11.5);
+    let plot = Plot::new(canvas, [44.0, top, 418.0, top + 130.0], times, spins);
     let number = |s: i32| if last { s.to_string() } else { String::new() };
     plot.x_axis((0..=5).map(|s| (f64::from(s), number(s))), if last { "time $t$ (s)" } else { "" });
     plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "");

@@ -1,11 +1,9 @@
-use super::{Drawing, Picture, ink_of};
-use crate::draw::{Canvas, Cuboid, Fill, Label, P, Pen, View};
-use crate::ink::Ink;
+use super::{Drawing, ink_of};
+use crate::draw::{Canvas, Cuboid, Fill, Ink, Label, P, Pen, View};
 use crate::motion;
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use std::f64::consts::{PI, TAU};
+use nalgebra::{Matrix3, Vector3};
 use tumbling::body::named;
-use tumbling::{Axis, Body, Inertia};
+use tumbling::{Axis, Inertia};
 
 /// The push, rad; the spin is a turn a second.
 const PUSH: f64 = 0.02;
@@ -57,28 +55,8 @@ fn draw_book(canvas: &Canvas, view: &View, edges: &Vector3<f64>, rotation: Matri
 
 /// The book's attitudes at the throw and after each turn.
 fn after_each_turn(inertia: Inertia, toss: &Toss) -> Result<Vec<Matrix3<f64>>, Box<dyn std::error::Error>> {
-    let mut omega = Vector3::zeros();
-    omega[toss.about] = PUSH.cos() * TAU;
-    omega[(toss.about + 1) % 3] = PUSH.sin() * TAU;
-    let momentum = inertia.momentum(&omega);
-    let axis = Vector3::ith(toss.about, 1.0);
-    let level = UnitQuaternion::rotation_between(&momentum, &axis).ok_or("a momentum against its axis")?;
-    let run = motion::free(&Body::spinning(inertia, level, &omega)?, 0.001, 1500 * TURNS)?;
-    let mut found = Vec::new();
-    let (mut turned, mut last) = (0.0, None);
-    for (_, body) in run {
-        let rotation = body.rotation();
-        let arrow = rotation.column(toss.watched);
-        let (first, second) = ((toss.about + 1) % 3, (toss.about + 2) % 3);
-        let angle = arrow[second].atan2(arrow[first]);
-        let step = angle - last.unwrap_or(angle);
-        turned += step - TAU * ((step + PI) / TAU).floor();
-        last = Some(angle);
-        if turned >= TAU * found.len() as f64 && found.len() <= TURNS {
-            found.push(rotation);
-        }
-    }
-    if found.len() > TURNS { Ok(found) } else { Err("too short a flight".into()) }
+    let run = motion::free(&motion::tossed(inertia, toss.about, PUSH)?, 0.001, 1500 * TURNS)?;
+    motion::after_each_turn(run.iter().map(|(_, body)| Ok(body.rotation())), toss.about, toss.watched, TURNS)
 }
 
 /// Whether the front cover is turned to the reader.
@@ -107,12 +85,9 @@ pub(super) fn draw() -> Drawing {
         canvas.label((58.0 + 96.0 * turn as f64, 434.0), &Label::new(turn.to_string()).middle());
     }
     canvas.label((250.0, 460.0), &Label::new("turns since the throw").middle());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Three tosses of a book, each with a push of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. The \
-             cover that is seen: {}. In the first two tosses the book looks the same each time; in the third it has turned over.",
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "Three tosses of a book, each with a push of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. The \
+         cover that is seen: {}. In the first two tosses the book looks the same each time; in the third it has turned over.",
+        said.join("; ")
+    ))
 }

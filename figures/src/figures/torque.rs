@@ -1,6 +1,5 @@
-use super::{BOX_EDGES, Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen};
-use crate::ink::Ink;
+use super::{BOX_EDGES, Drawing};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 use tumbling::body::named::NamedBody;
@@ -38,12 +37,9 @@ pub(super) fn draw() -> Drawing {
     let gap = format!("{:.1}°", off.to_degrees());
     canvas.label((CENTRE.0 - 34.0, CENTRE.1 - 160.0), &Label::new(gap.clone()).bold().middle());
     canvas.label((corners[1].0 - 30.0, corners[1].1 - 78.0), &Label::new("the box, at rest"));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The box, seen along its x edge, its long edge {SLANT:.0}° from the vertical. A torque about the vertical, an orange arrow \
-             upwards, gives momentum along itself. The spin that it gives, a blue arrow, is {gap} off, toward the long edge, \
-             about which the box turns most easily."
-        ),
-    })
+    canvas.described(format!(
+        "The box, seen along its x edge, its long edge {SLANT:.0}° from the vertical. A torque about the vertical, an orange arrow \
+         upwards, gives momentum along itself. The spin that it gives, a blue arrow, is {gap} off, toward the long edge, \
+         about which the box turns most easily."
+    ))
 }

@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen, View};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
@@ -41,11 +40,9 @@ pub(super) fn draw() -> Drawing {
     canvas.label(near(&(place + velocity), 10.0, 16.0), &Label::new("velocity"));
     canvas.label(near(&(place + velocity), 10.0, 38.0), &Label::new("$!v$ = $!ω$ × $!r$").bold());
     canvas.label((20.0, 345.0), &Label::new("dashed: the distance from the axis"));
-    Ok(Picture {
-        canvas,
-        description: "A point of a turning body. The spin is a blue arrow upwards along the axis, the place of the point an arrow from \
+    canvas.described(
+        "A point of a turning body. The spin is a blue arrow upwards along the axis, the place of the point an arrow from \
                       the origin. The point goes round the axis on a level circle; its velocity is an arrow that touches the circle, \
                       at a right angle to the spin and to the arrow to the point: the cross product of the two."
-            .into(),
-    })
+    )
 }

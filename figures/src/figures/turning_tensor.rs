@@ -1,6 +1,5 @@
-use super::{BOX_EDGES, Drawing, Picture, document_box, ink_of};
-use crate::draw::{Canvas, Fill, Label, P, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{BOX_EDGES, Drawing, document_box, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, Plot};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::{Axis, Error, Inertia};
 
@@ -13,8 +12,7 @@ fn world(inertia: &Inertia, degrees: f64) -> Result<Matrix3<f64>, Error> {
 pub(super) fn draw() -> Drawing {
     let inertia = document_box()?;
     let canvas = Canvas::sized(500, 530);
-    let plot =
-        Plot::new(&canvas, 52.0, 176.0, 440.0, 456.0, Scale::linear(0.0..180.0), Scale::linear(-0.32..1.2));
+    let plot = Plot::new(&canvas, [52.0, 176.0, 440.0, 456.0], 0.0..180.0, -0.32..1.2);
     plot.x_axis((0..=4).map(|i| (f64::from(45 * i), format!("{}°", 45 * i))), "turn of the box about $z$");
     plot.y_axis([0.0, 0.5, 1.0].map(|y| (y, format!("{y:.1}"))), "");
     canvas.label((14.0, 150.0), &Label::new("entries of the world’s tensor $R I R^T$ (kg m²)"));
@@ -49,20 +47,17 @@ pub(super) fn draw() -> Drawing {
     mark(45.0, at_45[(0, 0)], 24.0, format!("{:.3}", at_45[(0, 0)]))?;
     mark(45.0, at_45[(0, 1)], 24.0, format!("−{:.3}", at_45[(0, 1)].abs()))?;
     let [start, quarter] = [world(&inertia, 0.0)?, world(&inertia, 90.0)?];
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The box seen along z at five attitudes, turned by 0°, 45°, 90°, 135° and 180° about z, and below them the entries of its \
-             tensor in world axes. Ixx goes from {:.3} to {:.3} and back, Iyy the other way, both {:.3} at 45°, where the product Ixy \
-             is −{:.3} kg m²; Izz stays {:.3}. After half a turn all are as at the start. The tensor in the body's own axes never \
-             changes.",
-            start[(0, 0)],
-            quarter[(0, 0)],
-            at_45[(0, 0)],
-            at_45[(0, 1)].abs(),
-            start[(2, 2)]
-        ),
-    })
+    canvas.described(format!(
+        "The box seen along z at five attitudes, turned by 0°, 45°, 90°, 135° and 180° about z, and below them the entries of its \
+         tensor in world axes. Ixx goes from {:.3} to {:.3} and back, Iyy the other way, both {:.3} at 45°, where the product Ixy \
+         is −{:.3} kg m²; Izz stays {:.3}. After half a turn all are as at the start. The tensor in the body's own axes never \
+         changes.",
+        start[(0, 0)],
+        quarter[(0, 0)],
+        at_45[(0, 0)],
+        at_45[(0, 1)].abs(),
+        start[(2, 2)]
+    ))
 }
 
 /// The box from above, with its own two axes.

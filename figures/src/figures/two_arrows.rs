@@ -1,6 +1,5 @@
-use super::{Drawing, Picture};
-use crate::draw::{Canvas, Fill, Label, P, Pen, polar};
-use crate::ink::Ink;
+use super::Drawing;
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, polar};
 use nalgebra::Vector3;
 use tumbling::Inertia;
 use tumbling::solid::{Solid, ThinPlate};
@@ -51,18 +50,15 @@ pub(super) fn draw() -> Drawing {
     let gap = format!("{:.1}°", shown.gap.to_degrees());
     large(&canvas, light, heavy, &shown, &gap);
     let gaps = small(&canvas, &plate)?;
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "A flat plate, {WIDE:.0} m wide and {HIGH:.0} m high, 1 kg. Its moment about the horizontal axis is \
-             {light:.3}, about the vertical axis {heavy:.3} kg m². The spin, a blue arrow, points {SHOWN:.0}° above the \
-             horizontal axis; the momentum, an orange arrow from the same point, points {:.1}° above it: it leans to the \
-             hard, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
-             from one axis to the other; the gap is {}. The arrows coincide only at the two ends.",
-            shown.momentum.to_degrees(),
-            gaps.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "A flat plate, {WIDE:.0} m wide and {HIGH:.0} m high, 1 kg. Its moment about the horizontal axis is \
+         {light:.3}, about the vertical axis {heavy:.3} kg m². The spin, a blue arrow, points {SHOWN:.0}° above the \
+         horizontal axis; the momentum, an orange arrow from the same point, points {:.1}° above it: it leans to the \
+         hard, vertical axis, and the gap between the arrows is {gap}. Below, seven small pictures turn the spin \
+         from one axis to the other; the gap is {}. The arrows coincide only at the two ends.",
+        shown.momentum.to_degrees(),
+        gaps.join(", ")
+    ))
 }
 
 /// The plate with one spin and its momentum.

@@ -1,6 +1,5 @@
-use super::{Drawing, Picture, document_box, in_principal_axes, power_of_ten};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::{Drawing, document_box, in_principal_axes, power_of_ten};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot, Scale};
 use crate::motion;
 use nalgebra::Vector3;
 use tumbling::exact::time_between_flips;
@@ -13,7 +12,7 @@ pub(super) fn draw() -> Drawing {
     let m = inertia.principal().moments();
     let rate = motion::growth(&m, SPIN)?;
     let canvas = Canvas::sized(500, 450);
-    let plot = Plot::new(&canvas, 66.0, 56.0, 484.0, 376.0, Scale::linear(0.0..7.0), Scale::log(1e-7..30.0));
+    let plot = Plot::new(&canvas, [66.0, 56.0, 484.0, 376.0], 0.0..7.0, Scale::log(1e-7..30.0));
     plot.x_axis((0..=7).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
     plot.y_axis(
         (-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
@@ -55,15 +54,12 @@ pub(super) fn draw() -> Drawing {
         let at = plot.at(4.35, 1.6);
         canvas.label((at.0, at.1 + down), &Label::new(line));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The box spun at {SPIN:.0} rad/s about its middle axis, with a small push about the largest. On a logarithmic scale \
-             the angle between spin and middle axis grows along a straight line, the theory's exp({rate:.2} t), until the \
-             spin is far from the axis; there it flips, and the angle falls back to what it was. {}. Each push a hundred \
-             times smaller only delays the flip by the same {:.2} s.",
-            said.join(". "),
-            100_f64.ln() / rate
-        ),
-    })
+    canvas.described(format!(
+        "The box spun at {SPIN:.0} rad/s about its middle axis, with a small push about the largest. On a logarithmic scale \
+         the angle between spin and middle axis grows along a straight line, the theory's exp({rate:.2} t), until the \
+         spin is far from the axis; there it flips, and the angle falls back to what it was. {}. Each push a hundred \
+         times smaller only delays the flip by the same {:.2} s.",
+        said.join(". "),
+        100_f64.ln() / rate
+    ))
 }

@@ -1,11 +1,8 @@
-//! Error against run time, from the committed record: every method on the box, and every body for each kind
-//! of error.
+//! Error against run time, from the committed record: every method on the box, and on every body.
 
-use super::{Drawing, NARROW, Picture, power_of_ten, raised};
-use crate::draw::{Canvas, Label, P, Pen, Plot, Scale};
-use crate::ink::Ink;
-use tumbling_measure::contestant::{Group, Setting};
-use tumbling_measure::errors::Outcome;
+use super::{Drawing, NARROW, power_of_ten, raised};
+use crate::draw::{Canvas, Ink, Label, P, Pen, Plot, Scale};
+use tumbling_measure::contestant::Group;
 use tumbling_measure::record::{self, Record, Work};
 use tumbling_measure::story;
 use tumbling_measure::verdict::{Kind, contestants, kind, seconds_at};
@@ -42,58 +39,44 @@ const SHORTEST: f64 = 5e-8;
 const LONGEST: f64 = 1.0;
 
 /// One curve, and where it failed.
-pub(super) struct Curve<'a> {
+pub(super) struct Ladder<'a> {
     pub(super) name: &'a str,
     pub(super) group: Group,
     /// Seconds and error of the runs that came right.
     pub(super) right: Vec<(f64, f64)>,
-    /// The same of runs with a wrong number of flips, and of those that broke down: at the upper edge, where
-    /// a run of so many steps would have ended.
+    /// Those of runs with a wrong number of flips, and of those that broke down: at the upper edge, where a run
+    /// of that number of steps would have ended.
     wrong: Vec<(f64, f64)>,
 }
 
-fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &Kind) -> Curve<'a> {
+fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &Kind) -> Ladder<'a> {
     let ladder: Vec<&Work> = rows.iter().filter(|r| r.story == story && r.contestant == name).collect();
     // Seconds for a step, from the finest rung that came through.
-    let pace = ladder.iter().rev().find_map(|row| match (row.setting, row.seconds) {
-        (Setting::Steps(steps), Some(seconds)) => Some(seconds / steps as f64),
-        _ => None,
-    });
+    let pace = ladder.iter().rev().find_map(|row| Some(row.seconds? / row.equal_steps()? as f64));
     let (mut right, mut wrong) = (Vec::new(), Vec::new());
     for row in ladder {
-        let by_pace = match (row.setting, pace) {
-            (Setting::Steps(steps), Some(pace)) => Some(pace * steps as f64),
-            _ => None,
-        };
-        let seconds = row.seconds.or(by_pace);
-        let Some(seconds) = seconds else { continue };
-        match ((kind.of)(&row.errors), &row.outcome) {
-            (Some(error), Outcome::Right) => right.push((seconds, error.clamp(FLOOR, CEILING))),
+        let by_pace = pace.zip(row.equal_steps()).map(|(pace, steps)| pace * steps as f64);
+        let Some(seconds) = row.seconds.or(by_pace) else { continue };
+        match ((kind.of)(row), row.right()) {
+            (Some(error), true) => right.push((seconds, error.clamp(FLOOR, CEILING))),
             // An error that the story does not have is no failure.
-            (None, Outcome::Right) => {}
+            (None, true) => {}
             (Some(error), _) => wrong.push((seconds, error.clamp(FLOOR, CEILING))),
             (None, _) => wrong.push((seconds, CEILING)),
         }
     }
-    Curve { name, group, right, wrong }
+    Ladder { name, group, right, wrong }
 }
 
-pub(super) fn curves<'a>(rows: &'a [Work], story: &str, kind: &Kind) -> Vec<Curve<'a>> {
+pub(super) fn curves<'a>(rows: &'a [Work], story: &str, kind: &Kind) -> Vec<Ladder<'a>> {
     contestants(rows).into_iter().map(|(name, group)| curve(rows, story, name, group, kind)).collect()
 }
 
 /// A plot of time and error with its axes.
 fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
     let (left, top) = corner;
-    let plot = Plot::new(
-        canvas,
-        left,
-        top,
-        left + size.0,
-        top + size.1,
-        Scale::log(SHORTEST..LONGEST),
-        Scale::log(FLOOR..CEILING),
-    );
+    let (across, up) = (Scale::log(SHORTEST..LONGEST), Scale::log(FLOOR..CEILING));
+    let plot = Plot::new(canvas, [left, top, left + size.0, top + size.1], across, up);
     let times = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
     plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), title);
     let powers = (-16..=0).filter(|n| n % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n)));
@@ -102,7 +85,7 @@ fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
 }
 
 /// Failures.
-fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Curve<'_>]) {
+fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Ladder<'_>]) {
     let points = curves.iter().flat_map(|curve| &curve.wrong);
     let mut places: Vec<P> = Vec::new();
     for place in points.map(|&(x, y)| plot.at(x.clamp(SHORTEST, LONGEST), y)) {
@@ -114,7 +97,7 @@ fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Curve<'_>]) {
     canvas.crosses(places, 3.0, Pen::new(Ink::Wrong, 1.2).opacity(0.8));
 }
 
-pub(super) fn line(plot: &Plot, curve: &Curve<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
+pub(super) fn line(plot: &Plot, curve: &Ladder<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error>> {
     if let [only] = curve.right.as_slice() {
         plot.dots([*only], if curve.group == Group::Exact { 5.0 } else { 2.5 }, pen.ink())?;
     }
@@ -161,7 +144,7 @@ const NAMED: [(&str, &str, f64, f64); 3] = [
 ];
 
 /// The least error that any stepper has within a time, s: the frontier.
-fn frontier(curves: &[Curve<'_>]) -> Vec<(f64, f64)> {
+fn frontier(curves: &[Ladder<'_>]) -> Vec<(f64, f64)> {
     let steppers = curves.iter().filter(|curve| curve.group != Group::Exact);
     let mut points: Vec<(f64, f64)> = steppers.flat_map(|curve| curve.right.iter().copied()).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -180,7 +163,7 @@ pub(super) fn draw_box() -> Drawing {
     let kind = kind("attitude").ok_or("no such error")?;
     let canvas = Canvas::sized(NARROW, 520);
     let (across, up) = (Scale::log(1e-7..LONGEST), Scale::log(1e-15..CEILING));
-    let plot = Plot::new(&canvas, 62.0, 52.0, 474.0, 448.0, across, up);
+    let plot = Plot::new(&canvas, [62.0, 52.0, 474.0, 448.0], across, up);
     let times = [(1e-6, "1 µs"), (1e-4, "0.1 ms"), (1e-2, "10 ms"), (1.0, "1 s")];
     plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), "time of a run");
     plot.y_axis([-12, -8, -4, 0].map(|n| (10_f64.powi(n), raised(n))), "");
@@ -216,31 +199,20 @@ pub(super) fn draw_box() -> Drawing {
             }
         }
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Time of a run across, error of the attitude up, both logarithmic. Each grey curve is a method at ever finer steps. A bold \
-             line is the least error of all steppers for each time. The exact motion is a dot far to the left and at the bottom. {}. {}",
-            sentences.join(", "),
-            circumstances(&record)
-        ),
-    })
+    canvas.described(format!(
+        "Time of a run across, error of the attitude up, both logarithmic. Each grey curve is a method at ever finer steps. A bold \
+         line is the least error of all steppers for each time. The exact motion is a dot far to the left and at the bottom. {}. {}",
+        sentences.join(", "),
+        circumstances(&record)
+    ))
 }
 
-/// Every body, for one kind of error.
-fn bodies(name: &str) -> Drawing {
-    let record = committed()?;
-    let kind = kind(name).ok_or("no such error")?;
-    let stories = story::all()?;
-    // Under a torque the momentum is no constant to be kept.
-    let constant = matches!(name, "momentum" | "direction");
-    let with: Vec<_> = stories
-        .iter()
-        .filter(|s| s.is_free() || !constant)
-        .filter(|s| record.rows.iter().any(|r| r.story == s.name && (kind.of)(&r.errors).is_some()))
-        .collect();
+/// The attitude of every body.
+pub(super) fn draw_attitude() -> Drawing {
+    let (record, stories) = (committed()?, story::all()?);
+    let kind = kind("attitude").ok_or("no such error")?;
     // A row is for two, and the key stands below.
-    let rows = u32::try_from(with.len().div_ceil(2))?;
+    let rows = u32::try_from(stories.len().div_ceil(2))?;
     let canvas = Canvas::sized(NARROW, 48 + 218 * rows + 176);
     canvas.label((20.0, 28.0), &Label::new(kind.title).bold());
     let place = |at: usize| {
@@ -249,7 +221,7 @@ fn bodies(name: &str) -> Drawing {
     };
     let size = (180.0, 150.0);
     let mut sentences = Vec::new();
-    for (at, story) in with.iter().enumerate() {
+    for (at, story) in stories.iter().enumerate() {
         let corner = place(at);
         let plot = plot(&canvas, corner, size, 4, "");
         canvas.label((corner.0, corner.1 - 8.0), &Label::new(story.title).size(15.5));
@@ -268,15 +240,12 @@ fn bodies(name: &str) -> Drawing {
         }
     }
     key(&canvas, (16.0, 48.0 + 218.0 * f64::from(rows)));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
-             both logarithmic. The least error on each body: {}. {}",
-            sentences.join("; "),
-            circumstances(&record)
-        ),
-    })
+    canvas.described(format!(
+        "Small plots, one for each body: time of a run across, from a tenth of a microsecond to 1 second, error up, from 1e-16 to 1, \
+         both logarithmic. The least error on each body: {}. {}",
+        sentences.join("; "),
+        circumstances(&record)
+    ))
 }
 
 /// The key of the pens, its left upper corner here.
@@ -296,33 +265,13 @@ fn key(canvas: &Canvas, (left, top): (f64, f64)) {
     canvas.label((left + 40.0, y + 5.0), &Label::new("wrong number of flips, or broken").size(15.5));
 }
 
-pub(super) fn draw_attitude() -> Drawing {
-    bodies("attitude")
-}
-
-pub(super) fn draw_phase() -> Drawing {
-    bodies("phase")
-}
-
-pub(super) fn draw_energy() -> Drawing {
-    bodies("energy")
-}
-
-pub(super) fn draw_momentum() -> Drawing {
-    bodies("momentum")
-}
-
-pub(super) fn draw_direction() -> Drawing {
-    bodies("direction")
-}
-
 /// Energy after up to a million turns.
 pub(super) fn draw_drift() -> Drawing {
     let record = record::long()?;
     let canvas = Canvas::sized(NARROW, 560);
     let (from, to) = (1.0, 2e6);
     let (low, high) = (1e-18, 1.0);
-    let plot = Plot::new(&canvas, 62.0, 50.0, 288.0, 490.0, Scale::log(from..to), Scale::log(low..high));
+    let plot = Plot::new(&canvas, [62.0, 50.0, 288.0, 490.0], Scale::log(from..to), Scale::log(low..high));
     plot.x_axis((0..=3).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "turns");
     plot.y_axis((-9..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "");
     canvas.label((20.0, 28.0), &Label::new("error of the energy, relative, 20 steps a turn"));
@@ -345,7 +294,7 @@ pub(super) fn draw_drift() -> Drawing {
         let points: Vec<(f64, f64)> = record
             .rows
             .iter()
-            .filter(|row| row.contestant == name && row.outcome == Outcome::Right)
+            .filter(|row| row.contestant == name && row.right())
             .map(|row| (row.turns as f64, row.mean.clamp(low, high)))
             .collect();
         let pen = pen(group);
@@ -358,12 +307,9 @@ pub(super) fn draw_drift() -> Drawing {
         }
     }
     column(&canvas, 304.0, 50.0, 490.0, ends);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The error of the energy against the number of turns, both logarithmic, for the methods that keep something, and for \
-             the classical Runge-Kutta method. Slopes from a thousand turns on: {}. A random walk has 0.5, a steady drift 1.",
-            sentences.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "The error of the energy against the number of turns, both logarithmic, for the methods that keep something, and for \
+         the classical Runge-Kutta method. Slopes from a thousand turns on: {}. A random walk has 0.5, a steady drift 1.",
+        sentences.join(", ")
+    ))
 }

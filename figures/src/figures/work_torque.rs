@@ -1,9 +1,8 @@
 //! Error against run time with a torque: the heavy top by every method and by published programs.
 
-use super::work::{Curve, circumstances, column, committed, curves, line};
-use super::{Drawing, NARROW, Picture, raised};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
+use super::work::{Ladder, circumstances, column, committed, curves, line};
+use super::{Drawing, NARROW, raised};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot, Scale};
 use tumbling_measure::contestant::Group;
 use tumbling_measure::verdict::{DIGITS, kind, seconds_at};
 
@@ -23,13 +22,13 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(NARROW, 520);
     let (top, bottom) = (52.0, 448.0);
     let (across, up) = (Scale::log(5e-6..1.0), Scale::log(1e-15..10.0));
-    let plot = Plot::new(&canvas, 62.0, top, 380.0, bottom, across, up);
+    let plot = Plot::new(&canvas, [62.0, top, 380.0, bottom], across, up);
     let times = [(1e-5, "10 µs"), (1e-3, "1 ms"), (1e-1, "0.1 s")];
     plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), "time of a run");
     plot.y_axis([-12, -8, -4, 0].map(|n| (10_f64.powi(n), raised(n))), "");
     canvas.label((16.0, 28.0), &Label::new("error of a heavy top's attitude after 16 s (rad)"));
     let curves = curves(&record.rows, "heavy top", kind);
-    let named = |curve: &Curve<'_>| WITH_TORQUE.iter().find(|(name, _)| *name == curve.name);
+    let named = |curve: &Ladder<'_>| WITH_TORQUE.iter().find(|(name, _)| *name == curve.name);
     for curve in curves.iter().filter(|curve| named(curve).is_none()) {
         line(&plot, curve, Pen::new(Ink::Faint, 0.8).opacity(0.7))?;
     }
@@ -48,13 +47,10 @@ pub(super) fn draw() -> Drawing {
         }
     }
     column(&canvas, 396.0, top, bottom, ends);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Time of a run across, error of the attitude up, both logarithmic. Each grey curve is a method at ever finer steps, dashed \
-             ones are published programs, the bold one is the library's run within a tolerance. {}. {}",
-            sentences.join(", "),
-            circumstances(&record)
-        ),
-    })
+    canvas.described(format!(
+        "Time of a run across, error of the attitude up, both logarithmic. Each grey curve is a method at ever finer steps, dashed \
+         ones are published programs, the bold one is the library's run within a tolerance. {}. {}",
+        sentences.join(", "),
+        circumstances(&record)
+    ))
 }

@@ -1,8 +1,7 @@
 //! One drawing of a film.
 
-use super::{Camera, Film, place, share_in_words};
-use crate::draw::{Canvas, Fill, Label, P, Pen, View, solid};
-use crate::ink::Ink;
+use super::{Camera, Film, share_in_words};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View, solid};
 use crate::picture::{ink_of, with_powers};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -84,7 +83,7 @@ impl Film {
     fn body(&self, canvas: &Canvas, share: f64) -> Result<(), Box<dyn Error>> {
         let rotation = self.rotation(share)?;
         let arrows = view(BODY, 1.0, AZIMUTH);
-        let axis = self.frame.column(place(self.request.axis)).into_owned();
+        let axis = self.frame.column(self.request.axis as usize).into_owned();
         let pole = rotation * axis;
         let of_body = view(BODY, REACH / self.reach, AZIMUTH);
         // A pin along the axis of the spin: it shows which way round the body is.
@@ -152,7 +151,7 @@ impl Film {
         for axis in Axis::ALL {
             for sign in [1.0, -1.0] {
                 let mut end = Vector3::zeros();
-                end[place(axis)] = sign * ellipsoid.reach[place(axis)];
+                end[axis as usize] = sign * ellipsoid.reach[axis as usize];
                 if end.dot(&view.toward()) > 0.0 {
                     canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
                 }

@@ -180,14 +180,8 @@ impl Film {
 
     /// The attitude in which the axis of the spin points upwards.
     fn upright(&self) -> UnitQuaternion<f64> {
-        let axis = self.frame.column(place(self.request.axis)).into_owned();
-        upwards(&axis)
+        upwards(&self.frame.column(self.request.axis as usize).into_owned())
     }
-}
-
-/// The place of an axis among the moments in rising order.
-fn place(axis: Axis) -> usize {
-    Axis::ALL.iter().position(|&other| other == axis).unwrap_or(1)
 }
 
 /// The turn that takes this vector to the world's z by the shortest way.

@@ -1,9 +1,8 @@
 //! Spin and momentum in the plane of two principal axes.
 
 use super::{NAMES, Subject};
-use crate::draw::{Canvas, Fill, Label, P, Pen, hull, polar};
-use crate::ink::Ink;
-use crate::picture::{Drawing, Picture, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, hull, polar};
+use crate::picture::{Drawing, ink_of};
 use crate::units;
 use nalgebra::Vector3;
 use tumbling::Axis;
@@ -108,15 +107,12 @@ fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64)
 pub(crate) fn one(subject: &Subject<'_>) -> Drawing {
     let canvas = Canvas::sized(500, 400);
     let arrows = large(&canvas, subject, [Axis::Middle, Axis::Largest], 45.0);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The outline of {} in the plane of its middle and its largest axis. The spin, a blue arrow, lies half-way between them; the \
-             momentum, an orange arrow from the same point, leans to the largest axis. The gap between them is {}.",
-            subject.name(),
-            arrows.gap()
-        ),
-    })
+    canvas.described(format!(
+        "The outline of {} in the plane of its middle and its largest axis. The spin, a blue arrow, lies half-way between them; the \
+         momentum, an orange arrow from the same point, leans to the largest axis. The gap between them is {}.",
+        subject.name(),
+        arrows.gap()
+    ))
 }
 
 /// From the smallest axis to the largest.
@@ -142,13 +138,10 @@ pub(crate) fn turned(subject: &Subject<'_>) -> Drawing {
         canvas.label((centre.0, centre.1 + 66.0), &Label::new(arrows.gap()).bold().middle().size(15.5));
         gaps.push(format!("{} at {degrees:.0}°", arrows.gap()));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The outline of {} in the plane of its smallest and its largest axis, with a spin 30° from the smallest and its momentum, \
-             which leans to the largest. Below, the spin turned from one axis to the other; the gap is {}.",
-            subject.name(),
-            gaps.join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "The outline of {} in the plane of its smallest and its largest axis, with a spin 30° from the smallest and its momentum, \
+         which leans to the largest. Below, the spin turned from one axis to the other; the gap is {}.",
+        subject.name(),
+        gaps.join(", ")
+    ))
 }

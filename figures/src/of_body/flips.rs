@@ -1,9 +1,8 @@
 //! How a push grows, and the time between flips.
 
 use super::Subject;
-use crate::draw::{Canvas, Fill, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
-use crate::picture::{Drawing, Picture, power_of_ten};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
+use crate::picture::{Drawing, power_of_ten};
 use crate::units;
 use nalgebra::Vector3;
 
@@ -13,8 +12,8 @@ pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
     let (unit, name) = units::time_unit(longest);
     let canvas = Canvas::sized(500, 450);
     canvas.label((14.0, 24.0), &Label::new(subject.heading()).bold());
-    let (x, y) = (Scale::log(1e-10..1.0), Scale::linear(0.0..longest / unit));
-    let plot = Plot::new(&canvas, 76.0, 78.0, 484.0, 376.0, x, y);
+    let (x, y) = (Scale::log(1e-10..1.0), 0.0..longest / unit);
+    let plot = Plot::new(&canvas, [76.0, 78.0, 484.0, 376.0], x, y);
     plot.x_axis((-4..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "push, as a part of the spin");
     plot.y_axis(units::ticks(longest / unit), &format!("time between two flips ({name})"));
     let curve: Result<Vec<_>, Box<dyn std::error::Error>> = (0..=200)
@@ -34,18 +33,15 @@ pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
         (right.0, right.1 + 22.0),
         &Label::new(format!("{} longer", units::time(decade))).end().bold(),
     );
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Time between two flips of {} spun about its middle axis, {}, against the push: from {} at a push of 0.1 to {} at 1e-9, \
-             nearly a straight line over a logarithmic axis, {} for each factor of ten.",
-            subject.name(),
-            units::turning(subject.spin),
-            units::time(subject.flip_time(0.1)?),
-            units::time(subject.flip_time(1e-9)?),
-            units::time(decade)
-        ),
-    })
+    canvas.described(format!(
+        "Time between two flips of {} spun about its middle axis, {}, against the push: from {} at a push of 0.1 to {} at 1e-9, \
+         nearly a straight line over a logarithmic axis, {} for each factor of ten.",
+        subject.name(),
+        units::turning(subject.spin),
+        units::time(subject.flip_time(0.1)?),
+        units::time(subject.flip_time(1e-9)?),
+        units::time(decade)
+    ))
 }
 
 /// The angle between spin and middle axis after three small pushes, until the first flip is over.
@@ -54,8 +50,8 @@ pub(crate) fn growth(subject: &Subject<'_>) -> Drawing {
     let (unit, name) = units::time_unit(longest);
     let canvas = Canvas::sized(500, 470);
     canvas.label((14.0, 24.0), &Label::new(subject.heading()).bold());
-    let (x, y) = (Scale::linear(0.0..longest / unit), Scale::log(1e-8..100.0));
-    let plot = Plot::new(&canvas, 66.0, 78.0, 484.0, 396.0, x, y);
+    let (x, y) = (0.0..longest / unit, Scale::log(1e-8..100.0));
+    let plot = Plot::new(&canvas, [66.0, 78.0, 484.0, 396.0], x, y);
     plot.x_axis(units::ticks(longest / unit), &format!("time ({name})"));
     let powers = (-3..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n)));
     plot.y_axis(powers, "angle between the spin and the middle axis (rad)");
@@ -80,14 +76,11 @@ pub(crate) fn growth(subject: &Subject<'_>) -> Drawing {
     let fold = 1.0 / (subject.growth() * subject.spin);
     let words = format!("grows e-fold in {}", units::time(fold));
     canvas.label_at_first(&[(472.0, 384.0), (472.0, 362.0)], &Label::new(words).end().bold());
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "{} spun about its middle axis with small pushes about the largest. On a logarithmic scale the angle between spin and \
-             middle axis grows along a straight line, by a factor of e in {}: {}.",
-            subject.name(),
-            units::time(fold),
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "{} spun about its middle axis with small pushes about the largest. On a logarithmic scale the angle between spin and \
+         middle axis grows along a straight line, by a factor of e in {}: {}.",
+        subject.name(),
+        units::time(fold),
+        said.join("; ")
+    ))
 }

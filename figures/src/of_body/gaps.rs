@@ -1,9 +1,8 @@
 //! The gap between spin and momentum against the direction of the spin.
 
 use super::{Kind, NAMES, Subject};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::ink::Ink;
-use crate::picture::{Drawing, Picture};
+use crate::draw::{Canvas, Ink, Label, Pen, Plot};
+use crate::picture::Drawing;
 use crate::units;
 
 /// The gap, degrees, for moments of this ratio: `tan(angle of momentum) = ratio tan(angle of spin)`.
@@ -29,8 +28,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     let canvas = Canvas::sized(500, 450);
     canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
     let top = if most > 60.0 { 90.0 } else { (1.35 * most).max(1.0) };
-    let plot =
-        Plot::new(&canvas, 60.0, 78.0, 484.0, 376.0, Scale::linear(0.0..90.0), Scale::linear(0.0..top));
+    let plot = Plot::new(&canvas, [60.0, 78.0, 484.0, 376.0], 0.0..90.0, 0.0..top);
     plot.x_axis(
         (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i))),
         "spin, from the easier axis to the harder",
@@ -61,13 +59,10 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let at = plot.at(45.0, 0.0);
         canvas.label((at.0, at.1 - 10.0), &Label::new("no gap in any direction").middle());
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The gap between spin and momentum of {} against the direction of the spin, from the easier to the harder of two \
-             principal axes: zero at both ends, widest between them. The widest gaps: {}.",
-            subject.name(),
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "The gap between spin and momentum of {} against the direction of the spin, from the easier to the harder of two \
+         principal axes: zero at both ends, widest between them. The widest gaps: {}.",
+        subject.name(),
+        said.join("; ")
+    ))
 }

@@ -1,10 +1,9 @@
 //! The body with its principal axes and moments, and its place among all bodies.
 
 use super::{NAMES, Subject, beyond};
-use crate::draw::{Canvas, Fill, Label, Pen, View, solid};
-use crate::figures::moments_map::{edges, growth_lines, map};
-use crate::ink::Ink;
-use crate::picture::{Drawing, Picture, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, View, solid};
+use crate::figures::moments_map::{edges, growth_key, growth_lines, map};
+use crate::picture::{Drawing, ink_of};
 use crate::units;
 use nalgebra::{Matrix3, Vector3};
 use tumbling::Axis;
@@ -28,11 +27,8 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let [from, tip] = [inside, inside.max(0.35 * reach) + 0.5 * reach].map(|far| view.at(&(along * far)));
         canvas.line(centre, from, Pen::new(ink_of(axis), 1.4).dashed());
         canvas.arrow(from, tip, Pen::new(ink_of(axis), 2.8));
-        let places = beyond(centre, tip);
-        canvas.label_at_first(
-            &places,
-            &Label::new((axis as usize + 1).to_string()).ink(ink_of(axis)).bold().middle(),
-        );
+        let number = Label::new((axis as usize + 1).to_string()).ink(ink_of(axis)).bold().middle();
+        canvas.label_at_first(&beyond(centre, tip), &number);
     }
     let (written, unit) = units::moments(subject.moments.vector().as_slice());
     for axis in Axis::ALL {
@@ -41,15 +37,12 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         canvas.label((14.0, 486.0 + 22.0 * k as f64), &Label::new(words).ink(ink_of(axis)));
     }
     let about = NAMES.iter().zip(&written).map(|(name, value)| format!("{name} {value} {unit}"));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "{}, {}, with an arrow along each of its principal axes. Its moments of inertia about them: {}.",
-            subject.name(),
-            subject.sizes(),
-            about.collect::<Vec<_>>().join(", ")
-        ),
-    })
+    canvas.described(format!(
+        "{}, {}, with an arrow along each of its principal axes. Its moments of inertia about them: {}.",
+        subject.name(),
+        subject.sizes(),
+        about.collect::<Vec<_>>().join(", ")
+    ))
 }
 
 /// Its place in the triangle of all bodies, with lines of equal growth or without.
@@ -59,11 +52,7 @@ fn place(subject: &Subject<'_>, growth: bool) -> Drawing {
     edges(&canvas, &plot);
     if growth {
         growth_lines(&canvas, &plot)?;
-        let words = plot.at(0.76, 0.72);
-        let lines = [(0.0, "dashed: $λ/ω$,"), (21.0, "a push’s growth"), (42.0, "per radian of spin")];
-        for (down, line) in lines {
-            canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
-        }
+        growth_key(&canvas, &plot);
     }
     let m = subject.moments.vector();
     let (x, y) = (m.x / m.z, m.y / m.z);
@@ -77,16 +66,13 @@ fn place(subject: &Subject<'_>, growth: bool) -> Drawing {
     let all: Vec<_> =
         [0.0, -60.0, -120.0].iter().flat_map(|left| places.iter().map(move |p| (p.0 + left, p.1))).collect();
     canvas.label_at_first(&all, &words);
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Every rigid body is a point in a triangle: across, its smallest moment over the largest; up, its middle moment over the \
-             largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). {} is at ({x:.3}, {y:.3}); \
-             a push off its middle axis grows by {:.2} per radian of spin.",
-            subject.name(),
-            subject.growth()
-        ),
-    })
+    canvas.described(format!(
+        "Every rigid body is a point in a triangle: across, its smallest moment over the largest; up, its middle moment over the \
+         largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). {} is at ({x:.3}, {y:.3}); \
+         a push off its middle axis grows by {:.2} per radian of spin.",
+        subject.name(),
+        subject.growth()
+    ))
 }
 
 pub(crate) fn on_map(subject: &Subject<'_>) -> Drawing {

@@ -1,105 +1,85 @@
 //! The paths of the spin on the ellipsoid of equal energy, from the two conservation laws alone.
 
 use super::{Kind, NAMES, Subject, beyond};
-use crate::draw::{Canvas, Fill, Label, P, Pen, View, hull};
-use crate::ink::Ink;
-use crate::picture::{Drawing, Picture, ink_of};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, View};
+use crate::figures::polhode::Ellipsoid;
+use crate::picture::{Drawing, ink_of};
 use crate::units;
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
+use std::error::Error;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use tumbling::Axis;
 
-/// Where the spin can point, drawn as an ellipsoid.
-struct Ellipsoid {
-    moments: Vector3<f64>,
-    /// Its half axes as drawn.
-    reach: Vector3<f64>,
-    /// Whether they are the true ones, relative to the longest.
-    to_scale: bool,
+/// Where the spin can point, as it is drawn: a needle's ellipsoid would be too thin to draw on.
+fn drawn(moments: &Vector3<f64>) -> Result<Ellipsoid, Box<dyn Error>> {
+    let stout = [1.0, 0.85, 0.8].map(|reach: f64| reach.powi(-2));
+    Ellipsoid::new(if to_scale(moments) { (moments / moments.x).into() } else { stout })
 }
 
-impl Ellipsoid {
-    fn new(moments: Vector3<f64>) -> Self {
-        let reach = moments.map(|moment| (moments.x / moment).sqrt());
-        let to_scale = reach.z > 0.3;
-        // A needle's would be too thin to draw on.
-        Self { moments, reach: if to_scale { reach } else { Vector3::new(1.0, 0.85, 0.8) }, to_scale }
-    }
-
-    /// A closed path round the end of an axis (0 or 2), `share` of the way to the separatrix; at 1 it is half
-    /// the separatrix.
-    ///
-    /// With `u` the spin over the half axes, `|u| = 1` and `I1 u1² + I2 u2² + I3 u3² = c`: across the axis an
-    /// ellipse.
-    fn path(&self, axis: usize, sign: f64, share: f64) -> Vec<Vector3<f64>> {
-        let i = &self.moments;
-        let other = 2 - axis;
-        let across = |k: usize| (i[k] - i[axis]).abs();
-        // The angle along the great circle to the other end, at most that of the separatrix.
-        let full = if across(1) == 0.0 { 1.0 } else { (across(1) / across(other)).sqrt().asin() };
-        let angle = share * if across(1) == across(other) { std::f64::consts::FRAC_PI_2 } else { full };
-        let size = angle.sin() * across(other).sqrt();
-        (0..=240)
-            .map(|k| {
-                let (s, c) = (TAU * f64::from(k) / 240.0).sin_cos();
-                let mut u = Vector3::zeros();
-                u[other] = size / across(other).sqrt() * c;
-                u[1] = size / across(1).sqrt() * s;
-                u[axis] = sign * (1.0 - u.norm_squared()).max(0.0).sqrt();
-                u.component_mul(&self.reach)
-            })
-            .collect()
-    }
-
-    fn seen(&self, view: &View, p: &Vector3<f64>) -> bool {
-        view.toward().dot(&p.component_div(&self.reach).component_div(&self.reach)) > 0.0
-    }
-
-    /// A curve on the surface: before in full, behind faint.
-    fn curve(&self, canvas: &Canvas, view: &View, points: &[Vector3<f64>], pen: Pen) {
-        let faint = Pen::new(pen.ink(), 1.0).opacity(0.35);
-        for pair in points.chunk_by(|p, q| self.seen(view, p) == self.seen(view, q)) {
-            let places: Vec<P> = pair.iter().map(|p| view.at(p)).collect();
-            canvas.path(&places, if self.seen(view, &pair[0]) { pen } else { faint });
-        }
-    }
-
-    fn surface(&self, canvas: &Canvas, view: &View) {
-        let ball = tumbling_bodies::Surface::ellipsoid(&self.reach);
-        let places: Vec<P> = ball.vertices.iter().map(|p| view.at(p)).collect();
-        canvas.area(&hull(&places), Fill::new(Ink::Surface), Some(Pen::new(Ink::Faint, 1.2)));
-    }
+fn to_scale(moments: &Vector3<f64>) -> bool {
+    (moments.x / moments.z).sqrt() > 0.3
 }
 
-fn paths(canvas: &Canvas, view: &View, ellipsoid: &Ellipsoid, kind: Kind, shares: &[f64]) {
-    ellipsoid.surface(canvas, view);
-    let ends: &[(usize, Axis)] = match kind {
+/// A closed path round the end of an axis (0 or 2), `share` of the way to the separatrix; at 1 it is half the
+/// separatrix. In parts of the half axes.
+///
+/// With `u` the spin over the half axes, `|u| = 1` and `I1 u1² + I2 u2² + I3 u3² = c`: across the axis an
+/// ellipse.
+fn path(i: &Vector3<f64>, axis: usize, sign: f64, share: f64) -> Vec<Vector3<f64>> {
+    let other = 2 - axis;
+    let across = |k: usize| (i[k] - i[axis]).abs();
+    // The angle along the great circle to the other end, at most that of the separatrix.
+    let full = if across(1) == 0.0 { 1.0 } else { (across(1) / across(other)).sqrt().asin() };
+    let angle = share * if across(1) == across(other) { FRAC_PI_2 } else { full };
+    let size = angle.sin() * across(other).sqrt();
+    let point = |k: u32| {
+        let (s, c) = (TAU * f64::from(k) / 240.0).sin_cos();
+        let mut u = Vector3::zeros();
+        u[other] = size / across(other).sqrt() * c;
+        u[1] = size / across(1).sqrt() * s;
+        u[axis] = sign * (1.0 - u.norm_squared()).max(0.0).sqrt();
+        u
+    };
+    (0..=240).map(point).collect()
+}
+
+/// The ellipsoid and the paths on it; the ellipsoid.
+fn paths(
+    canvas: &Canvas,
+    view: &View,
+    subject: &Subject<'_>,
+    shares: &[f64],
+) -> Result<Ellipsoid, Box<dyn Error>> {
+    let moments = subject.moments.vector();
+    let ellipsoid = drawn(&moments)?;
+    ellipsoid.surface(canvas, view, Pen::new(Ink::Faint, 1.2));
+    let curve = |end: usize, sign: f64, share: f64, ink: Ink, width: f64| {
+        let points: Vec<_> =
+            path(&moments, end, sign, share).iter().map(|u| u.component_mul(&ellipsoid.reach)).collect();
+        let behind = Some(Pen::new(ink, 1.0).opacity(0.35));
+        ellipsoid.curve(canvas, view, &points, Pen::new(ink, width), behind);
+    };
+    let ends: &[(usize, Axis)] = match subject.kind {
         Kind::Ball => &[],
         Kind::Round(Axis::Smallest) => &[(0, Axis::Smallest)],
         Kind::Round(_) => &[(2, Axis::Largest)],
         Kind::Three => &[(0, Axis::Smallest), (2, Axis::Largest)],
     };
-    for &(end, axis) in ends {
-        for sign in [1.0, -1.0] {
-            for &share in shares {
-                let path = ellipsoid.path(end, sign, share);
-                ellipsoid.curve(canvas, view, &path, Pen::new(ink_of(axis), 1.8));
-            }
+    for sign in [1.0, -1.0] {
+        for &(end, axis) in ends {
+            shares.iter().for_each(|&share| curve(end, sign, share, ink_of(axis), 1.8));
+        }
+        if subject.kind == Kind::Three {
+            curve(0, sign, 1.0, Ink::Separatrix, 3.0);
         }
     }
-    if kind == Kind::Three {
-        for sign in [1.0, -1.0] {
-            let half = ellipsoid.path(0, sign, 1.0);
-            ellipsoid.curve(canvas, view, &half, Pen::new(Ink::Separatrix, 3.0));
-        }
-    }
+    Ok(ellipsoid)
 }
 
 pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
-    let ellipsoid = Ellipsoid::new(subject.moments.vector());
     let canvas = Canvas::sized(500, 540);
     let view = View::new((250.0, 246.0), 190.0, 58.0, 27.0);
-    paths(&canvas, &view, &ellipsoid, subject.kind, &[0.22, 0.44, 0.66, 0.86]);
+    let ellipsoid = paths(&canvas, &view, subject, &[0.22, 0.44, 0.66, 0.86])?;
     canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
     for axis in Axis::ALL {
         let k = axis as usize;
@@ -123,18 +103,19 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let words = format!("{} {}: {} {unit}, {fate}", k + 1, NAMES[k], written[k]);
         canvas.label((14.0, 462.0 + 22.0 * k as f64), &Label::new(words).ink(ink_of(axis)).size(15.5));
     }
-    let scale = if ellipsoid.to_scale { "" } else { "not to scale: the true ellipsoid is a needle" };
+    let scale =
+        if to_scale(&subject.moments.vector()) { "" } else { "not to scale: the true ellipsoid is a needle" };
     canvas.label((14.0, 530.0), &Label::new(scale).size(15.5));
-    Ok(Picture { canvas, description: words(subject) })
+    canvas.described(words(subject))
 }
 
-/// The same without words.
+/// The paths without words.
 pub(crate) fn cover(subject: &Subject<'_>) -> Drawing {
     let canvas = Canvas::new(430);
     let view = View::new((340.0, 215.0), 208.0, 62.0, 24.0);
     let shares = [0.12, 0.26, 0.4, 0.54, 0.68, 0.82, 0.94];
-    paths(&canvas, &view, &Ellipsoid::new(subject.moments.vector()), subject.kind, &shares);
-    Ok(Picture { canvas, description: words(subject) })
+    paths(&canvas, &view, subject, &shares)?;
+    canvas.described(words(subject))
 }
 
 fn words(subject: &Subject<'_>) -> String {

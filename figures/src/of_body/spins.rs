@@ -1,8 +1,8 @@
 //! The spin against time: thrown about each axis, and in Jacobi's functions.
 
 use super::{Kind, NAMES, Subject};
-use crate::draw::{Canvas, Label, Pen, Plot, Scale};
-use crate::picture::{Drawing, Picture, ink_of};
+use crate::draw::{Canvas, Label, Pen, Plot};
+use crate::picture::{Drawing, ink_of};
 use crate::units;
 use nalgebra::Vector3;
 use std::error::Error;
@@ -14,7 +14,8 @@ use tumbling::exact::FreeMotion;
 const PUSH: f64 = 0.03;
 const POINTS: u32 = 2400;
 
-fn pens() -> [Pen; 3] {
+/// The pens of the spin along each axis.
+pub(crate) fn pens() -> [Pen; 3] {
     [
         Pen::new(ink_of(Axis::Smallest), 2.2).dash_dotted(),
         Pen::new(ink_of(Axis::Middle), 2.8),
@@ -33,8 +34,8 @@ struct Panel<'a> {
 impl<'a> Panel<'a> {
     fn new(canvas: &'a Canvas, top: f64, end: f64, last: bool, most: f64) -> Self {
         let (unit, name) = units::time_unit(end);
-        let x = Scale::linear(0.0..end / unit);
-        let plot = Plot::new(canvas, 52.0, top, 440.0, top + 130.0, x, Scale::linear(-most..most));
+        let x = 0.0..end / unit;
+        let plot = Plot::new(canvas, [52.0, top, 440.0, top + 130.0], x, -most..most);
         let times = units::ticks(end / unit).into_iter();
         let times = times.map(|(t, text)| (t, if last { text } else { String::new() }));
         plot.x_axis(times, &if last { format!("time ({name})") } else { String::new() });
@@ -97,16 +98,13 @@ pub(crate) fn three(subject: &Subject<'_>) -> Drawing {
         let least = run.iter().map(|w| w[k]).fold(1.0, f64::min);
         said.push(format!("about the axis of {which} it falls to {least:.2} of what it was"));
     }
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The spin of {} in body axes over {}, thrown about each principal axis in turn with the same push of {PUSH} of the spin \
-             about both others. The component about the axis of the throw: {}.",
-            subject.name(),
-            units::time(end),
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "The spin of {} in body axes over {}, thrown about each principal axis in turn with the same push of {PUSH} of the spin \
+         about both others. The component about the axis of the throw: {}.",
+        subject.name(),
+        units::time(end),
+        said.join("; ")
+    ))
 }
 
 /// Two motions: near the largest axis, and near the separatrix.
@@ -133,12 +131,9 @@ pub(crate) fn jacobi(subject: &Subject<'_>) -> Drawing {
     }
     let key = "$ω_1$ as cn, $ω_2$ as sn, $ω_3$ as dn of Jacobi";
     canvas.label((14.0, 546.0), &Label::new(key).size(15.5));
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "The three components of the spin of {} against time, two periods each. Above, for the parameter 0.04, the component about \
-             the largest axis is nearly constant; below, for 0.9998, the component about the middle axis waits and changes sign quickly.",
-            subject.name()
-        ),
-    })
+    canvas.described(format!(
+        "The three components of the spin of {} against time, two periods each. Above, for the parameter 0.04, the component about \
+         the largest axis is nearly constant; below, for 0.9998, the component about the middle axis waits and changes sign quickly.",
+        subject.name()
+    ))
 }

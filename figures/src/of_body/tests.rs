@@ -52,5 +52,5 @@ fn a_body_that_never_flips_has_no_figure_of_flips_and_the_refusal_says_why() {
         .collect();
     assert_eq!(refused, ["wobble-growth", "flip-time", "jacobi"]);
     let fixed = registry().iter().find(|figure| figure.name == "drift").unwrap();
-    assert!(fixed.draw_for(&coin).unwrap_err().to_string().contains("record"));
+    assert!(fixed.draw_for(&coin).unwrap_err().to_string().contains("not one body"));
 }

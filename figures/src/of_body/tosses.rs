@@ -2,12 +2,12 @@
 
 use super::{Kind, NAMES, Subject};
 use crate::draw::{Canvas, Label, P, View, solid};
-use crate::picture::{Drawing, Picture, ink_of};
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use crate::motion;
+use crate::picture::{Drawing, ink_of};
+use nalgebra::{Matrix3, Vector3};
 use std::error::Error;
-use std::f64::consts::{PI, TAU};
+use tumbling::Axis;
 use tumbling::exact::FreeMotion;
-use tumbling::{Axis, Body};
 
 /// The push, rad; the spin is a turn in each second.
 const PUSH: f64 = 0.02;
@@ -16,31 +16,10 @@ const TURNS: usize = 4;
 
 /// Principal axes to world, at the throw and after each turn about an axis.
 fn after_each_turn(subject: &Subject<'_>, about: usize) -> Result<Vec<Matrix3<f64>>, Box<dyn Error>> {
-    let inertia = subject.inertia()?;
-    let mut omega = Vector3::zeros();
-    omega[about] = PUSH.cos() * TAU;
-    omega[(about + 1) % 3] = PUSH.sin() * TAU;
-    let axis = Vector3::ith(about, 1.0);
-    let level = UnitQuaternion::rotation_between(&inertia.momentum(&omega), &axis);
-    let body = Body::spinning(inertia, level.ok_or("a momentum against its axis")?, &omega)?;
-    let motion = FreeMotion::of(&body)?;
-    let watched = (about + 1) % 3;
-    let (mut found, mut turned, mut last) = (Vec::new(), 0.0, None);
-    for step in 0..=12_000_u32 {
-        let rotation = motion.attitude(f64::from(step) * 0.005)?.to_rotation_matrix().into_inner();
-        let arrow = rotation.column(watched);
-        let angle = arrow[(about + 2) % 3].atan2(arrow[(about + 1) % 3]);
-        let moved: f64 = angle - last.unwrap_or(angle);
-        turned += moved - TAU * ((moved + PI) / TAU).floor();
-        last = Some(angle);
-        if turned >= TAU * found.len() as f64 {
-            found.push(rotation);
-        }
-        if found.len() > TURNS {
-            return Ok(found);
-        }
-    }
-    Err("too short a flight".into())
+    let motion = FreeMotion::of(&motion::tossed(subject.inertia()?, about, PUSH)?)?;
+    let attitude =
+        |step: u32| Ok(motion.attitude(f64::from(step) * 0.005)?.to_rotation_matrix().into_inner());
+    motion::after_each_turn((0..=12_000).map(attitude), about, (about + 1) % 3, TURNS)
 }
 
 pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
@@ -74,13 +53,10 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         Kind::Three => "Only the toss about the middle axis can turn it over.",
         _ => "Moments are equal: no toss turns it over by a flip.",
     };
-    Ok(Picture {
-        canvas,
-        description: format!(
-            "Three tosses of {}, each with a push of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. One side \
-             is dark; the side that is seen: {}. {end}",
-            subject.name(),
-            said.join("; ")
-        ),
-    })
+    canvas.described(format!(
+        "Three tosses of {}, each with a push of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. One side \
+         is dark; the side that is seen: {}. {end}",
+        subject.name(),
+        said.join("; ")
+    ))
 }

@@ -1,26 +1,25 @@
 //! DOP853 of the crate `differential-equations`.
 
-use crate::law::{Law, Packed};
+use crate::equations::{Equations, Packed};
 use differential_equations::prelude::*;
 use differential_equations::solout::Solout;
 use std::cell::Cell;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
-use tumbling_measure::ended::{Ended, Failure};
-use tumbling_measure::errors::Watch;
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, unsettable};
+use tumbling_measure::errors::{Ended, Observer, Outcome};
 use tumbling_measure::story::Story;
 
 pub struct Dop853;
 
-impl ODE<f64, Packed> for Law {
+impl ODE<f64, Packed> for Equations {
     fn diff(&self, t: f64, y: &Packed, dydt: &mut Packed) {
         *dydt = self.rate(t, y);
     }
 }
 
-/// Shows each step to the watch, and keeps the last alone.
+/// Shows each step to the observer, and keeps the last alone.
 struct Seen<'a, 'b, 'c> {
-    law: &'a Law,
-    watch: Option<&'b mut Watch<'c>>,
+    law: &'a Equations,
+    observer: Option<&'b mut Observer<'c>>,
     last: &'a Cell<Packed>,
 }
 
@@ -38,8 +37,8 @@ impl Solout<f64, Packed> for Seen<'_, '_, '_> {
         I: Interpolation<f64, Packed> + ?Sized,
     {
         self.last.set(*y);
-        if let Some(watch) = self.watch.as_deref_mut().filter(|_| t > t_before) {
-            watch.see(t, &self.law.motion(y));
+        if let Some(observer) = self.observer.as_deref_mut().filter(|_| t > t_before) {
+            observer.observe(t, &self.law.motion(y));
         }
         ControlFlag::Continue
     }
@@ -47,37 +46,30 @@ impl Solout<f64, Packed> for Seen<'_, '_, '_> {
 
 impl Contestant for Dop853 {
     fn about(&self) -> About {
-        About {
-            name: "DOP853 (differential-equations)",
-            group: Group::Peer,
-            order: 8,
-            knob: Knob::Tolerance,
-            free_only: false,
-        }
+        About { name: "DOP853 (differential-equations)", group: Group::Peer, knob: Knob::Tolerance }
     }
 
     fn run(
         &self,
         story: &Story,
         setting: Setting,
-        mut watch: Option<&mut Watch<'_>>,
-    ) -> Result<Ended, Failure> {
+        mut observer: Option<&mut Observer<'_>>,
+    ) -> Result<Ended, Outcome> {
         let Setting::Tolerance(tolerance) = setting else {
-            return Err(Failure::Refused("it is set by a tolerance".into()));
+            return Err(unsettable());
         };
-        let (whole, start) = Law::of(story);
-        let (last, mut steps, mut evaluations) = (Cell::new(start), 0, 0);
+        let (whole, start) = Equations::of(story);
+        let (last, mut steps) = (Cell::new(start), 0);
         for (law, begin, end) in whole.phases(story) {
             let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
             let solution = IVP::ode(&law, begin, end, last.get())
                 .method(method)
-                .solout(Seen { law: &law, watch: watch.as_deref_mut(), last: &last })
+                .solout(Seen { law: &law, observer: observer.as_deref_mut(), last: &last })
                 .solve()
-                .map_err(|e| Failure::Refused(format!("{e:?}")))?;
+                .map_err(|e| Outcome::Refused(format!("{e:?}")))?;
             steps += solution.steps.accepted as u64;
-            evaluations += solution.evals.function as u64;
         }
         let motion = whole.motion(&last.get());
-        Ok(Ended { motion, steps, evaluations: Some(evaluations), seconds: None })
+        Ok(Ended { motion, steps, seconds: None })
     }
 }

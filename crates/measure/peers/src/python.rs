@@ -6,20 +6,18 @@ use std::io::{BufRead as _, BufReader, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::rc::Rc;
 use tumbling::step::State;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
-use tumbling_measure::ended::{Ended, Failure};
-use tumbling_measure::errors::Watch;
-use tumbling_measure::story::{Story, Wrong};
+use tumbling_measure::AnyError;
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, unsettable};
+use tumbling_measure::errors::{Ended, Observer, Outcome};
+use tumbling_measure::story::Story;
 
-/// What the program has, by its own name; the name in the record; the order.
-const SOLVERS: [(&str, &str, u32); 2] =
-    [("SciPy", "DOP853 (SciPy)", 8), ("heyoka", "Taylor series (heyoka)", 0)];
+/// What the program has, by its own name; the name in the record.
+const SOLVERS: [(&str, &str); 2] = [("SciPy", "DOP853 (SciPy)"), ("heyoka", "Taylor series (heyoka)")];
 
 /// A solver of `solvers.py`. It knows the stories with a torque alone.
 pub struct Python {
     solver: &'static str,
     name: &'static str,
-    order: u32,
     process: Rc<RefCell<Process>>,
 }
 
@@ -37,12 +35,12 @@ impl Drop for Process {
 }
 
 impl Process {
-    fn ask(&mut self, question: &str) -> Result<String, Wrong> {
+    fn ask(&mut self, question: &str) -> Result<String, AnyError> {
         writeln!(self.to, "{question}")?;
         self.answer()
     }
 
-    fn answer(&mut self) -> Result<String, Wrong> {
+    fn answer(&mut self) -> Result<String, AnyError> {
         let mut line = String::new();
         self.from.read_line(&mut line)?;
         Ok(line.trim().to_owned())
@@ -50,7 +48,7 @@ impl Process {
 }
 
 /// Those that the `python3` found first has, and their versions.
-pub fn found() -> Result<(Vec<Box<dyn Contestant>>, Vec<String>), Wrong> {
+pub fn found() -> Result<(Vec<Box<dyn Contestant>>, Vec<String>), AnyError> {
     let mut child = Command::new("python3")
         .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/solvers.py"))
         .stdin(Stdio::piped())
@@ -63,10 +61,10 @@ pub fn found() -> Result<(Vec<Box<dyn Contestant>>, Vec<String>), Wrong> {
     let versions: Vec<String> = process.answer()?.split_whitespace().map(|x| x.replace('=', " ")).collect();
     let process = Rc::new(RefCell::new(process));
     let here = |solver: &str| versions.iter().any(|version| version.split(' ').next() == Some(solver));
-    let solvers = SOLVERS.into_iter().filter(|(solver, ..)| here(solver));
+    let solvers = SOLVERS.into_iter().filter(|(solver, _)| here(solver));
     let contestants = solvers
-        .map(|(solver, name, order)| {
-            Box::new(Python { solver, name, order, process: Rc::clone(&process) }) as Box<dyn Contestant>
+        .map(|(solver, name)| {
+            Box::new(Python { solver, name, process: Rc::clone(&process) }) as Box<dyn Contestant>
         })
         .collect();
     Ok((contestants, versions))
@@ -74,27 +72,25 @@ pub fn found() -> Result<(Vec<Box<dyn Contestant>>, Vec<String>), Wrong> {
 
 impl Contestant for Python {
     fn about(&self) -> About {
-        let (name, order) = (self.name, self.order);
-        About { name, group: Group::Peer, order, knob: Knob::Tolerance, free_only: false }
+        About { name: self.name, group: Group::Peer, knob: Knob::Tolerance }
     }
 
     fn takes(&self, story: &Story) -> bool {
         !story.is_free()
     }
 
-    fn run(&self, story: &Story, setting: Setting, _: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+    fn run(&self, story: &Story, setting: Setting, _: Option<&mut Observer<'_>>) -> Result<Ended, Outcome> {
         let Setting::Tolerance(tolerance) = setting else {
-            return Err(Failure::Refused("it is set by a tolerance".into()));
+            return Err(unsettable());
         };
         let question = format!("{}\t{}\t{tolerance:e}", self.solver, story.name);
-        let refused = |why: Wrong| Failure::Refused(why.to_string());
+        let refused = |why: AnyError| Outcome::Refused(why.to_string());
         let answer = self.process.borrow_mut().ask(&question).map_err(refused)?;
         let numbers: Vec<f64> = answer.split(' ').map_while(|word| word.parse().ok()).collect();
-        let [seconds, steps, evaluations, w, x, y, z, l, m, n] = numbers[..] else {
-            return Err(Failure::Refused(answer));
+        let [seconds, steps, w, x, y, z, l, m, n] = numbers[..] else {
+            return Err(Outcome::Refused(answer));
         };
         let motion = State { attitude: Quaternion::new(w, x, y, z), momentum: Vector3::new(l, m, n) };
-        let evaluations = (evaluations > 0.0).then_some(evaluations as u64);
-        Ok(Ended { motion, steps: steps as u64, evaluations, seconds: Some(seconds) })
+        Ok(Ended { motion, steps: steps as u64, seconds: Some(seconds) })
     }
 }

@@ -3,32 +3,29 @@
 use nalgebra::{Quaternion, Vector3};
 use rapier3d_f64::prelude::*;
 use tumbling::step::State;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, step_of};
-use tumbling_measure::ended::{Ended, Failure};
-use tumbling_measure::errors::Watch;
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, step_of, unsettable};
+use tumbling_measure::errors::{Ended, Observer, Outcome};
 use tumbling_measure::story::Story;
 
 pub struct Rapier;
 
 impl Contestant for Rapier {
     fn about(&self) -> About {
-        About {
-            name: "Rapier, whole engine",
-            group: Group::Peer,
-            order: 1,
-            knob: Knob::Steps,
-            free_only: true,
-        }
+        About { name: "Rapier, whole engine", group: Group::Peer, knob: Knob::Steps }
+    }
+
+    fn takes(&self, story: &Story) -> bool {
+        story.is_free()
     }
 
     fn run(
         &self,
         story: &Story,
         setting: Setting,
-        mut watch: Option<&mut Watch<'_>>,
-    ) -> Result<Ended, Failure> {
+        mut observer: Option<&mut Observer<'_>>,
+    ) -> Result<Ended, Outcome> {
         let Setting::Steps(steps) = setting else {
-            return Err(Failure::Refused("it is set by its steps".into()));
+            return Err(unsettable());
         };
         let moments = *story.system.moments();
         let spin = story.system.omega(&story.start.momentum);
@@ -54,10 +51,10 @@ impl Contestant for Rapier {
         };
         for k in 1..=steps {
             world.step();
-            if let Some(watch) = watch.as_deref_mut() {
-                watch.see(story.end * (k as f64 / steps as f64), &state(&world));
+            if let Some(observer) = observer.as_deref_mut() {
+                observer.observe(story.end * (k as f64 / steps as f64), &state(&world));
             }
         }
-        Ok(Ended { motion: state(&world), steps, evaluations: None, seconds: None })
+        Ok(Ended { motion: state(&world), steps, seconds: None })
     }
 }

@@ -1,45 +1,41 @@
 //! Tsitouras's pair of orders 5 and 4 of the crate `diffsol`.
 
-use crate::law::Law;
+use crate::equations::Equations;
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
-use std::cell::Cell;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
-use tumbling_measure::ended::{Ended, Failure};
-use tumbling_measure::errors::Watch;
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, unsettable};
+use tumbling_measure::errors::{Ended, Observer, Outcome};
 use tumbling_measure::story::Story;
 
 pub struct Tsit45;
 
 impl Contestant for Tsit45 {
     fn about(&self) -> About {
-        About {
-            name: "Tsit45 (diffsol)",
-            group: Group::Peer,
-            order: 5,
-            knob: Knob::Tolerance,
-            free_only: false,
-        }
+        About { name: "Tsit45 (diffsol)", group: Group::Peer, knob: Knob::Tolerance }
     }
 
-    fn run(&self, story: &Story, setting: Setting, watch: Option<&mut Watch<'_>>) -> Result<Ended, Failure> {
+    fn run(
+        &self,
+        story: &Story,
+        setting: Setting,
+        observer: Option<&mut Observer<'_>>,
+    ) -> Result<Ended, Outcome> {
         let Setting::Tolerance(tolerance) = setting else {
-            return Err(Failure::Refused("it is set by a tolerance".into()));
+            return Err(unsettable());
         };
-        solve(story, tolerance, watch).map_err(|e| Failure::Refused(e.to_string()))
+        solve(story, tolerance, observer).map_err(|e| Outcome::Refused(e.to_string()))
     }
 }
 
 fn solve(
     story: &Story,
     tolerance: f64,
-    mut watch: Option<&mut Watch<'_>>,
+    mut observer: Option<&mut Observer<'_>>,
 ) -> Result<Ended, diffsol::error::DiffsolError> {
-    let (whole, mut state) = Law::of(story);
-    let (evaluations, mut steps) = (Cell::new(0_u64), 0);
+    let (whole, mut state) = Equations::of(story);
+    let mut steps = 0;
     for (law, begin, end) in whole.phases(story) {
         let start = state;
         let rate = |y: &[f64], _p: &[f64], t: f64, dy: &mut [f64]| {
-            evaluations.set(evaluations.get() + 1);
             let mut state = start;
             state.copy_from_slice(y);
             dy.copy_from_slice(&law.rate(t, &state));
@@ -56,9 +52,9 @@ fn solve(
         loop {
             let reason = solver.step()?;
             steps += 1;
-            if let Some(watch) = watch.as_deref_mut() {
+            if let Some(observer) = observer.as_deref_mut() {
                 let state = solver.state();
-                watch.see(state.t, &law.motion(state.y.batch_as_slice(0)));
+                observer.observe(state.t, &law.motion(state.y.batch_as_slice(0)));
             }
             if matches!(reason, OdeSolverStopReason::TstopReached) {
                 break;
@@ -67,5 +63,5 @@ fn solve(
         state.copy_from_slice(solver.state().y.batch_as_slice(0));
     }
     let motion = whole.motion(&state);
-    Ok(Ended { motion, steps, evaluations: Some(evaluations.get()), seconds: None })
+    Ok(Ended { motion, steps, seconds: None })
 }

@@ -1,13 +1,13 @@
 //! Animated PNG.
 
-use super::Patch;
 use super::palette::Palette;
+use super::{Patch, Writer};
 use crate::error::Error;
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The file as it grows: the encoder owns one end of it, and keeps it.
-#[derive(Debug, Clone, Default)]
+#[derive(Clone, Default)]
 struct Shared(Arc<Mutex<Vec<u8>>>);
 
 impl Write for Shared {
@@ -20,30 +20,24 @@ impl Write for Shared {
     }
 }
 
-pub(super) struct Writer {
+pub(super) struct Apng {
     file: Shared,
     encoder: png::Writer<Shared>,
-}
-
-impl std::fmt::Debug for Writer {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Writer").finish_non_exhaustive()
-    }
 }
 
 fn failed(e: png::EncodingError) -> Error {
     Error::new("the APNG", e)
 }
 
-impl Writer {
+impl Apng {
     pub(super) fn new(
         palette: &Palette,
-        [width, height]: [u32; 2],
+        size: [u32; 2],
         count: u32,
         milliseconds: u16,
     ) -> Result<Self, Error> {
         let file = Shared::default();
-        let mut encoder = png::Encoder::new(file.clone(), width, height);
+        let mut encoder = png::Encoder::new(file.clone(), size[0], size[1]);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(palette.bytes());
         encoder.set_trns(vec![0]);
@@ -56,8 +50,10 @@ impl Writer {
         encoder.validate_sequence(true);
         Ok(Self { encoder: encoder.write_header().map_err(failed)?, file })
     }
+}
 
-    pub(super) fn add(&mut self, patch: &Patch) -> Result<(), Error> {
+impl Writer for Apng {
+    fn add(&mut self, patch: &Patch) -> Result<(), Error> {
         let mut add = || {
             self.encoder.reset_frame_position()?;
             self.encoder.set_frame_dimension(patch.width, patch.height)?;
@@ -67,7 +63,7 @@ impl Writer {
         add().map_err(failed)
     }
 
-    pub(super) fn finish(self) -> Result<Vec<u8>, Error> {
+    fn finish(self: Box<Self>) -> Result<Vec<u8>, Error> {
         self.encoder.finish().map_err(failed)?;
         Ok(std::mem::take(&mut *self.file.0.lock().unwrap_or_else(PoisonError::into_inner)))
     }

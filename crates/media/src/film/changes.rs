@@ -5,7 +5,6 @@ use crate::error::Error;
 use crate::picture::Picture;
 
 /// A rectangle of a picture in numbers of colours; where nothing changed, [`AS_BEFORE`].
-#[derive(Debug)]
 pub(super) struct Patch {
     pub(super) left: u32,
     pub(super) top: u32,
@@ -15,7 +14,6 @@ pub(super) struct Patch {
 }
 
 /// The picture that is shown so far.
-#[derive(Debug)]
 pub(super) struct Changes {
     size: [u32; 2],
     shown: Vec<u8>,
@@ -44,21 +42,11 @@ impl Changes {
         let mut numbers = Vec::with_capacity((right - left) * (bottom - top));
         for row in top..bottom {
             let places = row * width as usize + left..row * width as usize + right;
-            numbers.extend(
-                places.map(
-                    |at| {
-                        if before.get(at) == Some(&self.shown[at]) { AS_BEFORE } else { self.shown[at] }
-                    },
-                ),
-            );
+            let as_before = |at: usize| before.get(at) == Some(&self.shown[at]);
+            numbers.extend(places.map(|at| if as_before(at) { AS_BEFORE } else { self.shown[at] }));
         }
-        Ok(Patch {
-            left: left as u32,
-            top: top as u32,
-            width: (right - left) as u32,
-            height: (bottom - top) as u32,
-            numbers,
-        })
+        let [width, height] = [right - left, bottom - top].map(|x| x as u32);
+        Ok(Patch { left: left as u32, top: top as u32, width, height, numbers })
     }
 }
 

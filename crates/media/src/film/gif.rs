@@ -1,19 +1,13 @@
 //! GIF.
 
-use super::Patch;
 use super::palette::{AS_BEFORE, Palette};
+use super::{Patch, Writer};
 use crate::error::Error;
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
-pub(super) struct Writer {
+pub(super) struct Gif {
     encoder: Encoder<Vec<u8>>,
     hundredths: u16,
-}
-
-impl std::fmt::Debug for Writer {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Writer").field("hundredths", &self.hundredths).finish_non_exhaustive()
-    }
 }
 
 fn failed(e: EncodingError) -> Error {
@@ -24,19 +18,17 @@ fn short(x: u32) -> Result<u16, Error> {
     u16::try_from(x).map_err(|_| Error(format!("a GIF has at most 65535 pixels from side to side, not {x}")))
 }
 
-impl Writer {
-    pub(super) fn new(
-        palette: &Palette,
-        [width, height]: [u32; 2],
-        milliseconds: u16,
-    ) -> Result<Self, Error> {
-        let mut encoder =
-            Encoder::new(Vec::new(), short(width)?, short(height)?, &palette.bytes()).map_err(failed)?;
+impl Gif {
+    pub(super) fn new(palette: &Palette, size: [u32; 2], milliseconds: u16) -> Result<Self, Error> {
+        let (width, height) = (short(size[0])?, short(size[1])?);
+        let mut encoder = Encoder::new(Vec::new(), width, height, &palette.bytes()).map_err(failed)?;
         encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
         Ok(Self { encoder, hundredths: (milliseconds + 5) / 10 })
     }
+}
 
-    pub(super) fn add(&mut self, patch: &Patch) -> Result<(), Error> {
+impl Writer for Gif {
+    fn add(&mut self, patch: &Patch) -> Result<(), Error> {
         let frame = Frame {
             delay: self.hundredths,
             dispose: DisposalMethod::Keep,
@@ -51,7 +43,7 @@ impl Writer {
         self.encoder.write_frame(&frame).map_err(failed)
     }
 
-    pub(super) fn finish(self) -> Result<Vec<u8>, Error> {
+    fn finish(self: Box<Self>) -> Result<Vec<u8>, Error> {
         self.encoder.into_inner().map_err(|e| Error::new("the GIF", e))
     }
 }

@@ -20,18 +20,18 @@ pub enum Format {
     Gif,
 }
 
-/// A film that grows picture by picture, and starts again at its end.
-#[derive(Debug)]
-pub struct Film {
-    writer: Writer,
-    palette: Palette,
-    changes: Changes,
+/// A file of one format, as it grows.
+trait Writer {
+    fn add(&mut self, patch: &Patch) -> Result<(), Error>;
+
+    fn finish(self: Box<Self>) -> Result<Vec<u8>, Error>;
 }
 
-#[derive(Debug)]
-enum Writer {
-    Apng(Box<apng::Writer>),
-    Gif(Box<gif::Writer>),
+/// A film that grows picture by picture, and starts again at its end.
+pub struct Film {
+    writer: Box<dyn Writer>,
+    palette: Palette,
+    changes: Changes,
 }
 
 impl Film {
@@ -47,9 +47,9 @@ impl Film {
         count: u32,
         milliseconds: u16,
     ) -> Result<Self, Error> {
-        let writer = match format {
-            Format::Apng => Writer::Apng(Box::new(apng::Writer::new(&palette, size, count, milliseconds)?)),
-            Format::Gif => Writer::Gif(Box::new(gif::Writer::new(&palette, size, milliseconds)?)),
+        let writer: Box<dyn Writer> = match format {
+            Format::Apng => Box::new(apng::Apng::new(&palette, size, count, milliseconds)?),
+            Format::Gif => Box::new(gif::Gif::new(&palette, size, milliseconds)?),
         };
         Ok(Self { writer, palette, changes: Changes::new(size) })
     }
@@ -60,10 +60,7 @@ impl Film {
     /// A picture of another size, or what the encoder reports.
     pub fn add(&mut self, picture: &Picture) -> Result<(), Error> {
         let patch = self.changes.patch(picture, &mut self.palette)?;
-        match &mut self.writer {
-            Writer::Apng(writer) => writer.add(&patch),
-            Writer::Gif(writer) => writer.add(&patch),
-        }
+        self.writer.add(&patch)
     }
 
     /// The file.
@@ -71,9 +68,6 @@ impl Film {
     /// # Errors
     /// Fewer pictures than were announced, or what the encoder reports.
     pub fn finish(self) -> Result<Vec<u8>, Error> {
-        match self.writer {
-            Writer::Apng(writer) => writer.finish(),
-            Writer::Gif(writer) => writer.finish(),
-        }
+        self.writer.finish()
     }
 }

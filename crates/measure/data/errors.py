@@ -1,6 +1,6 @@
 """Free motions of bodies from the whole triangle of moments, for the figure `exact-errors`.
 
-    PYTHONPATH=tests/data python3 figures/data/errors.py > figures/data/errors.json
+    PYTHONPATH=tests/data python3 crates/measure/data/errors.py > crates/measure/record/errors.json
 
 The triangle of all bodies (I1/I3 across, I2/I3 up) is cut into SIDE² equal small ones. Of each, the body at its
 centre; of those along an edge, also one a hair inside the edge (a plate, a top); of those in a corner, also one

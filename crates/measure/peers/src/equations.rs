@@ -1,4 +1,4 @@
-//! The law as the solvers get it: seven numbers, lean, each of size one.
+//! The equations of motion as the solvers get them: seven numbers, each of size one.
 
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::State;
@@ -10,7 +10,7 @@ pub type Packed = [f64; 7];
 
 /// A story as a solver of differential equations sees it, through one of its phases.
 #[derive(Debug, Clone)]
-pub struct Law {
+pub struct Equations {
     moments: [f64; 3],
     /// Inverse moments times the size of the momentum: spin by scaled momentum.
     inverse: [f64; 3],
@@ -26,21 +26,21 @@ pub struct Law {
     pulse: [f64; 3],
 }
 
-impl Law {
+impl Equations {
     /// The law of a story, and the state at its start.
     pub fn of(story: &Story) -> (Self, Packed) {
         let size = story.start.momentum.norm();
         let (moments, drive) = (*story.system.moments(), &story.drive);
-        let some = |v: Vector3<f64>| (v != Vector3::zeros()).then(|| v.into());
+        let some = |v: [f64; 3]| (v != [0.0; 3]).then_some(v);
         let law = Self {
             moments: moments.into(),
             inverse: moments.map(|x| size / x).into(),
             size,
-            lever: some(drive.arm * (drive.weight / size)),
-            damping: drive.damping.component_div(&moments).into(),
+            lever: some(drive.arm.map(|x| x * drive.weight / size)),
+            damping: Vector3::from(drive.damping).component_div(&moments).into(),
             gradient: drive.gradient / size,
             orbit: drive.orbit,
-            push: some(drive.push / size),
+            push: some(drive.push.map(|x| x / size)),
             rate: drive.rate,
             pulse: [0.0; 3],
         };
@@ -54,7 +54,7 @@ impl Law {
         story.drive.phases.iter().map(move |(seconds, torque)| {
             let begin = end;
             end += seconds;
-            (Self { pulse: (torque / self.size).into(), ..self.clone() }, begin, end)
+            (Self { pulse: torque.map(|x| x / self.size), ..self.clone() }, begin, end)
         })
     }
 
@@ -106,9 +106,9 @@ impl Law {
             }
         }
         if let Some(push) = self.push {
-            let swing = (self.rate * time).cos();
+            let cosine = (self.rate * time).cos();
             for i in 0..3 {
-                rate[4 + i] += push[i] * swing;
+                rate[4 + i] += push[i] * cosine;
             }
         }
         rate
