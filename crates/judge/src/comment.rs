@@ -1,6 +1,7 @@
 //! What the comment lines of a record say.
 
 use crate::digits::last_place;
+use crate::engines::PHYSICS_ENGINES;
 use crate::error::Error;
 use crate::findings::Note;
 use crate::thresholds::MOMENTS_MISS;
@@ -70,13 +71,20 @@ fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
     Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
 }
 
+/// Whether the first word of a comment is the name of an engine that is known.
+fn begins_with_an_engine(comment: &str) -> bool {
+    let first = comment.split(|c: char| !c.is_alphanumeric()).find(|word| !word.is_empty());
+    first.is_some_and(|word| PHYSICS_ENGINES.iter().any(|engine| engine.is_called(word)))
+}
+
 impl Header {
     /// Reads one more comment line. What it does not understand it takes for prose, and says so where it
     /// seems to say something.
     pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
         if self.engine.is_none()
-            && let Some(name) =
-                after(comment, "engine").filter(|_| comment.to_ascii_lowercase().contains("engine:"))
+            && let Some(name) = after(comment, "engine")
+                .filter(|_| comment.to_ascii_lowercase().contains("engine:"))
+                .or_else(|| Some(comment).filter(|comment| begins_with_an_engine(comment)))
         {
             self.engine = Some(name.split(';').next().unwrap_or(name).trim().to_string());
         }

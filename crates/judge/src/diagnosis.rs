@@ -6,6 +6,7 @@ use crate::advice::Advice;
 use crate::candidates::Subject;
 use crate::confidence::Confidence;
 use crate::drift::Run;
+use crate::engine_step::PhysicsEngine;
 use crate::engines::PHYSICS_ENGINES;
 use crate::findings::Hint;
 use crate::fitted::{compound, momentum_for_spin};
@@ -15,7 +16,7 @@ use crate::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain}
 use crate::sample::{Floor, Sample};
 use crate::state::{Pair, middle_and_most};
 use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO,
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, RULES_NAMED,
     TRIED_IN_PARTS, TRIED_SHARE, TRIED_TURNS,
 };
 
@@ -65,9 +66,11 @@ pub struct Diagnosis {
     /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
     /// drift as the whole record does.
     pub drifts: Option<usize>,
-    /// Engines known to go by the best rule; where the record names one of them that goes by a rule that
-    /// fits, this one.
+    /// Engines known to go by the best rule, or by one that makes the same steps here; where the record names
+    /// one that goes by a rule that fits, this one first.
     pub engines: Vec<String>,
+    /// The engine that the record names, where it goes by a rule that fits.
+    pub(crate) own: Option<&'static PhysicsEngine>,
     /// How the errors of the steps go, where no rule is named.
     pub accuracy: Option<Accuracy>,
     /// What to do about it.
@@ -149,23 +152,42 @@ impl Diagnosis {
         self.second.map(|second| self.best.relative_to(&second))
     }
 
-    /// The engines of the best rule; or the one that the record names, where it goes by a rule that fits.
+    /// The rules named first: the best, and with a rule named those that make the same steps here and that an
+    /// engine goes by; the rule of the engine that the record names before all.
+    pub(crate) fn leading(&self) -> Vec<&Rule> {
+        let several = self.names_a_rule() && !self.is_exact();
+        let known = |rule: &&Rule| several && !rule.engines().is_empty();
+        let mut rules: Vec<&Rule> = std::iter::once(&self.best.rule).chain(self.alike.iter().filter(known)).collect();
+        if several && let Some(own) = self.own {
+            rules.sort_by_key(|rule| rule.steps_of(own).is_none());
+        }
+        rules.truncate(RULES_NAMED);
+        rules
+    }
+
+    /// The engines that go by the rules named first; before them the one that the record names, where it goes
+    /// by a rule that fits.
     pub(crate) fn name_engines(&mut self, header: Option<&str>) {
-        let header = header.unwrap_or_default().to_lowercase();
-        let words: Vec<&str> = header.split(|c: char| !c.is_alphanumeric()).collect();
-        let of_header = |name: &str| {
-            name.to_lowercase().split(", ").any(|name| {
-                let first = name.split(' ').next().unwrap_or(name);
-                words.contains(&first)
-            })
+        let header = header.unwrap_or_default();
+        let called = |engine: &&PhysicsEngine| {
+            header.split(|c: char| !c.is_alphanumeric()).any(|word| engine.is_called(word))
         };
         let rules = || std::iter::once(&self.best.rule).chain(&self.alike);
-        let same = PHYSICS_ENGINES.iter().filter(|engine| of_header(engine.name)).filter_map(|engine| {
+        let fitting = |engine: &'static PhysicsEngine| {
             let steps = rules().find_map(|rule| rule.steps_of(engine))?;
-            Some(named(engine, steps))
-        });
-        let same: Vec<String> = same.collect();
-        self.engines = if same.is_empty() { self.best.rule.engines() } else { same };
+            Some((engine, steps))
+        };
+        let own: Vec<_> = PHYSICS_ENGINES.iter().filter(called).filter_map(fitting).collect();
+        self.own = own.first().map(|(engine, _)| *engine);
+        let mut engines: Vec<String> = own.into_iter().map(|(engine, steps)| named(engine, steps)).collect();
+        if engines.is_empty() || self.leading().len() > 1 {
+            for name in self.leading().into_iter().flat_map(Rule::engines).collect::<Vec<_>>() {
+                if !engines.contains(&name) {
+                    engines.push(name);
+                }
+            }
+        }
+        self.engines = engines;
     }
 }
 
@@ -232,6 +254,7 @@ pub(crate) fn diagnose(subject: &Subject, sample: &Sample, about: Circumstances)
         hints,
         drifts: None,
         engines: Vec::new(),
+        own: None,
         accuracy: errors,
         advice: Advice::NothingToDo,
         single: floor.single,

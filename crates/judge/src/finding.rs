@@ -47,7 +47,8 @@ impl Diagnosis {
                 "Too few digits to name the rule by its single steps: they fit {count} rules alike"
             );
         }
-        format!("{}: {}", self.words(), self.best.rule.name())
+        let names: Vec<String> = self.leading().into_iter().map(Rule::name).collect();
+        format!("{}: {}", self.words(), names.join("; or, with the same steps here, by "))
     }
 
     /// What else there is to say, but for the advice.
@@ -80,12 +81,14 @@ impl Diagnosis {
     /// The other rules, relative to the one that is named.
     fn others(&self) -> Vec<String> {
         let mut all = Vec::new();
-        if !self.alike.is_empty() {
+        let leading = self.leading();
+        let mut alike = self.alike.iter().filter(|rule| !leading.contains(rule)).peekable();
+        if alike.peek().is_some() {
             let named = |rule: &Rule| match rule.engines() {
                 engines if engines.is_empty() => rule.name(),
                 engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
             };
-            let names: Vec<String> = self.alike.iter().map(named).collect();
+            let names: Vec<String> = alike.map(named).collect();
             all.push(format!("cannot be distinguished from it here: {}", listed(&names)));
         }
         if self.is_exact() {

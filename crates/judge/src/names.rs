@@ -141,6 +141,14 @@ impl Rule {
     }
 }
 
+impl PhysicsEngine {
+    /// Whether a word is the first of its name, or of one of its names.
+    pub(crate) fn is_called(&self, word: &str) -> bool {
+        let mut names = self.name.split(", ").filter_map(|name| name.split(' ').next());
+        names.any(|name| name.eq_ignore_ascii_case(word))
+    }
+}
+
 /// An engine with its version and setting, and its steps from row to row where they are several.
 pub(crate) fn named(engine: &PhysicsEngine, steps: u32) -> String {
     let version = engine.version.map_or(String::new(), |version| format!(" {version}"));
