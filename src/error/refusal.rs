@@ -78,9 +78,6 @@ pub(crate) enum Refusal {
         duration: f64,
         why: &'static str,
     },
-    NoSuchAxis {
-        axis: usize,
-    },
     Part {
         index: usize,
         source: Box<Error>,
@@ -103,8 +100,7 @@ impl Refusal {
             | Self::Order { .. }
             | Self::NotUnit { .. }
             | Self::NotUnitVector { .. }
-            | Self::TooFew { .. }
-            | Self::NoSuchAxis { .. } => ErrorKind::OutOfBounds,
+            | Self::TooFew { .. } => ErrorKind::OutOfBounds,
             Self::OutOfRange { .. } => ErrorKind::Unrepresentable,
             Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::Undefined,
             Self::TooMany { .. } | Self::Unfinished { .. } => ErrorKind::TooMany,
@@ -133,7 +129,6 @@ impl Refusal {
             | Self::Order { smaller: what, .. } => what,
             Self::NoStep { .. } => "the step whose error meets the tolerance",
             Self::NotUnit { .. } => "the attitude quaternion",
-            Self::NoSuchAxis { .. } => "the principal axis",
             Self::Tensor(refusal) => refusal.subject(),
             Self::Mesh(refusal) => refusal.subject(),
             Self::Part { source, .. } => source.subject(),
@@ -176,9 +171,6 @@ impl fmt::Display for Refusal {
                 Margin((length - 1.0).abs()),
                 Margin(*tolerance)
             ),
-            Self::NoSuchAxis { axis } => {
-                write!(f, "there is no principal axis number {axis}: they are numbered 0, 1 and 2")
-            }
             Self::TooFew { what, count, needed } => {
                 write!(f, "{count} {what} given: at least {needed} needed")
             }
