@@ -48,14 +48,15 @@ pub use regime::Regime;
 pub use top::{LagrangeTop, TopRegime};
 
 use crate::body::Body;
-use crate::dynamics::regime::{Kind, classify};
+use crate::dynamics::invariants::{Kind, classify};
+use crate::dynamics::observe::energy;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{Axis, Frame, Inertia, PrincipalMoments};
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
 use flips::Clock;
-use mount::Mount;
+use mount::{Mount, spin_along};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The free motion of one body from one start, prepared for any instant.
@@ -155,15 +156,15 @@ impl FreeMotion {
     /// # Errors
     /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
     pub fn of(body: &Body) -> Result<Self, Error> {
-        let omega = body.omega_body();
-        let (moments, frame) = body.inertia().along_principal_axes()?;
-        let frame = frame.unwrap_or_else(UnitQuaternion::identity);
-        let motion = mount::along(&frame, &omega).and_then(|along| Self::new(moments, &along))?;
-        if frame != UnitQuaternion::identity() {
+        let (moments, to_body) = body.inertia().along_principal_axes()?;
+        let frame = to_body.map_or(Frame::SAME, |to_body| Frame::new(to_body.into_inner()));
+        let motion = Self::new(moments, &spin_along(body, moments, &frame)?)?;
+        if frame != Frame::SAME {
             motion.law.has_room_for(mount::ROOM_TO_TURN, motion.exponent)?;
         }
-        let attitude = body.attitude();
-        Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..motion })
+        let mount = Mount::new(frame, body.attitude(), body.omega_body());
+        let body = Some((body.inertia(), body.momentum_world()));
+        Ok(Self { mount: Some(Mount { body, ..mount }), ..motion })
     }
 
     /// The same motion from this attitude (body to world) at time 0.
@@ -183,13 +184,58 @@ impl FreeMotion {
     /// An attitude whose length is not 1 to a billionth, or that is not finite.
     pub fn with_attitude(self, attitude: UnitQuaternion<f64>) -> Result<Self, Error> {
         let attitude = crate::attitude::checked(attitude)?;
-        let (frame, omega) = match &self.mount {
-            Some(mount) => (mount.frame, mount.omega),
-            // As it is already.
-            None if attitude == UnitQuaternion::identity() => return Ok(self),
-            None => (UnitQuaternion::identity(), self.start),
+        let Some(mount) = self.mount else {
+            let same = attitude == UnitQuaternion::identity();
+            let mount = (!same).then(|| Mount::new(Frame::SAME, attitude, self.start));
+            return Ok(Self { mount, ..self });
         };
-        Ok(Self { mount: Some(Mount::new(frame, attitude, omega)), ..self })
+        // The momentum turns with the body.
+        let turn = attitude * mount.attitude.inverse();
+        let body = mount.body.map(|(inertia, momentum)| (inertia, turn * momentum));
+        Ok(Self { mount: Some(Mount { body, ..Mount::new(mount.frame, attitude, mount.omega) }), ..self })
+    }
+
+    /// The body at time `t`: in the world it has the momentum of the start, to the bit.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::{Body, Inertia, exact::FreeMotion};
+    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?.turned(turned)?;
+    /// let body = Body::spinning(inertia, turned.inverse(), &Vector3::new(0.5, -1.0, 0.2))?;
+    /// let motion = FreeMotion::of(&body)?;
+    /// let after = motion.body(123.0)?;
+    /// assert_eq!((after.inertia(), after.momentum_world()), (inertia, body.momentum_world()));
+    /// assert!((after.omega_body() - motion.omega(123.0)?).norm() < 1e-14);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A time that is not finite, or a momentum beyond `f64`.
+    pub fn body(&self, t: f64) -> Result<Body, Error> {
+        let attitude = self.attitude(t)?;
+        if let Some((inertia, momentum)) = self.mount.and_then(|mount| mount.body) {
+            return Body::new(inertia, attitude, &momentum);
+        }
+        let (first, moments) = (self.first(), self.moments);
+        let inertia = Inertia::from_moments(moments[0], moments[1], moments[2])?;
+        let start = Body::spinning(inertia, first.attitude, &first.omega)?;
+        start.with(attitude, &start.momentum_world())
+    }
+
+    /// Kinetic energy, J: constant. Infinite if it exceeds what `f64` holds, zero or short of digits if it
+    /// falls below.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(1.0, -1.0, 2.0))?;
+    /// assert_eq!(motion.energy(), 6.5);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        energy(&self.start, &self.moments.vector().component_mul(&self.start))
     }
 
     /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
@@ -290,7 +336,11 @@ impl FreeMotion {
             Law::AtRest => Regime::AtRest,
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
-                axis: top.axis(),
+                axis: if self.moments.axis(Axis::Largest) == top.axis() {
+                    Axis::Largest
+                } else {
+                    Axis::Smallest
+                },
                 nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
                 precession: per_second(top.precession()),
             },

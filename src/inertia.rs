@@ -4,6 +4,7 @@
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
 mod display;
+mod frame;
 mod inverse;
 mod moments;
 mod nearest;
@@ -14,6 +15,7 @@ mod serial;
 
 use crate::number::functions::atan2;
 use alloc::boxed::Box;
+pub(crate) use frame::Frame;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
 pub(crate) use principal::moments_of;

@@ -62,7 +62,7 @@ pub fn momentum_rate<T: Ring>(
     momentum.cross(&(inverse * momentum)) + torque
 }
 
-/// The same law with the spin as the unknown, in whatever body axes: `I w' = (I w) x w + torque`, N m.
+/// Euler's equations with the spin as the unknown, in whatever body axes: `I w' = (I w) x w + torque`, N m.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};

@@ -91,9 +91,6 @@ pub(crate) enum Refusal {
         duration: f64,
         why: &'static str,
     },
-    NoSuchAxis {
-        axis: usize,
-    },
     Part {
         index: usize,
         source: Box<Error>,
@@ -117,8 +114,7 @@ impl Refusal {
             | Self::Order { .. }
             | Self::NotUnit { .. }
             | Self::NotUnitVector { .. }
-            | Self::TooFew { .. }
-            | Self::NoSuchAxis { .. } => ErrorKind::OutOfBounds,
+            | Self::TooFew { .. } => ErrorKind::OutOfBounds,
             Self::OutOfRange { .. } | Self::Underflow { .. } => ErrorKind::Unrepresentable,
             Self::ZeroVector { .. } | Self::Undefined { .. } => ErrorKind::Undefined,
             Self::TooMany { .. }
@@ -151,7 +147,6 @@ impl Refusal {
             | Self::Order { smaller: what, .. } => *what,
             Self::NoStep { .. } => Subject::StepLength,
             Self::NotUnit { .. } => Subject::Attitude,
-            Self::NoSuchAxis { .. } => Subject::PrincipalAxis,
             Self::Tensor(refusal) => refusal.subject(),
             Self::Mesh(refusal) => refusal.subject(),
             Self::Part { source, .. } => source.subject(),
@@ -201,9 +196,6 @@ impl fmt::Display for Refusal {
                 Margin((length - 1.0).abs()),
                 Margin(*tolerance)
             ),
-            Self::NoSuchAxis { axis } => {
-                write!(f, "there is no principal axis number {axis}: they are numbered 0, 1 and 2")
-            }
             Self::TooFew { what, count, needed } => {
                 write!(f, "{count} {what} given: at least {needed} needed")
             }

@@ -1,7 +1,7 @@
 //! The motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
-use super::kernel::{FirstAxis, Kernel, unit};
-use crate::attitude::product;
+use super::kernel::{FirstAxis, Kernel};
+use crate::attitude::{product, unit};
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;

@@ -2,16 +2,14 @@
 //! elliptic functions.
 
 mod axes;
-mod complementary;
-mod direct;
-mod folded_argument;
+mod instant;
 mod prepare;
+mod range_reduction;
 mod variations;
 
-pub(super) use folded_argument::{Ends, Fold};
+pub(super) use instant::{ComplementaryAttitude, ComplementarySpin, DirectAttitude, DirectSpin};
 pub(super) use prepare::{argument_at_start, phase_at_start};
-pub(super) use {complementary::Attitude as ComplementaryAttitude, complementary::Spin as ComplementarySpin};
-pub(super) use {direct::Attitude as DirectAttitude, direct::Spin as DirectSpin};
+pub(super) use range_reduction::{Exponentials, Reduction};
 
 use super::Regime;
 use super::flips::Clock;
@@ -45,7 +43,7 @@ enum Form {
     Direct { spin: DirectSpin, attitude: DirectAttitude },
     /// In the complementary nome.
     Complementary { spin: ComplementarySpin, attitude: ComplementaryAttitude },
-    /// The same with a complementary nome of zero: the motion does not return.
+    /// With a complementary nome of zero: the motion does not return.
     Separatrix { spin: ComplementarySpin, attitude: ComplementaryAttitude },
 }
 
@@ -55,7 +53,7 @@ struct Constants {
     about: Axis,
     modulus: f64,
     complement: f64,
-    /// The same times `2^shift`, and the powers of two taken into the three components: `[shift + lift, lift,
+    /// The complement times `2^shift`, and the powers of two taken into the three components: `[shift + lift, lift,
     /// shift]`. One of the two is 0.
     scaled_complement: f64,
     lifts: [i32; 3],
@@ -165,7 +163,7 @@ impl EllipticMotion {
         match &self.form {
             Form::Direct { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
             Form::Complementary { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
-            Form::Separatrix { spin, attitude } => spin.turn(attitude, &spin.fold.without_return(time), time),
+            Form::Separatrix { spin, attitude } => without_return(spin, attitude, time).1,
         }
     }
 
@@ -174,7 +172,7 @@ impl EllipticMotion {
         let (omega, turn) = match &self.form {
             Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),
             Form::Complementary { spin, attitude } => both(spin, attitude, spin.phase(time), time),
-            Form::Separatrix { spin, attitude } => both(spin, attitude, spin.fold.without_return(time), time),
+            Form::Separatrix { spin, attitude } => without_return(spin, attitude, time),
         };
         (self.unscaled(omega), turn)
     }
@@ -204,5 +202,5 @@ fn without_return(
     attitude: &ComplementaryAttitude,
     time: f64,
 ) -> (Vector3<f64>, Quaternion<f64>) {
-    both(spin, attitude, spin.fold.without_return(time), time)
+    both(spin, attitude, spin.reduction.without_return(time), time)
 }

@@ -2,7 +2,7 @@
 
 use super::{FreeMotion, Law};
 use crate::error::{Error, Refusal, Subject};
-use crate::inertia::unit;
+use crate::inertia::{Axis, unit};
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::times_power_of_two;
 use core::f64::consts::PI;
@@ -48,29 +48,26 @@ impl FreeMotion {
         scaled.map(|time| self.seconds(Subject::Period, time)).transpose()
     }
 
-    /// The least and greatest angle, radians, between principal axis number `axis` (from 0, in the order of
-    /// the moments) and the angular momentum, over all of time. On the separatrix the ends are limits.
+    /// The least and greatest angle, radians, between a principal axis and the angular momentum, over all of
+    /// time. On the separatrix the ends are limits. Of equal moments the one given first is the smaller.
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// use tumbling::{Axis, PrincipalMoments, exact::FreeMotion};
     /// // A libration about the axis of the largest moment. By hand: with the spin (0.03, 0, 1) a quarter
-    /// // period later, that
-    /// // axis is 1/100 off the momentum, at the start 2/100.
+    /// // period later, that axis is 1/100 off the momentum, at the start 2/100.
     /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.0, 0.03, 1.0))?;
     /// let text = |x: f64| format!("{:.2}", x.to_degrees());
     /// let degrees = |axis| motion.angles_to_momentum(axis).map(|angles| angles.map(text));
-    /// assert_eq!(degrees(2)?, ["0.57", "1.15"]);
-    /// assert_eq!(degrees(1)?, ["88.85", "91.15"]);
+    /// assert_eq!(degrees(Axis::Largest)?, ["0.57", "1.15"]);
+    /// assert_eq!(degrees(Axis::Middle)?, ["88.85", "91.15"]);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A body at rest, which has no momentum, or an axis above 2.
-    pub fn angles_to_momentum(&self, axis: usize) -> Result<[f64; 2], Error> {
-        if axis > 2 {
-            return Err(Refusal::NoSuchAxis { axis }.into());
-        }
+    /// A body at rest, which has no momentum.
+    pub fn angles_to_momentum(&self, axis: Axis) -> Result<[f64; 2], Error> {
+        let axis = self.moments.axis(axis);
         let scaled = |v: Vector3<f64>, by: f64| v.map(|x| x / by);
         if self.start == Vector3::zeros() {
             return Err(Refusal::ZeroVector { what: Subject::AngularMomentum }.into());

@@ -53,13 +53,3 @@ impl<T: Lane> FirstAxis<T> {
         [one_of(first, third, second), one_of(second, first, third), one_of(third, second, first)]
     }
 }
-
-/// A quaternion of length 1 to a few roundings brought to length 1 as near as its components can be.
-#[inline(always)]
-pub(super) fn unit<T: Lane>(q: Quaternion<T>) -> Quaternion<T> {
-    let (w, x, y, z) = (q.coords.w, q.coords.x, q.coords.y, q.coords.z);
-    // Sorted into pairs so that the sum stays short; the excess itself has all the digits it needs.
-    let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);
-    let factor = -(excess * 0.5) + 1.0;
-    Quaternion::new(w * factor, x * factor, y * factor, z * factor)
-}

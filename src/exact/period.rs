@@ -1,7 +1,7 @@
 //! The period of the spin, from what stays the same in the motion.
 
 use super::elliptic::quarter_period_from_root;
-use crate::dynamics::regime::{Asymmetric, Kind, classify};
+use crate::dynamics::invariants::{Asymmetric, Kind, classify};
 use crate::error::{Error, Refusal, Subject, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::double_double::DoubleDouble;

@@ -1,6 +1,6 @@
 //! The path of the spin in the body, from what is conserved alone.
 
-use crate::dynamics::regime::{Kind, classify};
+use crate::dynamics::invariants::{Kind, classify};
 use crate::error::{Error, Refusal, Subject, finite_vector};
 use crate::exact::time_between_flips;
 use crate::inertia::PrincipalMoments;

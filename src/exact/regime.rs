@@ -34,8 +34,8 @@ pub enum Regime {
     /// Two moments are equal and the spin is oblique: it circles the axis of symmetry at a constant rate,
     /// while that axis precesses about the angular momentum.
     SymmetricTop {
-        /// Index of the body's axis of symmetry, from 0, among the principal axes in the order given.
-        axis: usize,
+        /// The axis of symmetry: that of the largest or of the smallest moment.
+        axis: Axis,
         /// Rate at which the spin circles that axis in the body (the free nutation), rad/s; positive is
         /// counter-clockwise.
         nutation: f64,

@@ -1,4 +1,15 @@
 //! Sensitivity of the motion: its state transition matrix, and its derivatives by the tensor.
+//!
+//! The first row of this table that fits decides how the derivatives are computed.
+//!
+//! | where | spin | attitude |
+//! |---|---|---|
+//! | at rest | constant | `time` |
+//! | the body turns by at most `SHORT` radians | power series and quadrature (`series`) | the same series |
+//! | needles that hardly turn over (`SLOW`) | as below | series over a period, doubled (`needle`) |
+//! | a steady spin, two equal moments | sines, exponentials, powers (`elementary`) | momentum and energy (`with_turn`) |
+//! | within `NEAR_RETURN` (needles: `SHORT`) of whole half periods | series over the rest (`near_return`) | `with_turn` |
+//! | all other motions | the closed form's (`variations`, with `products`) | `with_turn` |
 
 mod elementary;
 mod needle;
@@ -135,7 +146,7 @@ impl FreeMotion {
     }
 
     fn transition_in_body(&self, found: &Derivatives) -> Matrix6<f64> {
-        let frame = self.mount.as_ref().map(|mount| mount.frame.to_rotation_matrix());
+        let frame = self.mount.as_ref().map(|mount| mount.frame.to_body().to_rotation_matrix());
         let in_body = |block: &Matrix3<f64>| frame.map_or(*block, |frame| frame * block * frame.transpose());
         let mut transition = Matrix6::zeros();
         transition.fixed_view_mut::<3, 3>(0, 0).copy_from(&in_body(&found.back));
@@ -146,7 +157,7 @@ impl FreeMotion {
 
     fn by_tensor_in_body(&self, found: &Derivatives) -> Matrix6<f64> {
         let heaviest = exponent(self.moments.largest());
-        let frame = self.mount.as_ref().map(|mount| mount.frame.to_rotation_matrix().into_inner());
+        let frame = self.mount.as_ref().map(|mount| mount.frame.to_body().to_rotation_matrix().into_inner());
         let in_body = |block: &ByTensor, power: i32| {
             let block = match &frame {
                 Some(frame) => frame * block * along_principal_axes(frame),

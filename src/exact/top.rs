@@ -4,22 +4,23 @@
 mod cubic;
 mod factor;
 mod integrals;
+mod kind;
 mod mounted;
 mod nutation;
 mod precession;
 mod prepare;
-mod regime;
 #[cfg(test)]
 mod tests;
 
-pub use regime::TopRegime;
+pub use kind::TopRegime;
 
 use super::Instant;
 use super::elementary::Turn;
+use super::mount::spin_along;
 use crate::attitude::{checked, product};
 use crate::body::Body;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{Frame, PrincipalMoments};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -55,7 +56,7 @@ use nutation::{Form, Nutation};
 /// // It goes round at nearly weight x arm / (moment x spin) = 3.92 rad/s, and comes back up to its lean.
 /// assert!((top.precession_rate() - 4.219).abs() < 1e-3);
 /// let lean = |t: f64| top.attitude(t).map(|q| (q * Vector3::z()).z.acos());
-/// assert!((lean(top.period().unwrap())? - 0.5).abs() < 1e-12);
+/// assert!((lean(top.period()?.unwrap())? - 0.5).abs() < 1e-12);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,8 +121,8 @@ impl LagrangeTop {
         let attitude = checked(attitude)?;
         let mounted = Mounted::new(moments, arm)?;
         let torque = DoubleDouble::product(mounted.arm, weight).abs();
-        let q = mounted.own_attitude(attitude.into_inner());
-        let spin = mounted.in_own(omega);
+        let q = mounted.frame.attitude_of_axes(attitude.into_inner());
+        let spin = mounted.frame.along(omega);
         let (across, polar) = (DoubleDouble::from(mounted.across), DoubleDouble::from(mounted.polar));
         let along = polar * spin.z / across;
         let pull = torque * 2.0 / across;
@@ -188,13 +189,16 @@ impl LagrangeTop {
     pub fn of(body: &Body, arm: &Vector3<f64>, weight: f64) -> Result<Self, Error> {
         finite_vector(Subject::Arm, arm)?;
         let (moments, frame) = body.inertia().along_principal_axes()?;
-        let omega = body.omega_body();
-        let Some(frame) = frame else { return Self::new(moments, body.attitude(), &omega, arm, weight) };
+        let start = Instant { omega: body.omega_body(), attitude: body.attitude() };
+        let Some(frame) = frame else {
+            let omega = spin_along(body, moments, &Frame::SAME)?;
+            return Ok(Self { start, ..Self::new(moments, body.attitude(), &omega, arm, weight)? });
+        };
         let (turn, arm) = mounted::onto_arm(moments, &(frame.inverse() * arm))?;
         let frame = frame * turn;
-        let top = Self::new(moments, body.attitude() * frame, &(frame.inverse() * omega), &arm, weight)?;
-        let start = Instant { omega, attitude: body.attitude() };
-        Ok(Self { mounted: top.mounted.within(frame), start, ..top })
+        let omega = spin_along(body, moments, &Frame::new(frame.into_inner()))?;
+        let top = Self::new(moments, body.attitude() * frame, &omega, &arm, weight)?;
+        Ok(Self { mounted: top.mounted.within(&frame), start, ..top })
     }
 
     /// Spin (body axes, rad/s) and attitude (body to world) at time `t`.
@@ -208,7 +212,10 @@ impl LagrangeTop {
         }
         Ok(match &self.law {
             Law::Steady(turn) => {
-                let attitude = product(self.start.attitude.quaternion(), &self.mounted.turn(turn.at(time)));
+                let attitude = product(
+                    self.start.attitude.quaternion(),
+                    &self.mounted.frame.turn_in_body(turn.at(time)),
+                );
                 Instant { omega: self.start.omega, attitude: UnitQuaternion::new_unchecked(attitude) }
             }
             Law::Nutation(nutation) => {
@@ -217,8 +224,8 @@ impl LagrangeTop {
                 let over = 1.0 / q.norm();
                 let scaled = |x: f64| times_power_of_two(x, self.exponent);
                 let omega = Vector3::new(scaled(first), scaled(second), self.along);
-                let attitude = UnitQuaternion::new_unchecked(self.mounted.body_attitude(q * over));
-                Instant { omega: self.mounted.in_body(omega), attitude }
+                let attitude = UnitQuaternion::new_unchecked(self.mounted.frame.attitude_of_body(q * over));
+                Instant { omega: self.mounted.frame.in_body(omega), attitude }
             }
         })
     }
@@ -250,12 +257,20 @@ impl LagrangeTop {
 
     /// The time from one highest place of the axis to the next, s: the period of the nutation. `None` where
     /// the lean is constant, and on the separatrix, where the axis does not return.
-    #[must_use]
-    pub fn period(&self) -> Option<f64> {
-        let Law::Nutation(nutation) = &self.law else { return None };
-        let seconds = times_power_of_two(nutation.half_period.hi(), -self.exponent);
-        let steady = matches!(self.constants.regime, TopRegime::SteadyPrecession);
-        (seconds.is_finite() && !steady).then_some(seconds)
+    ///
+    /// # Errors
+    /// A period beyond `f64`.
+    pub fn period(&self) -> Result<Option<f64>, Error> {
+        let Law::Nutation(nutation) = &self.law else { return Ok(None) };
+        let scaled = nutation.half_period.hi();
+        if scaled.is_infinite() || self.constants.regime == TopRegime::SteadyPrecession {
+            return Ok(None);
+        }
+        let value = times_power_of_two(scaled, -self.exponent);
+        if value.is_finite() && value > 0.0 {
+            return Ok(Some(value));
+        }
+        Err(Refusal::OutOfRange { what: Subject::Period, value }.into())
     }
 
     /// How fast the axis goes round the vertical in the mean over a period, rad/s; counter-clockwise seen

@@ -87,7 +87,7 @@ pub trait Lane:
     fn two_product_error(self, other: Self, product: Self) -> Self;
 }
 
-/// The same number in every lane.
+/// One number in every lane.
 #[inline(always)]
 pub(crate) fn splat<T: Lane>(x: f64) -> T {
     T::from_lanes(|_| x)

@@ -176,7 +176,7 @@ fn exact(hash: &mut Hash, random: &mut Random) {
         hash.answer(motion.period(), |hash, period| hash.put(period.unwrap_or(f64::NAN)));
         hash.answer(motion.next_flip(0.0), |hash, flip| hash.put(flip.unwrap_or(f64::NAN)));
         hash.put(motion.twist_of_half_period().unwrap_or(f64::NAN));
-        for axis in 0..3 {
+        for axis in tumbling::Axis::ALL {
             hash.answer(motion.angles_to_momentum(axis), |hash, angles| hash.all(&angles));
         }
     });

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use serde_json::Value;
 use tumbling::exact::{FreeMotion, Instant, Regime};
-use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
+use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 /// Numbers of the table, to what `f64` sees of their 40 digits.
 fn numbers(value: &Value) -> Vec<f64> {
@@ -171,7 +171,7 @@ proptest! {
     ) {
         let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) else { return Ok(()) };
         let _ = (motion.period(), motion.next_flip(t), motion.regime());
-        let _ = (motion.twist_of_half_period(), motion.angles_to_momentum(1));
+        let _ = (motion.twist_of_half_period(), motion.angles_to_momentum(Axis::Middle));
         if let Ok(flips) = motion.flips(t, u) {
             let _ = flips.take(4).count();
         }
@@ -311,9 +311,9 @@ fn the_least_angle_to_the_momentum_is_never_above_the_greatest() {
         ),
     ] {
         let motion = motion(moments, spin);
-        for axis in 0..3 {
+        for axis in Axis::ALL {
             let [least, most] = motion.angles_to_momentum(axis).unwrap();
-            assert!(least <= most, "{moments:?} {axis}: {least:?} {most:?}");
+            assert!(least <= most, "{moments:?} {axis:?}: {least:?} {most:?}");
         }
     }
 }

@@ -92,9 +92,11 @@ impl Laws {
         let middle = matches!(exact.regime(), Regime::Elliptic { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
         let circled = match exact.regime() {
-            Regime::Elliptic { about: Axis::Largest, .. } => Some(ordered(moments)[2]),
-            Regime::Elliptic { .. } | Regime::Separatrix { .. } => Some(ordered(moments)[0]),
-            Regime::SymmetricTop { axis, .. } => Some(axis),
+            Regime::Elliptic { about: Axis::Largest, .. }
+            | Regime::SymmetricTop { axis: Axis::Largest, .. } => Some(ordered(moments)[2]),
+            Regime::Elliptic { .. } | Regime::Separatrix { .. } | Regime::SymmetricTop { .. } => {
+                Some(ordered(moments)[0])
+            }
             _ => None,
         };
         let angular = moments.component_mul(&first.omega);

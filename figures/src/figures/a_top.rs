@@ -35,7 +35,7 @@ pub(super) fn draw() -> Drawing {
     }
     let axis = |t: f64| top.attitude(t).map(|attitude| attitude * Vector3::z());
     // It ends on the way down, between two cusps and short of a whole round.
-    let period = top.period().unwrap_or(seconds);
+    let period = top.period()?.unwrap_or(seconds);
     let whole = ((seconds / period).floor() - 0.6) * period;
     let path = (0..=600).map(|i| Ok(place(&axis(whole * f64::from(i) / 600.0)?)));
     let path = path.collect::<Result<Vec<P>, tumbling::Error>>()?;

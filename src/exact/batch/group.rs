@@ -4,6 +4,7 @@ use super::Answer;
 use crate::exact::kernel::Kernel;
 use crate::exact::mount::{Mount, in_body, in_world};
 use crate::exact::{FreeMotion, Instant};
+use crate::inertia::Frame;
 use crate::number::{Gather, Lane, splat};
 use alloc::vec::Vec;
 use core::mem::size_of;
@@ -41,7 +42,7 @@ impl Mounted {
     /// Where only spins are requested the world does not matter.
     fn of(mount: Option<&Mount>, attitudes: bool) -> Self {
         match mount {
-            Some(mount) if mount.to_principal.is_some() => Self::InBody,
+            Some(mount) if mount.frame != Frame::SAME => Self::InBody,
             Some(_) if attitudes => Self::InWorld,
             _ => Self::Not,
         }
@@ -91,9 +92,9 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                     group.worlds.push(quaternions(&mounts, |mount| *mount.world));
                 }
                 if mounted == Mounted::InBody {
-                    group.frames.push(quaternions(&mounts, |mount| {
-                        mount.to_principal.unwrap_or_else(Quaternion::identity)
-                    }));
+                    group
+                        .frames
+                        .push(quaternions(&mounts, |mount| mount.frame.to_body().conjugate().into_inner()));
                 }
             }
         }

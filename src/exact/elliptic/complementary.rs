@@ -11,7 +11,7 @@ pub(crate) struct Decay<T = f64> {
     /// `exp(-2x)`.
     square: T,
     /// `1 - exp(-2x)`, small where `x` is.
-    pub(crate) gap: T,
+    pub(crate) short_of_one: T,
     /// The root of the complementary nome over `exp(-x)`: this exponential from the other end of the passage.
     pub(crate) rising: T,
 }
@@ -28,7 +28,7 @@ impl<T: Lane> Decay<T> {
         let root = power + power * change;
         // exp(-x) - 1, exact in its small digits where the power of two is 1.
         let less = (power - 1.0) + power * change;
-        Self { root, square: root * root, gap: -less * (less + 2.0), rising: nome_root / root }
+        Self { root, square: root * root, short_of_one: -less * (less + 2.0), rising: nome_root / root }
     }
 }
 
@@ -100,15 +100,16 @@ impl<T: Lane> ComplementarySeries<T> {
     #[inline(always)]
     pub(super) fn sums(&self, x: &Decay<T>) -> [T; 4] {
         let [p2, p4, p] = self.powers;
-        let (e, gap, growing) = (x.square, x.gap, x.rising * x.rising);
+        let (e, short_of_one, growing) = (x.square, x.short_of_one, x.rising * x.rising);
         let square = e * e;
         // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵); differences
-        // by the gap, which has all its digits where they are small.
+        // by 1 - E, which has all its digits where they are small.
         let (b, c) = (p * growing, p4 * growing * growing);
         let (cube, fourth) = (e * square, square * square);
         let quotient = e + 1.0 + square;
         // (C28)
-        let sine = gap - b * gap * quotient + c * gap * (quotient + (cube + fourth));
+        let sine =
+            short_of_one - b * short_of_one * quotient + c * short_of_one * (quotient + (cube + fourth));
         let cosine = (e + 1.0) + b * (cube + 1.0) + c * (e * fourth + 1.0);
         // p cosh 2x = growing (1 + E²)/2 and so on; p⁴ cosh 4x, p⁹ cosh 6x.
         let first = growing + p * e;

@@ -31,7 +31,7 @@ pub(crate) fn quarter_period_from_root(complement: DoubleDouble, root: DoubleDou
     DoubleDouble::PI * 0.5 / a
 }
 
-/// The same in `f64`: `pi / (2 agm(1, complement))`; infinite for 0.
+/// In `f64`: `pi / (2 agm(1, complement))`; infinite for 0.
 pub(crate) fn quarter_period(complement: f64) -> f64 {
     if complement == 0.0 {
         return f64::INFINITY;

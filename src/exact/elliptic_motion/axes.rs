@@ -1,6 +1,7 @@
 //! Which principal axis is which, that differs from body to body.
 
-use crate::exact::kernel::{FirstAxis, unit};
+use crate::attitude::unit;
+use crate::exact::kernel::FirstAxis;
 use crate::number::{Gather, Lane, gather_fields, splat};
 use nalgebra::{Quaternion, Vector3};
 

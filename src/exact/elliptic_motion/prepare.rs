@@ -1,10 +1,10 @@
 //! The constants of an elliptic motion, from what stays the same in it and the spin at the start.
 
 use super::axes::Axes;
-use super::folded_argument::Fold;
+use super::range_reduction::Reduction;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
 use super::{EllipticMotion, Form};
-use crate::dynamics::regime::Asymmetric;
+use crate::dynamics::invariants::Asymmetric;
 use crate::error::{Error, Refusal, Subject};
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, Shape};
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
@@ -279,7 +279,7 @@ impl<'a> Preparation<'a> {
         let (angle, turning) = pair.angle_and_turning_at_saddle();
         let values = self.values();
         let half = if motion.separatrix { quarter } else { quarter * 2.0 };
-        let mut fold = Fold {
+        let mut reduction = Reduction {
             start: argument_at_start(values, self.scaled_complement, quarter, self.shift),
             rate: if motion.separatrix { rate } else { rate / half },
             quarter,
@@ -288,14 +288,16 @@ impl<'a> Preparation<'a> {
             nome_root,
             turn: if values[1] < 0.0 { -1.0 } else { 1.0 },
         };
-        let at_start = |fold: &Fold| if motion.separatrix { fold.without_return(0.0) } else { fold.at(0.0) };
-        let (amplitudes, shift) = self.meeting_the_start(at_start(&fold).values(&series));
-        fold.start = fold.start - DoubleDouble::from(shift);
-        let start = of_length_one(at_start(&fold).pair(&pair));
+        let at_start = |reduction: &Reduction| {
+            if motion.separatrix { reduction.without_return(0.0) } else { reduction.at(0.0) }
+        };
+        let (amplitudes, shift) = self.meeting_the_start(at_start(&reduction).values(&series));
+        reduction.start = reduction.start - DoubleDouble::from(shift);
+        let start = of_length_one(at_start(&reduction).pair(&pair));
         let drift =
             (self.rate_about_momentum() * 0.5 - rate * (stretch * turning)) / (DoubleDouble::PI * 2.0);
         let axes = Axes::new(self.axes());
-        let spin = ComplementarySpin { series, fold, amplitudes: self.in_series(amplitudes), axes };
+        let spin = ComplementarySpin { series, reduction, amplitudes: self.in_series(amplitudes), axes };
         // (C33)
         let attitude = ComplementaryAttitude { pair, start, drift, step: 2.0 * angle / (2.0 * PI) };
         let form = if motion.separatrix {
@@ -303,7 +305,7 @@ impl<'a> Preparation<'a> {
         } else {
             Form::Complementary { spin, attitude }
         };
-        Prepared { form, argument: fold.start, amplitudes }
+        Prepared { form, argument: reduction.start, amplitudes }
     }
 
     /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish
@@ -372,7 +374,7 @@ pub(crate) fn argument_at_start(
     quarter: DoubleDouble,
     shift: i32,
 ) -> DoubleDouble {
-    let folded = if cn < 0.0 { -sn } else { sn };
+    let from_flip = if cn < 0.0 { -sn } else { sn };
     let cn = cn.abs();
     let [true_cn, true_dn] = [cn, dn].map(|x| times_power_of_two(x, -shift));
     // (C11)
@@ -383,5 +385,5 @@ pub(crate) fn argument_at_start(
         let root = complement / dn;
         quarter - DoubleDouble::from(cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, 1.0))
     };
-    if folded < 0.0 { -size } else { size }
+    if from_flip < 0.0 { -size } else { size }
 }

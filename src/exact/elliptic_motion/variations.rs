@@ -236,7 +236,7 @@ impl EllipticMotion {
                 (Values::of(argument.values(&spin.series)), argument.halves)
             }
             Form::Separatrix { spin, .. } => {
-                let argument = spin.fold.without_return(time);
+                let argument = spin.reduction.without_return(time);
                 (Values::of(argument.values(&spin.series)), argument.halves)
             }
         };

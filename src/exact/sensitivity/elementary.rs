@@ -3,6 +3,7 @@
 
 use super::series::{Forcing, factors};
 use super::{ByTensor, SpinDerivatives};
+use crate::exact::cayley_klein::times;
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{cosh, sinh};
@@ -14,10 +15,10 @@ use nalgebra::{Matrix3, Vector3};
 pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -> SpinDerivatives {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let factors = factors(moments);
-    let gap = |a: usize, b: usize| DoubleDouble::sum(moments[a], -moments[b]);
+    let difference = |a: usize, b: usize| DoubleDouble::sum(moments[a], -moments[b]);
     // The square of the rate, with its sign: positive about the middle axis.
-    let squared =
-        gap(j, axis) / DoubleDouble::from(moments[i]) * (gap(axis, i) / DoubleDouble::from(moments[j]));
+    let squared = difference(j, axis) / DoubleDouble::from(moments[i])
+        * (difference(axis, i) / DoubleDouble::from(moments[j]));
     let rate = squared.abs().sqrt() * spin.abs();
     let phase = rate * time;
     // Even and odd solution, and the integral of the odd one.
@@ -56,10 +57,6 @@ pub(super) fn principal(moments: &[f64; 3], axis: usize, spin: f64, time: f64) -
 }
 
 type Complex = [f64; 2];
-
-fn times(x: Complex, y: Complex) -> Complex {
-    [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
-}
 
 /// The moments about the two axes after `axis` are equal, and the spin turns about `axis` by `nutation` turns
 /// per unit of time. The two across are one complex number `W = W_0 exp(i r t)`, and so are their changes

@@ -10,7 +10,7 @@
 //! ```
 
 use crate::exact::cayley_klein::{phase_factor, times};
-use crate::exact::elliptic_motion::Ends;
+use crate::exact::elliptic_motion::Exponentials;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{exp, exp_and_exp_m1, hypot, powi, sin_cos};
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -103,7 +103,7 @@ pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_period
 /// the theta function is. At the time `lowest`, where the axis is lowest, the theta functions of the three
 /// are `-i sense`, 1 and 1 times positive numbers; `way` is the sign of the real number of
 /// [`turn_together`] times `-sense`.
-pub(super) fn tie([alpha, beta, across]: Carriers<'_>, weakest: usize, way: f64, lowest: f64) {
+pub(super) fn align_weakest([alpha, beta, across]: Carriers<'_>, weakest: usize, way: f64, lowest: f64) {
     let unit = |carrier: &Carrier| {
         let [re, im] = carrier.start;
         times([re, im].map(|x| x / hypot(re, im)), phase_factor(carrier.drift * lowest))
@@ -235,8 +235,8 @@ pub(super) struct Complementary {
 
 /// `theta_4` over `exp X`.
 #[inline(always)]
-pub(super) fn complementary_denominator(nome: f64, ends: &Ends) -> f64 {
-    let (e, r) = (ends.falling * ends.falling, ends.rising * ends.rising);
+pub(super) fn complementary_denominator(nome: f64, exponentials: &Exponentials) -> f64 {
+    let (e, r) = (exponentials.falling * exponentials.falling, exponentials.rising * exponentials.rising);
     let (p, cube) = (nome, e * e * e);
     let p3 = p * p * p;
     (1.0 + e) + p * r * ((1.0 + cube) + p3 * r * ((1.0 + e * e * cube) + p3 * p * p * r))
@@ -244,7 +244,13 @@ pub(super) fn complementary_denominator(nome: f64, ends: &Ends) -> f64 {
 
 impl Complementary {
     /// `stretched = pi/(2K')`; the argument's own rate is `rate`.
-    pub(super) fn new(nome: f64, stretched: f64, rate: DoubleDouble, start: &Ends, shape: &Shape) -> Self {
+    pub(super) fn new(
+        nome: f64,
+        stretched: f64,
+        rate: DoubleDouble,
+        start: &Exponentials,
+        shape: &Shape,
+    ) -> Self {
         let [depth, rest] = shape.depths.map(|depth| stretched * depth);
         // The smaller has the smaller error.
         let near_pole = rest < depth;
@@ -272,7 +278,7 @@ impl Complementary {
                 greatest: shape.size,
             },
         };
-        let largest = if shape.first { Ends::at_saddle(nome) } else { Ends::at_flip(nome) };
+        let largest = if shape.first { Exponentials::at_saddle(nome) } else { Exponentials::at_flip(nome) };
         let [re, im] = new.raw(&largest);
         let turning = rate * (stretched * new.turning());
         new.carrier.drift = (shape.rate - turning) / (DoubleDouble::PI * 2.0);
@@ -303,20 +309,21 @@ impl Complementary {
 
     /// Over `exp X`, without its factor.
     #[inline(always)]
-    fn raw(&self, ends: &Ends) -> [f64; 2] {
+    fn raw(&self, exponentials: &Exponentials) -> [f64; 2] {
         let p = self.nome;
-        let (e, r) = (ends.falling * ends.falling, ends.rising * ends.rising);
-        let [gap, from_saddle] = ends.gaps;
+        let (e, r) = (exponentials.falling * exponentials.falling, exponentials.rising * exponentials.rising);
+        let [from_flip, from_saddle] = exponentials.short_of_one;
         let (c, s) = (&self.cos, &self.sin);
         let (e2, p3) = (e * e, p * p * p);
         if self.first {
             let (cube, fifth) = (e * e2, e2 * e2 * e);
             let (first, second, third) = (p * r, p3 * r, p3 * p * p * r);
-            let less = gap * c[0]
-                + first * (gap * (1.0 + e + e2) * c[1] + second * ((1.0 - fifth) * c[2] + third * c[3]));
+            let less = from_flip * c[0]
+                + first
+                    * (from_flip * (1.0 + e + e2) * c[1] + second * ((1.0 - fifth) * c[2] + third * c[3]));
             let more = (1.0 + e) * s[0]
                 + first * ((1.0 + cube) * s[1] + second * ((1.0 + fifth) * s[2] + third * s[3]));
-            return [ends.turn * ends.side * less, ends.turn * more];
+            return [exponentials.turn * exponentials.side * less, exponentials.turn * more];
         }
         // 1 - r cos 2Y, with all its digits where both are small.
         let (pe, pe2) = (p * e, p * p * e2);
@@ -324,12 +331,12 @@ impl Complementary {
         let p2 = p * p;
         let re = near + p2 * ((r * r + pe2) * c[2] + p2 * p2 * r * r * r * c[3]);
         let im = (r - pe) * s[1] + p2 * ((r * r - pe2) * s[2] + p2 * p2 * r * r * r * s[3]);
-        [ends.falling * re, ends.side * ends.falling * im]
+        [exponentials.falling * re, exponentials.side * exponentials.falling * im]
     }
 
     /// Times `theta_4` over `exp X`.
     #[inline(always)]
-    pub(super) fn at(&self, ends: &Ends, time: f64) -> [f64; 2] {
-        times(self.carrier.at(time, ends.halves), self.raw(ends))
+    pub(super) fn at(&self, exponentials: &Exponentials, time: f64) -> [f64; 2] {
+        times(self.carrier.at(time, exponentials.halves), self.raw(exponentials))
     }
 }

@@ -164,8 +164,8 @@ impl Integrals {
         let sum = self.tops[0] + self.tops[1] - DoubleDouble::from(2.0);
         // A product where it is one; next to a cusp a difference, of what is small where it is small.
         let third = if highest.hi() > 1e-3 * self.across_squared.hi() {
-            let tie = self.tie();
-            tie * tie / (highest * lowest)
+            let side = self.side_of_zero();
+            side * side / (highest * lowest)
         } else if self.third.hi() > self.pull.hi() || self.along.hi() == 0.0 {
             not_negative(self.along * self.along + self.pull * sum)
         } else {
@@ -174,8 +174,8 @@ impl Integrals {
         [highest, third, lowest]
     }
 
-    /// Whose sign is the way in which the spin across the axis would pass its zero.
-    pub(super) fn tie(&self) -> DoubleDouble {
+    /// Its sign says to which side of its zero the spin across the axis passes.
+    pub(super) fn side_of_zero(&self) -> DoubleDouble {
         self.along * self.across_squared - self.pull * self.about
     }
 }

@@ -1,9 +1,8 @@
 //! How a top's own axes, with its axis of symmetry last, are mounted in the body.
 
-use crate::attitude::{product, rotate_inverse};
+use crate::attitude::product;
 use crate::error::{Error, Refusal, Subject};
-use crate::exact::kernel::unit;
-use crate::inertia::{Inertia, PrincipalMoments};
+use crate::inertia::{Frame, Inertia, PrincipalMoments};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// How far two moments may differ, and an arm be off its axis, relative.
@@ -16,8 +15,8 @@ pub(super) struct Mounted {
     pub(super) polar: f64,
     /// The arm along the principal axis; the top's own axis points along it.
     pub(super) arm: f64,
-    /// The top's own axes to the body's, where they differ.
-    frame: Option<Quaternion<f64>>,
+    /// Where the top's own axes lie in the body.
+    pub(super) frame: Frame,
 }
 
 impl Mounted {
@@ -43,43 +42,19 @@ impl Mounted {
             across: 0.5 * moments[next] + 0.5 * moments[last],
             polar: moments[axis],
             arm: arm[axis],
-            frame: (frame != Quaternion::identity()).then_some(frame),
+            frame: Frame::new(frame),
         })
     }
 
-    /// The same, where the body's axes are others: `outer` takes those of the principal axes to them.
-    pub(super) fn within(self, outer: UnitQuaternion<f64>) -> Self {
-        let frame = self.frame.unwrap_or_else(Quaternion::identity);
-        Self { frame: Some(unit(product(outer.quaternion(), &frame))), ..self }
-    }
-
-    /// An attitude of the body as one of the top's own axes, and back.
-    pub(super) fn own_attitude(&self, q: Quaternion<f64>) -> Quaternion<f64> {
-        self.frame.map_or(q, |frame| product(&q, &frame))
-    }
-
-    pub(super) fn body_attitude(&self, q: Quaternion<f64>) -> Quaternion<f64> {
-        unit(self.frame.map_or(q, |frame| product(&q, &frame.conjugate())))
-    }
-
-    /// A vector in the body's axes along the top's own, and back.
-    pub(super) fn in_own(&self, v: &Vector3<f64>) -> Vector3<f64> {
-        self.frame.map_or(*v, |frame| rotate_inverse(&frame, v))
-    }
-
-    pub(super) fn in_body(&self, v: Vector3<f64>) -> Vector3<f64> {
-        self.frame.map_or(v, |frame| rotate_inverse(&frame.conjugate(), &v))
-    }
-
-    /// A turn along the top's own axes as one along the body's.
-    pub(super) fn turn(&self, q: Quaternion<f64>) -> Quaternion<f64> {
-        self.frame.map_or(q, |frame| unit(product(&product(&frame, &q), &frame.conjugate())))
+    /// As seen in a body whose axes `outer` takes the principal axes to.
+    pub(super) fn within(self, outer: &UnitQuaternion<f64>) -> Self {
+        Self { frame: self.frame.within(outer), ..self }
     }
 
     /// The tensor in the body's axes.
     pub(super) fn inertia(&self) -> Result<Inertia, Error> {
         let inertia = Inertia::from_moments(self.across, self.across, self.polar)?;
-        self.frame.map_or(Ok(inertia), |frame| inertia.turned(UnitQuaternion::new_unchecked(frame)))
+        if self.frame == Frame::SAME { Ok(inertia) } else { inertia.turned(self.frame.to_body()) }
     }
 }
 
@@ -96,9 +71,9 @@ pub(super) fn onto_arm(
     let axis = arm.iamax();
     let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
     let scaled = arm / largest;
-    let gap =
+    let apart =
         [next, last].map(|other| (moments[axis] - moments[other]).abs() / moments[axis].max(moments[other]));
-    let (value, limit) = (scaled[next].abs().max(scaled[last].abs()), ROUNDING / gap[0].min(gap[1]));
+    let (value, limit) = (scaled[next].abs().max(scaled[last].abs()), ROUNDING / apart[0].min(apart[1]));
     if value > limit {
         return Err(Refusal::NotBelow { what: Subject::ArmOffAxis, value, limit }.into());
     }

@@ -2,7 +2,7 @@
 
 use super::factor::{Complementary, Direct, complementary_denominator, cubic};
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::exact::elliptic_motion::{Ends, Fold};
+use crate::exact::elliptic_motion::{Exponentials, Reduction};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
 
@@ -30,7 +30,7 @@ pub(super) enum Form {
         factors: [Direct; 3],
     },
     /// In the complementary nome, which is zero on the separatrix: that motion does not return.
-    Complementary { fold: Fold, nome: f64, separatrix: bool, factors: [Complementary; 3] },
+    Complementary { reduction: Reduction, nome: f64, separatrix: bool, factors: [Complementary; 3] },
 }
 
 impl Nutation {
@@ -46,19 +46,21 @@ impl Nutation {
                 ([alpha.at(phase, time), beta.at(phase, time)], spin)
             }
             Form::Complementary { nome, factors: [alpha, beta, across], .. } => {
-                let ends = self.ends(time);
-                let over = 1.0 / complementary_denominator(*nome, &ends);
-                let spin = across.at(&ends, time).map(|x| x * over);
-                ([alpha.at(&ends, time), beta.at(&ends, time)], spin)
+                let exponentials = self.exponentials(time);
+                let over = 1.0 / complementary_denominator(*nome, &exponentials);
+                let spin = across.at(&exponentials, time).map(|x| x * over);
+                ([alpha.at(&exponentials, time), beta.at(&exponentials, time)], spin)
             }
         }
     }
 
-    fn ends(&self, time: f64) -> Ends {
+    fn exponentials(&self, time: f64) -> Exponentials {
         match &self.form {
-            Form::Complementary { fold, separatrix: true, .. } => fold.without_return(time).ends(),
-            Form::Complementary { fold, .. } => fold.at(time).ends(),
-            Form::Direct { .. } => Ends::at_flip(0.0),
+            Form::Complementary { reduction, separatrix: true, .. } => {
+                reduction.without_return(time).exponentials()
+            }
+            Form::Complementary { reduction, .. } => reduction.at(time).exponentials(),
+            Form::Direct { .. } => Exponentials::at_flip(0.0),
         }
     }
 

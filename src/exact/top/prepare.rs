@@ -1,10 +1,10 @@
 //! The constants of a top's motion in theta functions.
 
-use super::factor::{Carriers, Complementary, Direct, Shape, denominator, tie, turn_together};
+use super::factor::{Carriers, Complementary, Direct, Shape, align_weakest, denominator, turn_together};
 use super::integrals::{Integrals, Start};
 use super::nutation::{Form, Nutation};
 use crate::exact::elliptic::{NOME_RATIO, quarter_period, quarter_period_from_root, rf_of_roots};
-use crate::exact::elliptic_motion::{Fold, argument_at_start, phase_at_start};
+use crate::exact::elliptic_motion::{Reduction, argument_at_start, phase_at_start};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, exp, hypot};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -37,7 +37,7 @@ struct Spans {
     long: DoubleDouble,
     short: DoubleDouble,
     swing: DoubleDouble,
-    /// The same, not times the pull.
+    /// The last one, not times the pull.
     swept: DoubleDouble,
 }
 
@@ -58,7 +58,7 @@ impl Integrals {
         let ([low, high], [lowest, highest]) = (self.bottoms, self.tops);
         let [still, beyond, fastest] = self.rest();
         let size = |square: DoubleDouble| square.hi().max(0.0).sqrt();
-        // Where all three lie at the top, the zeros are out of reach.
+        // Where the motion only tends to upright, no zero is ever passed.
         let saddle = short.hi() == 0.0;
         let square = ratio(swing, long);
         let zero = |a, of| if saddle { [0.0; 2] } else { depths(a, of, square) };
@@ -92,7 +92,7 @@ impl Integrals {
         let across = Shape {
             first: false,
             depths: zero(still * long, [beyond * swing, swing * short, fastest * short]),
-            sense: sense(self.tie()),
+            sense: sense(self.side_of_zero()),
             size: size(fastest),
             rate: ratio(self.pull * low_about * -0.5, fastest),
             start: start.across,
@@ -137,15 +137,16 @@ impl Integrals {
             let stretch = PI / (2.0 * other);
             let start = argument_at_start([sn, cn, dn], complement.hi(), quarter, 0);
             let run = if separatrix { rate } else { rate / half };
-            let fold = Fold { start, rate: run, quarter, half, stretch, nome_root, turn: 1.0 };
-            let at_start = if separatrix { fold.without_return(0.0) } else { fold.at(0.0) };
-            let ends = at_start.ends();
+            let reduction = Reduction { start, rate: run, quarter, half, stretch, nome_root, turn: 1.0 };
+            let at_start = if separatrix { reduction.without_return(0.0) } else { reduction.at(0.0) };
+            let exponentials = at_start.exponentials();
             let nome = nome_root * nome_root;
-            let mut factors = shapes.map(|shape| Complementary::new(nome, stretch, rate, &ends, &shape));
-            let lowest = -fold.start.hi() / rate.hi();
+            let mut factors =
+                shapes.map(|shape| Complementary::new(nome, stretch, rate, &exponentials, &shape));
+            let lowest = -reduction.start.hi() / rate.hi();
             let half_periods = (!separatrix).then_some(run);
             self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, half_periods, turn);
-            Form::Complementary { fold, nome, separatrix, factors }
+            Form::Complementary { reduction, nome, separatrix, factors }
         };
         let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
         Nutation {
@@ -176,7 +177,7 @@ impl Integrals {
             if share(weakest) > 0.0 && share(weakest) < 0.1 * share(a).min(share(b)) {
                 let about_lowest = self.at_bottom - self.along * self.bottoms[0];
                 let way = -shapes[0].sense * sense(about_lowest);
-                tie(carriers.each_mut().map(|c| &mut **c), weakest, way, lowest);
+                align_weakest(carriers.each_mut().map(|c| &mut **c), weakest, way, lowest);
             }
         }
         for (carrier, times) in carriers.into_iter().zip([0.5, -0.5, -1.0]) {

@@ -131,7 +131,7 @@ fn facts(given: [f64; 3], row: &Numbers) -> Result<usize, Why> {
         kind(&top),
         least,
         greatest,
-        top.period().unwrap_or(f64::NAN),
+        top.period()?.unwrap_or(f64::NAN),
         top.precession_rate(),
         if round.is_finite() { round } else { 0.0 },
         critical,

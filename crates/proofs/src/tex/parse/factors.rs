@@ -6,7 +6,7 @@ use crate::tex::token::Kind;
 use crate::tex::tree::Node;
 
 /// No higher powers are read, so that no short text can ask for a long time.
-const HIGHEST: i32 = 12;
+const HIGHEST: i32 = 16;
 
 const FUNCTIONS: [&str; 3] = [r"\sin", r"\cos", r"\tan"];
 
@@ -56,7 +56,7 @@ impl Parser<'_> {
         let text = self.peek_text();
         let value = text.parse().ok().filter(|n| *n <= HIGHEST && (braces || text.len() == 1));
         let Some(value) = value else {
-            return self.error("a whole power from 0 to 12, in braces unless one digit");
+            return self.error("a whole power from 0 to 16, in braces unless one digit");
         };
         self.next += 1;
         Ok(value)

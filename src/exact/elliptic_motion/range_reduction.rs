@@ -1,4 +1,4 @@
-//! Jacobi's argument, folded onto one passage between two saddles.
+//! Jacobi's argument, reduced to one passage between two saddles.
 //!
 //! A saddle is where the motion passes the middle axis, a flip where its spin along that axis vanishes; the
 //! two alternate every quarter period `K`. Near the separatrix a passage is long, and what counts is the
@@ -11,7 +11,7 @@ use crate::number::{Gather, Lane, gather_fields, splat};
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Fold<T = f64> {
+pub(crate) struct Reduction<T = f64> {
     /// The argument at the start, from the nearest flip.
     pub(crate) start: DoubleDouble<T>,
     /// Half periods per unit of time; on the separatrix, which has none, the argument itself.
@@ -27,10 +27,10 @@ pub(crate) struct Fold<T = f64> {
     pub(crate) turn: T,
 }
 
-gather_fields!(Fold { start, rate, quarter, half, stretch, nome_root, turn });
+gather_fields!(Reduction { start, rate, quarter, half, stretch, nome_root, turn });
 
 /// The argument at one instant: `exp(-x)` of its distance from the nearest flip or saddle.
-pub(crate) struct FoldedArgument<T: Lane = f64> {
+pub(crate) struct ReducedArgument<T: Lane = f64> {
     decay: Decay<T>,
     near_saddle: T::Mask,
     /// Its sign, from the nearest flip.
@@ -41,29 +41,29 @@ pub(crate) struct FoldedArgument<T: Lane = f64> {
     pub(super) halves: T,
 }
 
-impl Fold {
+impl Reduction {
     /// On the separatrix, where there is no half period to take off.
     #[inline(always)]
-    pub(crate) fn without_return(&self, time: f64) -> FoldedArgument {
+    pub(crate) fn without_return(&self, time: f64) -> ReducedArgument {
         // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
         // large will do.
         let run = self.rate * time;
         let end = DoubleDouble::from(1e300_f64.copysign(self.rate.hi()) * 1_f64.copysign(time));
-        self.folded(0.0, if run.hi().abs() < 1e300 { run.plus(self.start) } else { end })
+        self.reduced(0.0, if run.hi().abs() < 1e300 { run.plus(self.start) } else { end })
     }
 }
 
-impl<T: Lane> Fold<T> {
+impl<T: Lane> Reduction<T> {
     /// At a time, where the motion returns.
     #[inline(always)]
-    pub(crate) fn at(&self, time: T) -> FoldedArgument<T> {
+    pub(crate) fn at(&self, time: T) -> ReducedArgument<T> {
         // (C35)
         let (halves, left) = (self.rate * time).split();
-        self.folded(halves, (self.half * left).plus(self.start))
+        self.reduced(halves, (self.half * left).plus(self.start))
     }
 
     #[inline(always)]
-    fn folded(&self, mut halves: T, mut u: DoubleDouble<T>) -> FoldedArgument<T> {
+    fn reduced(&self, mut halves: T, mut u: DoubleDouble<T>) -> ReducedArgument<T> {
         let beyond = self.quarter.hi().lt(u.hi().abs());
         if T::any(beyond) {
             let side = u.hi().sign();
@@ -80,7 +80,7 @@ impl<T: Lane> Fold<T> {
         // Rounding may leave it a hair beyond the saddle.
         let main = distance.hi();
         let x = T::select(zero.lt(main), main, zero) * self.stretch;
-        FoldedArgument {
+        ReducedArgument {
             decay: Decay::new(x, distance.lo() * self.stretch, self.nome_root),
             near_saddle,
             side,
@@ -92,12 +92,12 @@ impl<T: Lane> Fold<T> {
 
 /// An argument by its exponentials from both ends of the passage.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ends {
+pub(crate) struct Exponentials {
     /// `exp(-X)` of its distance `X` from the nearest flip, and of what is left to the saddle.
     pub(crate) falling: f64,
     pub(crate) rising: f64,
     /// 1 less the square of each, small next to a flip and to a saddle.
-    pub(crate) gaps: [f64; 2],
+    pub(crate) short_of_one: [f64; 2],
     /// The sign of the distance, and -1 after an odd number of half periods.
     pub(crate) side: f64,
     pub(crate) turn: f64,
@@ -105,34 +105,48 @@ pub(crate) struct Ends {
     pub(crate) halves: f64,
 }
 
-impl Ends {
+impl Exponentials {
     pub(crate) fn at_flip(nome: f64) -> Self {
         let root = nome.sqrt();
-        Self { falling: 1.0, rising: root, gaps: [0.0, 1.0 - nome], side: 1.0, turn: 1.0, halves: 0.0 }
+        Self {
+            falling: 1.0,
+            rising: root,
+            short_of_one: [0.0, 1.0 - nome],
+            side: 1.0,
+            turn: 1.0,
+            halves: 0.0,
+        }
     }
 
     pub(crate) fn at_saddle(nome: f64) -> Self {
         let root = nome.sqrt();
-        Self { falling: root, rising: 1.0, gaps: [1.0 - nome, 0.0], side: 1.0, turn: 1.0, halves: 0.0 }
+        Self {
+            falling: root,
+            rising: 1.0,
+            short_of_one: [1.0 - nome, 0.0],
+            side: 1.0,
+            turn: 1.0,
+            halves: 0.0,
+        }
     }
 }
 
-impl FoldedArgument {
+impl ReducedArgument {
     #[inline(always)]
-    pub(crate) fn ends(&self) -> Ends {
+    pub(crate) fn exponentials(&self) -> Exponentials {
         let Self { decay, near_saddle, side, turn, halves } = *self;
         let (falling, rising) =
             if near_saddle { (decay.rising, decay.root) } else { (decay.root, decay.rising) };
-        let gaps = if near_saddle {
-            [1.0 - falling * falling, decay.gap]
+        let short_of_one = if near_saddle {
+            [1.0 - falling * falling, decay.short_of_one]
         } else {
-            [decay.gap, 1.0 - rising * rising]
+            [decay.short_of_one, 1.0 - rising * rising]
         };
-        Ends { falling, rising, gaps, side, turn, halves }
+        Exponentials { falling, rising, short_of_one, side, turn, halves }
     }
 }
 
-impl<T: Lane> FoldedArgument<T> {
+impl<T: Lane> ReducedArgument<T> {
     /// The attitude's two numbers here.
     #[inline(always)]
     pub(super) fn pair(&self, pair: &ComplementaryPair<T>) -> Pair<T> {

@@ -1,0 +1,108 @@
+//! Spin and attitude at an instant: away from the separatrix by the series of the nome, near it by that of the
+//! complementary nome.
+
+use super::axes::Axes;
+use super::range_reduction::{ReducedArgument, Reduction};
+use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, phase_factor};
+use crate::exact::elliptic::{ComplementarySeries, DirectSeries, sin_cos_of_turns};
+use crate::exact::kernel::Kernel;
+use crate::number::double_double::DoubleDouble;
+use crate::number::{Gather, Lane, gather_fields};
+use nalgebra::{Quaternion, Vector3};
+
+/// The constants of the spin by the series of the nome, in sines and cosines.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct DirectSpin<T = f64> {
+    pub(super) series: DirectSeries<T>,
+    /// Sine and cosine of the phase `pi u/(2K)` at the start, and turns of it per unit of time.
+    pub(super) start: [T; 2],
+    pub(super) turns: DoubleDouble<T>,
+    pub(super) amplitudes: [T; 3],
+    pub(super) axes: Axes<T>,
+}
+
+/// The further constants of the attitude.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct DirectAttitude<T = f64> {
+    pub(super) pair: DirectPair<T>,
+    pub(super) start: Pair<T>,
+    /// Turns of the common phase, which is half the angle about the momentum, per unit of time.
+    pub(super) drift: DoubleDouble<T>,
+}
+
+gather_fields!(DirectSpin { series, start, turns, amplitudes, axes });
+gather_fields!(DirectAttitude { pair, start, drift });
+
+impl<T: Lane> Kernel<T> for DirectSpin<T> {
+    type Attitude = DirectAttitude<T>;
+    /// Sine and cosine.
+    type Phase = [T; 2];
+
+    #[inline(always)]
+    fn phase(&self, time: T) -> [T; 2] {
+        let (sin, cos) = sin_cos_of_turns(self.turns * time);
+        let [sin0, cos0] = self.start;
+        [sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin]
+    }
+
+    #[inline(always)]
+    fn omega(&self, &[sin, cos]: &[T; 2]) -> Vector3<T> {
+        self.axes.spin(&self.amplitudes, self.series.values(sin, cos))
+    }
+
+    #[inline(always)]
+    fn turn(&self, attitude: &DirectAttitude<T>, &[sin, cos]: &[T; 2], time: T) -> Quaternion<T> {
+        let turned = attitude.pair.raw(sin, cos).turned(phase_factor(attitude.drift * time));
+        self.axes.turn(turned.since(&attitude.start))
+    }
+}
+
+/// The constants of the spin by the series of the complementary nome, in hyperbolic functions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ComplementarySpin<T = f64> {
+    pub(super) series: ComplementarySeries<T>,
+    pub(super) reduction: Reduction<T>,
+    pub(super) amplitudes: [T; 3],
+    pub(super) axes: Axes<T>,
+}
+
+/// The further constants of the attitude.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ComplementaryAttitude<T = f64> {
+    pub(super) pair: ComplementaryPair<T>,
+    pub(super) start: Pair<T>,
+    /// Turns of the common phase, which is half the angle about the momentum, per unit of time, and what each
+    /// half period of Jacobi's argument adds.
+    pub(super) drift: DoubleDouble<T>,
+    pub(super) step: T,
+}
+
+gather_fields!(ComplementarySpin { series, reduction, amplitudes, axes });
+gather_fields!(ComplementaryAttitude { pair, start, drift, step });
+
+impl<T: Lane> Kernel<T> for ComplementarySpin<T> {
+    type Attitude = ComplementaryAttitude<T>;
+    type Phase = ReducedArgument<T>;
+
+    #[inline(always)]
+    fn phase(&self, time: T) -> ReducedArgument<T> {
+        self.reduction.at(time)
+    }
+
+    #[inline(always)]
+    fn omega(&self, argument: &ReducedArgument<T>) -> Vector3<T> {
+        self.axes.spin(&self.amplitudes, argument.values(&self.series))
+    }
+
+    #[inline(always)]
+    fn turn(
+        &self,
+        attitude: &ComplementaryAttitude<T>,
+        argument: &ReducedArgument<T>,
+        time: T,
+    ) -> Quaternion<T> {
+        let steps = DoubleDouble::product(argument.halves, attitude.step);
+        let turned = argument.pair(&attitude.pair).turned(phase_factor(attitude.drift * time + steps));
+        self.axes.turn(turned.since(&attitude.start))
+    }
+}

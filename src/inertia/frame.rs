@@ -1,0 +1,62 @@
+//! Where a body's principal axes lie in its own.
+
+use crate::attitude::{product, rotate_inverse, unit};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+/// How principal axes are turned relative to the body's own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frame {
+    /// Takes coordinates along the body's axes to those along the principal axes, where these differ.
+    to_principal: Option<Quaternion<f64>>,
+}
+
+impl Frame {
+    /// The body's axes are principal.
+    pub(crate) const SAME: Self = Self { to_principal: None };
+
+    /// From the turn that takes coordinates along the principal axes to those along the body's.
+    pub(crate) fn new(to_body: Quaternion<f64>) -> Self {
+        let differs = to_body != Quaternion::identity();
+        Self { to_principal: differs.then(|| to_body.conjugate()) }
+    }
+
+    pub(crate) fn to_principal(&self) -> Option<&Quaternion<f64>> {
+        self.to_principal.as_ref()
+    }
+
+    /// The turn that takes coordinates along the principal axes to those along the body's.
+    pub(crate) fn to_body(&self) -> UnitQuaternion<f64> {
+        let to_body = self.to_principal.map_or_else(Quaternion::identity, |q| q.conjugate());
+        UnitQuaternion::new_unchecked(to_body)
+    }
+
+    /// A vector in body axes along the principal axes.
+    pub(crate) fn along(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        self.to_principal.map_or(*v, |q| rotate_inverse(&q.conjugate(), v))
+    }
+
+    /// A vector along the principal axes in body axes.
+    pub(crate) fn in_body(&self, v: Vector3<f64>) -> Vector3<f64> {
+        self.to_principal.map_or(v, |q| rotate_inverse(&q, &v))
+    }
+
+    /// The attitude of the principal axes, from that of the body.
+    pub(crate) fn attitude_of_axes(&self, body: Quaternion<f64>) -> Quaternion<f64> {
+        self.to_principal.map_or(body, |q| product(&body, &q.conjugate()))
+    }
+
+    /// The attitude of the body, from that of the principal axes.
+    pub(crate) fn attitude_of_body(&self, axes: Quaternion<f64>) -> Quaternion<f64> {
+        unit(self.to_principal.map_or(axes, |q| product(&axes, &q)))
+    }
+
+    /// A turn along the principal axes as one along the body's.
+    pub(crate) fn turn_in_body(&self, turn: Quaternion<f64>) -> Quaternion<f64> {
+        self.to_principal.map_or(turn, |q| unit(product(&product(&q.conjugate(), &turn), &q)))
+    }
+
+    /// The frame in a body whose axes `outer` takes this one's to.
+    pub(crate) fn within(&self, outer: &UnitQuaternion<f64>) -> Self {
+        Self::new(unit(product(outer.quaternion(), self.to_body().quaternion())))
+    }
+}
