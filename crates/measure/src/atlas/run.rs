@@ -8,7 +8,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 use tumbling::dynamics::observe;
 use tumbling::exact::FreeMotion;
 use tumbling::number::Analytic;
-use tumbling::step::{Method, State, System, Torque, adaptive};
+use tumbling::step::{Method, State, Stepper, System, Torque};
 use tumbling_scenes::{Error, exact_drift};
 
 /// All that a judge needs of a run.
@@ -105,7 +105,7 @@ impl Case {
     /// By a method, or, where there is none, within a tolerance from each of its steps to the next.
     fn stepped<T>(&self, method: Option<Method>, tolerance: f64) -> End
     where
-        T: Analytic + Copy + FromPrimitive + ToPrimitive,
+        T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync,
     {
         let number = |x: f64| T::from_f64(x).unwrap_or_else(T::zero);
         let back = |x: &T| x.to_f64().unwrap_or(f64::NAN);
@@ -124,11 +124,14 @@ impl Case {
             momentum: motion.momentum.map(|x| back(&x)),
         };
         let start = outside(&motion);
-        let (h, mut budget) = (number(self.step), BUDGET);
+        let h = number(self.step);
+        let Ok(mut stepper) = Stepper::of_system(system.clone(), &motion, tolerance, BUDGET) else {
+            return End::Refused;
+        };
         self.watch(&checked, &start, |_| {
             motion = match method {
                 Some(method) => method.step(&system, &motion, h)?,
-                None => adaptive(&system, &motion, self.step, tolerance, &mut budget)?,
+                None => stepper.step(h)?,
             };
             Ok(outside(&motion))
         })
