@@ -7,9 +7,9 @@
 //! Nothing here uses the [exact motion](crate::exact): the tests hold the two to each other.
 
 mod adaptive;
+mod events;
 mod fixed_rate;
 mod info;
-mod leg;
 mod method;
 mod methods;
 mod pitfalls;
@@ -20,7 +20,6 @@ mod torque;
 mod transition;
 
 pub use crate::body::{Rate, State};
-pub use adaptive::{AdaptiveRun, adaptive};
 pub use fixed_rate::fixed_rate;
 pub use info::{Conserved, MethodInfo};
 pub use method::Method;

@@ -19,92 +19,26 @@ mod taylor;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, positive};
 use crate::number::Analytic;
-use crate::step::method::check_square_underflow;
 use crate::step::system::System;
-use alloc::borrow::Cow;
-use alloc::vec::Vec;
+use alloc::sync::Arc;
 use columns::Slopes;
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
-pub use dense::AdaptiveRun;
+pub(super) use dense::{AdaptiveRun, Watch};
 
-/// The state `duration` seconds after `start` (before, if negative), by steps that keep the estimated error
-/// of each, relative to the attitude's length and the momentum's size, below `tolerance`
-/// or below 32 roundings of `T`, whichever is larger.
-///
-/// A step is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose error is how
-/// far the series is from the law of motion at its end; where a torque is a function, it is a step of DOP853,
-/// the pair of Dormand and Prince of order 8. Where damping far faster than the motion keeps such steps
-/// short, they are steps by collocation at Radau's nodes.
-///
-/// After each step the attitude is brought back to length 1, and the momentum of a free body to the length
-/// that it had at the start; what they were off by counts as an error of the step.
-///
-/// The tolerance is of a step, not of the run: errors add up. A body of any tensor goes by
-/// [`Stepper::adaptive`](crate::step::Stepper::adaptive).
-///
-/// ```
-/// use nalgebra::{Quaternion, Vector3};
-/// use tumbling::PrincipalMoments;
-/// use tumbling::exact::FreeMotion;
-/// use tumbling::step::{State, System, adaptive};
-/// let (moments, omega) = (PrincipalMoments::new(1.0, 2.0, 2.5)?, Vector3::new(0.3, 2.0, 0.1));
-/// let system = System::free(moments)?;
-/// let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-/// let end = adaptive(&system, &start, 10.0, 1e-10, &mut 1000)?;
-/// let truth = FreeMotion::new(moments, &omega)?.at(10.0)?;
-/// assert!((end.attitude.coords - truth.attitude.coords).norm() < 1e-8);
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-///
-/// It takes at most `budget` steps, taken or rejected; those used are subtracted from it, also where the run
-/// fails.
-///
-/// # Errors
-/// A duration that is not finite, an attitude of no length, a tolerance below four roundings of `T`, a
-/// motion that leaves what `T` holds, an error that stays too large however short the step; one of kind
-/// [`TooMany`](crate::ErrorKind::TooMany) after `budget` steps, or as soon as stiff losses would need more.
-pub fn adaptive<T: Analytic + Copy + FromPrimitive>(
-    system: &System<T>,
-    start: &State<T>,
-    duration: f64,
-    tolerance: f64,
-    budget: &mut usize,
-) -> Result<State<T>, Error> {
-    AdaptiveRun::new(system, start, duration, tolerance)?.finish(budget)
-}
-
-/// The same on numbers that carry derivatives, whose error in each step is below the tolerance too, relative
-/// to the size of their column.
-pub(super) fn adaptive_with_slopes<T: Analytic + Copy + FromPrimitive>(
-    system: &System<T>,
+/// The end of a run of `duration` seconds on numbers that carry derivatives, whose error in each step is below
+/// the tolerance too, relative to the size of their column.
+pub(super) fn end_with_derivatives<T: Analytic + Copy + FromPrimitive>(
+    system: System<T>,
     start: &State<T>,
     duration: f64,
     tolerance: f64,
     budget: &mut usize,
     slopes: Slopes<T>,
 ) -> Result<State<T>, Error> {
-    let watch = Watch { flips: None, slopes: Some(slopes) };
-    AdaptiveRun::watching(system, start, duration, tolerance, watch)?.finish(budget)
-}
-
-/// The same, and the times (s after the start) at which the spin about the principal axis of the middle
-/// moment changes its sign; and its sign at the end, given that at the start, or zero where none is known.
-pub(super) fn adaptive_with_flips<T: Analytic + Copy + FromPrimitive>(
-    system: &System<T>,
-    start: &State<T>,
-    duration: f64,
-    tolerance: f64,
-    budget: &mut usize,
-    side: f64,
-) -> Result<(State<T>, Vec<f64>, f64), Error> {
-    let watch = Watch { flips: Some(Flips::new(system, start, side)), slopes: None };
-    let mut run = AdaptiveRun::watching(system, start, duration, tolerance, watch)?;
-    let end = run.finish(budget)?;
-    let (times, side) = run.flips();
-    Ok((end, times, side))
+    AdaptiveRun::new(system, start, duration, tolerance, Watch::Derivatives(slopes))?.at(duration, budget)
 }
 
 /// That the tolerance of a step is above rounding.
@@ -130,12 +64,14 @@ const STIFF_STEPS: u32 = 15;
 
 /// A run on its way, under torques that act in all of it.
 #[derive(Debug, Clone)]
-struct Run<'a, T: nalgebra::Scalar> {
-    system: Cow<'a, System<T>>,
-    /// When it begins, and when the whole of which it is a piece ends, s after the start of the whole.
+struct Run<T: nalgebra::Scalar> {
+    system: Arc<System<T>>,
+    /// When it begins, s after the start of the whole of which it is a piece.
     from: f64,
-    end: f64,
+    /// How long it lasts, s; infinite where nothing ends it.
     duration: f64,
+    /// The time that is requested, s since its start: a step may go beyond.
+    goal: f64,
     tolerance: f64,
     /// Seconds since its start.
     time: f64,
@@ -150,53 +86,45 @@ struct Run<'a, T: nalgebra::Scalar> {
     stiff: u32,
     /// The number of steps since that were not.
     mild: u32,
-    watch: Watch<T>,
-}
-
-/// What a run looks at besides the state.
-#[derive(Debug, Clone)]
-struct Watch<T> {
     /// Where flips are looked for.
     flips: Option<Flips>,
     /// The derivatives of numbers that carry them.
     slopes: Option<Slopes<T>>,
 }
 
-impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
-    fn new(
-        system: Cow<'a, System<T>>,
-        start: &State<T>,
-        duration: f64,
-        tolerance: f64,
-        watch: Watch<T>,
-    ) -> Result<Self, Error> {
-        check_square_underflow(&system.omega(&start.momentum), &Self::number(duration))?;
+impl<T: Analytic + Copy + FromPrimitive> Run<T> {
+    fn new(system: Arc<System<T>>, start: &State<T>, duration: f64, tolerance: f64) -> Result<Self, Error> {
         let mut state = *start;
         if normalize(&mut state.attitude) == 0.0 {
             positive(Subject::AttitudeLength, 0.0)?;
         }
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
-        let (time, last, steps, rejected, stiff, mild) = (0.0, duration, 0, 0, 0, 0);
         Ok(Self {
             system,
             from: 0.0,
-            end: duration,
             duration,
+            goal: duration,
             tolerance,
-            time,
+            time: 0.0,
             state,
-            last,
+            last: duration,
             momentum,
-            steps,
-            rejected,
-            stiff,
-            mild,
-            watch,
+            steps: 0,
+            rejected: 0,
+            stiff: 0,
+            mild: 0,
+            flips: None,
+            slopes: None,
         })
     }
 
     fn number(x: f64) -> T {
         T::from_f64(x).unwrap_or_else(T::zero)
+    }
+
+    /// How long a step is that nothing limits: to the time requested.
+    fn ahead(&self) -> f64 {
+        self.goal - self.time
     }
 
     /// A step of about `h` seconds that ends no later than the run, and whether it ends it.
@@ -264,7 +192,7 @@ impl<'a, T: Analytic + Copy + FromPrimitive> Run<'a, T> {
             what: Subject::AdaptiveRun,
             steps,
             reached: self.from + self.time,
-            duration: self.end,
+            duration: self.from + self.goal,
             why,
         }
         .into()

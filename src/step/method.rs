@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
 /// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth
 /// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
-/// [`adaptive`](fn@crate::step::adaptive). Free motion needs no steps: see [`exact`](crate::exact). The rules
+/// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see [`exact`](crate::exact). The rules
 /// of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be compared with.
 ///
 /// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,

@@ -1,15 +1,16 @@
 //! A body of any tensor, stepped in its own axes.
 
-use super::adaptive::{adaptive, check_tolerance};
+use super::adaptive::{AdaptiveRun, Watch, check_tolerance, normalize};
 use super::fixed_rate::fixed_rate;
-use super::leg::Leg;
 use crate::attitude;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, Subject, finite};
+use crate::error::{Error, Refusal, finite, positive};
+use crate::inertia::{Inertia, PrincipalMoments};
 use crate::number::{Analytic, Ring};
 use crate::step::method::Method;
 use crate::step::system::System;
 use crate::step::torque::Torque;
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
@@ -37,7 +38,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// assert!((stepper.body()?.energy() / handle.energy() - 1.0).abs() < 1e-3);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Stepper<T: nalgebra::Scalar = f64> {
     /// The body at the start.
     body: Body,
@@ -50,8 +51,12 @@ pub struct Stepper<T: nalgebra::Scalar = f64> {
     pub(super) frame: Option<Quaternion<T>>,
     /// Seconds since the start.
     pub(super) time: f64,
-    /// Where the last step began.
-    pub(super) leg: Leg<T>,
+    /// The run of an adaptive stepper, and the time at which it began.
+    pub(super) run: Option<(Box<AdaptiveRun<T>>, f64)>,
+    /// The sign of the spin about the middle axis before now, if flips were looked for until now.
+    pub(super) sign: f64,
+    /// The number of steps that the runs have taken or rejected.
+    count: usize,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,8 +83,22 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Self::by(body, Rule::FixedRate)
     }
 
-    /// A free body, each step of which is made of as many as keep the error of each below `tolerance`, as
-    /// [`adaptive`](fn@adaptive) chooses them, and of at most `budget`.
+    /// A free body, to be stepped by a run that keeps the estimated error of each of its own steps, relative to
+    /// the attitude's length and the momentum's size, below `tolerance` or below 32 roundings of `T`,
+    /// whichever is larger. The tolerance is of a step of the run, not of the whole: errors add up, and
+    /// [`expected_error`](Stepper::expected_error) estimates how far.
+    ///
+    /// The run's steps are as long as the tolerance permits, whatever steps are requested: a state between
+    /// their ends is read from the step's own series, as accurate as the step, and changes nothing of what
+    /// follows. So a torque that is a function is called with times after those requested. A
+    /// [`step`](Self::step) that needs more than `budget` steps of the run is refused.
+    ///
+    /// A step of the run is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose
+    /// error is how far the series is from the law of motion at its end; where a torque is a function, it is a
+    /// step of DOP853, the pair of Dormand and Prince of order 8. Where damping far faster than the motion
+    /// keeps such steps short, they are steps by collocation at Radau's nodes. After each the attitude is
+    /// brought back to length 1, and the momentum of a free body to the length that it had at the start; what
+    /// they were off by counts as an error of the step.
     ///
     /// ```
     /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -87,9 +106,14 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// use tumbling::{Body, Inertia, exact::FreeMotion};
     /// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
     /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
-    /// let mut stepper = Stepper::<f64>::adaptive(&handle, 1e-12, 10_000)?;
-    /// stepper.step(2.0)?;
-    /// assert!((stepper.omega() - FreeMotion::of(&handle)?.omega(2.0)?).norm() < 1e-9);
+    /// let mut stepper = Stepper::<f64>::adaptive(&handle, 1e-12, 100)?;
+    /// // 120 frames at 60 Hz, in a few steps of the run.
+    /// for state in stepper.run(1.0 / 60.0, 120) {
+    ///     let attitude = state?.attitude; // draw it
+    ///     assert!((attitude.norm() - 1.0).abs() < 1e-14);
+    /// }
+    /// assert!((stepper.omega() - FreeMotion::of(&handle)?.omega(stepper.time())?).norm() < 1e-9);
+    /// assert!(stepper.steps_of_run() < 30);
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
@@ -98,6 +122,45 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     pub fn adaptive(body: &Body, tolerance: f64, budget: usize) -> Result<Self, Error> {
         check_tolerance::<T>(tolerance)?;
         Self::by(body, Rule::Adaptive { tolerance, budget })
+    }
+
+    /// The body of a system, under its torques, by an [adaptive](Self::adaptive) run from a state along the
+    /// system's axes.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
+    /// use tumbling::step::{State, Stepper, System, Torque};
+    /// let top = Torque::gravity(&Vector3::new(0.05, 0.0, 0.1), 0.5);
+    /// let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5)?, vec![top])?;
+    /// let momentum = system.momentum(&Vector3::new(0.3, 2.0, 0.1));
+    /// let start = State { attitude: Quaternion::identity(), momentum };
+    /// let mut stepper = Stepper::of_system(system, &start, 1e-12, 1000)?;
+    /// let end = stepper.step_to(10.0)?;
+    /// assert_eq!(stepper.state(), end);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`adaptive`](Self::adaptive), or an attitude of no length.
+    pub fn of_system(
+        system: System<T>,
+        start: &State<T>,
+        tolerance: f64,
+        budget: usize,
+    ) -> Result<Self, Error> {
+        check_tolerance::<T>(tolerance)?;
+        let mut unit = (*start).checked()?;
+        if normalize(&mut unit.attitude) == 0.0 {
+            positive(Subject::AttitudeLength, 0.0)?;
+        }
+        let inertia = Inertia::from(PrincipalMoments::try_from(system.moments().map(number))?);
+        let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
+        let rule = Rule::Adaptive { tolerance, budget };
+        let (time, frame, run) = (0.0, None, None);
+        let stepper = Self { body, rule, system, state: unit, frame, time, run, sign: 0.0, count: 0 };
+        stepper.checked()?;
+        Ok(stepper)
     }
 
     fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
@@ -119,8 +182,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         };
         let frame = frame.map(|frame| quaternion(&frame));
         let system = System::of_numbers(moments, Vec::new());
-        let leg = Leg { state, time: 0.0, side: 0.0 };
-        let stepper = Self { body: *body, rule, system, state, frame, time: 0.0, leg };
+        let stepper =
+            Self { body: *body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
         stepper.checked()?;
         Ok(stepper)
     }
@@ -144,7 +207,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.system = System::of_numbers(*self.system.moments(), all);
         self.set_time(self.time);
         // What acts from now on did not act in the last step.
-        self.leg = Leg { state: self.state, time: self.time, side: self.leg.side };
+        self.run = None;
         Ok(self)
     }
 
@@ -152,25 +215,70 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// that fails leaves the body where it was.
     ///
     /// # Errors
-    /// As [`Method::step`], [`fixed_rate`] or [`adaptive`](fn@adaptive); a torque, such as that of a
-    /// [`Torque::Function`], that is not finite at the start or the end; a spin or a time beyond its numbers.
+    /// As [`Method::step`] or [`fixed_rate`]; of an adaptive stepper an error that stays too large however
+    /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or as
+    /// soon as stiff losses would need more; a torque, such as that of a [`Torque::Function`], that is not
+    /// finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
-        let after = self.time + finite(Subject::Step, number(h))?;
+        self.go(self.time + finite(Subject::Step, number(h))?, h)
+    }
+
+    /// One step to the time `end` (s), forth or back, and the state there.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn step_to(&mut self, end: f64) -> Result<State<T>, Error> {
+        let h = finite(Subject::EndTime, end)? - self.time;
+        self.go(end, T::from_f64(h).unwrap_or_else(T::zero))
+    }
+
+    fn go(&mut self, after: f64, h: T) -> Result<State<T>, Error> {
         if !after.is_finite() {
             return Err(Refusal::OutOfRange { what: Subject::TimeAfterStep, value: after }.into());
         }
         let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
             Rule::FixedRate => fixed_rate(&self.system, &self.state, h),
-            Rule::Adaptive { tolerance, mut budget } => {
-                adaptive(&self.system, &self.state, number(h), tolerance, &mut budget)
-            }
+            Rule::Adaptive { tolerance, mut budget } => self.run_to(after, tolerance, &mut budget, false),
         }
         .map_err(|error| self.torque_not_finite(after).unwrap_or(error))?;
+        self.arrive(end, after)
+    }
+
+    /// The state at a time by a run that [holds](AdaptiveRun::holds) it: the one under way, or a new one.
+    pub(super) fn run_to(
+        &mut self,
+        end: f64,
+        tolerance: f64,
+        budget: &mut usize,
+        flips: bool,
+    ) -> Result<State<T>, Error> {
+        let usable = |run: &AdaptiveRun<T>, began: f64| {
+            run.holds(end - began) && (!flips || run.flips_after(self.time - began, end - began))
+        };
+        let (mut run, began) = match self.run.take() {
+            Some((run, began)) if usable(&run, began) => (run, began),
+            _ => {
+                let watch = if flips { Watch::Flips(self.sign) } else { Watch::Nothing };
+                let way = f64::INFINITY.copysign(end - self.time);
+                let mut system = self.system.clone();
+                system.set_time(T::from_f64(self.time).unwrap_or_else(T::zero));
+                (Box::new(AdaptiveRun::new(system, &self.state, way, tolerance, watch)?), self.time)
+            }
+        };
+        let allowed = *budget;
+        let there = run.at(end - began, budget);
+        self.count += allowed - *budget;
+        self.run = Some((run, began));
+        there
+    }
+
+    /// Takes up a state at a time, if it and its spin are finite.
+    pub(super) fn arrive(&mut self, end: State<T>, after: f64) -> Result<State<T>, Error> {
         let start = core::mem::replace(&mut self.state, end);
         match self.checked() {
             Ok(state) => {
-                self.leg = Leg { state: start, time: self.time, side: 0.0 };
+                self.sign = 0.0;
                 self.set_time(after);
                 Ok(state)
             }
@@ -179,6 +287,46 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
                 Err(error)
             }
         }
+    }
+
+    /// Goes on from another state (along the body's axes) at another time, s: what happened to the body in
+    /// between is not for the stepper to know, such as a blow.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::step::{State, Stepper};
+    /// use tumbling::{Body, Inertia};
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
+    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
+    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?;
+    /// let before = stepper.step(0.5)?;
+    /// stepper.restart(&State { momentum: before.momentum * 2.0, ..before }, 100.0)?;
+    /// let _ = stepper.step(0.5)?;
+    /// assert!((stepper.body()?.energy() / body.energy() - 4.0).abs() < 1e-11);
+    /// assert_eq!(stepper.time(), 100.5);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A state, a spin or a time that is not finite; the stepper then stays as it was.
+    pub fn restart(&mut self, state: &State<T>, time: f64) -> Result<(), Error> {
+        let time = finite(Subject::Time, time)?;
+        let along = match &self.frame {
+            Some(frame) => State {
+                attitude: attitude::product(&state.attitude, frame),
+                momentum: attitude::rotate_inverse(frame, &state.momentum),
+            },
+            None => *state,
+        };
+        self.arrive(along, time)?;
+        self.run = None;
+        Ok(())
+    }
+
+    /// The number of steps that the runs of an adaptive stepper have taken or rejected.
+    #[must_use]
+    pub fn steps_of_run(&self) -> usize {
+        self.count
     }
 
     /// The state, if it and the spin are finite along the body's axes.
@@ -194,10 +342,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// The cause of a step that failed on a torque that is not finite where it began or at the time where it
     /// would have ended.
     fn torque_not_finite(&self, after: f64) -> Option<Error> {
-        let mut system = self.system.clone();
-        [self.time, after].into_iter().find_map(|time| {
-            system.set_time(T::from_f64(time)?);
-            system.torque(&self.state).iter().find_map(|x| finite(Subject::Torque, number(*x)).err())
+        [0.0, after - self.time].into_iter().find_map(|later| {
+            let torque = self.system.torque_after(&self.state, &T::from_f64(later)?);
+            torque.iter().find_map(|x| finite(Subject::Torque, number(*x)).err())
         })
     }
 
@@ -254,12 +401,10 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     fn step_toward(&mut self, h: T, end: f64) -> Result<State<T>, Error> {
-        let length = crate::error::positive(Subject::Step, number(h))?;
+        let length = positive(Subject::Step, number(h))?;
         let left = finite(Subject::EndTime, end)? - self.time;
         if left.abs() <= length * (1.0 + 1e-9) {
-            let state = self.step(T::from_f64(left).unwrap_or(h))?;
-            self.set_time(end);
-            return Ok(state);
+            return self.step_to(end);
         }
         // The steps must be fewer than 2^53, and each must move the time.
         let most = 9_007_199_254_740_992.0 * length;
@@ -320,7 +465,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let state = self.state();
         let attitude = Quaternion::from_vector(state.attitude.coords.map(number));
         let norm = attitude.norm();
-        let attitude = crate::error::positive(Subject::AttitudeLength, norm).map(|_| attitude / norm)?;
+        let attitude = positive(Subject::AttitudeLength, norm).map(|_| attitude / norm)?;
         self.body.with_state(&State { attitude, momentum: state.momentum.map(number) })
     }
 }

@@ -2,13 +2,13 @@
 
 mod dual;
 
-use super::adaptive::{AdaptiveRun, adaptive_with_slopes};
+use super::adaptive::{AdaptiveRun, Watch, end_with_derivatives};
 use super::stepper::{Stepper, conjugate};
 use super::system::System;
 use super::torque::Torque;
 use crate::attitude;
 use crate::body::State;
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, finite};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -94,7 +94,13 @@ impl Stepper<f64> {
     /// As [`step_with_transition`](Self::step_with_transition).
     pub fn expected_error(&self, h: f64) -> Result<f64, Error> {
         let (tolerance, mut budget) = self.tolerance(Subject::StepError)?;
-        let mut run = AdaptiveRun::new(&self.system, &self.state, h, tolerance)?;
+        let mut run = AdaptiveRun::new(
+            self.system.clone(),
+            &self.state,
+            finite(Subject::Step, h)?,
+            tolerance,
+            Watch::Nothing,
+        )?;
         let inverse = *self.system.inverse();
         // The variances of an error of the attitude's quaternion and of the momentum, relative to their size.
         let made = |state: &State<f64>, error: f64| {
@@ -133,7 +139,7 @@ impl Stepper<f64> {
         system.set_time(Dual::from(time));
         let start = varied(start, &moments);
         let slopes = |x: &Dual| x.slopes.map(f64::abs);
-        let end = adaptive_with_slopes(&system, &start, duration, tolerance, budget, slopes)?;
+        let end = end_with_derivatives(system, &start, duration, tolerance, budget, slopes)?;
         Ok(read(&end, self.system.inverse()))
     }
 

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use tumbling::exact::{Batch, FreeMotion};
-use tumbling::step::{Method, PositionStage, System, Torque, adaptive, fixed_rate};
+use tumbling::step::{Method, PositionStage, Stepper, System, Torque, fixed_rate};
 use tumbling::{Body, Inertia, PrincipalMoments, State, body::named::NamedBody};
 
 /// Hashes numbers: FNV-1a over their bits.
@@ -219,9 +219,9 @@ fn stepped(hash: &mut Hash, random: &mut Random) {
         hash.answer(end, |hash, end| hash.state(&end));
         // So short that a needle's spin and a stiff torque are no work.
         let short = h * system.moments().min();
-        hash.answer(adaptive(&system, &start, short * short, 1e-9, &mut 1_000_000), |hash, end| {
-            hash.state(&end)
-        });
+        let stepper = Stepper::of_system(system.clone(), &start, 1e-9, 1_000_000);
+        let end = stepper.and_then(|mut stepper| stepper.step_to(short * short));
+        hash.answer(end, |hash, end| hash.state(&end));
         singles(hash, &system, &start);
     });
 }

@@ -1,9 +1,10 @@
 //! Runs whose steps are chosen by their error.
 
+use super::adaptive;
 use super::start;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{State, Stepper, System, Torque, adaptive};
+use tumbling::step::{State, Stepper, System, Torque};
 use tumbling::{Body, ErrorKind, PrincipalMoments};
 
 #[test]
@@ -93,7 +94,7 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
     let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
     for tolerance in [1e-6, 1e-9, 1e-12] {
         let mut left = 1_000_000;
-        let end = tumbling::step::adaptive(&system, &from, period, tolerance, &mut left).unwrap();
+        let end = adaptive(&system, &from, period, tolerance, &mut left).unwrap();
         let off = (end.attitude.coords - attitude.coords).norm() + end.momentum.norm();
         assert!(off < 100.0 * tolerance, "{tolerance:e}: {off:e}");
         assert!(left < 999_999);
@@ -102,7 +103,7 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
         System::with(PrincipalMoments::new(1.0, 1.5, 2.0).unwrap(), vec![Torque::InBody(Vector3::z())])
             .unwrap();
     let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
-    let end = tumbling::step::adaptive(&pushed, &rest, 2.0, 1e-10, &mut 1_000_000).unwrap();
+    let end = adaptive(&pushed, &rest, 2.0, 1e-10, &mut 1_000_000).unwrap();
     assert!((end.momentum - Vector3::z() * 2.0).norm() < 1e-9);
 }
 

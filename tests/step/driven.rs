@@ -1,10 +1,11 @@
 //! Adaptive runs under torques: against a table of many digits, another engine, and what is conserved.
 
+use super::adaptive;
 use crate::common::refused;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{AdaptiveRun, Method, State, Stepper, System, Torque, adaptive};
+use tumbling::step::{Method, State, Stepper, System, Torque};
 use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 const TABLE: &str = include_str!("../../crates/measure/data/truth.json");
@@ -406,22 +407,22 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
     ];
     let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
     let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
-    let mut run = AdaptiveRun::new(&system, &rest, 3.0, 1e-12).unwrap();
+    let mut run = Stepper::of_system(system.clone(), &rest, 1e-12, 100_000).unwrap();
     for _ in 0..3 {
-        assert!(run.at(1.5, &mut 1000).is_err());
-        let there = run.at(1.0, &mut 1000).unwrap();
+        assert!(run.step_to(1.5).is_err());
+        let there = run.step_to(1.0).unwrap();
         assert!((there.momentum - Vector3::new(0.0, 0.0, 2.0)).norm() < 1e-12, "{there:?}");
     }
     // One that stiff losses stop has no states but those of its last step.
     let torques = vec![Torque::Dissipation(30.0), Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 10.0)];
     let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
-    let mut run = AdaptiveRun::new(&system, &start, 10.0, 1e-14).unwrap();
-    let error = run.at(10.0, &mut 100).unwrap_err();
+    let mut run = Stepper::of_system(system.clone(), &start, 1e-14, 100).unwrap();
+    let error = run.step_to(10.0).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::TooMany);
     for k in 0..1000 {
         let time = 1.2 * f64::from(k) / 1000.0;
-        let Ok(state) = run.at(time, &mut 0) else { continue };
+        let Ok(state) = run.at(time) else { continue };
         let truth = adaptive(&system, &start, time, 1e-13, &mut 10_000).unwrap();
         assert!(off(&state, &truth) < 1e-10, "{time}: {}", off(&state, &truth));
     }

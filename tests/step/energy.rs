@@ -33,7 +33,7 @@ fn kinetic_and_potential_energy_together_stay_where_each_torque_has_a_potential(
     let v = Vector3::new;
     let gradient =
         |strength, direction| Torque::GravityGradient { strength, direction, orbit: Vector3::zeros() };
-    let torques = vec![
+    let torques = [
         Torque::gravity(&v(0.1, 0.2, 0.3), 4.0),
         Torque::spring(&v(0.3, -0.2, 0.9), &v(0.1, 0.7, 0.6), 2.0),
         Torque::magnetic(&v(0.5, 0.1, -0.4), &v(0.3, 2.0, 0.1)),

@@ -1,11 +1,11 @@
 //! Methods that keep the laws of motion, held against rounding, long runs, torques and nonsense.
 
-use super::{changes, energy};
+use super::{adaptive, changes, energy};
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System, Torque, adaptive, fixed_rate};
+use tumbling::step::{Method, State, System, Torque, fixed_rate};
 use tumbling::{Error, ErrorKind, PrincipalMoments};
 
 /// How far apart two motions are, attitude and momentum each by its own size.

@@ -1,11 +1,11 @@
 //! Every stepping method against the exact motion, and against what it says of itself.
 
-use super::{energy, in_world, start};
+use super::{adaptive, energy, in_world, start};
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System, adaptive};
+use tumbling::step::{Method, State, System};
 
 /// Errors of spin (relative) and attitude at `t`.
 fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {

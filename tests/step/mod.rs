@@ -25,8 +25,22 @@ mod torque;
 mod transition;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use tumbling::Inertia;
-use tumbling::step::{Method, State, System};
+use tumbling::step::{Method, State, Stepper, System};
+use tumbling::{Error, Inertia};
+
+/// The state `duration` seconds after the start by an adaptive run; its steps are taken off the budget.
+fn adaptive(
+    system: &System<f64>,
+    start: &State<f64>,
+    duration: f64,
+    tolerance: f64,
+    budget: &mut usize,
+) -> Result<State<f64>, Error> {
+    let mut stepper = Stepper::of_system(system.clone(), start, tolerance, *budget)?;
+    let end = stepper.step_to(duration);
+    *budget -= stepper.steps_of_run();
+    end
+}
 
 fn apart(a: &State<f64>, b: &State<f64>) -> f64 {
     let turn =

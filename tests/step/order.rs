@@ -1,9 +1,9 @@
 //! The order of every method under torques that depend on time, attitude and spin. Orders are proven on power
 //! series by the proofs; here they are seen in `f64`.
 
-use super::{apart, in_axes, seen_along, steppers, turn_by};
+use super::{adaptive, apart, in_axes, seen_along, steppers, turn_by};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use tumbling::step::{Method, State, Stepper, System, Torque, adaptive};
+use tumbling::step::{Method, State, Stepper, System, Torque};
 use tumbling::{Body, Inertia};
 
 /// Errors at `t` in `count` steps and in twice as many, as a power of two.

@@ -1,10 +1,11 @@
 //! States requested on the way of an adaptive run: the run is the same with them and without.
 
+use super::adaptive;
 use super::driven::off;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;
-use tumbling::step::{AdaptiveRun, State, System, Torque, adaptive};
+use tumbling::step::{State, Stepper, System, Torque};
 
 /// Torques of each kind, two of most: of the gravity gradient, and of periodic ones with their own rates.
 fn kinds() -> Vec<Torque<f64>> {
@@ -48,13 +49,12 @@ proptest! {
         let attitude = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1).into_inner();
         let start = State { attitude, momentum: system.momentum(&omega.into()) };
         let (tolerance, end) = (10.0_f64.powi(-digits), if forth { 2.5 } else { -0.02 });
-        let mut left = 20_000;
-        let mut alone = left;
+        let mut alone = 20_000;
         let whole = adaptive(&system, &start, end, tolerance, &mut alone).unwrap();
-        let mut run = AdaptiveRun::new(&system, &start, end, tolerance).unwrap();
+        let mut run = Stepper::of_system(system.clone(), &start, tolerance, 100_000).unwrap();
         for frame in 1..=frames {
             let time = end * f64::from(frame) / f64::from(frames);
-            let state = run.at(time, &mut left).unwrap();
+            let state = run.step_to(time).unwrap();
             if frame == frames / 2 {
                 let mut budget = 20_000;
                 let there = adaptive(&system, &start, time, 1e-2 * tolerance, &mut budget).unwrap();
@@ -62,7 +62,7 @@ proptest! {
                 prop_assert!(off(&state, &there) < 30.0 * tolerance * steps, "{:e}", off(&state, &there));
             }
         }
-        prop_assert_eq!(run.at(end, &mut left).unwrap(), whole);
-        prop_assert_eq!(left, alone);
+        prop_assert_eq!(run.step_to(end).unwrap(), whole);
+        prop_assert_eq!(run.steps_of_run(), 20_000 - alone);
     }
 }

@@ -334,7 +334,7 @@ fn a_step_to_a_spin_or_a_time_beyond_its_numbers_fails_and_leaves_the_body_where
         Stepper::<f32>::new(&body, Method::ExplicitEuler).unwrap().with_torques([push]).unwrap();
     let before = stepper.clone();
     refused(stepper.step(0.01), ErrorKind::Unrepresentable, "the spin");
-    assert_eq!(stepper, before);
+    assert_eq!((stepper.state(), stepper.time()), (before.state(), before.time()));
 
     let resting = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
     let mut stepper = Stepper::<f64>::new(&resting, Method::ExplicitEuler).unwrap();

@@ -1,10 +1,11 @@
 //! Damping far faster than the motion: steps as long as the motion allows.
 
+use super::adaptive;
 use super::driven::off;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;
-use tumbling::step::{AdaptiveRun, State, System, Torque, adaptive};
+use tumbling::step::{State, Stepper, System, Torque};
 
 fn system(torques: Vec<Torque<f64>>) -> System<f64> {
     System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap()
@@ -71,14 +72,13 @@ proptest! {
         let solved = pulled(Torque::Damping(damping));
         let explicit = pulled(Torque::function(move |_, _, omega| -damping.component_mul(omega)));
         let start = spinning(&solved, omega);
-        let mut budget = 1_000;
-        let mut run = AdaptiveRun::new(&solved, &start, 2.0, 1e-11).unwrap();
-        let mut slowly = AdaptiveRun::new(&explicit, &start, 2.0, 1e-12).unwrap();
+        let mut run = Stepper::of_system(solved.clone(), &start, 1e-11, 100_000).unwrap();
+        let mut slowly = Stepper::of_system(explicit.clone(), &start, 1e-12, 100_000).unwrap();
         for time in [0.01, 0.2, 0.69, 0.71, 1.1, 1.31, 1.7, 2.0] {
-            let (state, truth) = (run.at(time, &mut budget).unwrap(), slowly.at(time, &mut 100_000).unwrap());
+            let (state, truth) = (run.step_to(time).unwrap(), slowly.step_to(time).unwrap());
             prop_assert!(off(&state, &truth) < 2e-9, "{} s: {:e}", time, off(&state, &truth));
         }
-        prop_assert!(budget > 800, "{} left", budget);
+        prop_assert!(run.steps_of_run() < 200, "{} steps", run.steps_of_run());
     }
 }
 
@@ -130,9 +130,9 @@ fn the_last_instant_before_the_end_is_reached() {
     let push = Torque::during(-1.0, 0.3, Torque::InBody(Vector3::new(0.1, 0.2, 0.3)));
     let system = system(vec![push]);
     let start = spinning(&system, [1.0, -2.0, 0.5]);
-    let mut run = AdaptiveRun::new(&system, &start, 1.0, 1e-9).unwrap();
-    let before = run.at(1.0_f64.next_down(), &mut 1000).unwrap();
-    assert!(off(&before, &run.at(1.0, &mut 1000).unwrap()) < 1e-14);
+    let mut run = Stepper::of_system(system.clone(), &start, 1e-9, 100_000).unwrap();
+    let before = run.step_to(1.0_f64.next_down()).unwrap();
+    assert!(off(&before, &run.step_to(1.0).unwrap()) < 1e-14);
 }
 
 /// Three periodic torques, of which the series hold two: explicit steps of a pair, then collocation, then
@@ -149,11 +149,11 @@ fn a_run_that_changes_its_steps_gives_states_at_the_times_requested() {
     let solved = system(torques(Torque::Damping(damping)));
     let explicit = system(torques(Torque::function(move |_, _, omega| -damping.component_mul(omega))));
     let start = spinning(&solved, [0.2, 0.0, 0.1]);
-    let mut run = AdaptiveRun::new(&solved, &start, 6.0, 1e-10).unwrap();
-    let mut slowly = AdaptiveRun::new(&explicit, &start, 6.0, 1e-12).unwrap();
+    let mut run = Stepper::of_system(solved.clone(), &start, 1e-10, 100_000).unwrap();
+    let mut slowly = Stepper::of_system(explicit.clone(), &start, 1e-12, 100_000).unwrap();
     for k in 1..=120 {
         let time = 0.05 * f64::from(k);
-        let (state, truth) = (run.at(time, &mut 100_000).unwrap(), slowly.at(time, &mut 1_000_000).unwrap());
+        let (state, truth) = (run.step_to(time).unwrap(), slowly.step_to(time).unwrap());
         assert!(off(&state, &truth) < 1e-7, "{time}: {:e}", off(&state, &truth));
     }
 }

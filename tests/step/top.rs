@@ -1,8 +1,9 @@
 //! The steppers under gravity, judged by the closed form of Lagrange's top.
 
+use super::adaptive;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::LagrangeTop;
-use tumbling::step::{Method, State, Stepper, System, Torque, adaptive};
+use tumbling::step::{Method, State, Stepper, System, Torque};
 use tumbling::{Body, Inertia};
 
 const ARM: Vector3<f64> = Vector3::new(0.0, 0.0, 0.4);

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::fmt;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, MethodInfo, State, Stepper, adaptive};
+use tumbling::step::{Method, MethodInfo, State, Stepper};
 
 /// What a contestant keeps of a free motion: how the figures tell their curves apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -221,7 +221,9 @@ impl Contestant for Adaptive {
         };
         let (mut motion, mut budget, mut time) = (story.start, BUDGET, 0.0);
         for phase in &story.phases {
-            motion = adaptive(&phase.system, &motion, black_box(phase.seconds), tolerance, &mut budget)?;
+            let mut stepper = Stepper::of_system(phase.system.clone(), &motion, tolerance, budget)?;
+            motion = stepper.step_to(black_box(phase.seconds))?;
+            budget -= stepper.steps_of_run();
             time += phase.seconds;
             if let Some(observer) = observer.as_deref_mut() {
                 observer.observe(time, &motion);

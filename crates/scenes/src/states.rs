@@ -114,10 +114,7 @@ impl<'a> States<'a> {
     ) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
         let stepping = match &mut self.stepping {
             Some(stepping) => stepping,
-            none => {
-                let end = self.plan.scene.times().end();
-                none.insert(Stepping::new(driven.control, &driven.system, &driven.start, end)?)
-            }
+            none => none.insert(Stepping::new(driven.control, &driven.system, &driven.start, usize::MAX)?),
         };
         let mut to = |time| {
             stepping.to(time, 1, &mut { usize::MAX }).map_err(|stop| match stop {

@@ -3,9 +3,9 @@
 use crate::error::Error;
 use crate::exact_drift;
 use crate::prices;
-use tumbling::step::{AdaptiveRun, State, System};
+use tumbling::step::{State, Stepper, System};
 
-/// The least tolerance that [`AdaptiveRun`] takes: below it a step's error is rounding.
+/// The least tolerance that an adaptive [`Stepper`] takes: below it a step's error is rounding.
 pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// How a driven body is stepped.
@@ -13,7 +13,7 @@ pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 pub(crate) enum StepControl {
     /// With the exact drift between kicks, in steps of at most this many seconds.
     ExactDrift(f64),
-    /// With an [`AdaptiveRun`] and this tolerance of a step.
+    /// With an adaptive [`Stepper`] and this tolerance of a step.
     Tolerance(f64),
 }
 
@@ -79,20 +79,20 @@ pub(crate) enum Stepping<'a> {
     /// In steps from one time to the next.
     Steps { control: StepControl, system: &'a System<f64>, now: f64, state: State<f64> },
     /// In steps of its own, with each state from the series of one.
-    Series(Box<AdaptiveRun<'a, f64>>),
+    Series(Box<Stepper>),
 }
 
 impl<'a> Stepping<'a> {
-    /// From the state at time zero; no time will be after `end`.
+    /// From the state at time zero, with at most this number of steps from one time to the next.
     pub(crate) fn new(
         control: StepControl,
         system: &'a System<f64>,
         start: &State<f64>,
-        end: f64,
+        budget: usize,
     ) -> Result<Self, Error> {
         Ok(match control {
             StepControl::Tolerance(tolerance) => {
-                Self::Series(Box::new(AdaptiveRun::new(system, start, end, tolerance)?))
+                Self::Series(Box::new(Stepper::of_system(system.clone(), start, tolerance, budget)?))
             }
             _ => Self::Steps { control, system, now: 0.0, state: *start },
         })
@@ -109,9 +109,14 @@ impl<'a> Stepping<'a> {
                 }
                 Ok(*state)
             }
-            Self::Series(run) => run
-                .at(time, left)
-                .map_err(|error| if *left == 0 { Stop::OutOfSteps } else { Stop::Refused(error.into()) }),
+            Self::Series(stepper) => {
+                let before = stepper.steps_of_run();
+                let state = stepper.step_to(time);
+                let taken = stepper.steps_of_run() - before;
+                let over = taken > *left || (taken == *left && state.is_err());
+                *left = left.saturating_sub(taken);
+                if over { Err(Stop::OutOfSteps) } else { Ok(state.map_err(Error::from)?) }
+            }
         }
     }
 }

@@ -133,7 +133,7 @@ impl Trial<'_> {
         let mut of_run = whole;
         let mut states = Vec::with_capacity(self.times.len());
         let mut on = |of_run: &mut usize| {
-            let mut stepping = Stepping::new(control, self.system, self.start, self.end)?;
+            let mut stepping = Stepping::new(control, self.system, self.start, *of_run)?;
             for &time in self.times {
                 let between = time - std::mem::replace(&mut now, time);
                 let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);

@@ -96,7 +96,7 @@ impl<T: Analytic + Copy + FromPrimitive> Weights<T> {
 
 impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     /// On from where a run is, first by steps twice as long as its last.
-    pub(super) fn new(run: &Run<'_, T>) -> Self {
+    pub(super) fn new(run: &Run<T>) -> Self {
         let radau = Radau::new(nodes(run.tolerance));
         let decay = run.system.drag().component_mul(run.system.inverse());
         let rate = run.system.rate_after(&run.state, &Run::number(run.time));
@@ -105,7 +105,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// One step tried, shorter until its error is below the tolerance.
-    pub(super) fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let order = self.radau.nodes.len() as f64 + 1.0;
         let tolerance = run.tolerance.max(32.0 * T::rounding());
         for _ in 0..TRIES {
@@ -133,7 +133,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// The states at the nodes of a step of `h` seconds; whether they were found.
-    fn solve(&mut self, run: &Run<'_, T>, h: f64) -> bool {
+    fn solve(&mut self, run: &Run<T>, h: f64) -> bool {
         let start = run.state;
         let weights = Weights::new(&self.radau, &self.decay, h);
         self.states.fill(start);
@@ -171,7 +171,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// The error of the polynomial, by how its last coefficients of Legendre's polynomials fall.
-    fn error(&self, run: &Run<'_, T>) -> f64 {
+    fn error(&self, run: &Run<T>) -> f64 {
         let unit = largest(run.state.momentum.as_slice())
             .max(largest(self.states[0].momentum.as_slice()))
             .max(smallest::<T>() / run.tolerance);
@@ -193,7 +193,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
-    pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> State<T> {
+    pub(super) fn within(&self, run: &Run<T>, start: &State<T>, time: f64) -> State<T> {
         let (first, others) = self.radau.shares(time / self.length);
         let mut there = *start;
         there.attitude.coords *= Run::<T>::number(first);

@@ -19,28 +19,34 @@ const HALVINGS: u32 = 48;
 #[derive(Debug, Clone)]
 pub(super) struct Flips {
     axis: usize,
-    /// Its last sign, or zero before it has one.
+    /// Its sign at the end of the last step, or zero before it has one.
     sign: f64,
     /// The start of the run's piece, s.
     from: f64,
+    /// The last of all, s after the start of the run.
+    last: Option<f64>,
     found: Vec<f64>,
 }
 
 impl Flips {
-    /// `side` is the sign before the start, where it is known.
-    pub(super) fn new<T: Analytic + Copy>(system: &System<T>, start: &State<T>, side: f64) -> Self {
+    /// `before` is the sign before the start, or zero where none is known.
+    pub(super) fn new<T: Analytic + Copy>(system: &System<T>, start: &State<T>, before: f64) -> Self {
         let [_, axis, _] = ascending(&system.moments().map(|x| x.size()));
-        let sign = if side == 0.0 { sign(signed(start.momentum[axis])) } else { side };
-        Self { axis, sign, from: 0.0, found: Vec::new() }
+        let sign = if before == 0.0 { sign(signed(start.momentum[axis])) } else { before };
+        Self { axis, sign, from: 0.0, last: None, found: Vec::new() }
     }
 
     pub(super) fn axis(&self) -> usize {
         self.axis
     }
 
-    /// Their times, s after the start of the run, and the sign since the last.
-    pub(super) fn found(self) -> (Vec<f64>, f64) {
-        (self.found, self.sign)
+    /// Takes those before a time, s after the start of the run, which may run back; and the sign before it.
+    pub(super) fn take_before(&mut self, time: f64, back: bool) -> (Vec<f64>, f64) {
+        let count =
+            self.found.iter().take_while(|&&flip| if back { flip > time } else { flip < time }).count();
+        let later = self.found.split_off(count);
+        let sign = if later.len().is_multiple_of(2) { self.sign } else { -self.sign };
+        (core::mem::replace(&mut self.found, later), sign)
     }
 
     /// The next piece of the run begins so much later.
@@ -49,8 +55,13 @@ impl Flips {
         self
     }
 
-    /// Looks at a step of `length` units from `time`, where the spin has these coefficients.
-    pub(super) fn see(&mut self, coefficients: &[f64], length: f64, time: f64, unit: f64) {
+    fn push(&mut self, time: f64) {
+        self.found.push(time);
+        self.last = Some(time);
+    }
+
+    /// Looks for flips in a step of `length` units from `time`, where the spin has these coefficients.
+    pub(super) fn find(&mut self, coefficients: &[f64], length: f64, time: f64, unit: f64) {
         let start = self.from + time;
         let mut scaled = [0.0; MOST + 1];
         let mut power = 1.0;
@@ -62,16 +73,13 @@ impl Flips {
         let here = sign_at_start(scaled);
         let [first, rest @ ..] = &*scaled else { return };
         let whole = length * unit;
-        // Where the sign is another than after the step before: a change that both steps missed, or that
-        // both would count.
-        let mut doubtful = false;
+        // Where the sign is another than after the step before: a change that both steps missed, or one that
+        // the step before has found at its end and this one would find at its start.
+        let mut known = false;
         if here * self.sign < 0.0 {
-            let again = self.found.last().is_some_and(|last| (last - start).abs() < 1e-6 * whole.abs());
-            if again {
-                self.found.pop();
-            } else {
-                self.found.push(start);
-                doubtful = self.found.len() == 1;
+            known = self.last.is_some_and(|last| (last - start).abs() < 1e-6 * whole.abs());
+            if !known {
+                self.push(start);
             }
         }
         if here != 0.0 {
@@ -84,11 +92,8 @@ impl Flips {
         roots(&bernstein(scaled), scaled.len(), (0.0, 1.0), HALVINGS, &mut shares);
         for share in shares {
             self.sign = -self.sign;
-            // The run before saw this one, and found it a little sooner.
-            if core::mem::take(&mut doubtful) && share < 1e-6 {
-                self.found.pop();
-            } else {
-                self.found.push(start + sharpened(scaled, share) * whole);
+            if !(core::mem::take(&mut known) && share < 1e-6) {
+                self.push(start + sharpened(scaled, share) * whole);
             }
         }
     }

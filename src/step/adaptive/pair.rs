@@ -3,12 +3,12 @@
 
 use super::columns::Columns;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Run, Watch, largest, over};
+use super::{Run, largest, over};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use alloc::borrow::Cow;
+use alloc::sync::Arc;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -45,7 +45,7 @@ fn combined<T: Analytic + Copy + FromPrimitive>(
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
-    pub(super) fn new(run: &Run<'_, T>) -> Result<Self, Error> {
+    pub(super) fn new(run: &Run<T>) -> Result<Self, Error> {
         let slope = run.system.rate_after(&run.state, &Run::number(run.time));
         let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
         if !size.is_finite() {
@@ -58,14 +58,15 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
             over(largest(slope.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
         let pace = (2.0 * turning).max((torque * largest(run.system.inverse().as_slice())).sqrt());
         let guess = eighth_root(run.tolerance) / pace;
-        let remaining = run.duration - run.time;
-        let h = if guess < remaining.abs() { guess.copysign(remaining) } else { remaining };
+        // Where nothing turns yet nothing gives a time: a second.
+        let guess = if guess.is_finite() { guess } else { 1.0 };
+        let h = guess.copysign(run.duration);
         Ok(Self { slopes: [slope; 12], first: slope, h })
     }
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
     /// of the differences from a step of order 5 and one of order 3, as [HNW93](crate::references), II.10.
-    fn error(&self, run: &Run<'_, T>, end: &State<T>, h: f64) -> f64 {
+    fn error(&self, run: &Run<T>, end: &State<T>, h: f64) -> f64 {
         let zero = T::zero();
         let nothing =
             State { attitude: Quaternion::new(zero, zero, zero, zero), momentum: Vector3::repeat(zero) };
@@ -82,7 +83,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         over(one, (one * one + 0.01 * other * other).sqrt()) * fifth
     }
 
-    fn relative(&self, run: &Run<'_, T>, off: &State<T>, end: &State<T>, h: f64) -> f64 {
+    fn relative(&self, run: &Run<T>, off: &State<T>, end: &State<T>, h: f64) -> f64 {
         // A body that drag brought to rest has no digits of its momentum to the tolerance below the least.
         let least = f64::MIN_POSITIVE / run.tolerance;
         let held = largest(run.state.momentum.as_slice());
@@ -90,12 +91,13 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let mut whole = held.max(largest(end.momentum.as_slice())).max(least);
         if held == 0.0 && run.rejected > JUMP_TRIES {
             // A torque that jumps: no step across the jump is right relative to what it gives on the way. It
-            // is measured by the momentum that turns the body by a radian in the whole time.
-            whole = whole.max(over(1.0, largest(run.system.inverse().as_slice()) * run.duration.abs()));
+            // is measured by the momentum that turns the body by a radian in the time until now.
+            let time = run.time.abs().max(h.abs());
+            whole = whole.max(over(1.0, largest(run.system.inverse().as_slice()) * time));
         }
         let attitude =
             over(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        let slopes = run.watch.slopes.map_or(0.0, |slopes| {
+        let slopes = run.slopes.map_or(0.0, |slopes| {
             let spun = |state: &State<T>| run.system.omega(&state.momentum).map(|x| x * Run::number(h));
             let columns =
                 Columns::of(slopes, run.state.attitude.coords.as_slice(), spun(&run.state).as_slice());
@@ -114,7 +116,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
 
 impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     /// One step tried, and taken if its error is below the tolerance.
-    pub(super) fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let (h, last) = run.fitted(self.h)?;
         let step = Run::number(h);
         let mut near = run.state;
@@ -149,22 +151,16 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     /// at the time `began`: by a shorter step from there, or several if its error is not below the tolerance.
     pub(super) fn within(
         &self,
-        run: &Run<'_, T>,
+        run: &Run<T>,
         start: &State<T>,
         began: f64,
         duration: f64,
     ) -> Result<State<T>, Error> {
         let mut pair = Self { slopes: [self.first; 12], first: self.first, h: duration };
         let end = began + duration;
-        let watch = Watch { flips: None, ..run.watch.clone() };
-        let mut part = Run {
-            time: began,
-            state: *start,
-            duration: end,
-            watch,
-            system: Cow::Borrowed(&run.system),
-            ..*run
-        };
+        let system = Arc::clone(&run.system);
+        let mut part =
+            Run { time: began, state: *start, duration: end, goal: end, flips: None, system, ..*run };
         let before = run.steps + run.rejected;
         while part.time != end {
             if part.steps + part.rejected > before + SHORTER_STEPS {

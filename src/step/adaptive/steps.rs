@@ -36,11 +36,11 @@ pub(super) enum Steps<T: nalgebra::Scalar> {
 
 impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     /// Explicit ones.
-    pub(super) fn new(run: &Run<'_, T>) -> Result<Self, Error> {
+    pub(super) fn new(run: &Run<T>) -> Result<Self, Error> {
         if let Some(series) = Taylor::new(&run.system, run.tolerance) {
             return Ok(Self::Series(series));
         }
-        if run.watch.flips.is_none() {
+        if run.flips.is_none() {
             return Pair::new(run).map(Self::Pair);
         }
         let function = run.system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
@@ -53,7 +53,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// What takes the next step: it may be another than took the last.
-    pub(super) fn choose(&mut self, run: &mut Run<'_, T>, budget: usize) -> Result<(), Error> {
+    pub(super) fn choose(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
         let solves = matches!(self, Self::Collocation(_));
         if run.stiff == 0 && solves {
             *self = Self::new(run)?;
@@ -64,7 +64,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// One step further.
-    pub(super) fn advance(&mut self, run: &mut Run<'_, T>, budget: &mut usize) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run<T>, budget: &mut usize) -> Result<(), Error> {
         if *budget == 0 {
             return Err(run.unfinished("all its steps are taken"));
         }
@@ -77,14 +77,14 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// After some steps held back by losses: solves for those that are damping, once the motion is slow.
-    fn meet_losses(&mut self, run: &mut Run<'_, T>, budget: usize) -> Result<(), Error> {
+    fn meet_losses(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
         let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
         if run.stiff < DAMPED_STEPS && decay * run.last <= LONG {
             return Ok(());
         }
         let change = change(run);
-        let watched = run.watch.flips.is_some() || run.watch.slopes.is_some();
+        let watched = run.flips.is_some() || run.slopes.is_some();
         let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
         if !watched && !dissipates && decay * run.last > LONG {
             let periodic = |torque: &Torque<T>| match torque {
@@ -102,7 +102,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
             }
         }
         // To the end, or until nothing is left of the momentum.
-        let left = (run.duration - run.time).abs().min(FADED / change) / run.last.abs();
+        let left = run.ahead().abs().min(FADED / change) / run.last.abs();
         if run.stiff == STIFF_STEPS && left > budget as f64 {
             return Err(run.unfinished("losses far faster than the motion keep its steps short"));
         }
@@ -113,7 +113,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     /// the time `began`.
     pub(super) fn within(
         &self,
-        run: &Run<'_, T>,
+        run: &Run<T>,
         start: &State<T>,
         began: f64,
         time: f64,
@@ -127,7 +127,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
 }
 
 /// The rate at which the momentum changes, relative to its size, 1/s.
-fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<'_, T>) -> f64 {
+fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<T>) -> f64 {
     let rate = run.system.rate_after(&run.state, &Run::number(run.time)).momentum;
     over(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
 }

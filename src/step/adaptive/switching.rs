@@ -3,22 +3,22 @@
 use crate::number::Analytic;
 use crate::step::system::System;
 use crate::step::torque::{Torque, before_or_at};
-use alloc::borrow::Cow;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 use num_traits::FromPrimitive;
 
 /// The system under the torques that act from the time `from` to the next switch on the way to `end`, s after
 /// the start of a run; and the time of this switch, or the end.
 pub(super) fn piece<T: Analytic + Copy + FromPrimitive>(
-    system: &System<T>,
+    system: &Arc<System<T>>,
     from: f64,
     end: f64,
-) -> (Cow<'_, System<T>>, f64) {
+) -> (Arc<System<T>>, f64) {
     if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
-        return (Cow::Borrowed(system), end);
+        return (Arc::clone(system), end);
     }
     let until = next_switch(system, from, end);
-    (Cow::Owned(acting(system, from, until)), until)
+    (Arc::new(acting(system, from, until)), until)
 }
 
 /// The number with its sign.

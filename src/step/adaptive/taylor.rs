@@ -40,7 +40,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// Begins the next series at a state and a time, s after the start of the run.
-    fn begin(&mut self, run: &Run<'_, T>, state: &State<T>, time: f64) {
+    fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
         let unit = Run::number(self.unit);
         let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
         self.next.begin(&self.in_units, &state.attitude, spin, *run.system.time() + Run::number(time));
@@ -87,7 +87,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// series is from the law there.
     fn end(
         &mut self,
-        run: &Run<'_, T>,
+        run: &Run<T>,
         columns: Option<&Columns<T>>,
         x: T,
         time: f64,
@@ -125,7 +125,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
-    pub(super) fn within(&self, run: &Run<'_, T>, start: &State<T>, time: f64) -> State<T> {
+    pub(super) fn within(&self, run: &Run<T>, start: &State<T>, time: f64) -> State<T> {
         let [q, w] = self.series.value(Run::number(time / self.unit));
         let mut there = self.moved(start, &q, &w);
         run.project(&mut there);
@@ -141,7 +141,7 @@ fn order(tolerance: f64) -> usize {
 
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// One step tried, shorter until its error is below the tolerance.
-    pub(super) fn advance(&mut self, run: &mut Run<'_, T>) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let remaining = run.duration - run.time;
         let omega = run.system.omega(&run.state.momentum);
         let loss = self.law.loss(&run.state.momentum);
@@ -153,10 +153,10 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         } else if rate > 0.0 && rate.is_finite() {
             times_power_of_two(1.0, -exponent(rate))
         } else {
-            remaining.abs()
+            run.ahead().abs()
         };
         // Accelerations go by the square of the unit: below this they would lose their digits.
-        if unit * unit < smallest::<T>() / T::rounding() && remaining.abs() > unit {
+        if unit * unit < smallest::<T>() / T::rounding() && run.ahead().abs() > unit {
             return Err(run.no_step(unit));
         }
         if unit != self.unit {
@@ -175,9 +175,12 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let far = remaining.abs() / unit;
         let attitude = run.state.attitude.coords.as_slice();
         let spin = omega.map(|x| x * Run::number(unit));
-        let columns = run.watch.slopes.map(|slopes| Columns::of(slopes, attitude, spin.as_slice()));
+        let columns = run.slopes.map(|slopes| Columns::of(slopes, attitude, spin.as_slice()));
         let columns = columns.as_ref();
         let mut x = self.fill(&weights, columns, far, run.tolerance);
+        if !(x * unit).is_finite() {
+            x = run.ahead().abs() / unit;
+        }
         for _ in 0..TRIES {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { far } else { x }.copysign(remaining);
@@ -185,9 +188,9 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             let (end, error) = self.end(run, columns, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_losses(if held > least { loss * h.abs() } else { 0.0 });
-                if let Some(flips) = &mut run.watch.flips {
+                if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis());
-                    flips.see(&spin[..=self.series.order], signed, run.time, unit);
+                    flips.find(&spin[..=self.series.order], signed, run.time, unit);
                 }
                 run.take(end, h, last);
                 self.ready = true;

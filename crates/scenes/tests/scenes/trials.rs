@@ -3,7 +3,7 @@
 
 use crate::common::{BOTH, one, states};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::step::{AdaptiveRun, State, System, Torque};
+use tumbling::step::{State, Stepper, System, Torque};
 use tumbling_scenes::{Error, InitialState, Times};
 
 struct Case {
@@ -85,13 +85,13 @@ fn where_a_motion_multiplies_errors_the_answer_is_as_right_as_requested() {
         let Case { moments, omega, torques, end, accuracy } = case;
         let system = System::with(moments.try_into().unwrap(), torques.clone()).unwrap();
         let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega.into()) };
-        let mut run = AdaptiveRun::new(&system, &start, end, 1e-15).unwrap();
+        let mut run = Stepper::of_system(system.clone(), &start, 1e-15, 10_000).unwrap();
         let body = InitialState::spinning(moments.into(), omega.into());
         let scene = one(body, torques, Times::every(end / 8.0, end), BOTH, accuracy);
         let plan = scene.plan(0).unwrap();
         let mut fastest = 0.0_f64;
         for state in states(&plan) {
-            let right = run.at(state.time, &mut 10_000).unwrap();
+            let right = run.step_to(state.time).unwrap();
             let spin = system.omega(&right.momentum);
             fastest = fastest.max(spin.norm());
             let turned = state.attitude.unwrap().angle_to(&UnitQuaternion::from_quaternion(right.attitude));
