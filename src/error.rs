@@ -21,8 +21,10 @@ use core::fmt;
 /// let error = Inertia::from_moments(1.11, 100.11, 1.01).unwrap_err();
 /// assert_eq!(error.kind(), ErrorKind::Impossible);
 /// assert!(error.to_string().contains("1.11 + 1.01 >= 100.11 fails by 97.99"), "{error}");
+/// // So does what `main` and `unwrap` print.
+/// assert_eq!(format!("{error:?}"), error.to_string());
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Error {
     refusal: Refusal,
 }
@@ -109,6 +111,13 @@ impl From<TensorRefusal> for Error {
 impl From<MeshRefusal> for Error {
     fn from(refusal: MeshRefusal) -> Self {
         Refusal::Mesh(refusal).into()
+    }
+}
+
+/// The sentence too, which is what `main` and `unwrap` print.
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -7,7 +7,7 @@
 //! ```
 //! use nalgebra::{UnitQuaternion, Vector3};
 //! use tumbling::solid::{Cuboid, Solid};
-//! use tumbling::{Body, dynamics::observe::sign_changes, step::Engine};
+//! use tumbling::{Body, exact::FreeMotion};
 //!
 //! // A box of 2 x 1 x 3 m and 1 kg, spun halfway between two of its edges.
 //! let inertia = Cuboid::new(2.0, 1.0, 3.0)?.with_mass(1.0)?.inertia();
@@ -16,10 +16,11 @@
 //!
 //! // Near its middle axis, it flips for the first time after 15.1 s.
 //! let start = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 0.01, 0.01))?;
-//! let flight = Engine::Turned.run(&start, 0.01, 2000)?;
-//! let samples = flight.iter().enumerate().map(|(i, body)| (0.01 * i as f64, body.omega_body().x));
-//! let flips = sign_changes(samples);
-//! assert_eq!(format!("{:.1} s", flips[0]), "15.1 s");
+//! let motion = FreeMotion::of(&start)?;
+//! assert_eq!(motion.next_flip(0.0)?.map(|time| format!("{time:.1} s")), Some("15.1 s".into()));
+//! // Its spin and attitude at any time, at once: none is stepped to.
+//! let there = motion.at(1e6)?;
+//! assert!((Body::spinning(inertia, there.attitude, &there.omega)?.energy() / start.energy() - 1.0).abs() < 1e-14);
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 //!
