@@ -26,8 +26,8 @@
 //! Equations are proven from their TeX, against the library's own functions: see
 //! `tumbling_proofs::equations`.
 //!
-//! The right answer of a question, in words or a number, is a string that an assertion of its section expects,
-//! and so is something in the answer of each problem: see `answers`.
+//! The right answer of a question, in words or a number, is a string that an assertion of its section
+//! expects, and so is something in the answer of each problem: see `answers`.
 //!
 //! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers
 //! before headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a

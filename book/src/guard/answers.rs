@@ -1,4 +1,5 @@
-//! Answers: the right one of each question, and those of the problems, rest on what the section's code asserts.
+//! Answers: the right one of each question, and those of the problems, rest on what the section's code
+//! asserts.
 
 use super::chapter::{Chapter, Section};
 use super::offence::Offence;

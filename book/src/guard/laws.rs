@@ -2,8 +2,8 @@
 
 use tumbling_proofs::equations::{Exemption, Expected, laws};
 
-/// Each chapter with its laws, what is exempt with the reason (and the proof that shows it apart), and what is
-/// notation.
+/// Each chapter with its laws, what is exempt with the reason (and the proof that shows it apart), and what
+/// is notation.
 macro_rules! chapters {
     ($(
         $name:literal [$($law:ident)*]

@@ -2,8 +2,8 @@
 //!
 //! A word states a quantity when it is a fraction finer than a third (`a twentieth`, `three tenths`), a
 //! multiple (`twice`, `tenfold`, `ten times smaller`), a ratio (`one to four`), or has a unit after it (`two
-//! turns a second`). All others count or order what the reader has before him (`three axes`, `the third line`,
-//! `half a turn`): see `words`.
+//! turns a second`). All others count or order what the reader has before him (`three axes`, `the third
+//! line`, `half a turn`), and stand in `words.toml`.
 
 use std::ops::Range;
 

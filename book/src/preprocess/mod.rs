@@ -8,7 +8,7 @@ mod check;
 mod edits;
 mod exercises;
 mod figure;
-pub(crate) mod held;
+mod indexed;
 mod maths;
 mod palette;
 mod programs;
@@ -53,27 +53,8 @@ impl Preprocessor for Preprocess {
     }
 }
 
-/// The same, with drawings and widgets held back until the pages and the index of the search are made.
-pub(crate) struct Holding(pub(crate) held::Held);
-
-/// The same for the index of the search alone: without programs too.
+/// The preprocessor for the index of the search alone.
 pub(crate) struct Bare;
-
-impl Preprocessor for Holding {
-    fn name(&self) -> &str {
-        NAME
-    }
-
-    fn supports_renderer(&self, renderer: &str) -> Result<bool> {
-        Ok(supports(renderer))
-    }
-
-    fn run(&self, context: &PreprocessorContext, book: Book) -> Result<Book> {
-        let mut book = run(context, book)?;
-        self.0.take(&mut book, &context.root).map_err(Error::msg)?;
-        Ok(book)
-    }
-}
 
 impl Preprocessor for Bare {
     fn name(&self) -> &str {
@@ -85,12 +66,8 @@ impl Preprocessor for Bare {
     }
 
     fn run(&self, context: &PreprocessorContext, book: Book) -> Result<Book> {
-        let mut book = Holding(held::Held::default()).run(context, book)?;
-        book.for_each_mut(|item| {
-            if let BookItem::Chapter(chapter) = item {
-                chapter.content = programs::without(&chapter.content);
-            }
-        });
+        let mut book = run(context, book)?;
+        indexed::reduce(&mut book, &context.root).map_err(Error::msg)?;
         Ok(book)
     }
 }

@@ -1,8 +1,7 @@
 //! Building the pages.
 
 use crate::command::docs;
-use crate::preprocess::held::Held;
-use crate::preprocess::{Bare, Holding};
+use crate::preprocess::{Bare, Preprocess};
 use crate::say;
 use crate::site::share::{self, Site};
 use crate::site::{log, paths};
@@ -29,18 +28,17 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
 
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
 fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, String> {
-    let held = Held::default();
-    let folder = rendered(destination, Holding(held.clone()))?;
+    let folder = rendered(destination, Preprocess)?;
     // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
     let _ = fs::remove_file(folder.join("lib.rs"));
-    held.put_back(&folder)?;
     share::tell(paths::book(), &folder, site)?;
-    index_without_programs(&folder)?;
+    index_of_words(&folder)?;
     left_directives(&folder)
 }
 
-/// Gives the pages the index of a book without programs: mdBook's own has every word of them.
-fn index_without_programs(pages: &Path) -> Result<(), String> {
+/// Gives the pages the index of a book without programs, drawings and widgets: mdBook's own has every word of
+/// them.
+fn index_of_words(pages: &Path) -> Result<(), String> {
     let bare = tempfile::TempDir::new().map_err(|e| format!("no folder for the index: {e}"))?;
     let [from, to] = [&rendered(Some(bare.path()), Bare)?, pages].map(|folder| {
         let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|file| file.path());
@@ -115,15 +113,8 @@ mod tests {
 
         let page = fs::read_to_string(folder.path().join("two-arrows.html")).unwrap();
         assert!(page.contains("class=\"turning\"") && page.contains("rel=\"canonical\""));
-        assert!(
-            page.contains("<svg") && page.contains("id=\"live-two-arrows\""),
-            "what was held back is there"
-        );
+        assert!(page.contains("<svg") && page.contains("id=\"live-two-arrows\""));
         let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
-        for name in ["index.html", "body-and-world.html", "records.html", "print.html"] {
-            let page = read(name);
-            assert!(!page.contains("<!--held") && !page.contains("class=\"sought\""), "{name}");
-        }
         for name in ["index.html", "404.html", "toc.html", "print.html", "proofs.html"] {
             assert_eq!(read(name).matches("og:image").count(), 1, "{name}");
         }

@@ -1,0 +1,93 @@
+//! The chapters as the index of the search reads them.
+//!
+//! mdBook indexes every word of a page: programs, the description and the numbers in a drawing, and the
+//! controls of a widget too. So the index is made of chapters without these, and with the words in
+//! `search.toml`, by which a reader would look for a page.
+
+use super::programs;
+use crate::site::places::escaped;
+use mdbook_preprocessor::book::{Book, BookItem};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// Where each kind that is left out begins, and what follows it.
+const KINDS: [(&str, &str); 3] = [
+    ("<svg", "</div>\n<a class=\"fig-large\""),
+    ("<div class=\"live\"", "\n<script src=\""),
+    ("<div class=\"atlas\"", "\n<script>"),
+];
+
+/// Leaves out what no reader looks for, and puts the words of `search.toml` in.
+///
+/// # Errors
+/// What is wrong with that file.
+pub(super) fn reduce(book: &mut Book, root: &Path) -> Result<(), String> {
+    let mut sought = words(root)?;
+    book.for_each_mut(|item| {
+        let BookItem::Chapter(chapter) = item else { return };
+        let name = chapter.source_path.as_deref().and_then(Path::file_stem).and_then(|name| name.to_str());
+        let text = programs::without(&without(&chapter.content));
+        chapter.content = match name.and_then(|name| sought.remove(name)) {
+            Some(words) => with_words(&text, &words),
+            None => text,
+        };
+    });
+    match sought.keys().next() {
+        Some(page) => Err(format!("book/search.toml has words for `{page}`, which is no page")),
+        None => Ok(()),
+    }
+}
+
+/// A chapter without drawings and widgets.
+fn without(text: &str) -> String {
+    let mut out = text.to_owned();
+    let next = |text: &str| {
+        let found = KINDS.iter().filter_map(|(from, to)| {
+            let start = text.find(from)?;
+            Some(start..start + text[start..].find(to)?)
+        });
+        found.min_by_key(|range| range.start)
+    };
+    while let Some(range) = next(&out) {
+        out.replace_range(range, "");
+    }
+    out
+}
+
+/// The words of each page, where there are any.
+fn words(root: &Path) -> Result<BTreeMap<String, String>, String> {
+    match fs::read_to_string(root.join("search.toml")) {
+        Ok(text) => toml::from_str(&text).map_err(|e| format!("book/search.toml: {e}")),
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(BTreeMap::new()),
+        Err(e) => Err(format!("cannot read book/search.toml: {e}")),
+    }
+}
+
+/// The words behind the chapter's title.
+fn with_words(text: &str, words: &str) -> String {
+    let title = if text.starts_with("# ") { text.find('\n').unwrap_or(text.len()) } else { 0 };
+    let (before, after) = text.split_at(title);
+    format!("{before}\n\n<p>{}</p>\n\n{after}", escaped(words))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = "# A\n\nOne.\n<div class=\"fig-frame\"><svg a><desc>hidden</desc></svg></div>\n<a class=\"fig-large\" \
+        href=\"x\">Two</a>\n<div class=\"live\" id=\"l\">\n<div>controls</div>\n</div>\n<script src=\"x\"></script>\nThree.\n";
+
+    #[test]
+    fn drawings_and_controls_are_no_words_of_the_index() {
+        let bare = without(PAGE);
+        assert!(!bare.contains("hidden") && !bare.contains("controls"), "{bare}");
+        assert!(["One.", "Two", "Three."].iter().all(|word| bare.contains(word)), "{bare}");
+    }
+
+    #[test]
+    fn words_to_be_found_by_stand_behind_the_title() {
+        let text = with_words("# A\n\nOne.\n", "R I R^T & more");
+        assert!(text.starts_with("# A\n\n<p>R I R^T &amp; more</p>\n\n"), "{text}");
+    }
+}
