@@ -1,8 +1,8 @@
 //! The atlas: how each method ends on each hard case under torques.
 //!
-//! A chart sweeps one difficulty: a damping, a weight, a needle's thinness, the frequency of a push. Where the
-//! body of each case truly is at the end, `data/atlas.py` computed to 20 digits, by Taylor series that share
-//! no code with the library. No time is measured, so every machine draws the same atlas.
+//! A chart sweeps one difficulty: a damping, a weight, a needle's thinness, the frequency of a push. Where
+//! the body of each case truly is at the end, `data/atlas.py` computed to 20 digits, by Taylor series that
+//! share no code with the library. No time is measured, so every machine draws the same atlas.
 
 use crate::AnyError;
 use crate::drive::{Components, Drive, digits};
@@ -173,8 +173,8 @@ pub fn fates(cases: &[Case]) -> Result<Vec<(&'static str, Vec<Fate>)>, AnyError>
     [None].into_iter().chain(methods).map(ends).collect()
 }
 
-/// The lines of a table: for each of [`fates`] and each of the [`CHARTS`], in how many cases it is right, and how
-/// many it refuses.
+/// The lines of a table: for each of [`fates`] and each of the [`CHARTS`], in how many cases it is right, and
+/// how many it refuses.
 #[must_use]
 pub fn table(cases: &[Case], fates: &[(&str, Vec<Fate>)]) -> Vec<String> {
     let line = |(name, fates): &(&str, Vec<Fate>)| {

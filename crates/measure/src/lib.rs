@@ -6,7 +6,7 @@
 //! a table of many digits where a torque acts. Never against the method itself at a smaller step.
 //!
 //! [`campaign`] does that for all of them and writes the [`record`]: files of comma-separated values, whose
-//! heads say what, when, on which machine. The figures and the chapters of the book are made from those files.
+//! heads say what, when, on which machine. The book's figures and chapters are made from those files.
 //! [`costs`] is the record of what a [scene](tumbling_scenes::Scene) costs by its outputs.
 //!
 //! The [`atlas`] measures no time: how each method ends on each hard case under torques.

@@ -69,7 +69,7 @@ pub struct Long {
     pub steps: u32,
     /// Turns from the start to the end of the window, which begins at half of them.
     pub turns: u64,
-    /// Size of the mean over the window of the relative error of the energy; root mean square over the starts.
+    /// Mean over the window of the relative error of the energy, its size; root mean square over the starts.
     pub mean: f64,
     /// The largest relative error of the energy in the window; root mean square over the starts.
     pub largest: f64,
@@ -138,7 +138,7 @@ pub fn long() -> Result<Record<Long>, AnyError> {
     Record::read(include_str!("../record/long.csv"))
 }
 
-/// Free motions of bodies from the whole triangle of moments, to 20 digits, in JSON: `data/errors.py` made it.
+/// Free motions of bodies from the whole triangle of moments, to 20 digits, in JSON, by `data/errors.py`.
 pub const FREE_MOTIONS: &str = include_str!("../record/errors.json");
 
 #[cfg(test)]

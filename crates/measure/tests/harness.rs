@@ -1,14 +1,15 @@
 //! The harness itself: that it distinguishes a right method from a wrong one.
 
 use nalgebra::Quaternion;
+use std::path::Path;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State};
 use tumbling_measure::contestant::{About, Contestant, Exact, Group, Knob, Ours, Setting, ours};
 use tumbling_measure::errors::{Ended, Observer, Outcome, turn};
 use tumbling_measure::measure::{Effort, measure};
-use tumbling_measure::record::{self, Work};
+use tumbling_measure::record::{self, Long, Record, Work};
 use tumbling_measure::story::{self, Story, in_world};
-use tumbling_measure::{long, verdict};
+use tumbling_measure::{campaign, long, verdict};
 
 const SMALL: Effort = Effort { repeats: 1, seconds: 0.05, turns: 4000, starts: 1, long: 0.0 };
 
@@ -213,4 +214,22 @@ fn the_committed_record_is_one_for_the_record() {
         );
     }
     assert!(verdict::contestants(&work.rows).iter().filter(|(_, group)| *group == Group::Peer).count() == 5);
+}
+
+/// All of it in one go, as short as it can be: the files read back, and the windows of long runs double.
+#[test]
+fn what_a_campaign_writes_reads_back() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("campaign");
+    let contestants: [Box<dyn Contestant>; 3] =
+        [Box::new(Exact), Box::new(Ours(Method::MoserVeselov8)), Box::new(Ours(Method::RungeKutta4))];
+    let effort = Effort { repeats: 1, seconds: 1e-4, turns: 5, starts: 2, long: 60.0 };
+    let said = campaign::write(&contestants, effort, &["one 1.2".into()], &folder, &mut |_| ()).unwrap();
+    assert!(said.contains("The box after 100 flips"), "{said}");
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let work = Record::<Work>::read(&read("work.csv")).unwrap();
+    assert_eq!((work.said("peers"), work.said("effort")), (Some("one 1.2"), Some("less than full")));
+    assert!(work.rows.iter().any(|row| row.contestant == "exact motion" && row.right()));
+    let long = Record::<Long>::read(&read("long.csv")).unwrap().rows;
+    assert_eq!(long.iter().map(|row| row.turns).collect::<Vec<_>>(), [1, 2, 4, 5, 1, 2, 4, 5]);
+    assert!(long.iter().all(|row| row.right() && row.mean < 1e-3 && row.mean <= row.largest), "{long:?}");
 }

@@ -44,8 +44,8 @@ pub(super) struct Ladder<'a> {
     pub(super) group: Group,
     /// Seconds and error of the runs that came right.
     pub(super) right: Vec<(f64, f64)>,
-    /// Those of runs with a wrong number of flips, and of those that broke down: at the upper edge, where a run
-    /// of that number of steps would have ended.
+    /// Those of runs with a wrong number of flips, and of those that broke down: at the upper edge, where a
+    /// run of that number of steps would have ended.
     wrong: Vec<(f64, f64)>,
 }
 

@@ -14,7 +14,7 @@ struct Case {
     accuracy: f64,
 }
 
-/// Three of 34 000 random scenes that were compared with DOP853, all of them near a separatrix more than once.
+/// Three of 34 000 random scenes compared with DOP853, all of them near a separatrix more than once.
 fn cases() -> [Case; 3] {
     [
         Case {
