@@ -49,9 +49,8 @@ pub use top::{LagrangeTop, TopRegime};
 
 use crate::body::Body;
 use crate::dynamics::invariants::{Kind, classify};
-use crate::dynamics::observe::energy;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector};
-use crate::inertia::{Axis, Frame, Inertia, PrincipalMoments};
+use crate::inertia::{Axis, Frame, PrincipalMoments};
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
@@ -195,49 +194,6 @@ impl FreeMotion {
         Ok(Self { mount: Some(Mount { body, ..Mount::new(mount.frame, attitude, mount.omega) }), ..self })
     }
 
-    /// The body at time `t`: in the world it has the momentum of the start, to the bit.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::{Body, Inertia, exact::FreeMotion};
-    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?.turned(turned)?;
-    /// let body = Body::spinning(inertia, turned.inverse(), &Vector3::new(0.5, -1.0, 0.2))?;
-    /// let motion = FreeMotion::of(&body)?;
-    /// let after = motion.body(123.0)?;
-    /// assert_eq!((after.inertia(), after.momentum_world()), (inertia, body.momentum_world()));
-    /// assert!((after.omega_body() - motion.omega(123.0)?).norm() < 1e-14);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A time that is not finite, or a momentum beyond `f64`.
-    pub fn body(&self, t: f64) -> Result<Body, Error> {
-        let attitude = self.attitude(t)?;
-        if let Some((inertia, momentum)) = self.mount.and_then(|mount| mount.body) {
-            return Body::new(inertia, attitude, &momentum);
-        }
-        let (first, moments) = (self.first(), self.moments);
-        let inertia = Inertia::from_moments(moments[0], moments[1], moments[2])?;
-        let start = Body::spinning(inertia, first.attitude, &first.omega)?;
-        start.with(attitude, &start.momentum_world())
-    }
-
-    /// Kinetic energy, J: constant. Infinite if it exceeds what `f64` holds, zero or short of digits if it
-    /// falls below.
-    ///
-    /// ```
-    /// use nalgebra::Vector3;
-    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
-    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(1.0, -1.0, 2.0))?;
-    /// assert_eq!(motion.energy(), 6.5);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    #[must_use]
-    pub fn energy(&self) -> f64 {
-        energy(&self.start, &self.moments.vector().component_mul(&self.start))
-    }
-
     /// Angular velocity in body axes at time `t`, rad/s. Does not compute the attitude.
     ///
     /// # Errors
@@ -336,13 +292,13 @@ impl FreeMotion {
             Law::AtRest => Regime::AtRest,
             Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
             Law::Symmetric(top) => Regime::SymmetricTop {
-                axis: if self.moments.axis(Axis::Largest) == top.axis() {
+                axis: if self.moments.axis(Axis::Largest) == top.axis {
                     Axis::Largest
                 } else {
                     Axis::Smallest
                 },
                 nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
-                precession: per_second(top.precession()),
+                precession: per_second(top.about_momentum.rate()),
             },
             Law::Elliptic(motion) => motion.regime(per_second),
         }

@@ -92,7 +92,7 @@ pub(crate) struct TopSpin<T = f64> {
     /// Along that axis and the next two, at the start.
     omega: [T; 3],
     /// Turns about it per unit of scaled time.
-    nutation: DoubleDouble<T>,
+    pub(super) nutation: DoubleDouble<T>,
 }
 
 gather_fields!(TopSpin { axis, omega, nutation });
@@ -128,8 +128,9 @@ impl<T: Lane> Kernel<T> for TopSpin<T> {
 /// its momentum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Precession {
-    axis: usize,
+    pub(super) axis: usize,
     pub(super) spin: TopSpin,
+    /// At the rate `L / I` with the equal moments.
     pub(super) about_momentum: Turn,
     /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
     smooth: f64,
@@ -155,10 +156,6 @@ impl Precession {
         Self { axis, spin, about_momentum, smooth }
     }
 
-    pub(crate) fn axis(&self) -> usize {
-        self.axis
-    }
-
     /// The largest component that the spin can have, rad/s.
     pub(crate) fn greatest_spin(&self) -> f64 {
         let [along, a, b] = self.spin.omega;
@@ -168,15 +165,6 @@ impl Precession {
     /// Turns per unit of scaled time.
     pub(crate) fn nutation_turns(&self) -> f64 {
         self.spin.nutation.hi()
-    }
-
-    pub(crate) fn nutation(&self) -> DoubleDouble {
-        self.spin.nutation
-    }
-
-    /// `L / I` with the equal moments, radians per unit of scaled time.
-    pub(crate) fn precession(&self) -> f64 {
-        self.about_momentum.rate()
     }
 
     /// Radians about the momentum in half a turn of the spin.

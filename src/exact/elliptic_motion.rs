@@ -24,14 +24,14 @@ use nalgebra::{Quaternion, Vector3};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EllipticMotion {
     /// Body indices of the axis across, the middle, the axis circled.
-    axes: [usize; 3],
+    pub(super) axes: [usize; 3],
     /// Amplitudes of the spin along them, with their signs.
     amplitudes: [f64; 3],
     /// Two powers of two for each component of the body that take it to rad/s, where the spin is not well
     /// within the range of `f64`; together one would not do.
     unscale: Option<[[f64; 2]; 3]>,
     /// The largest component that the spin ever has, rad/s.
-    greatest: f64,
+    pub(super) greatest: f64,
     form: Form,
     constants: Constants,
 }
@@ -53,8 +53,8 @@ struct Constants {
     about: Axis,
     modulus: f64,
     complement: f64,
-    /// The complement times `2^shift`, and the powers of two taken into the three components: `[shift + lift, lift,
-    /// shift]`. One of the two is 0.
+    /// The complement times `2^shift`, and the powers of two taken into the three components: `[shift +
+    /// lift, lift, shift]`. One of the two is 0.
     scaled_complement: f64,
     lifts: [i32; 3],
     /// With its sign, per unit of time.
@@ -77,17 +77,8 @@ impl EllipticMotion {
         }
     }
 
-    /// Index of the axis circled.
-    pub(crate) fn around(&self) -> usize {
-        self.axes[2]
-    }
-
     pub(crate) fn modulus(&self) -> f64 {
         self.constants.modulus
-    }
-
-    pub(crate) fn greatest_spin(&self) -> f64 {
-        self.greatest
     }
 
     /// Half the spin's period, in scaled time.

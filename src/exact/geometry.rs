@@ -1,8 +1,11 @@
-//! What can be read off a whole motion: its period, its angles to the momentum, how far it twists.
+//! What can be read off a motion: the body at a time, its energy, its period, its angles to the momentum, how
+//! far it twists.
 
 use super::{FreeMotion, Law};
+use crate::body::Body;
+use crate::dynamics::observe::energy;
 use crate::error::{Error, Refusal, Subject};
-use crate::inertia::{Axis, unit};
+use crate::inertia::{Axis, Inertia, unit};
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::times_power_of_two;
 use core::f64::consts::PI;
@@ -15,8 +18,10 @@ impl Law {
         let greatest = match self {
             Self::AtRest => 0.0,
             Self::Steady(turn) => times_power_of_two(turn.rate(), exponent),
-            Self::Symmetric(top) => top.greatest_spin().max(times_power_of_two(top.precession(), exponent)),
-            Self::Elliptic(motion) => motion.greatest_spin(),
+            Self::Symmetric(top) => {
+                top.greatest_spin().max(times_power_of_two(top.about_momentum.rate(), exponent))
+            }
+            Self::Elliptic(motion) => motion.greatest,
         };
         if (greatest * room).is_finite() {
             return Ok(());
@@ -26,6 +31,49 @@ impl Law {
 }
 
 impl FreeMotion {
+    /// The body at time `t`: in the world it has the momentum of the start, to the bit.
+    ///
+    /// ```
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use tumbling::{Body, Inertia, exact::FreeMotion};
+    /// let turned = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
+    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?.turned(turned)?;
+    /// let body = Body::spinning(inertia, turned.inverse(), &Vector3::new(0.5, -1.0, 0.2))?;
+    /// let motion = FreeMotion::of(&body)?;
+    /// let after = motion.body(123.0)?;
+    /// assert_eq!((after.inertia(), after.momentum_world()), (inertia, body.momentum_world()));
+    /// assert!((after.omega_body() - motion.omega(123.0)?).norm() < 1e-14);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A time that is not finite, or a momentum beyond `f64`.
+    pub fn body(&self, t: f64) -> Result<Body, Error> {
+        let attitude = self.attitude(t)?;
+        if let Some((inertia, momentum)) = self.mount.and_then(|mount| mount.body) {
+            return Body::new(inertia, attitude, &momentum);
+        }
+        let (first, moments) = (self.first(), self.moments);
+        let inertia = Inertia::from_moments(moments[0], moments[1], moments[2])?;
+        let start = Body::spinning(inertia, first.attitude, &first.omega)?;
+        start.with(attitude, &start.momentum_world())
+    }
+
+    /// Kinetic energy, J: constant. Infinite if it exceeds what `f64` holds, zero or short of digits if it
+    /// falls below.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::{PrincipalMoments, exact::FreeMotion};
+    /// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(1.0, -1.0, 2.0))?;
+    /// assert_eq!(motion.energy(), 6.5);
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        energy(&self.start, &self.moments.vector().component_mul(&self.start))
+    }
+
     /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is
     /// constant, and on the separatrix, where it never returns.
     ///
@@ -82,8 +130,8 @@ impl FreeMotion {
         let off = |axis: usize| hypot(share[(axis + 1) % 3], share[(axis + 2) % 3]);
         Ok(match &self.law {
             Law::AtRest | Law::Steady(_) => [atan2(off(axis), share[axis]); 2],
-            Law::Symmetric(top) if top.axis() == axis => [atan2(off(axis), share[axis]); 2],
-            Law::Symmetric(top) => swing(off(top.axis()), share[top.axis()].abs()),
+            Law::Symmetric(top) if top.axis == axis => [atan2(off(axis), share[axis]); 2],
+            Law::Symmetric(top) => swing(off(top.axis), share[top.axis].abs()),
             Law::Elliptic(motion) => {
                 // Where the two are nearly the same, each is rounded on its own.
                 let [a, b] = motion.angles(axis);

@@ -55,7 +55,7 @@ impl Mount {
 
     #[inline(never)]
     pub(super) fn in_world(&self, turn: Quaternion<f64>) -> Quaternion<f64> {
-        in_world(&self.world, self.frame.to_principal(), turn)
+        in_world(&self.world, self.frame.body_to_principal(), turn)
     }
 }
 

@@ -220,7 +220,7 @@ impl FreeMotion {
                     }
                 }
             }
-            Law::Symmetric(top) => elementary::top(moments, top.axis(), omega, top.nutation(), time),
+            Law::Symmetric(top) => elementary::top(moments, top.axis, omega, top.spin.nutation, time),
             Law::Elliptic(motion) => {
                 let thin = Vector3::from(*moments).min() < NEEDLE * Vector3::from(*moments).max();
                 if motion.half_periods(time).argument.abs() <= if thin { SHORT } else { NEAR_RETURN } {
@@ -372,7 +372,7 @@ fn near_return(
     let factors = series::factors(moments);
     let rate = Vector3::from([0, 1, 2].map(|a| factors[a] * end[(a + 1) % 3] * end[(a + 2) % 3]));
     let odd = halves.count - 2.0 * Lane::round_ties_even(0.5 * halves.count) != 0.0;
-    let signs = Vector3::from_fn(|axis, _| if odd && axis != motion.around() { -1.0 } else { 1.0 });
+    let signs = Vector3::from_fn(|axis, _| if odd && axis != motion.axes[2] { -1.0 } else { 1.0 });
     for (k, mut column) in found.spin.column_iter_mut().enumerate() {
         let later = &column + rate * earlier[k];
         column.copy_from(&later.component_mul(&signs));

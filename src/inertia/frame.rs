@@ -20,12 +20,12 @@ impl Frame {
         Self { to_principal: differs.then(|| to_body.conjugate()) }
     }
 
-    pub(crate) fn to_principal(&self) -> Option<&Quaternion<f64>> {
+    pub(crate) fn body_to_principal(&self) -> Option<&Quaternion<f64>> {
         self.to_principal.as_ref()
     }
 
     /// The turn that takes coordinates along the principal axes to those along the body's.
-    pub(crate) fn to_body(&self) -> UnitQuaternion<f64> {
+    pub(crate) fn to_body(self) -> UnitQuaternion<f64> {
         let to_body = self.to_principal.map_or_else(Quaternion::identity, |q| q.conjugate());
         UnitQuaternion::new_unchecked(to_body)
     }

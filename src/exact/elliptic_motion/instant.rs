@@ -1,5 +1,5 @@
-//! Spin and attitude at an instant: away from the separatrix by the series of the nome, near it by that of the
-//! complementary nome.
+//! Spin and attitude at an instant: away from the separatrix by the series of the nome, near it by that of
+//! the complementary nome.
 
 use super::axes::Axes;
 use super::range_reduction::{ReducedArgument, Reduction};

@@ -28,7 +28,7 @@ pub(super) fn add(
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let d = moments[i] - moments[j];
         let lone = d.abs() < (moments[k] - moments[i]).abs().min((moments[k] - moments[j]).abs());
-        let (column, integral) = if lone && k == motion.around() && motion.modulus() < SMALL_MODULUS {
+        let (column, integral) = if lone && k == motion.axes[2] && motion.modulus() < SMALL_MODULUS {
             nearly_equal(moments, k, &start, now, found)
         } else {
             let turned = |w: &Vector3<f64>| Vector3::ith(k, 1.0).cross(w);
