@@ -1,9 +1,9 @@
-//! The highlighter of the mdBook that is compiled in, for the languages of the book alone, and the colours of
-//! its themes.
+//! The page template and the highlighter of the mdBook that is compiled in, with our edits.
 //!
-//! The highlighter is written into `theme/`, from where mdBook reads it after the preprocessors have run, its
-//! own program too. The page's template, `theme/index.hbs`, is mdBook's with changes; a test names them.
+//! Both are written into `theme/`, from where mdBook reads them after the preprocessors have run, its own
+//! program too.
 
+use super::edits::Edits;
 use super::palette::Palette;
 use crate::site::files::write_changed;
 use mdbook_html::theme::Theme;
@@ -11,16 +11,118 @@ use mdbook_preprocessor::config::HtmlConfig;
 use std::fs;
 use std::path::Path;
 
+/// A change to mdBook's template.
+struct Edit {
+    name: &'static str,
+    /// Stands exactly once in the template.
+    sought: &'static str,
+    replacement: &'static str,
+}
+
+const TEMPLATE: [Edit; 15] = [
+    // mdBook's default, `/`, would break the page for unknown addresses on every disk and on most sites.
+    Edit {
+        name: "a base only where one was set",
+        sought: "<base href=\"{{ base_url }}\">\n",
+        replacement: "{{#if (ne base_url \"/\")}}\n        <base href=\"{{ base_url }}\">\n        {{/if}}\n",
+    },
+    Edit {
+        name: "the chapter's name first in its description",
+        sought: "content=\"{{ description }}\"",
+        replacement: "content=\"{{#if is_print}}{{ description }}{{else}}{{#if chapter_title}}{{ chapter_title }}. \
+                      {{/if}}{{ description }}{{/if}}\"",
+    },
+    Edit {
+        name: "a skip link as the first stop of the keyboard",
+        sought: "    <body>\n",
+        replacement: "    <body>\n    <a class=\"skip\" href=\"#main\">Skip to the text</a>\n",
+    },
+    Edit {
+        name: "where the skip link leads",
+        sought: "<main>",
+        replacement: "<main id=\"main\" tabindex=\"-1\">",
+    },
+    Edit {
+        name: "a name for the sidebar's checkbox",
+        sought: "id=\"mdbook-sidebar-toggle-anchor\" class=\"hidden\"",
+        replacement: "id=\"mdbook-sidebar-toggle-anchor\" class=\"hidden\" aria-label=\"Table of contents\"",
+    },
+    Edit {
+        name: "a name for the contents without scripts",
+        sought: "<iframe class=\"sidebar-iframe-outer\"",
+        replacement: "<iframe class=\"sidebar-iframe-outer\" title=\"Table of contents\"",
+    },
+    Edit {
+        name: "the menu bar is a landmark",
+        sought: "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\">",
+        replacement: "<header id=\"mdbook-menu-bar\" class=\"menu-bar sticky\">",
+    },
+    Edit {
+        name: "the end of the menu bar, and search as a landmark",
+        sought: "                </div>\n\n                {{#if search_enabled}}\n                \
+                 <div id=\"mdbook-search-wrapper\" class=\"hidden\">",
+        replacement: "                </header>\n\n                {{#if search_enabled}}\n                \
+                      <div id=\"mdbook-search-wrapper\" class=\"hidden\" role=\"search\">",
+    },
+    // A keyboard reaches no <label>. `reader.js` passes the button's click on to the checkbox.
+    Edit {
+        name: "the menu button is a button",
+        sought: "<label id=\"mdbook-sidebar-toggle\" class=\"icon-button\" for=\"mdbook-sidebar-toggle-anchor\"",
+        replacement: "<button id=\"mdbook-sidebar-toggle\" class=\"icon-button\" type=\"button\"",
+    },
+    Edit {
+        name: "the end of the menu button, and a label in its place without scripts",
+        sought: "                        </label>\n",
+        replacement: "                        </button>
+                        <noscript>
+                            <label id=\"sidebar-toggle-label\" class=\"icon-button\" \
+                                   for=\"mdbook-sidebar-toggle-anchor\" title=\"Table of Contents\">
+                                {{fa \"solid\" \"bars\"}}
+                            </label>
+                        </noscript>\n",
+    },
+    Edit {
+        name: "one h1 on a page, the chapter's",
+        sought: "<h1 class=\"menu-title\">{{ book_title }}</h1>",
+        replacement: "<div class=\"menu-title\">{{ book_title }}</div>",
+    },
+    Edit {
+        name: "a button that opens all code",
+        sought: "                    <div class=\"right-buttons\">\n",
+        replacement: "                    <div class=\"right-buttons\">
+                        <button id=\"code-toggle\" class=\"icon-button\" type=\"button\" hidden \
+                                title=\"Show the code, or fold it away\" aria-label=\"Code\" aria-pressed=\"false\">
+                            {{fa \"solid\" \"code\"}}
+                        </button>\n",
+    },
+    Edit {
+        name: "a name for the search field",
+        sought: "placeholder=\"Search this book ...\"",
+        replacement: "placeholder=\"Search this book ...\" aria-label=\"Search this book\"",
+    },
+    Edit {
+        name: "the description of the search field is there",
+        sought: "aria-describedby=\"searchresults-header\"",
+        replacement: "aria-describedby=\"mdbook-searchresults-header\"",
+    },
+    Edit {
+        name: "search results are announced",
+        sought: "<div id=\"mdbook-searchresults-header\" class=\"searchresults-header\">",
+        replacement: "<div id=\"mdbook-searchresults-header\" class=\"searchresults-header\" role=\"status\">",
+    },
+];
+
 /// The languages of the book's programs, of the forty-odd that mdBook's highlighter knows: a page weighs a
 /// hundred kilobytes less.
 const LANGUAGES: [&str; 7] = ["bash", "ini", "json", "plaintext", "python", "rust", "shell"];
 
-/// Writes the highlighter into the folder of the theme.
+/// Writes the template and the highlighter into the folder of the theme.
 ///
 /// # Errors
-/// A file that cannot be written, or a highlighter that is not the one that this knows.
+/// A file that cannot be written, or an edit that does not fit the mdBook that is compiled in.
 pub(super) fn lay_out(theme: &Path) -> Result<(), String> {
-    let [script] = originals(["highlight.js"])?;
+    let [page, script] = originals(["index.hbs", "highlight.js"])?;
+    write_changed(&theme.join("index.hbs"), template(&page)?.as_bytes())?;
     write_changed(&theme.join("highlight.js"), highlighter(&script)?.as_bytes())?;
     Ok(())
 }
@@ -49,6 +151,18 @@ fn originals<const N: usize>(names: [&str; N]) -> Result<[String; N], String> {
     Ok(texts)
 }
 
+/// mdBook's template with our edits.
+fn template(original: &str) -> Result<String, String> {
+    let mut edits = Edits::default();
+    for Edit { name, sought, replacement } in &TEMPLATE {
+        let at = once(original, sought).map_err(|count| {
+            format!("the edit \"{name}\" does not fit mdBook's index.hbs: `{sought}` is there {count} times")
+        })?;
+        edits.replace(at..at + sought.len(), (*replacement).to_owned());
+    }
+    Ok(edits.applied_to(original))
+}
+
 /// mdBook's highlighter: its licence, its core and our languages.
 fn highlighter(original: &str) -> Result<String, String> {
     let mut languages = Vec::new();
@@ -71,65 +185,46 @@ fn highlighter(original: &str) -> Result<String, String> {
     Ok(out)
 }
 
+/// Where the part is in the text, if it is there once; else how often it is.
+fn once(text: &str, part: &str) -> Result<usize, usize> {
+    let mut places = text.match_indices(part).map(|(at, _)| at);
+    match (places.next(), places.count()) {
+        (Some(at), 0) => Ok(at),
+        (first, more) => Err(usize::from(first.is_some()) + more),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// What each line says of which the template has another version, in the order of the lines.
-    const CHANGED: [&str; 12] = [
-        "<meta name=\"description\"",             // the chapter's name first
-        "id=\"mdbook-sidebar-toggle-anchor\"",    // a name for it
-        "<iframe class=\"sidebar-iframe-outer\"", // a name for it
-        "<div id=\"mdbook-menu-bar\"",            // a landmark
-        "<label id=\"mdbook-sidebar-toggle\"",    // a button: a keyboard reaches no label
-        "</label>",
-        "<h1 class=\"menu-title\">",         // one h1 on a page, the chapter's
-        "</div>",                            // the end of the menu bar
-        "<div id=\"mdbook-search-wrapper\"", // a landmark
-        "id=\"mdbook-searchbar\"",           // a name, and a description that is there
-        "<div id=\"mdbook-searchresults-header\"", // announced
-        "<main>",                            // where the skip link leads
-    ];
-
-    #[test]
-    fn the_template_is_that_of_the_mdbook_compiled_in_with_the_changes_that_stand_here() {
-        let [theirs] = originals(["index.hbs"]).unwrap();
-        let ours = include_str!("../../theme/index.hbs");
-        // Line by line: what is not the next of our lines that they have, has changed.
-        let mut rest = ours.lines();
-        let mut changed = Vec::new();
-        for line in theirs.lines() {
-            let mut ahead = rest.clone();
-            match ahead.by_ref().take(9).position(|own| own == line) {
-                Some(_) => {
-                    let skipped = rest.clone().position(|own| own == line).unwrap_or(0);
-                    rest.nth(skipped);
-                }
-                None => changed.push(line.trim()),
-            }
-        }
-        assert_eq!(changed.len(), CHANGED.len(), "{changed:#?}");
-        for (line, part) in changed.iter().zip(CHANGED) {
-            assert!(line.contains(part), "{line} is not the line with {part}");
-        }
-        assert_eq!(rest.next(), None, "all of ours is read");
-        for there in [
-            "{{#if (ne base_url \"/\")}}",
-            "<a class=\"skip\" href=\"#main\">",
-            "<main id=\"main\"",
-            "id=\"code-toggle\"",
-            "role=\"status\"",
-        ] {
-            assert!(ours.contains(there), "{there}");
-        }
+    /// A template with what each edit looks for.
+    fn sought() -> String {
+        TEMPLATE.iter().map(|edit| format!("{}~", edit.sought)).collect()
     }
 
     #[test]
-    fn the_highlighter_is_that_of_the_mdbook_compiled_in_for_our_languages() {
+    fn the_edits_fit_the_mdbook_that_is_compiled_in() {
         let folder = tempfile::TempDir::new().unwrap();
         lay_out(folder.path()).unwrap();
-        let script = fs::read_to_string(folder.path().join("highlight.js")).unwrap();
+        let [page, script] = ["index.hbs", "highlight.js"].map(|name| folder.path().join(name));
+        let page = fs::read_to_string(page).unwrap();
+        for Edit { name, replacement, .. } in &TEMPLATE {
+            assert!(page.contains(replacement), "{name}");
+        }
+        let script = fs::read_to_string(script).unwrap();
         assert!(script.contains("Highlight.js") && script.len() < 30_000, "{}", script.len());
+    }
+
+    #[test]
+    fn each_edit_fails_by_its_name_where_its_place_is_gone_or_there_twice() {
+        assert!(template(&sought()).is_ok());
+        for Edit { name, sought: place, .. } in &TEMPLATE {
+            let gone = template(&sought().replacen(place, "", 1)).unwrap_err();
+            assert!(gone.contains(name) && gone.ends_with("is there 0 times"), "{gone}");
+            let twice = template(&format!("{}{place}", sought())).unwrap_err();
+            assert!(twice.contains(name) && twice.ends_with("is there 2 times"), "{twice}");
+        }
     }
 
     #[test]
