@@ -7,13 +7,13 @@
 //! Nothing here uses the [exact motion](crate::exact): the tests hold the two to each other.
 
 mod adaptive;
-mod events;
 mod fixed_rate;
 mod info;
 mod method;
 mod methods;
 mod pitfalls;
 mod position_stage;
+mod run;
 mod stepper;
 mod system;
 mod torque;

@@ -2,8 +2,8 @@
 //! function.
 
 mod collocation;
-mod columns;
 mod dense;
+mod derivatives;
 mod dop853_coefficients;
 mod flips;
 mod law;
@@ -21,24 +21,25 @@ use crate::error::{Error, Refusal, Subject, positive};
 use crate::number::Analytic;
 use crate::step::system::System;
 use alloc::sync::Arc;
-use columns::Slopes;
+use derivatives::DerivativeSizes;
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
 pub(super) use dense::{AdaptiveRun, Watch};
 
-/// The end of a run of `duration` seconds on numbers that carry derivatives, whose error in each step is below
-/// the tolerance too, relative to the size of their column.
+/// The end of a run of `duration` seconds on numbers that carry derivatives, whose error in each step is
+/// below the tolerance too, relative to the size of their column.
 pub(super) fn end_with_derivatives<T: Analytic + Copy + FromPrimitive>(
     system: System<T>,
     start: &State<T>,
     duration: f64,
     tolerance: f64,
     budget: &mut usize,
-    slopes: Slopes<T>,
+    derivatives: DerivativeSizes<T>,
 ) -> Result<State<T>, Error> {
-    AdaptiveRun::new(system, start, duration, tolerance, Watch::Derivatives(slopes))?.at(duration, budget)
+    AdaptiveRun::new(system, start, duration, tolerance, Watch::Derivatives(derivatives))?
+        .at(duration, budget)
 }
 
 /// That the tolerance of a step is above rounding.
@@ -89,7 +90,7 @@ struct Run<T: nalgebra::Scalar> {
     /// Where flips are looked for.
     flips: Option<Flips>,
     /// The derivatives of numbers that carry them.
-    slopes: Option<Slopes<T>>,
+    derivatives: Option<DerivativeSizes<T>>,
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Run<T> {
@@ -114,7 +115,7 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
             stiff: 0,
             mild: 0,
             flips: None,
-            slopes: None,
+            derivatives: None,
         })
     }
 
@@ -169,7 +170,7 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
     }
 
     /// Counts steps that are long relative to the fastest decay, given the number of decay times of a step.
-    fn count_losses(&mut self, decay: f64) {
+    fn count_stiffness(&mut self, decay: f64) {
         if decay > STIFF {
             (self.stiff, self.mild) = ((self.stiff + 1).min(STIFF_STEPS), 0);
         } else {
@@ -239,6 +240,6 @@ fn largest<T: Analytic>(parts: &[T]) -> f64 {
 }
 
 /// A share, of which zero is zero of anything.
-fn over(part: f64, whole: f64) -> f64 {
+fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }

@@ -82,8 +82,8 @@ fn fastest<T: Analytic>(system: &System<T>, omega: &Vector3<T>) -> f64 {
     let order = ascending(&moments);
     let [a, b, c] = order.map(|i| moments[i]);
     let [x, y, z] = order.map(|i| omega[i] * omega[i]);
-    // What one component gives up, the other may take; by ratios of moments, which no unit of mass overflows.
-    // Of a sphere nothing is given.
+    // What the square of one component can add to another's at constant energy and momentum, by ratios of
+    // moments, which no unit of mass overflows; zero for equal moments.
     let share = |from: f64, [weight, over]: [f64; 2], [apart, span]: [f64; 2]| {
         if from == 0.0 || apart == 0.0 { 0.0 } else { from * (weight / over) * (apart / span) }
     };

@@ -1,8 +1,8 @@
 //! The contract of a stepper: motion in, motion out, and the method's order and laws.
 
-use super::methods::engine_rules::{explicit as simple, newton, runge_kutta};
+use super::methods::engine_rules::{explicit, newton, runge_kutta};
 use super::methods::{
-    buss, dormand_prince, explicit, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
+    buss, dormand_prince, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
 };
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
@@ -20,8 +20,9 @@ use nalgebra::Vector3;
 /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
 /// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth
 /// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
-/// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see [`exact`](crate::exact). The rules
-/// of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are here to be compared with.
+/// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see
+/// [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are
+/// here to be compared with.
 ///
 /// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,
 /// the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting,
@@ -60,13 +61,13 @@ pub enum Method {
     /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a
     /// quarter turn or more.
     MoserVeselov2,
-    /// The same with the moments preprocessed to order 4.
+    /// Moser and Veselov's algorithm with the moments preprocessed to order 4.
     MoserVeselov4,
-    /// The same with the moments preprocessed to order 6.
+    /// Moser and Veselov's algorithm with the moments preprocessed to order 6.
     MoserVeselov6,
-    /// The same with the moments preprocessed to order 8.
+    /// Moser and Veselov's algorithm with the moments preprocessed to order 8.
     MoserVeselov8,
-    /// The same with the moments preprocessed to order 10.
+    /// Moser and Veselov's algorithm with the moments preprocessed to order 10.
     MoserVeselov10,
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with
     /// it Unity by default, Jolt with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin
@@ -76,11 +77,12 @@ pub enum Method {
     /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo's Euler, Bullet's
     /// multibody. It gains energy, in time without bound: a stable spin is lost.
     SemiImplicitEuler,
-    /// The same, with the momentum brought back to its length before the turn: Jolt with its flag on, Avian.
-    /// It keeps `|L|` and turns a body that spins stably about its largest moment toward the middle one.
+    /// An explicit gyroscopic step, with the momentum brought back to its length before the turn: Jolt with
+    /// its flag on, Avian. It keeps `|L|` and turns a body that spins stably about its largest moment toward
+    /// the middle one.
     Rescaled,
-    /// The same with the attitude moved straight along its rate, and brought back to length 1: Rapier, in
-    /// four parts a step.
+    /// [`Rescaled`](Self::Rescaled), with the attitude moved straight along its rate and normalised: Rapier,
+    /// in four parts a step.
     RescaledLinearAttitude,
     /// One Newton step of implicit Euler for the gyroscopic term, the torques applied apart from it
     /// [Cat15](crate::references): Bullet's rigid body, Box3D. It takes energy and momentum from most bodies
@@ -93,7 +95,7 @@ pub enum Method {
     /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's former RK4. The spin is
     /// right to the fourth order, the attitude to the second.
     MeanSpinRungeKutta4,
-    /// The same, each of the four spins corrected to the rate of the turn since the start of the step, as
+    /// Runge-Kutta 4 with each of the four spins corrected to the rate of the turn since the step's start, as
     /// [MK98](crate::references): MuJoCo's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the
     /// momentum in body axes.
     TurnedRungeKutta4,
@@ -158,7 +160,7 @@ impl Method {
         let h = &h;
         check_square_underflow(&system.omega(&start.momentum), h)?;
         let end = match self {
-            Self::ExplicitEuler => explicit::euler(system, start, h),
+            Self::ExplicitEuler => rk4::euler(system, start, h),
             Self::RungeKutta4 => rk4::step(system, start, h),
             Self::DormandPrince5 => dormand_prince::step(system, start, h),
             Self::MuntheKaas4 => lie::step(system, start, h),
@@ -176,10 +178,10 @@ impl Method {
             Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
             Self::MoserVeselov8 => moser_veselov::step(system, start, h, 8)?,
             Self::MoserVeselov10 => moser_veselov::step(system, start, h, 10)?,
-            Self::ConstantSpin => simple::constant_spin(system, start, h),
-            Self::SemiImplicitEuler => simple::semi_implicit(system, start, h),
-            Self::Rescaled => simple::rescaled(system, start, h),
-            Self::RescaledLinearAttitude => simple::rescaled_straight(system, start, h),
+            Self::ConstantSpin => explicit::constant_spin(system, start, h),
+            Self::SemiImplicitEuler => explicit::semi_implicit(system, start, h),
+            Self::Rescaled => explicit::rescaled(system, start, h),
+            Self::RescaledLinearAttitude => explicit::rescaled_straight(system, start, h),
             Self::ImplicitOneNewton => newton::one_newton(system, start, h),
             Self::LinearisedImplicit => newton::linearised(system, start, h),
             Self::MeanSpinRungeKutta4 => runge_kutta::mean_spin(system, start, h),

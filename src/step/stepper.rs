@@ -1,11 +1,10 @@
 //! A body of any tensor, stepped in its own axes.
 
-use super::adaptive::{AdaptiveRun, Watch, check_tolerance, normalize};
+use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
 use crate::attitude;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, Subject, finite, positive};
-use crate::inertia::{Inertia, PrincipalMoments};
+use crate::error::{Error, Refusal, finite, positive};
 use crate::number::{Analytic, Ring};
 use crate::step::method::Method;
 use crate::step::system::System;
@@ -20,7 +19,8 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
 /// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
-/// nothing; an adaptive one allocates the series of its run. In `f32` the body is converted once and all steps are taken in `f32`: rounding moves the energy of a T-handle by some 1e-5 in a minute at
+/// nothing; an adaptive one allocates the series of its run. In `f32` the body is converted once and all
+/// steps are taken in `f32`: rounding moves the energy of a T-handle by some 1e-5 in a minute at
 /// 60 Hz. The type is named where a stepper is made, `Stepper::<f64>::new` or `Stepper::<f32>::new`.
 ///
 /// ```
@@ -41,7 +41,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 #[derive(Debug, Clone)]
 pub struct Stepper<T: nalgebra::Scalar = f64> {
     /// The body at the start.
-    body: Body,
+    pub(super) body: Body,
     pub(super) rule: Rule,
     /// Along the principal axes.
     pub(super) system: System<T>,
@@ -56,7 +56,7 @@ pub struct Stepper<T: nalgebra::Scalar = f64> {
     /// The sign of the spin about the middle axis before now, if flips were looked for until now.
     pub(super) sign: f64,
     /// The number of steps that the runs have taken or rejected.
-    count: usize,
+    pub(super) count: usize,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,87 +83,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Self::by(body, Rule::FixedRate)
     }
 
-    /// A free body, to be stepped by a run that keeps the estimated error of each of its own steps, relative to
-    /// the attitude's length and the momentum's size, below `tolerance` or below 32 roundings of `T`,
-    /// whichever is larger. The tolerance is of a step of the run, not of the whole: errors add up, and
-    /// [`expected_error`](Stepper::expected_error) estimates how far.
-    ///
-    /// The run's steps are as long as the tolerance permits, whatever steps are requested: a state between
-    /// their ends is read from the step's own series, as accurate as the step, and changes nothing of what
-    /// follows. So a torque that is a function is called with times after those requested. A
-    /// [`step`](Self::step) that needs more than `budget` steps of the run is refused.
-    ///
-    /// A step of the run is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose
-    /// error is how far the series is from the law of motion at its end; where a torque is a function, it is a
-    /// step of DOP853, the pair of Dormand and Prince of order 8. Where damping far faster than the motion
-    /// keeps such steps short, they are steps by collocation at Radau's nodes. After each the attitude is
-    /// brought back to length 1, and the momentum of a free body to the length that it had at the start; what
-    /// they were off by counts as an error of the step.
-    ///
-    /// ```
-    /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-    /// use tumbling::step::Stepper;
-    /// use tumbling::{Body, Inertia, exact::FreeMotion};
-    /// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
-    /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
-    /// let mut stepper = Stepper::<f64>::adaptive(&handle, 1e-12, 100)?;
-    /// // 120 frames at 60 Hz, in a few steps of the run.
-    /// for state in stepper.run(1.0 / 60.0, 120) {
-    ///     let attitude = state?.attitude; // draw it
-    ///     assert!((attitude.norm() - 1.0).abs() < 1e-14);
-    /// }
-    /// assert!((stepper.omega() - FreeMotion::of(&handle)?.omega(stepper.time())?).norm() < 1e-9);
-    /// assert!(stepper.steps_of_run() < 30);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), or a tolerance below four roundings of `T`.
-    pub fn adaptive(body: &Body, tolerance: f64, budget: usize) -> Result<Self, Error> {
-        check_tolerance::<T>(tolerance)?;
-        Self::by(body, Rule::Adaptive { tolerance, budget })
-    }
-
-    /// The body of a system, under its torques, by an [adaptive](Self::adaptive) run from a state along the
-    /// system's axes.
-    ///
-    /// ```
-    /// use nalgebra::{Quaternion, Vector3};
-    /// use tumbling::PrincipalMoments;
-    /// use tumbling::step::{State, Stepper, System, Torque};
-    /// let top = Torque::gravity(&Vector3::new(0.05, 0.0, 0.1), 0.5);
-    /// let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5)?, vec![top])?;
-    /// let momentum = system.momentum(&Vector3::new(0.3, 2.0, 0.1));
-    /// let start = State { attitude: Quaternion::identity(), momentum };
-    /// let mut stepper = Stepper::of_system(system, &start, 1e-12, 1000)?;
-    /// let end = stepper.step_to(10.0)?;
-    /// assert_eq!(stepper.state(), end);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`adaptive`](Self::adaptive), or an attitude of no length.
-    pub fn of_system(
-        system: System<T>,
-        start: &State<T>,
-        tolerance: f64,
-        budget: usize,
-    ) -> Result<Self, Error> {
-        check_tolerance::<T>(tolerance)?;
-        let mut unit = (*start).checked()?;
-        if normalize(&mut unit.attitude) == 0.0 {
-            positive(Subject::AttitudeLength, 0.0)?;
-        }
-        let inertia = Inertia::from(PrincipalMoments::try_from(system.moments().map(number))?);
-        let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
-        let rule = Rule::Adaptive { tolerance, budget };
-        let (time, frame, run) = (0.0, None, None);
-        let stepper = Self { body, rule, system, state: unit, frame, time, run, sign: 0.0, count: 0 };
-        stepper.checked()?;
-        Ok(stepper)
-    }
-
-    fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
+    pub(super) fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
         let (moments, frame) = body.inertia().along_principal_axes()?;
         let start = body.state();
         let turned = |frame: UnitQuaternion<f64>| State {
@@ -216,9 +136,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     ///
     /// # Errors
     /// As [`Method::step`] or [`fixed_rate`]; of an adaptive stepper an error that stays too large however
-    /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or as
-    /// soon as stiff losses would need more; a torque, such as that of a [`Torque::Function`], that is not
-    /// finite at the start or the end; a spin or a time beyond its numbers.
+    /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or
+    /// as soon as stiff losses would need more; a torque, such as that of a [`Torque::Function`], that is
+    /// not finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         self.go(self.time + finite(Subject::Step, number(h))?, h)
     }
@@ -243,34 +163,6 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         }
         .map_err(|error| self.torque_not_finite(after).unwrap_or(error))?;
         self.arrive(end, after)
-    }
-
-    /// The state at a time by a run that [holds](AdaptiveRun::holds) it: the one under way, or a new one.
-    pub(super) fn run_to(
-        &mut self,
-        end: f64,
-        tolerance: f64,
-        budget: &mut usize,
-        flips: bool,
-    ) -> Result<State<T>, Error> {
-        let usable = |run: &AdaptiveRun<T>, began: f64| {
-            run.holds(end - began) && (!flips || run.flips_after(self.time - began, end - began))
-        };
-        let (mut run, began) = match self.run.take() {
-            Some((run, began)) if usable(&run, began) => (run, began),
-            _ => {
-                let watch = if flips { Watch::Flips(self.sign) } else { Watch::Nothing };
-                let way = f64::INFINITY.copysign(end - self.time);
-                let mut system = self.system.clone();
-                system.set_time(T::from_f64(self.time).unwrap_or_else(T::zero));
-                (Box::new(AdaptiveRun::new(system, &self.state, way, tolerance, watch)?), self.time)
-            }
-        };
-        let allowed = *budget;
-        let there = run.at(end - began, budget);
-        self.count += allowed - *budget;
-        self.run = Some((run, began));
-        there
     }
 
     /// Takes up a state at a time, if it and its spin are finite.
@@ -323,14 +215,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Ok(())
     }
 
-    /// The number of steps that the runs of an adaptive stepper have taken or rejected.
-    #[must_use]
-    pub fn steps_of_run(&self) -> usize {
-        self.count
-    }
-
     /// The state, if it and the spin are finite along the body's axes.
-    fn checked(&self) -> Result<State<T>, Error> {
+    pub(super) fn checked(&self) -> Result<State<T>, Error> {
         let value = self.omega().iter().map(Analytic::size).sum::<f64>();
         if value.is_finite() {
             self.state().checked()
@@ -494,8 +380,11 @@ fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<
     }
 }
 
-/// The same, of each component.
-fn cast_exactly<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
+/// The vector in another number type, each component to that type's rounding.
+fn cast_exactly<T: Analytic + FromPrimitive>(
+    what: &'static str,
+    v: &Vector3<f64>,
+) -> Result<Vector3<T>, Error> {
     v.iter().try_for_each(|&x| cast::<T>(what, &Vector3::repeat(x)).map(drop))?;
     cast(what, v)
 }

@@ -6,7 +6,7 @@ use crate::dynamics::{euler, observe};
 use crate::error::{Error, Refusal, Subject};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
-use crate::step::torque::Torque;
+use crate::step::torque::{Instant, Torque};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
 
@@ -56,7 +56,7 @@ impl System<f64> {
 }
 
 impl<T: Field> System<T> {
-    /// The same for any number type, unchecked: a moment of zero is divided by as the number type does.
+    /// A system of any number type, unchecked: a moment of zero is divided by as the number type does.
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
@@ -122,7 +122,7 @@ impl<T: Analytic> System<T> {
         self.torque_after(motion, &T::zero())
     }
 
-    /// The same `time` seconds later.
+    /// The sum of all torques `time` seconds after the start of a step.
     #[inline]
     pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         let none = Vector3::from_fn(|_, _| T::zero());
@@ -133,9 +133,9 @@ impl<T: Analytic> System<T> {
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let omega = self.omega(&motion.momentum);
         let then = self.time.clone() + time.clone();
-        self.torques.iter().fold(none, |sum, torque| {
-            sum + torque.at(&self.inverse, &then, &rotation, &motion.momentum, &omega)
-        })
+        let (inverse, rotation, momentum) = (&self.inverse, &rotation, &motion.momentum);
+        let now = Instant { inverse, time: &then, rotation, momentum, omega: &omega };
+        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&now))
     }
 
     /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
@@ -147,7 +147,7 @@ impl<T: Analytic> System<T> {
         self.rate_after(state, &T::zero())
     }
 
-    /// The same `time` seconds later.
+    /// The law of motion `time` seconds after the system's time.
     #[inline]
     pub(crate) fn rate_after(&self, state: &State<T>, time: &T) -> Rate<T> {
         let omega = self.omega(&state.momentum);
@@ -177,7 +177,7 @@ impl<T: Analytic> System<T> {
         self.kick_by(self.torques.iter(), &self.time, motion, h)
     }
 
-    /// The second kick of a step of `2 h`: the same at the end of the step, and with the last torque first.
+    /// The second kick of a step of `2 h`: that of the end of the step, with the last torque first.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -209,7 +209,8 @@ impl<T: Analytic> System<T> {
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            torque.kick(&self.inverse, time, &rotation, &momentum, h.clone())
+            let (inverse, rotation, omega) = (&self.inverse, &rotation, self.omega(&momentum));
+            torque.kick(&Instant { inverse, time, rotation, momentum: &momentum, omega: &omega }, h.clone())
         });
         State { attitude: motion.attitude.clone(), momentum }
     }

@@ -83,11 +83,11 @@ pub enum Torque<T: nalgebra::Scalar> {
     Function(TorqueFunction<T>),
 }
 
-type Law<T> = dyn Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync;
+type LawOfTorque<T> = dyn Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync;
 
 /// The function of a [`Torque::Function`]. Clones share it; two are equal if they are clones of one.
 #[derive(Clone)]
-pub struct TorqueFunction<T: nalgebra::Scalar>(Arc<Law<T>>);
+pub struct TorqueFunction<T: nalgebra::Scalar>(Arc<LawOfTorque<T>>);
 
 impl<T: nalgebra::Scalar> fmt::Debug for TorqueFunction<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -145,19 +145,27 @@ impl<T: nalgebra::Scalar> Torque<T> {
     }
 }
 
+/// What a torque may depend on.
+#[derive(Debug)]
+pub(crate) struct Instant<'a, T: nalgebra::Scalar> {
+    /// The body's inverse principal moments, 1/(kg m²).
+    pub(crate) inverse: &'a Vector3<T>,
+    /// s.
+    pub(crate) time: &'a T,
+    /// Takes body axes to the world's.
+    pub(crate) rotation: &'a Matrix3<T>,
+    /// Angular momentum in body axes, kg m²/s.
+    pub(crate) momentum: &'a Vector3<T>,
+    /// Spin in body axes, rad/s.
+    pub(crate) omega: &'a Vector3<T>,
+}
+
 impl<T: Analytic> Torque<T> {
-    /// Its value in body axes, N m, at this time (s), at the attitude with this rotation matrix (body to
-    /// world), with the momentum and spin in body axes, of a body with these inverse moments.
+    /// Its value in body axes, N m.
     // Always: into a kick, which looks at one kind of torque alone.
     #[inline(always)]
-    pub(crate) fn at(
-        &self,
-        inverse: &Vector3<T>,
-        time: &T,
-        rotation: &Matrix3<T>,
-        momentum: &Vector3<T>,
-        omega: &Vector3<T>,
-    ) -> Vector3<T> {
+    pub(crate) fn at(&self, now: &Instant<'_, T>) -> Vector3<T> {
+        let Instant { time, rotation, momentum, omega, .. } = *now;
         match self {
             Self::InBody(torque) => torque.clone(),
             Self::InWorld(torque) => rotation.tr_mul(torque),
@@ -166,14 +174,12 @@ impl<T: Analytic> Torque<T> {
             Self::Dissipation(strength) => {
                 momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
             }
-            Self::GravityGradient { .. } => self.gradient(inverse, time, rotation),
+            Self::GravityGradient { .. } => self.gradient(now),
             Self::Periodic { amplitude, rate, phase } => {
-                let (_, swing) = (rate.clone() * time.clone() + phase.clone()).sin_cos();
-                amplitude.map(|x| x * swing.clone())
+                let (_, cosine) = (rate.clone() * time.clone() + phase.clone()).sin_cos();
+                amplitude.map(|x| x * cosine.clone())
             }
-            Self::During { torque, .. } if self.acts_at(time) => {
-                torque.inner(inverse, time, rotation, momentum, omega)
-            }
+            Self::During { torque, .. } if self.acts_at(time) => torque.inner(now),
             Self::During { .. } => momentum.map(|_| T::zero()),
             Self::Function(TorqueFunction(law)) => law(time.clone(), rotation, omega),
         }
@@ -181,42 +187,24 @@ impl<T: Analytic> Torque<T> {
 
     // Not inlined: a torque within a torque.
     #[inline(never)]
-    fn inner(
-        &self,
-        inverse: &Vector3<T>,
-        time: &T,
-        rotation: &Matrix3<T>,
-        momentum: &Vector3<T>,
-        omega: &Vector3<T>,
-    ) -> Vector3<T> {
-        self.at(inverse, time, rotation, momentum, omega)
+    fn inner(&self, now: &Instant<'_, T>) -> Vector3<T> {
+        self.at(now)
     }
 
-    /// The momentum (body axes) after it alone has acted for `h` seconds on a body of these inverse moments
-    /// at a standing attitude and time. Damping decays and dissipation turns by their own exact laws, so that
-    /// neither overshoots however long the step; a function acts by the explicit midpoint rule.
-    pub(crate) fn kick(
-        &self,
-        inverse: &Vector3<T>,
-        time: &T,
-        rotation: &Matrix3<T>,
-        momentum: &Vector3<T>,
-        h: T,
-    ) -> Vector3<T> {
+    /// The momentum (body axes) after it alone has acted for `h` seconds at a standing attitude and time.
+    /// Damping decays and dissipation turns by their own exact laws, so that neither overshoots however long
+    /// the step; a function acts by the explicit midpoint rule.
+    pub(crate) fn kick(&self, now: &Instant<'_, T>, h: T) -> Vector3<T> {
+        let Instant { inverse, momentum, .. } = *now;
         match self {
             Self::InBody(_)
             | Self::InWorld(_)
             | Self::Aligning { .. }
             | Self::GravityGradient { .. }
-            | Self::Periodic { .. } => {
-                // None of these looks at the spin.
-                momentum + self.at(inverse, time, rotation, momentum, momentum).map(|x| x * h.clone())
-            }
-            Self::During { torque, .. } if self.acts_at(time) => {
-                torque.kick(inverse, time, rotation, momentum, h)
-            }
+            | Self::Periodic { .. } => momentum + self.at(now).map(|x| x * h.clone()),
+            Self::During { torque, .. } if self.acts_at(now.time) => torque.kick(now, h),
             Self::During { .. } => momentum.clone(),
-            Self::Function(law) => law.kick(inverse, time, rotation, momentum, h),
+            Self::Function(law) => law.kick(now, h),
             Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
                 momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
             }),
@@ -228,19 +216,11 @@ impl<T: Analytic> Torque<T> {
 impl<T: Analytic> TorqueFunction<T> {
     // Not inlined: most torques are others, and their way is the shorter for it.
     #[inline(never)]
-    fn kick(
-        &self,
-        inverse: &Vector3<T>,
-        time: &T,
-        rotation: &Matrix3<T>,
-        momentum: &Vector3<T>,
-        h: T,
-    ) -> Vector3<T> {
-        let push = |momentum: &Vector3<T>, h: T| {
-            (self.0)(time.clone(), rotation, &momentum.component_mul(inverse)).map(|x| x * h.clone())
-        };
-        let halfway = momentum + push(momentum, h.clone() / T::integer(2));
-        momentum + push(&halfway, h)
+    fn kick(&self, now: &Instant<'_, T>, h: T) -> Vector3<T> {
+        let change =
+            |omega: &Vector3<T>, h: T| (self.0)(now.time.clone(), now.rotation, omega).map(|x| x * h.clone());
+        let halfway = now.momentum + change(now.omega, h.clone() / T::integer(2));
+        now.momentum + change(&halfway.component_mul(now.inverse), h)
     }
 }
 
@@ -255,7 +235,8 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
     let part = momentum.map(|x| x / largest.clone());
     let square = part.dot(&part);
     let decay = |i: usize| {
-        // In this order: nothing times anything finite is nothing.
+        // The difference of the rates first: where it is zero the product stays zero, however large the
+        // others.
         let faster = (inverse[i].clone() - inverse[slowest].clone()) * time.clone();
         (-(faster * largest.clone() * largest.clone() * square.clone())).exp()
     };
@@ -320,7 +301,7 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
 }
 
 impl<T: Analytic + Send + Sync> Torque<T> {
-    /// The same torque on a body whose axes are others: `frame` takes coordinates along the new axes to those
+    /// The torque along other axes of the body: `frame` takes coordinates along the new axes to those
     /// along the old.
     ///
     /// # Errors

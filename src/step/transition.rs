@@ -138,8 +138,8 @@ impl Stepper<f64> {
         let mut system = System::of_numbers(moments.map(Dual::from), torques);
         system.set_time(Dual::from(time));
         let start = varied(start, &moments);
-        let slopes = |x: &Dual| x.slopes.map(f64::abs);
-        let end = end_with_derivatives(system, &start, duration, tolerance, budget, slopes)?;
+        let derivatives = |x: &Dual| x.derivatives.map(f64::abs);
+        let end = end_with_derivatives(system, &start, duration, tolerance, budget, derivatives)?;
         Ok(read(&end, self.system.inverse()))
     }
 
@@ -199,9 +199,9 @@ fn varied(state: &State<f64>, moments: &Vector3<f64>) -> State<Dual> {
         unit[axis] = 1.0;
         let turn = attitude::rate(&state.attitude, &unit);
         for i in 0..4 {
-            varied.attitude.coords[i].slopes[axis] = turn.coords[i];
+            varied.attitude.coords[i].derivatives[axis] = turn.coords[i];
         }
-        varied.momentum[axis].slopes[3 + axis] = moments[axis];
+        varied.momentum[axis].derivatives[3 + axis] = moments[axis];
     }
     varied
 }
@@ -211,11 +211,11 @@ fn read(end: &State<Dual>, inverse: &Vector3<f64>) -> Matrix6<f64> {
     let back = conjugate(&Quaternion::from_vector(end.attitude.coords.map(|x| x.value)));
     let mut matrix = Matrix6::zeros();
     for column in 0..6 {
-        let moved = Quaternion::from_vector(end.attitude.coords.map(|x| x.slopes[column]));
+        let moved = Quaternion::from_vector(end.attitude.coords.map(|x| x.derivatives[column]));
         let turn = attitude::product(&back, &moved).coords;
         for i in 0..3 {
             matrix[(i, column)] = 2.0 * turn[i];
-            matrix[(3 + i, column)] = end.momentum[i].slopes[column] * inverse[i];
+            matrix[(3 + i, column)] = end.momentum[i].derivatives[column] * inverse[i];
         }
     }
     matrix

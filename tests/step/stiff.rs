@@ -187,8 +187,8 @@ fn a_fast_spin_about_the_free_axis_is_not_refused_before_it_slows() {
     assert!((end.momentum.z / (1.5e4 * (-20.0_f64).exp()) - 1.0).abs() < 1e-5, "{}", end.momentum);
 }
 
-/// `p' = P sin(w t) - k p` from rest, about a principal axis: the torque is zero at the start, so that there is
-/// nothing yet to measure a momentum by.
+/// `p' = P sin(w t) - k p` from rest, about a principal axis: the torque is zero at the start, so that
+/// there is nothing yet to measure a momentum by.
 fn pushed_from_zero(push: f64, rate: f64, decay: f64, time: f64) -> f64 {
     let (sine, cosine) = (rate * time).sin_cos();
     push * (decay * sine - rate * cosine + rate * (-decay * time).exp()) / (decay * decay + rate * rate)
@@ -219,8 +219,8 @@ fn from_rest_the_first_step_under_a_growing_push_keeps_its_tolerance() {
     }
 }
 
-/// The tighter the tolerance, the shorter the pair's steps, down to where stability no longer holds them back;
-/// the motion itself is slow.
+/// The tighter the tolerance, the shorter the pair's steps, down to where stability no longer holds them
+/// back; the motion itself is slow.
 #[test]
 fn a_push_against_stiff_damping_takes_few_steps_at_every_tolerance() {
     let axis = Vector3::new(0.0, 0.0, 1.0);

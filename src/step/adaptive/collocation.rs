@@ -3,7 +3,7 @@
 
 use super::logarithm::{exponential, logarithm};
 use super::radau::{MOST, Radau};
-use super::{Run, TRIES, largest, over, smallest};
+use super::{Run, TRIES, largest, ratio, smallest};
 use crate::body::{Rate, State};
 use crate::error::Error;
 use crate::number::Analytic;
@@ -27,7 +27,7 @@ const SLOW: f64 = 0.1;
 #[derive(Debug, Clone)]
 pub(super) struct Collocation<T: nalgebra::Scalar> {
     radau: Radau,
-    /// Of the losses by damping, 1/s.
+    /// The rates at which damping takes the momentum's components, 1/s.
     decay: Vector3<T>,
     states: Vec<State<T>>,
     rates: Vec<Rate<T>>,
@@ -123,7 +123,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
             self.next = h * if error.is_nan() { 0.25 } else { factor };
             if error <= 1.0 {
                 self.length = h;
-                run.count_losses(largest(self.decay.as_slice()) * h / DEARER);
+                run.count_stiffness(largest(self.decay.as_slice()) * h / DEARER);
                 run.take(end, h, last);
                 return Ok(());
             }
@@ -157,8 +157,8 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
                 moved = largest(&[moved, turned, pushed / unit]);
                 self.states[node] = state;
             }
-            // What two rounds leave of the two before, they leave of themselves.
-            let share = over(moved, before[1]).min(0.9);
+            // The contraction over two rounds bounds what is still to come.
+            let share = ratio(moved, before[1]).min(0.9);
             if moved <= 4.0 * T::rounding() || (moved + before[0]) * share <= (1.0 - share) * goal {
                 return true;
             }
@@ -187,8 +187,8 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
         };
         let count = self.radau.nodes.len();
         let [most, before] = [count - 1, count - 3].map(|order| largest(&[size(order), size(order - 1)]));
-        // Of two orders one can be small by chance. What is left out is three orders above the larger.
-        let fall = over(most, before).min(1.0);
+        // Two orders each, since one can be small by chance; the first left out is three orders higher.
+        let fall = ratio(most, before).min(1.0);
         most * fall * fall.sqrt()
     }
 

@@ -21,7 +21,7 @@ pub(in crate::step) enum Watch<T> {
     /// known.
     Flips(f64),
     /// The derivatives of numbers that carry them.
-    Derivatives(super::Slopes<T>),
+    Derivatives(super::DerivativeSizes<T>),
 }
 
 /// What is requested on the way changes nothing of what follows.
@@ -55,7 +55,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         match watch {
             Watch::Nothing => {}
             Watch::Flips(before) => run.flips = Some(Flips::new(&system, start, before)),
-            Watch::Derivatives(slopes) => run.slopes = Some(slopes),
+            Watch::Derivatives(sizes) => run.derivatives = Some(sizes),
         }
         let (steps, before) = (Steps::new(&run)?, (run.state, 0.0));
         Ok(Self { system, run, until, end, steps, before })
@@ -118,7 +118,8 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         let start = self.run.state.checked()?;
         let mut run = Run::new(acting, &start, next - self.until, self.run.tolerance)?;
         run.from = self.until;
-        (run.steps, run.rejected, run.slopes) = (self.run.steps, self.run.rejected, self.run.slopes);
+        (run.steps, run.rejected, run.derivatives) =
+            (self.run.steps, self.run.rejected, self.run.derivatives);
         run.flips = self.run.flips.clone().map(|seen| seen.later(self.until - self.run.from));
         self.steps = Steps::new(&run)?;
         (self.run, self.until) = (run, next);

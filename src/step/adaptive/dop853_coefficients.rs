@@ -1,10 +1,10 @@
 //! The coefficients of the pair of Dormand and Prince of orders 8, 5 and 3, as Hairer, Nørsett and Wanner
 //! print them for their program DOP853 [HNW93](crate::references), rounded to `f64`.
 
-/// The place of a slope among those of a step, and its weight.
+/// The place of a rate among those of a step, and its weight.
 pub(super) type Weights = &'static [(usize, f64)];
 
-/// Of each stage after the first: its time as a share of the step, and the weights of the slopes before it.
+/// Of each stage after the first: its time as a share of the step, and the weights of the rates before it.
 pub(super) const STAGES: [(f64, Weights); 11] = [
     (0.052_600_151_958_767_73, &[(0, 0.052_600_151_958_767_73)]),
     (0.078_900_227_938_151_6, &[(0, 0.019_725_056_984_537_9), (1, 0.059_175_170_953_613_7)]),

@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use num_traits::Float as _;
 
 use super::largest;
-use super::sums::{Four, four};
+use super::sums::{Lanes, lanes};
 
 /// A vector that stands still in the world, and the angular acceleration that it gives.
 #[derive(Debug, Clone, Copy)]
@@ -53,11 +53,11 @@ impl<T: Analytic + Copy> Gradient<T> {
 }
 
 /// How many rates periodic torques may have.
-pub(super) const SWINGS: usize = 2;
+pub(super) const PERIODIC_RATES: usize = 2;
 
 /// Torques of one period, that stand still in the body.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Swing<T> {
+pub(super) struct PeriodicTorque<T> {
     /// rad/s.
     pub(super) rate: T,
     /// The angular acceleration by the cosine and by the sine of rate times time, rad/s².
@@ -74,7 +74,7 @@ pub(super) struct Law<T> {
     pub(super) coupling: [T; 3],
     /// By torques that stand still in the body, rad/s².
     pub(super) constant: [T; 3],
-    /// Of the damping, 1/s.
+    /// The rates at which damping takes the spin's components, 1/s.
     pub(super) decay: [T; 3],
     /// The strength of the dissipation, s/(kg m²).
     pub(super) dissipation: T,
@@ -82,9 +82,9 @@ pub(super) struct Law<T> {
     /// How many of these there are.
     pub(super) count: usize,
     pub(super) gradient: Option<Gradient<T>>,
-    swings: [Option<Swing<T>>; SWINGS],
+    periodic: [Option<PeriodicTorque<T>>; PERIODIC_RATES],
     /// A bound of the angular acceleration by torques that do not depend on the spin, rad/s².
-    push: f64,
+    torque_bound: f64,
 }
 
 impl<T: Analytic + Copy> Law<T> {
@@ -104,8 +104,8 @@ impl<T: Analytic + Copy> Law<T> {
             world: [empty; 3],
             count: 0,
             gradient: None,
-            swings: [None; SWINGS],
-            push: 0.0,
+            periodic: [None; PERIODIC_RATES],
+            torque_bound: 0.0,
         };
         for torque in system.torques() {
             match torque {
@@ -125,23 +125,23 @@ impl<T: Analytic + Copy> Law<T> {
                     law.gradient = Some(Gradient::new(*strength, direction, orbit));
                 }
                 Torque::Periodic { amplitude, rate, phase } => {
-                    law.add_swing(&amplitude.component_mul(&inverse), *rate, phase)?;
+                    law.add_periodic(&amplitude.component_mul(&inverse), *rate, phase)?;
                 }
                 _ => return None,
             }
         }
-        law.push = law.bound();
+        law.torque_bound = law.bound();
         Some(law)
     }
 
     /// Adds a periodic torque, if there is a place for its rate.
-    fn add_swing(&mut self, acceleration: &Vector3<T>, rate: T, phase: &T) -> Option<()> {
+    fn add_periodic(&mut self, acceleration: &Vector3<T>, rate: T, phase: &T) -> Option<()> {
         let (sine, cosine) = Analytic::sin_cos(phase);
-        let place = self.swings.iter_mut().find(|place| place.is_none_or(|swing| swing.rate == rate))?;
+        let place = self.periodic.iter_mut().find(|place| place.is_none_or(|one| one.rate == rate))?;
         let none = Vector3::repeat(T::zero());
-        let swing = place.get_or_insert(Swing { rate, cosine: none, sine: none });
-        swing.cosine += acceleration * cosine;
-        swing.sine -= acceleration * sine;
+        let one = place.get_or_insert(PeriodicTorque { rate, cosine: none, sine: none });
+        one.cosine += acceleration * cosine;
+        one.sine -= acceleration * sine;
         Some(())
     }
 
@@ -173,65 +173,69 @@ impl<T: Analytic + Copy> Law<T> {
             let rows = one.acceleration.map(|x| x.size()) * sizes;
             largest(rows.as_slice())
         });
-        let swings = self.swings.iter().flatten();
+        let periodic = self.periodic.iter().flatten();
         largest(&self.constant)
-            + swings
-                .map(|swing| largest(swing.cosine.as_slice()) + largest(swing.sine.as_slice()))
-                .sum::<f64>()
+            + periodic.map(|one| largest(one.cosine.as_slice()) + largest(one.sine.as_slice())).sum::<f64>()
             + world.sum::<f64>()
             + self.gradient.map_or(0.0, |gradient| gradient.strength.size())
     }
 
     /// The fastest rate at which losses alone would have the momentum decay, 1/s.
-    pub(super) fn loss(&self, momentum: &Vector3<T>) -> f64 {
-        let mut loss = largest(&self.decay);
+    pub(super) fn fastest_decay(&self, momentum: &Vector3<T>) -> f64 {
+        let mut decay = largest(&self.decay);
         if !self.dissipation.is_zero() {
             let size = largest(momentum.as_slice());
             let [x, y, z] = [0, 1, 2].map(|i| 1.0 / self.moments[i].size());
             let span = x.max(y).max(z) - x.min(y).min(z);
-            loss = loss.max(self.dissipation.size() * size * size * span);
+            decay = decay.max(self.dissipation.size() * size * size * span);
         }
-        loss
+        decay
     }
 
     /// How fast the motion changes, 1/s.
-    pub(super) fn rate(&self, omega: &Vector3<T>, loss: f64) -> f64 {
+    pub(super) fn rate(&self, omega: &Vector3<T>, decay: f64) -> f64 {
         let orbit = self.gradient.map_or(0.0, |gradient| largest(gradient.orbit.as_slice()));
-        let swings = self.swings.iter().flatten().map(|swing| swing.rate.size());
-        largest(&[largest(omega.as_slice()), self.push.sqrt(), loss, orbit, swings.fold(0.0, f64::max)])
+        let periodic = self.periodic.iter().flatten().map(|one| one.rate.size());
+        largest(&[
+            largest(omega.as_slice()),
+            self.torque_bound.sqrt(),
+            decay,
+            orbit,
+            periodic.fold(0.0, f64::max),
+        ])
     }
 
-    /// The same law with `unit` seconds for a unit of time.
+    /// This law with `unit` seconds for a unit of time.
     pub(super) fn in_units(&self, unit: T) -> InUnits<T> {
         let squared = |x: T| x * unit * unit;
         let rows = |one: &WorldVector<T>| WorldInUnits {
             vector: one.vector,
             acceleration: core::array::from_fn(|axis| {
-                four(core::array::from_fn(|i| squared(one.acceleration[(i, axis)])))
+                lanes(core::array::from_fn(|i| squared(one.acceleration[(i, axis)])))
             }),
         };
-        let swings = self.swings.map(|swing| {
+        let periodic = self.periodic.map(|one| {
             let none = Vector3::repeat(T::zero());
-            let swing = swing.unwrap_or(Swing { rate: T::zero(), cosine: none, sine: none });
-            let [cosine, sine] = [swing.cosine, swing.sine].map(|v| four(v.map(squared).into()));
-            SwingInUnits { rate: swing.rate, rate_in_units: swing.rate * unit, cosine, sine }
+            let one = one.unwrap_or(PeriodicTorque { rate: T::zero(), cosine: none, sine: none });
+            let [cosine, sine] = [one.cosine, one.sine].map(|v| lanes(v.map(squared).into()));
+            PeriodicInUnits { rate: one.rate, rate_in_units: one.rate * unit, cosine, sine }
         });
         let strength = self.dissipation / unit;
         InUnits {
-            coupling: four(self.coupling),
-            constant: four(self.constant.map(squared)),
-            decay: four(self.decay.map(|x| x * unit)),
+            coupling: lanes(self.coupling),
+            constant: lanes(self.constant.map(squared)),
+            decay: lanes(self.decay.map(|x| x * unit)),
             damped: self.decay.iter().any(|x| !x.is_zero()),
-            loss: (!self.dissipation.is_zero()).then(|| LossInUnits {
-                moments: four(self.moments.into()),
-                acceleration: four(self.moments.map(|m| strength / m).into()),
+            dissipation: (!self.dissipation.is_zero()).then(|| DissipationInUnits {
+                moments: lanes(self.moments.into()),
+                acceleration: lanes(self.moments.map(|m| strength / m).into()),
             }),
             world: self.world.each_ref().map(rows),
             count: self.count,
-            swings,
-            swing_count: self.swings.iter().flatten().count(),
-            tide: self.gradient.map(|gradient| TideInUnits {
-                acceleration: four(self.coupling.map(|x| x * squared(gradient.strength))),
+            periodic,
+            periodic_count: self.periodic.iter().flatten().count(),
+            gradient: self.gradient.map(|gradient| GradientInUnits {
+                acceleration: lanes(self.coupling.map(|x| x * squared(gradient.strength))),
                 gradient,
                 orbit: gradient.orbit.map(|x| x * unit),
             }),
@@ -244,39 +248,39 @@ impl<T: Analytic + Copy> Law<T> {
 pub(super) struct WorldInUnits<T> {
     /// In world axes.
     pub(super) vector: Vector3<T>,
-    pub(super) acceleration: [Four<T>; 3],
+    pub(super) acceleration: [Lanes<T>; 3],
 }
 
-/// What a swing does.
+/// What periodic torques of one rate do.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SwingInUnits<T> {
+pub(super) struct PeriodicInUnits<T> {
     /// rad/s.
     pub(super) rate: T,
     pub(super) rate_in_units: T,
-    pub(super) cosine: Four<T>,
-    pub(super) sine: Four<T>,
+    pub(super) cosine: Lanes<T>,
+    pub(super) sine: Lanes<T>,
 }
 
 /// What the dissipation does.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LossInUnits<T> {
+pub(super) struct DissipationInUnits<T> {
     /// kg m².
-    pub(super) moments: Four<T>,
+    pub(super) moments: Lanes<T>,
     /// For each component of `L x (L x w)`.
-    pub(super) acceleration: Four<T>,
+    pub(super) acceleration: Lanes<T>,
 }
 
 /// What the gravity gradient does.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct TideInUnits<T> {
+pub(super) struct GradientInUnits<T> {
     gradient: Gradient<T>,
     /// For each product of two components of the direction, less.
-    pub(super) acceleration: Four<T>,
+    pub(super) acceleration: Lanes<T>,
     /// In world axes.
     pub(super) orbit: Vector3<T>,
 }
 
-impl<T: Analytic + Copy> TideInUnits<T> {
+impl<T: Analytic + Copy> GradientInUnits<T> {
     /// The direction at a time (s), in world axes.
     pub(super) fn direction_at(&self, time: T) -> Vector3<T> {
         let Gradient { rate, along, across: [across, ahead], .. } = &self.gradient;
@@ -288,17 +292,17 @@ impl<T: Analytic + Copy> TideInUnits<T> {
 /// A law in a unit of time, in rows as the series are.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct InUnits<T> {
-    pub(super) coupling: Four<T>,
-    pub(super) constant: Four<T>,
-    pub(super) decay: Four<T>,
+    pub(super) coupling: Lanes<T>,
+    pub(super) constant: Lanes<T>,
+    pub(super) decay: Lanes<T>,
     /// Whether any of the decay is not zero.
     pub(super) damped: bool,
-    pub(super) loss: Option<LossInUnits<T>>,
-    pub(super) tide: Option<TideInUnits<T>>,
+    pub(super) dissipation: Option<DissipationInUnits<T>>,
+    pub(super) gradient: Option<GradientInUnits<T>>,
     world: [WorldInUnits<T>; 3],
     count: usize,
-    swings: [SwingInUnits<T>; SWINGS],
-    swing_count: usize,
+    periodic: [PeriodicInUnits<T>; PERIODIC_RATES],
+    periodic_count: usize,
 }
 
 impl<T> InUnits<T> {
@@ -308,7 +312,7 @@ impl<T> InUnits<T> {
     }
 
     #[inline(always)]
-    pub(super) fn swings(&self) -> &[SwingInUnits<T>] {
-        &self.swings[..self.swing_count]
+    pub(super) fn periodic(&self) -> &[PeriodicInUnits<T>] {
+        &self.periodic[..self.periodic_count]
     }
 }

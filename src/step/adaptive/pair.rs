@@ -1,9 +1,9 @@
 //! Steps by the pair of Dormand and Prince of orders 8, 5 and 3 [HNW93](crate::references), for torques that
 //! are functions.
 
-use super::columns::Columns;
+use super::derivatives::Derivatives;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Run, largest, over};
+use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
@@ -14,10 +14,10 @@ use nalgebra::{Quaternion, Vector3};
 use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
-/// The slopes of a step, and where the last one began.
+/// The rates at the stages of a step, and where the last one began.
 #[derive(Debug, Clone)]
 pub(super) struct Pair<T: nalgebra::Scalar> {
-    slopes: [Rate<T>; 12],
+    rates: [Rate<T>; 12],
     /// The rate at the start of the last step that was taken.
     first: Rate<T>,
     /// The next step, s.
@@ -30,24 +30,24 @@ const SHORTER_STEPS: usize = 1000;
 /// How often a step from rest is tried again before the torque is taken to jump.
 const JUMP_TRIES: usize = 40;
 
-/// `start + h (sum of weights times slopes)`.
+/// `start + h (sum of weights times rates)`.
 fn combined<T: Analytic + Copy + FromPrimitive>(
     start: &State<T>,
-    slopes: &[Rate<T>],
+    rates: &[Rate<T>],
     weights: Weights,
     h: T,
 ) -> State<T> {
     let mut sum = *start;
     for &(k, weight) in weights {
-        sum = sum.plus(&slopes[k], h * Run::<T>::number(weight));
+        sum = sum.plus(&rates[k], h * Run::<T>::number(weight));
     }
     sum
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     pub(super) fn new(run: &Run<T>) -> Result<Self, Error> {
-        let slope = run.system.rate_after(&run.state, &Run::number(run.time));
-        let size = largest(&[largest(slope.attitude.coords.as_slice()), largest(slope.momentum.as_slice())]);
+        let rate = run.system.rate_after(&run.state, &Run::number(run.time));
+        let size = largest(&[largest(rate.attitude.coords.as_slice()), largest(rate.momentum.as_slice())]);
         if !size.is_finite() {
             return Err(Refusal::OutOfRange { what: Subject::RateAtStart, value: size }.into());
         }
@@ -55,13 +55,13 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         // error will say so.
         let torque = largest(run.system.torque_after(&run.state, &Run::number(run.time)).as_slice());
         let turning =
-            over(largest(slope.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        let pace = (2.0 * turning).max((torque * largest(run.system.inverse().as_slice())).sqrt());
-        let guess = eighth_root(run.tolerance) / pace;
+            ratio(largest(rate.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
+        let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse().as_slice())).sqrt());
+        let guess = eighth_root(run.tolerance) / turning_rate;
         // Where nothing turns yet nothing gives a time: a second.
         let guess = if guess.is_finite() { guess } else { 1.0 };
         let h = guess.copysign(run.duration);
-        Ok(Self { slopes: [slope; 12], first: slope, h })
+        Ok(Self { rates: [rate; 12], first: rate, h })
     }
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
@@ -70,7 +70,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let zero = T::zero();
         let nothing =
             State { attitude: Quaternion::new(zero, zero, zero, zero), momentum: Vector3::repeat(zero) };
-        let by = |weights: Weights| combined(&nothing, &self.slopes, weights, Run::number(h));
+        let by = |weights: Weights| combined(&nothing, &self.rates, weights, Run::number(h));
         let (fifth, whole, third) = (by(FIFTH), by(STEP), by(THIRD));
         let third = State {
             attitude: Quaternion::from_vector(whole.attitude.coords - third.attitude.coords),
@@ -80,7 +80,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         // By a power of two, so that no square leaves the range.
         let unit = -exponent(largest(&[fifth, third]));
         let [one, other] = [fifth, third].map(|x| times_power_of_two(x, unit));
-        over(one, (one * one + 0.01 * other * other).sqrt()) * fifth
+        ratio(one, (one * one + 0.01 * other * other).sqrt()) * fifth
     }
 
     fn relative(&self, run: &Run<T>, off: &State<T>, end: &State<T>, h: f64) -> f64 {
@@ -93,24 +93,24 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
             // A torque that jumps: no step across the jump is right relative to what it gives on the way. It
             // is measured by the momentum that turns the body by a radian in the time until now.
             let time = run.time.abs().max(h.abs());
-            whole = whole.max(over(1.0, largest(run.system.inverse().as_slice()) * time));
+            whole = whole.max(ratio(1.0, largest(run.system.inverse().as_slice()) * time));
         }
         let attitude =
-            over(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        let slopes = run.slopes.map_or(0.0, |slopes| {
+            ratio(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
+        let derived = run.derivatives.map_or(0.0, |sizes| {
             let spun = |state: &State<T>| run.system.omega(&state.momentum).map(|x| x * Run::number(h));
-            let columns =
-                Columns::of(slopes, run.state.attitude.coords.as_slice(), spun(&run.state).as_slice());
-            columns.share(off.attitude.coords.iter().chain(&spun(off)))
+            let derivatives =
+                Derivatives::of(sizes, run.state.attitude.coords.as_slice(), spun(&run.state).as_slice());
+            derivatives.share(off.attitude.coords.iter().chain(&spun(off)))
         });
-        largest(&[attitude, largest(off.momentum.as_slice()) / whole, slopes])
+        largest(&[attitude, largest(off.momentum.as_slice()) / whole, derived])
     }
 
     /// The step in decay times: of two states near its end, how much faster the rates differ than the states.
-    fn decay(&self, near: &State<T>, end: &State<T>, end_slope: &Rate<T>, h: f64) -> f64 {
+    fn decay(&self, near: &State<T>, end: &State<T>, end_rate: &Rate<T>, h: f64) -> f64 {
         let apart = |a: &Vector3<T>, b: &Vector3<T>| largest((a - b).as_slice());
-        let rates = apart(&end_slope.momentum, &self.slopes[11].momentum);
-        h.abs() * over(rates, apart(&end.momentum, &near.momentum))
+        let rates = apart(&end_rate.momentum, &self.rates[11].momentum);
+        h.abs() * ratio(rates, apart(&end.momentum, &near.momentum))
     }
 }
 
@@ -121,14 +121,14 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let step = Run::number(h);
         let mut near = run.state;
         for (k, (node, weights)) in STAGES.iter().enumerate() {
-            near = combined(&run.state, &self.slopes, weights, step);
-            self.slopes[k + 1] = run.system.rate_after(&near, &Run::number(run.time + node * h));
+            near = combined(&run.state, &self.rates, weights, step);
+            self.rates[k + 1] = run.system.rate_after(&near, &Run::number(run.time + node * h));
         }
-        let mut end = combined(&run.state, &self.slopes, STEP, step);
+        let mut end = combined(&run.state, &self.rates, STEP, step);
         let stretched = run.project(&mut end);
-        let end_slope = run.system.rate_after(&end, &Run::number(run.time + h));
+        let end_rate = run.system.rate_after(&end, &Run::number(run.time + h));
         let size =
-            largest(&[largest(end_slope.attitude.coords.as_slice()), largest(end_slope.momentum.as_slice())]);
+            largest(&[largest(end_rate.attitude.coords.as_slice()), largest(end_rate.momentum.as_slice())]);
         let error = largest(&[self.error(run, &end, h), stretched]) / run.tolerance;
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() || !size.is_finite() { f64::INFINITY } else { error };
@@ -136,8 +136,8 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let factor = (0.9 / eighth_root(error)).clamp(1.0 / 3.0, 6.0);
         self.h = h * factor;
         if error <= 1.0 {
-            run.count_losses(self.decay(&near, &end, &end_slope, h));
-            self.first = core::mem::replace(&mut self.slopes[0], end_slope);
+            run.count_stiffness(self.decay(&near, &end, &end_rate, h));
+            self.first = core::mem::replace(&mut self.rates[0], end_rate);
             run.take(end, h, last);
         } else {
             run.rejected += 1;
@@ -156,7 +156,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         began: f64,
         duration: f64,
     ) -> Result<State<T>, Error> {
-        let mut pair = Self { slopes: [self.first; 12], first: self.first, h: duration };
+        let mut pair = Self { rates: [self.first; 12], first: self.first, h: duration };
         let end = began + duration;
         let system = Arc::clone(&run.system);
         let mut part =

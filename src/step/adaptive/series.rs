@@ -3,9 +3,11 @@
 //! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
 //! products of those before.
 
-use super::columns::Columns;
-use super::law::{InUnits, LossInUnits, SWINGS, WorldInUnits};
-use super::sums::{Both, Four, across, across_sums, add_scaled, four, own_sums, pairs, scaled, sums, turn};
+use super::derivatives::Derivatives;
+use super::law::{DissipationInUnits, InUnits, PERIODIC_RATES, WorldInUnits};
+use super::sums::{
+    Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
+};
 use super::switching::signed;
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
@@ -22,19 +24,19 @@ pub(super) const LENGTH: usize = MOST + 1;
 
 /// What the dissipation needs.
 #[derive(Debug, Clone)]
-struct Loss<T, const N: usize> {
-    momentum: [Four<T>; N],
+struct DissipationSeries<T, const N: usize> {
+    momentum: [Lanes<T>; N],
     /// What the spin changes by without a torque, times the moments.
-    coupling: Both<T, N>,
+    coupling: Coefficients<T, N>,
 }
 
 /// What the gravity gradient needs, all in body axes.
 #[derive(Debug, Clone)]
-struct Tide<T, const N: usize> {
-    direction: Both<T, N>,
-    orbit: [Four<T>; N],
+struct GradientSeries<T, const N: usize> {
+    direction: Coefficients<T, N>,
+    orbit: [Lanes<T>; N],
     /// Spin less orbit: how the direction turns.
-    turning: Both<T, N>,
+    turning: Coefficients<T, N>,
 }
 
 /// Coefficients of powers of the time in units; `N` of each.
@@ -42,50 +44,54 @@ struct Tide<T, const N: usize> {
 pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
     /// The highest power.
     pub(super) order: usize,
-    attitude: [Four<T>; N],
-    spin: Both<T, N>,
-    /// Cosine and sine of each swing: the last coefficient alone.
-    swings: [[T; 2]; SWINGS],
+    attitude: [Lanes<T>; N],
+    spin: Coefficients<T, N>,
+    /// Cosine and sine of each periodic torque: the last coefficient alone.
+    periodic: [[T; 2]; PERIODIC_RATES],
     // Few laws have them, and all runs are moved.
     /// World vectors in body axes.
-    world: Vec<[Four<T>; N]>,
-    loss: Option<Box<Loss<T, N>>>,
-    tide: Option<Box<Tide<T, N>>>,
+    world: Vec<[Lanes<T>; N]>,
+    dissipation: Option<Box<DissipationSeries<T, N>>>,
+    gradient: Option<Box<GradientSeries<T, N>>>,
 }
 
 impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// What a law of these torques needs.
     pub(super) fn new(law: &InUnits<T>) -> Self {
         let rows = [[T::zero(); 4]; N];
-        let both = || Both { up: rows, down: [[[T::zero(); 2]; 3]; N] };
+        let both = || Coefficients { up: rows, down: [[[T::zero(); 2]; 3]; N] };
         Self {
             order: 0,
             attitude: rows,
             spin: both(),
-            swings: [[T::zero(); 2]; SWINGS],
+            periodic: [[T::zero(); 2]; PERIODIC_RATES],
             world: vec![rows; law.world().len()],
-            loss: law.loss.map(|_| Box::new(Loss { momentum: rows, coupling: both() })),
-            tide: law.tide.map(|_| Box::new(Tide { direction: both(), orbit: rows, turning: both() })),
+            dissipation: law
+                .dissipation
+                .map(|_| Box::new(DissipationSeries { momentum: rows, coupling: both() })),
+            gradient: law
+                .gradient
+                .map(|_| Box::new(GradientSeries { direction: both(), orbit: rows, turning: both() })),
         }
     }
 
     /// The first coefficients at a time (s): the state itself, with its spin in units.
     pub(super) fn begin(&mut self, law: &InUnits<T>, attitude: &Quaternion<T>, spin: [T; 3], time: T) {
-        let in_body = |v: &Vector3<T>| four(rotate_inverse(attitude, v).into());
+        let in_body = |v: &Vector3<T>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
         self.attitude[0] = [q.x, q.y, q.z, q.w];
-        self.spin.set(0, four(spin));
+        self.spin.set(0, lanes(spin));
         for (rows, one) in self.world.iter_mut().zip(law.world()) {
             rows[0] = in_body(&one.vector);
         }
-        for (now, swing) in self.swings.iter_mut().zip(law.swings()) {
-            let (sine, cosine) = Analytic::sin_cos(&(swing.rate * time));
+        for (now, one) in self.periodic.iter_mut().zip(law.periodic()) {
+            let (sine, cosine) = Analytic::sin_cos(&(one.rate * time));
             *now = [cosine, sine];
         }
-        if let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
-            own.orbit[0] = in_body(&tide.orbit);
-            own.direction.set(0, in_body(&tide.direction_at(time)));
+        if let (Some(own), Some(gradient)) = (&mut self.gradient, &law.gradient) {
+            own.orbit[0] = in_body(&gradient.orbit);
+            own.direction.set(0, in_body(&gradient.direction_at(time)));
             let turning = core::array::from_fn(|i| self.spin.up[0][i] - own.orbit[0][i]);
             own.turning.set(0, turning);
         }
@@ -94,18 +100,18 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// Begins as another series does.
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>) {
         self.order = other.order;
-        self.swings = other.swings;
+        self.periodic = other.periodic;
         for power in 0..=other.order {
             self.attitude[power] = other.attitude[power];
             self.spin.set(power, other.spin.up[power]);
             for (rows, others) in self.world.iter_mut().zip(&other.world) {
                 rows[power] = others[power];
             }
-            if let (Some(own), Some(other)) = (&mut self.loss, &other.loss) {
+            if let (Some(own), Some(other)) = (&mut self.dissipation, &other.dissipation) {
                 own.momentum[power] = other.momentum[power];
                 own.coupling.set(power, other.coupling.up[power]);
             }
-            if let (Some(own), Some(other)) = (&mut self.tide, &other.tide) {
+            if let (Some(own), Some(other)) = (&mut self.gradient, &other.gradient) {
                 own.orbit[power] = other.orbit[power];
                 own.direction.set(power, other.direction.up[power]);
                 own.turning.set(power, other.turning.up[power]);
@@ -115,14 +121,15 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// The coefficients of everything up to a power.
     pub(super) fn extend_to(&mut self, order: usize, law: &InUnits<T>) {
-        if law.world().is_empty() && law.tide.is_none() {
+        if law.world().is_empty() && law.gradient.is_none() {
             self.extend_with::<false>(order, law);
         } else {
             self.extend_with::<true>(order, law);
         }
     }
 
-    /// The same, with a vector that is multiplied by the spin along with the attitude, or without.
+    /// The coefficients up to a power, with a vector that is multiplied by the spin along with the attitude,
+    /// or without.
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
     fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &InUnits<T>) {
@@ -144,46 +151,46 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 *rate -= *decay * *spin;
             }
         }
-        for ([cosine, sine], swing) in self.swings.iter_mut().zip(law.swings()) {
-            add_scaled(&mut rate, &swing.cosine, *cosine);
-            add_scaled(&mut rate, &swing.sine, *sine);
-            let turn = swing.rate_in_units * over;
+        for ([cosine, sine], one) in self.periodic.iter_mut().zip(law.periodic()) {
+            add_scaled(&mut rate, &one.cosine, *cosine);
+            add_scaled(&mut rate, &one.sine, *sine);
+            let turn = one.rate_in_units * over;
             (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
         }
-        let vector = match (&*self.world, &self.tide) {
+        let vector = match (&*self.world, &self.gradient) {
             ([first, ..], _) => first,
             (_, Some(own)) => &own.orbit,
             _ => attitude,
         };
         let sums = sums::<T, N, ACROSS>(n + 1, attitude, vector, spin);
         if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, law.world()) {
-            first.push(&rows[n], &mut rate);
+            first.add_acceleration(&rows[n], &mut rate);
             rows[n + 1] = scaled(&across(&sums.across), over);
             // Few laws have more, and a loop over none takes its time.
             if !more.is_empty() {
                 for (rows, one) in more.iter_mut().zip(others) {
-                    one.push(&rows[n], &mut rate);
+                    one.add_acceleration(&rows[n], &mut rate);
                     rows[n + 1] = scaled(&across(&across_sums(n + 1, rows, spin)), over);
                 }
             }
         }
         self.attitude[n + 1] = scaled(&turn(&sums.turn), over / T::integer(2));
         let pairs = pairs(&sums.pairs);
-        let free: Four<T> = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
-        if let (Some(own), Some(loss)) = (&mut self.loss, &law.loss) {
-            own.add(loss, &spin.up[n], &free, n, &mut rate);
+        let free: Lanes<T> = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
+        if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
+            own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
-        if ACROSS && let (Some(own), Some(tide)) = (&mut self.tide, &law.tide) {
+        if ACROSS && let (Some(own), Some(gradient)) = (&mut self.gradient, &law.gradient) {
             let turned = if alone { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
             own.orbit[n + 1] = scaled(&across(&turned), over);
-            own.add(&tide.acceleration, n, over, &mut rate);
+            own.add(&gradient.acceleration, n, over, &mut rate);
         }
         for i in 0..4 {
             rate[i] += free[i];
         }
         let spin = scaled(&rate, over);
         self.spin.set(n + 1, spin);
-        if ACROSS && let Some(own) = &mut self.tide {
+        if ACROSS && let Some(own) = &mut self.gradient {
             let turning = core::array::from_fn(|i| spin[i] - own.orbit[n + 1][i]);
             own.turning.set(n + 1, turning);
         }
@@ -191,7 +198,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The rates of attitude and spin at the start.
-    pub(super) fn rate(&self) -> [Four<T>; 2] {
+    pub(super) fn rate(&self) -> [Lanes<T>; 2] {
         [self.attitude[1], self.spin.up[1]]
     }
 
@@ -203,15 +210,17 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`;
-    /// or of their derivatives, if these are larger in sizes of their columns.
+    /// or of their derivatives, if these are larger in sizes of their derivatives.
     #[inline(always)]
-    pub(super) fn size(&self, power: usize, weights: &[f64; 3], columns: Option<&Columns<T>>) -> f64 {
+    pub(super) fn size(&self, power: usize, weights: &[f64; 3], derivatives: Option<&Derivatives<T>>) -> f64 {
         let spin = &self.spin.up[power];
         let momentum = [0, 1, 2].map(|i| spin[i].size() * weights[i]);
         let attitude = &self.attitude[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
-        match columns {
-            Some(columns) => super::largest(&[size, columns.share(attitude.iter().chain(&spin[..3]))]),
+        match derivatives {
+            Some(derivatives) => {
+                super::largest(&[size, derivatives.share(attitude.iter().chain(&spin[..3]))])
+            }
             None => size,
         }
     }
@@ -222,7 +231,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// What attitude (vector part first) and spin have changed by at `x` units of time.
-    pub(super) fn value(&self, x: T) -> [Four<T>; 2] {
+    pub(super) fn value(&self, x: T) -> [Lanes<T>; 2] {
         let [mut q, mut w] = [[T::zero(); 4]; 2];
         let powers = 1..=self.order;
         for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
@@ -237,7 +246,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// What attitude (vector part first) and spin have changed by, and at which rate they change, at `x`
     /// units of time.
     #[inline]
-    pub(super) fn at(&self, x: T) -> [Four<T>; 4] {
+    pub(super) fn at(&self, x: T) -> [Lanes<T>; 4] {
         let zero = [T::zero(); 4];
         let [mut q, mut w, mut dq, mut dw] = [zero; 4];
         let powers = 1..=self.order;
@@ -249,7 +258,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        let rate = |value: &Four<T>, slope: &Four<T>| core::array::from_fn(|i| value[i] + slope[i] * x);
+        let rate = |value: &Lanes<T>, slope: &Lanes<T>| core::array::from_fn(|i| value[i] + slope[i] * x);
         [q.map(|y| y * x), w.map(|y| y * x), rate(&q, &dq), rate(&w, &dw)]
     }
 }
@@ -257,16 +266,23 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 impl<T: Analytic + Copy> WorldInUnits<T> {
     /// Adds the angular acceleration by the vector in body axes.
     #[inline(always)]
-    fn push(&self, vector: &Four<T>, rate: &mut Four<T>) {
+    fn add_acceleration(&self, vector: &Lanes<T>, rate: &mut Lanes<T>) {
         for (acceleration, &x) in self.acceleration.iter().zip(vector) {
             add_scaled(rate, acceleration, x);
         }
     }
 }
 
-impl<T: Analytic + Copy, const N: usize> Loss<T, N> {
+impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
     /// Adds the angular acceleration `J k L x (L x w)`, given that without a torque.
-    fn add(&mut self, law: &LossInUnits<T>, spin: &Four<T>, free: &Four<T>, n: usize, rate: &mut Four<T>) {
+    fn add(
+        &mut self,
+        law: &DissipationInUnits<T>,
+        spin: &Lanes<T>,
+        free: &Lanes<T>,
+        n: usize,
+        rate: &mut Lanes<T>,
+    ) {
         let m = &law.moments;
         self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
         self.momentum[n] = core::array::from_fn(|i| m[i] * spin[i]);
@@ -277,14 +293,65 @@ impl<T: Analytic + Copy, const N: usize> Loss<T, N> {
     }
 }
 
-impl<T: Analytic + Copy, const N: usize> Tide<T, N> {
+impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
     /// Adds the angular acceleration by the gravity gradient, and makes the direction's next coefficient.
-    fn add(&mut self, acceleration: &Four<T>, n: usize, over: T, rate: &mut Four<T>) {
+    fn add(&mut self, acceleration: &Lanes<T>, n: usize, over: T, rate: &mut Lanes<T>) {
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);
         for i in 0..4 {
             rate[i] -= acceleration[i] * pairs[i];
         }
         self.direction.set(n + 1, scaled(&across(&turned), over));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::law::Law;
+    use super::*;
+    use crate::attitude::product;
+    use crate::inertia::PrincipalMoments;
+    use crate::step::system::System;
+    use crate::step::torque::Torque;
+
+    /// Of Euler's equations `I w' = I w x w + a x g + T` with `g' = g x w` of gravity in body axes, and of
+    /// `q' = q w / 2`: coefficient `n + 1` is the sum of all products of powers that add up to `n`, by `n +
+    /// 1`.
+    #[test]
+    fn the_fast_sums_are_those_of_the_recurrence() {
+        let (moments, arm) = (Vector3::new(1.0, 1.7, 2.4), Vector3::new(0.1, -0.2, 0.4));
+        let (thrust, weight) = (Vector3::new(0.3, 0.1, -0.2), Vector3::new(0.0, 0.0, -1.5));
+        let torques = vec![Torque::InBody(thrust), Torque::Aligning { arm, field: weight }];
+        let system = System::with(PrincipalMoments::try_from(moments).unwrap(), torques).unwrap();
+        let law = Law::of(&system).unwrap().in_units(1.0);
+        let start = Quaternion::new(0.5, -0.1, 0.7, 0.2).normalize();
+        let spin = Vector3::new(0.5, 2.0, -0.4);
+        let mut fast = Series::<f64, LENGTH>::new(&law);
+        fast.begin(&law, &start, spin.into(), 0.0);
+        fast.extend_to(MOST, &law);
+
+        let (mut q, mut w, mut g) = (vec![start], vec![spin], vec![rotate_inverse(&start, &weight)]);
+        for n in 0..MOST {
+            let over = 1.0 / (n + 1) as f64;
+            let sum = |term: &dyn Fn(usize, usize) -> Vector3<f64>| {
+                (0..=n).map(|k| term(k, n - k)).sum::<Vector3<_>>()
+            };
+            let turn = (0..=n).fold(Quaternion::new(0.0, 0.0, 0.0, 0.0), |sum, k| {
+                sum + product(&q[k], &Quaternion::from_parts(0.0, w[n - k]))
+            });
+            let torque = arm.cross(&g[n]) + if n == 0 { thrust } else { Vector3::zeros() };
+            let gyroscopic = sum(&|j, k| moments.component_mul(&w[j]).cross(&w[k]));
+            let turned = sum(&|j, k| g[j].cross(&w[k]));
+            q.push(turn * (0.5 * over));
+            w.push((gyroscopic + torque).component_div(&moments) * over);
+            g.push(turned * over);
+        }
+        for n in 0..=MOST {
+            let [attitude, spin] = [fast.attitude[n], fast.spin.up[n]];
+            let off = Vector3::new(spin[0], spin[1], spin[2]) - w[n];
+            assert!(off.norm() < 1e-13 * w[n].norm(), "{n}: {off}");
+            let off = nalgebra::Vector4::from(attitude) - q[n].coords;
+            assert!(off.norm() < 1e-13 * q[n].norm(), "{n}: {off}");
+        }
     }
 }

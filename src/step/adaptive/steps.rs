@@ -4,7 +4,7 @@
 use super::collocation::Collocation;
 use super::pair::Pair;
 use super::taylor::Taylor;
-use super::{Run, STIFF, STIFF_STEPS, largest, over};
+use super::{Run, STIFF, STIFF_STEPS, largest, ratio};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
@@ -14,8 +14,8 @@ use num_traits::FromPrimitive;
 /// After this number of stiff steps, damping is solved for.
 const DAMPED_STEPS: u32 = 4;
 
-/// Rounding keeps steps of a tight tolerance below the bound of stability, so that none counts as stiff: after
-/// each so many steps damping is looked at that has this number of decay times in the last.
+/// Rounding keeps steps of a tight tolerance below the bound of stability, so that none counts as stiff.
+/// After each 16 steps damping is looked at that has more than a quarter of a decay time in the last.
 const CHECKED_STEPS: usize = 16;
 const LONG: f64 = 0.25;
 
@@ -58,7 +58,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         if run.stiff == 0 && solves {
             *self = Self::new(run)?;
         } else if !solves && (run.stiff >= DAMPED_STEPS || run.steps % CHECKED_STEPS == CHECKED_STEPS - 1) {
-            self.meet_losses(run, budget)?;
+            self.solve_damping(run, budget)?;
         }
         Ok(())
     }
@@ -77,14 +77,14 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// After some steps held back by losses: solves for those that are damping, once the motion is slow.
-    fn meet_losses(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
+    fn solve_damping(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
         let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
         if run.stiff < DAMPED_STEPS && decay * run.last <= LONG {
             return Ok(());
         }
         let change = change(run);
-        let watched = run.flips.is_some() || run.slopes.is_some();
+        let watched = run.flips.is_some() || run.derivatives.is_some();
         let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
         if !watched && !dissipates && decay * run.last > LONG {
             let periodic = |torque: &Torque<T>| match torque {
@@ -129,5 +129,5 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
 /// The rate at which the momentum changes, relative to its size, 1/s.
 fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<T>) -> f64 {
     let rate = run.system.rate_after(&run.state, &Run::number(run.time)).momentum;
-    over(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
+    ratio(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
 }

@@ -10,19 +10,19 @@
 use crate::number::Analytic;
 
 /// A quaternion's vector part, then its scalar part; or a vector, of which the fourth repeats the first.
-pub(super) type Four<T> = [T; 4];
+pub(super) type Lanes<T> = [T; 4];
 
-pub(super) fn four<T: Copy>([x, y, z]: [T; 3]) -> Four<T> {
+pub(super) fn lanes<T: Copy>([x, y, z]: [T; 3]) -> Lanes<T> {
     [x, y, z, x]
 }
 
 #[inline(always)]
-pub(super) fn scaled<T: Analytic + Copy>(a: &Four<T>, by: T) -> Four<T> {
+pub(super) fn scaled<T: Analytic + Copy>(a: &Lanes<T>, by: T) -> Lanes<T> {
     core::array::from_fn(|i| a[i] * by)
 }
 
 #[inline(always)]
-pub(super) fn add_scaled<T: Analytic + Copy>(sum: &mut Four<T>, a: &Four<T>, by: T) {
+pub(super) fn add_scaled<T: Analytic + Copy>(sum: &mut Lanes<T>, a: &Lanes<T>, by: T) {
     for i in 0..4 {
         sum[i] += a[i] * by;
     }
@@ -37,10 +37,10 @@ fn add_two<T: Analytic + Copy>(sum: &mut [T; 2], a: [T; 2], b: [T; 2]) {
 
 /// The second component of a vector, its first and its third, each twice: the first two stand together in the
 /// middle.
-pub(super) type Doubled<T> = [[T; 2]; 3];
+pub(super) type Pairs<T> = [[T; 2]; 3];
 
 #[inline(always)]
-fn doubled<T: Copy>(&[x, y, z, _]: &Four<T>) -> Doubled<T> {
+fn doubled<T: Copy>(&[x, y, z, _]: &Lanes<T>) -> Pairs<T> {
     [[y; 2], [x; 2], [z; 2]]
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Sums<T> {
 pub(super) type AcrossSums<T> = [[T; 2]; 3];
 
 #[inline(always)]
-fn add_across<T: Analytic + Copy>(sums: &mut AcrossSums<T>, g: &Four<T>, [y, x, z]: Doubled<T>) {
+fn add_across<T: Analytic + Copy>(sums: &mut AcrossSums<T>, g: &Lanes<T>, [y, x, z]: Pairs<T>) {
     let other = [y[1], x[0]];
     add_two(&mut sums[0], [g[0], g[1]], z);
     add_two(&mut sums[1], [g[2]; 2], other);
@@ -67,7 +67,7 @@ fn add_across<T: Analytic + Copy>(sums: &mut AcrossSums<T>, g: &Four<T>, [y, x, 
 }
 
 #[inline(always)]
-fn add_pairs<T: Analytic + Copy>(sums: &mut [[T; 2]; 2], v: &Four<T>, [y, _, z]: Doubled<T>) {
+fn add_pairs<T: Analytic + Copy>(sums: &mut [[T; 2]; 2], v: &Lanes<T>, [y, _, z]: Pairs<T>) {
     add_two(&mut sums[0], [v[0], v[1]], z);
     add_two(&mut sums[1], [v[0], v[1]], y);
 }
@@ -75,7 +75,7 @@ fn add_pairs<T: Analytic + Copy>(sums: &mut [[T; 2]; 2], v: &Four<T>, [y, _, z]:
 impl<T: Analytic + Copy> Sums<T> {
     // In this order: each number is loaded once, and no sum leaves its register.
     #[inline(always)]
-    fn add<const ACROSS: bool>(&mut self, q: &Four<T>, v: &Four<T>, g: &Four<T>, w: Doubled<T>) {
+    fn add<const ACROSS: bool>(&mut self, q: &Lanes<T>, v: &Lanes<T>, g: &Lanes<T>, w: Pairs<T>) {
         let ([y, x, z], one, two) = (w, [q[0], q[1]], [q[2], q[3]]);
         add_two(&mut self.turn[4], one, z);
         add_two(&mut self.turn[5], two, z);
@@ -102,9 +102,9 @@ impl<T: Analytic + Copy> Sums<T> {
 #[inline(never)]
 pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
     n: usize,
-    q: &[Four<T>; N],
-    g: &[Four<T>; N],
-    Both { up: v, down }: &Both<T, N>,
+    q: &[Lanes<T>; N],
+    g: &[Lanes<T>; N],
+    Coefficients { up: v, down }: &Coefficients<T, N>,
 ) -> Sums<T> {
     let n = n.clamp(1, N);
     let w = &down[N - n..];
@@ -122,8 +122,8 @@ pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
 #[inline(never)]
 pub(super) fn across_sums<T: Analytic + Copy, const N: usize>(
     n: usize,
-    g: &[Four<T>; N],
-    Both { up, down }: &Both<T, N>,
+    g: &[Lanes<T>; N],
+    Coefficients { up, down }: &Coefficients<T, N>,
 ) -> AcrossSums<T> {
     let n = n.clamp(1, N);
     let w = &down[N - n..];
@@ -135,12 +135,12 @@ pub(super) fn across_sums<T: Analytic + Copy, const N: usize>(
     sums
 }
 
-/// The same, and the first `n` products of `g` with its own third component and its second.
+/// The sums of [`across_sums`], and the first `n` products of `g` with its own third and second components.
 #[inline(never)]
 pub(super) fn own_sums<T: Analytic + Copy, const N: usize>(
     n: usize,
-    Both { up: g, down: own }: &Both<T, N>,
-    Both { up, down }: &Both<T, N>,
+    Coefficients { up: g, down: own }: &Coefficients<T, N>,
+    Coefficients { up, down }: &Coefficients<T, N>,
 ) -> (AcrossSums<T>, [[T; 2]; 2]) {
     let n = n.clamp(1, N);
     let (w, own) = (&down[N - n..], &own[N - n..]);
@@ -157,32 +157,32 @@ pub(super) fn own_sums<T: Analytic + Copy, const N: usize>(
 
 /// Twice the rate of the attitude.
 #[inline(always)]
-pub(super) fn turn<T: Analytic + Copy>([a, b, c, d, e, f]: &[[T; 2]; 6]) -> Four<T> {
+pub(super) fn turn<T: Analytic + Copy>([a, b, c, d, e, f]: &[[T; 2]; 6]) -> Lanes<T> {
     [b[1] + e[1] - d[0], d[1] + b[0] - e[0], f[1] + c[0] - a[1], -(a[0] + c[1] + f[0])]
 }
 
 /// `g x w`.
 #[inline(always)]
-pub(super) fn across<T: Analytic + Copy>([s, t, u]: &AcrossSums<T>) -> Four<T> {
-    four([s[1] - t[0], t[1] - s[0], u[0] - u[1]])
+pub(super) fn across<T: Analytic + Copy>([s, t, u]: &AcrossSums<T>) -> Lanes<T> {
+    lanes([s[1] - t[0], t[1] - s[0], u[0] - u[1]])
 }
 
 /// The products `w2 w3`, `w3 w1`, `w1 w2`.
 #[inline(always)]
-pub(super) fn pairs<T: Analytic + Copy>([first, second]: &[[T; 2]; 2]) -> Four<T> {
-    four([first[1], first[0], second[0]])
+pub(super) fn pairs<T: Analytic + Copy>([first, second]: &[[T; 2]; 2]) -> Lanes<T> {
+    lanes([first[1], first[0], second[0]])
 }
 
 /// Coefficients of a vector, from the lowest power up and from the highest down.
 #[derive(Debug, Clone)]
-pub(super) struct Both<T, const N: usize> {
-    pub(super) up: [Four<T>; N],
-    pub(super) down: [Doubled<T>; N],
+pub(super) struct Coefficients<T, const N: usize> {
+    pub(super) up: [Lanes<T>; N],
+    pub(super) down: [Pairs<T>; N],
 }
 
-impl<T: Copy, const N: usize> Both<T, N> {
+impl<T: Copy, const N: usize> Coefficients<T, N> {
     #[inline(always)]
-    pub(super) fn set(&mut self, power: usize, value: Four<T>) {
+    pub(super) fn set(&mut self, power: usize, value: Lanes<T>) {
         self.up[power] = value;
         self.down[N - 1 - power] = doubled(&value);
     }

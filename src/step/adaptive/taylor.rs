@@ -1,10 +1,10 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
-use super::columns::Columns;
+use super::derivatives::Derivatives;
 use super::law::{InUnits, Law};
 use super::logarithm::{exponential, logarithm};
 use super::series::{LENGTH, MOST, Series};
-use super::{Run, TRIES, largest, over, smallest};
+use super::{Run, TRIES, largest, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
@@ -18,7 +18,7 @@ use num_traits::FromPrimitive;
 #[derive(Debug, Clone)]
 pub(super) struct Taylor<T: nalgebra::Scalar> {
     law: Law<T>,
-    /// The same in units of time of this number of seconds, a power of two.
+    /// The law in units of time of this number of seconds, a power of two.
     in_units: InUnits<T>,
     unit: f64,
     series: Box<Series<T, LENGTH>>,
@@ -55,10 +55,16 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
     /// The coefficients about the state now; the longest step that keeps the last of them below the
     /// tolerance, in units.
-    fn fill(&mut self, weights: &[f64; 3], columns: Option<&Columns<T>>, far: f64, tolerance: f64) -> f64 {
+    fn fill(
+        &mut self,
+        weights: &[f64; 3],
+        derivatives: Option<&Derivatives<T>>,
+        left: f64,
+        tolerance: f64,
+    ) -> f64 {
         self.series.begin_as(&self.next);
-        let (mut power, mut below) = (far, false);
-        if far > 1.0 {
+        let (mut power, mut below) = (left, false);
+        if left > 1.0 {
             self.series.extend_to(self.most, &self.in_units);
         } else {
             // To the end is less than a unit: it may take fewer coefficients. They are made three at a time.
@@ -66,29 +72,29 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                 if self.series.order < order {
                     self.series.extend_to((order + 2).min(self.most), &self.in_units);
                 }
-                power *= far;
-                let small = self.series.size(order, weights, columns) * power <= 0.1 * tolerance;
+                power *= left;
+                let small = self.series.size(order, weights, derivatives) * power <= 0.1 * tolerance;
                 if small && below {
-                    return far;
+                    return left;
                 }
                 below = small;
             }
         }
         let goal = logarithm(tolerance);
-        let size = |order: usize| self.series.size(order, weights, columns);
+        let size = |order: usize| self.series.size(order, weights, derivatives);
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exponential(if last < before { last } else { before });
         // Rather than a short step at the end, one that is somewhat longer.
-        if far < 1.1 * longest { far } else { longest }
+        if left < 1.1 * longest { left } else { longest }
     }
 
-    /// The end of a step of `x` units at a time (s after the start of the run), and its error: how far the
+    /// The end of a step of `x` units at a time (s after the start of the run), and its error: how left the
     /// series is from the law there.
     fn end(
         &mut self,
         run: &Run<T>,
-        columns: Option<&Columns<T>>,
+        derivatives: Option<&Derivatives<T>>,
         x: T,
         time: f64,
         scale: f64,
@@ -96,7 +102,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(&run.state, &q, &w);
         end.momentum.apply(|x| {
-            if columns.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
+            if derivatives.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
             }
         });
@@ -108,9 +114,10 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
         let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * self.law.moments[i] * per);
         let share = x.size() / (self.series.order as f64 + 1.0);
-        let error = share * largest(&[largest(&turned), over(largest(&pushed), scale)]);
-        let slopes = columns.map_or(0.0, |columns| share * columns.share(turned.iter().chain(&spun)));
-        (end, largest(&[error, stretched, slopes]))
+        let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
+        let derivatives =
+            derivatives.map_or(0.0, |derivatives| share * derivatives.share(turned.iter().chain(&spun)));
+        (end, largest(&[error, stretched, derivatives]))
     }
 
     /// A state after these changes of attitude and spin in units.
@@ -144,11 +151,11 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let remaining = run.duration - run.time;
         let omega = run.system.omega(&run.state.momentum);
-        let loss = self.law.loss(&run.state.momentum);
-        let rate = self.law.rate(&omega, loss);
+        let decay = self.law.fastest_decay(&run.state.momentum);
+        let rate = self.law.rate(&omega, decay);
         // Within a factor of four of the time in which the motion changes; else the law is put in units anew.
-        let pace = rate * self.unit;
-        let unit = if (0.5..=4.0).contains(&pace) {
+        let rate_in_units = rate * self.unit;
+        let unit = if (0.5..=4.0).contains(&rate_in_units) {
             self.unit
         } else if rate > 0.0 && rate.is_finite() {
             times_power_of_two(1.0, -exponent(rate))
@@ -169,25 +176,25 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         // one that drag brought to rest has no digits below the least.
         let gained = self.gained();
         let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
-        let least = smallest::<T>() / run.tolerance;
-        let scale = held.max(least);
-        let weights = [0, 1, 2].map(|i| over(self.law.moments[i].size() / unit, scale).min(f64::MAX));
-        let far = remaining.abs() / unit;
+        let (least, scale) = (smallest::<T>() / run.tolerance, held.max(smallest::<T>() / run.tolerance));
+        let weights = [0, 1, 2].map(|i| ratio(self.law.moments[i].size() / unit, scale).min(f64::MAX));
+        let left = remaining.abs() / unit;
         let attitude = run.state.attitude.coords.as_slice();
         let spin = omega.map(|x| x * Run::number(unit));
-        let columns = run.slopes.map(|slopes| Columns::of(slopes, attitude, spin.as_slice()));
-        let columns = columns.as_ref();
-        let mut x = self.fill(&weights, columns, far, run.tolerance);
+        let derivatives =
+            run.derivatives.map(|derivatives| Derivatives::of(derivatives, attitude, spin.as_slice()));
+        let derivatives = derivatives.as_ref();
+        let mut x = self.fill(&weights, derivatives, left, run.tolerance);
         if !(x * unit).is_finite() {
             x = run.ahead().abs() / unit;
         }
         for _ in 0..TRIES {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
-            let signed = if last { far } else { x }.copysign(remaining);
+            let signed = if last { left } else { x }.copysign(remaining);
             let until = if last { run.duration } else { run.time + h };
-            let (end, error) = self.end(run, columns, Run::number(signed), until, scale);
+            let (end, error) = self.end(run, derivatives, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
-                run.count_losses(if held > least { loss * h.abs() } else { 0.0 });
+                run.count_stiffness(if held > least { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis());
                     flips.find(&spin[..=self.series.order], signed, run.time, unit);
@@ -197,7 +204,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                 return Ok(());
             }
             run.rejected += 1;
-            x = 0.5 * x.min(far);
+            x = 0.5 * x.min(left);
         }
         Err(run.no_step(x * unit))
     }

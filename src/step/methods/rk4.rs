@@ -1,8 +1,14 @@
-//! The classical fourth-order Runge-Kutta method [Kut01](crate::references), for any number type.
+//! The explicit Euler method [Eul68](crate::references) and the classical fourth-order Runge-Kutta method
+//! [Kut01](crate::references), for any number type.
 
 use crate::body::{Rate, State};
 use crate::number::{Analytic, Field};
 use crate::step::system::System;
+
+/// Straight ahead along the rates at the start.
+pub(crate) fn euler<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    start.plus(&system.rate(start), h.clone())
+}
 
 /// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors
 /// fall as `h^4`.

@@ -1,10 +1,10 @@
 //! Torques by what makes them, with their units.
 
-use super::Torque;
+use super::{Instant, Torque};
 use crate::attitude;
 use crate::number::{Analytic, Field};
 use alloc::boxed::Box;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 impl<T: Field> Torque<T> {
     /// Gravity on a top whose centre of mass is at `arm` (m) from the fixed point, in body axes, and whose
@@ -130,7 +130,8 @@ impl<T: Analytic> Torque<T> {
     }
 
     /// The gravity gradient.
-    pub(super) fn gradient(&self, inverse: &Vector3<T>, time: &T, rotation: &Matrix3<T>) -> Vector3<T> {
+    pub(super) fn gradient(&self, now: &Instant<'_, T>) -> Vector3<T> {
+        let Instant { inverse, time, rotation, .. } = *now;
         let Self::GravityGradient { strength, direction, orbit } = self else {
             return Vector3::from_fn(|_, _| T::zero());
         };

@@ -9,94 +9,58 @@ use num_traits::{FromPrimitive, One, Zero};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dual {
     pub(crate) value: f64,
-    pub(crate) slopes: [f64; 6],
+    pub(crate) derivatives: [f64; 6],
 }
 
 impl From<f64> for Dual {
     fn from(value: f64) -> Self {
-        Self { value, slopes: [0.0; 6] }
+        Self { value, derivatives: [0.0; 6] }
     }
 }
 
 impl Dual {
     /// A function of it, by the function's value and derivative.
     fn by(&self, value: f64, slope: f64) -> Self {
-        Self { value, slopes: self.slopes.map(|x| x * slope) }
+        Self { value, derivatives: self.derivatives.map(|x| x * slope) }
     }
 }
 
-impl Add for Dual {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        let slopes = core::array::from_fn(|i| self.slopes[i] + other.slopes[i]);
-        Self { value: self.value + other.value, slopes }
-    }
+/// Operators, each by the value of its result and by one of the derivatives.
+macro_rules! operators {
+    ($($name:ident, $method:ident, $assign:ident, $method_assign:ident:
+        |$a:ident, $b:ident, $i:ident| $value:expr, $derivative:expr;)*) => {$(
+        #[allow(clippy::suspicious_arithmetic_impl, reason = "the rules of products and quotients")]
+        impl $name for Dual {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, $b: Self) -> Self {
+                let $a = self;
+                Self { value: $value, derivatives: core::array::from_fn(|$i| $derivative) }
+            }
+        }
+
+        impl $assign for Dual {
+            #[inline(always)]
+            fn $method_assign(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
 }
 
-impl AddAssign for Dual {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = self.add(other);
-    }
-}
-
-impl Sub for Dual {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        let slopes = core::array::from_fn(|i| self.slopes[i] - other.slopes[i]);
-        Self { value: self.value - other.value, slopes }
-    }
-}
-
-impl SubAssign for Dual {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = self.sub(other);
-    }
-}
-
-#[allow(clippy::suspicious_arithmetic_impl, reason = "the rules of products and quotients")]
-impl Mul for Dual {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        let (a, b) = (self.value, other.value);
-        let slopes = core::array::from_fn(|i| self.slopes[i] * b + a * other.slopes[i]);
-        Self { value: a * b, slopes }
-    }
-}
-
-impl MulAssign for Dual {
-    #[inline(always)]
-    fn mul_assign(&mut self, other: Self) {
-        *self = self.mul(other);
-    }
-}
-
-#[allow(clippy::suspicious_arithmetic_impl, reason = "the rules of products and quotients")]
-impl Div for Dual {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        let slopes = core::array::from_fn(|i| (self.slopes[i] - value * other.slopes[i]) / other.value);
-        Self { value, slopes }
-    }
-}
-
-impl DivAssign for Dual {
-    #[inline(always)]
-    fn div_assign(&mut self, other: Self) {
-        *self = self.div(other);
-    }
+operators! {
+    Add, add, AddAssign, add_assign: |a, b, i| a.value + b.value, a.derivatives[i] + b.derivatives[i];
+    Sub, sub, SubAssign, sub_assign: |a, b, i| a.value - b.value, a.derivatives[i] - b.derivatives[i];
+    Mul, mul, MulAssign, mul_assign: |a, b, i| a.value * b.value,
+        a.derivatives[i] * b.value + a.value * b.derivatives[i];
+    Div, div, DivAssign, div_assign: |a, b, i| a.value / b.value,
+        (a.derivatives[i] - a.value / b.value * b.derivatives[i]) / b.value;
 }
 
 impl Neg for Dual {
     type Output = Self;
     fn neg(self) -> Self {
-        Self { value: -self.value, slopes: self.slopes.map(|x| -x) }
+        Self { value: -self.value, derivatives: self.derivatives.map(|x| -x) }
     }
 }
 
@@ -127,7 +91,7 @@ impl FromPrimitive for Dual {
     }
 }
 
-/// Its size is that of the value: an adaptive run measures each column of slopes by itself.
+/// Its size is that of the value: an adaptive run measures each column of derivatives by itself.
 impl Analytic for Dual {
     fn sqrt(&self) -> Self {
         let root = Analytic::sqrt(&self.value);
