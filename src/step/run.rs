@@ -129,7 +129,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     /// The tolerance of an adaptive stepper and its budget; none of another, which has not what is requested.
-    pub(super) fn tolerance(&self, what: &'static str) -> Result<(f64, usize), Error> {
+    pub(super) fn tolerance(&self, what: Subject) -> Result<(f64, usize), Error> {
         if let Rule::Adaptive { tolerance, budget } = self.rule {
             return Ok((tolerance, budget));
         }

@@ -1,4 +1,4 @@
-//! The position stage in C has the bits of the one in Rust, compiles without a word in every C and C++, refuses
+//! The position stage in C has the bits of the one in Rust, compiles without a word in C and C++, refuses
 //! what no body has, and options that break it. Without a C compiler the tests say so and check nothing.
 
 use nalgebra::{Quaternion, Vector3};
@@ -154,7 +154,7 @@ fn the_header_in_c_has_the_bits_of_the_library() {
     }
 }
 
-/// What gcc refuses by the macros that it sets for them, clang for x86 takes back over the header's functions.
+/// What gcc refuses by its macros, clang for x86 takes back over the functions of the header.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn options_for_other_bits_have_no_effect_in_clang() {

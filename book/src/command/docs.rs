@@ -53,7 +53,7 @@ fn made() -> Option<PathBuf> {
     Some(target.join("doc"))
 }
 
-fn copy(from: &Path, to: &Path) -> Result<(), String> {
+pub(crate) fn copy(from: &Path, to: &Path) -> Result<(), String> {
     let cannot = |e: std::io::Error| format!("cannot copy {} to {}: {e}", from.display(), to.display());
     if from.is_dir() {
         fs::create_dir_all(to).map_err(cannot)?;

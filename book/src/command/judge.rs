@@ -1,217 +1,35 @@
-//! The command `judge`: an engine's record in, a verdict out.
+//! The command `judge`: that of the judge, with a picture of the verdict and the chapter that says more.
 
-use crate::complain;
 use crate::site::chapters::chapter;
 use clap::Args;
-use nalgebra::Vector3;
-use std::fs::File;
-use std::io::{BufReader, ErrorKind, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
-use tumbling_judge::{Error, LawName, Options, Outcome, Verdict};
+use tumbling_judge::Verdict;
 
 /// How a record is judged.
 #[derive(Debug, Args)]
-#[command(after_help = ABOUT)]
 pub(crate) struct Arguments {
-    /// The record, comma-separated values; - for the standard input
-    file: PathBuf,
-    /// Principal moments about the body's x, y and z, kg m2, where the record names none
-    #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
-    inertia: Option<Vector3<f64>>,
-    /// Largest error allowed, of every law or of LAW (0.01 if not given)
-    #[arg(long, value_name = "[LAW=]X", value_delimiter = ',', value_parser = limit, allow_hyphen_values = true)]
-    threshold: Vec<Limit>,
-    /// Start from the spin that fits the first N rows best (64 if not given), where the record has few digits
-    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64", value_parser = rows)]
-    fit: Option<usize>,
+    #[command(flatten)]
+    record: tumbling_judge::Arguments,
     /// Draw the verdict into this file
     #[arg(long, value_name = "OUT")]
     svg: Option<PathBuf>,
-    /// Print the verdict as one JSON object
-    #[arg(long)]
-    json: bool,
 }
 
-const ABOUT: &str = "\
-The record has a line of column names, then rows of numbers:
-    t (s), or step with a comment `# dt: 1/60`
-    qw,qx,qy,qz     attitude, body to world
-    wx,wy,wz        spin in body axes, rad/s; or wxw,wyw,wzw in world axes;
-                    or momentum, lx,ly,lz or lxw,lyw,lzw (kg m2/s)
-The axes of the body are its principal ones, with the moments in their order: a comment `# inertia: A B C` or
---inertia names them. Write all digits (17 of double precision, 9 of single).
-
-LAW is energy, momentum, direction, unit, separatrix, phase or consistency; the last two have no limit if none is
-given. Several are separated by commas: --threshold 0.001,energy=1e-6.
-
-Errors are relative to the first row: of energy and |L| a share, of a direction rad. The separatrix is 2 E I2 / L^2
-(I2 the middle moment), as its ratio to the first one: below 1 where the spin goes round the largest moment's axis,
-above 1 where round the smallest's. Phase is how far the spin is ahead of the exact one, in times round its closed curve.
-
-The JSON object has: outcome (passed, failed, nothing to judge, too short to judge), complaints,
-laws (law, grade, rate, most, last, allowed), flips, separatrix (first and last), file_mistakes, resets, gaps,
-missing, sign_changes, rounding, diagnosis (confidence: to rounding, most steps, near, too few digits, errors too small, too few steps, accurate or
-none fits; best, alike, second, ratio, steps, share, accuracy, would_decide, hints, advice), curve (the run in at most 256 points), and what was read.
-
-Exit code: 0 if the record passes, 1 if it fails or there is nothing or too little to judge, 2 if it cannot be read.";
-
-/// The largest error allowed of one law, or of all.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Limit {
-    law: Option<LawName>,
-    value: f64,
-}
-
-/// The moments of `--inertia A,B,C`.
-fn moments(text: &str) -> Result<Vector3<f64>, String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|x| x.trim().parse()).collect();
-    match numbers.as_deref() {
-        Ok(&[a, b, c]) => Ok(Vector3::new(a, b, c)),
-        _ => Err("it takes three numbers, as in 1,2,2.5".into()),
-    }
-}
-
-/// A part of `--threshold X,LAW=X`.
-fn limit(text: &str) -> Result<Limit, String> {
-    let (law, number) = match text.split_once('=') {
-        Some((law, number)) => (Some(law.trim()), number),
-        None => (None, text),
-    };
-    let law = law.map(|key| {
-        let known = LawName::ALL.into_iter().find(|law| law.key() == key);
-        known.ok_or_else(|| format!("the laws are {}", LawName::ALL.map(LawName::key).join(", ")))
-    });
-    match number.trim().parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(Limit { law: law.transpose()?, value }),
-        _ => Err("it takes a number above zero".into()),
-    }
-}
-
-/// The rows of `--fit N`.
-fn rows(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(rows) if rows >= 2 => Ok(rows),
-        _ => Err("it takes a number of rows, at least two; the record goes before `--fit`".into()),
-    }
-}
-
-impl Arguments {
-    fn options(&self) -> Options {
-        let start = Options { inertia: self.inertia, fit: self.fit, ..Options::default() };
-        self.threshold.iter().fold(start, |options, limit| match limit.law {
-            None => Options { threshold: limit.value, ..options },
-            Some(law) => options.with(law, limit.value),
-        })
-    }
-}
-
-/// Judges a record and prints the verdict.
+/// Judges a record and prints the verdict, and where the book says more of what it advises.
 pub(crate) fn run(arguments: &Arguments) -> ExitCode {
-    let printed = judged(&arguments.file, &arguments.options())
-        .map_err(|wrong| format!("{}: {wrong}{}", arguments.file.display(), option_for(&wrong)))
-        .and_then(|verdict| print(&verdict, arguments).map(|()| verdict.outcome));
-    match printed {
-        Ok(Outcome::Passed) => ExitCode::SUCCESS,
-        Ok(_) => ExitCode::FAILURE,
-        Err(wrong) => {
-            complain!("error: {wrong}");
-            ExitCode::from(2)
+    arguments.record.run(|verdict| {
+        if let Some(out) = &arguments.svg {
+            let draw = || -> Result<(), Box<dyn std::error::Error>> {
+                Ok(std::fs::write(out, tumbling_figures::verdict(verdict)?)?)
+            };
+            draw().map_err(|wrong| format!("{}: {wrong}", out.display()))?;
         }
-    }
+        Ok(more(verdict).unwrap_or_default())
+    })
 }
 
-/// The option that mends what is wrong, where there is one.
-const fn option_for(wrong: &Error) -> &'static str {
-    match wrong {
-        Error::NoMoments => " (--inertia A,B,C)",
-        Error::Fit { .. } => " (--fit N)",
-        _ => "",
-    }
-}
-
-fn print(verdict: &Verdict, arguments: &Arguments) -> Result<(), String> {
-    if let Some(out) = &arguments.svg {
-        draw(verdict, out).map_err(|wrong| format!("{}: {wrong}", out.display()))?;
-    }
-    let text = if arguments.json { format!("{:#}\n", verdict.json()) } else { words(verdict) };
-    let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(wrong) if wrong.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("the verdict could not be written: {wrong}"))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// The verdict, and where the book says more of what it advises.
-fn words(verdict: &Verdict) -> String {
-    let advice = verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.advice);
-    let more = advice.and_then(chapter).map(|place| format!("More about it: chapter {place}.\n"));
-    format!("{verdict}\n{}", more.unwrap_or_default())
-}
-
-fn draw(verdict: &Verdict, out: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    Ok(std::fs::write(out, tumbling_figures::verdict(verdict)?)?)
-}
-
-fn judged(file: &Path, options: &Options) -> Result<Verdict, Error> {
-    if file == Path::new("-") {
-        return tumbling_judge::judge(std::io::stdin().lock(), options);
-    }
-    let opened = File::open(file).map_err(|source| Error::Read { line: 0, source })?;
-    tumbling_judge::judge(BufReader::with_capacity(1 << 16, opened), options)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use clap::Parser as _;
-
-    #[derive(clap::Parser)]
-    struct Judge {
-        #[command(flatten)]
-        arguments: Arguments,
-    }
-
-    fn options(words: &str) -> Result<Options, String> {
-        let judge = Judge::try_parse_from(words.split(' ')).map_err(|e| e.to_string())?;
-        Ok(judge.arguments.options())
-    }
-
-    #[test]
-    fn limits_moments_and_rows_are_read() {
-        assert_eq!(options("judge run.csv"), Ok(Options::default()));
-        let given = options("judge - --inertia 1,2,2.5 --threshold=1e-6 --json").unwrap();
-        assert_eq!((given.inertia, given.threshold), (Some(Vector3::new(1.0, 2.0, 2.5)), 1e-6));
-        for (words, rows) in [
-            ("judge run.csv --fit", 64),
-            ("judge --fit --json run.csv", 64),
-            ("judge --fit 9 run.csv", 9),
-            ("judge --fit=9 run.csv", 9),
-        ] {
-            assert_eq!(options(words).unwrap().fit, Some(rows), "{words}");
-        }
-        let given = options("judge x --threshold 0.5,energy=1e-6,phase=2 --svg out.svg").unwrap();
-        let allowed = [LawName::Energy, LawName::Momentum, LawName::Phase].map(|law| given.allowed(law));
-        assert_eq!(allowed, [Some(1e-6), Some(0.5), Some(2.0)]);
-        assert_eq!(limit(" phase = 2 "), Ok(Limit { law: Some(LawName::Phase), value: 2.0 }));
-    }
-
-    #[test]
-    fn a_value_that_cannot_be_taken_is_answered_with_what_can() {
-        for (words, answer) in [
-            ("judge a --inertia 1,2", "three numbers"),
-            ("judge a --inertia 1,x,2", "three numbers"),
-            ("judge a --threshold -1", "above zero"),
-            ("judge a --threshold energy=", "above zero"),
-            ("judge a --threshold enrgy=1", "the laws are energy, "),
-            ("judge a --fit 1", "at least two"),
-            ("judge --fit a", "the record goes before `--fit`"),
-            ("judge a --svg --json", "--svg"),
-        ] {
-            let error = options(words).unwrap_err();
-            assert!(error.contains(answer), "{words}: {error}");
-        }
-    }
+fn more(verdict: &Verdict) -> Option<String> {
+    let advice = verdict.diagnosis.as_ref()?.advice;
+    Some(format!("More about it: chapter {}.\n", chapter(advice)?))
 }

@@ -11,6 +11,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+/// The position stage for engines, which a chapter links to; beside the pages in the folder `engine`.
+const TO_TAKE_ALONG: [&str; 2] = ["c/position_stage.h", "position_stage.rs"];
+
 /// Builds the book into `book/html/`, to stand at `site` if that is known.
 ///
 /// # Errors
@@ -31,6 +34,12 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
     let folder = rendered(destination, Preprocess)?;
     // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
     let _ = fs::remove_file(folder.join("lib.rs"));
+    for file in TO_TAKE_ALONG {
+        docs::copy(
+            &paths::repository().join("examples/engines").join(file),
+            &folder.join("engine").join(file),
+        )?;
+    }
     share::tell(paths::book(), &folder, site)?;
     index_of_words(&folder)?;
     left_directives(&folder)
@@ -110,6 +119,9 @@ mod tests {
         // Besides the chapters: the first once more as index, the table of contents, the whole book
         // for printing, and the page for addresses that lead nowhere.
         assert_eq!(pages, chapters + 4);
+        for file in TO_TAKE_ALONG {
+            assert!(folder.path().join("engine").join(file).exists(), "{file}");
+        }
 
         let page = fs::read_to_string(folder.path().join("two-arrows.html")).unwrap();
         assert!(page.contains("class=\"turning\"") && page.contains("rel=\"canonical\""));

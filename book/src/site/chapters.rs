@@ -19,11 +19,6 @@ pub(crate) const fn chapter(advice: Advice) -> Option<&'static str> {
         | Advice::KeepsLaws
         | Advice::EngineLimits
         | Advice::Damped
-        | Advice::DampedByAxis
-        | Advice::SmallTurn
-        | Advice::Zeroed
-        | Advice::OtherTurn
-        | Advice::OtherStep
         | Advice::Accurate
         | Advice::Unknown => "\"Stepping through time\"",
         _ => return None,

@@ -4,7 +4,8 @@
 use crate::error::Error;
 use crate::law::LawName;
 use crate::memory::{Precision, Row, judge_in_memory};
-use crate::verdict::{Options, Verdict};
+use crate::options::Options;
+use crate::verdict::outcome::Verdict;
 use nalgebra::Vector3;
 use serde_json::Value;
 use tumbling::PrincipalMoments;

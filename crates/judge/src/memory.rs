@@ -1,11 +1,13 @@
 //! Records in memory: rows from an iterator, without text.
 
-use crate::columns::Kind;
 use crate::error::Error;
-use crate::judge::{About, judge_rows};
-use crate::source::{Printed, Raw, Source};
+use crate::judge::judge_rows;
+use crate::options::Options;
+use crate::read::columns::Kind;
+use crate::read::known::Said;
+use crate::read::source::{Printed, Raw, Source};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
-use crate::verdict::{Options, Verdict};
+use crate::verdict::outcome::Verdict;
 use nalgebra::{Quaternion, Vector3};
 
 mod sealed {
@@ -88,20 +90,19 @@ pub fn judge_in_memory<T: Precision>(
 ) -> Result<Verdict, Error> {
     let mut rows = rows.into_iter().peekable();
     let first = rows.peek().ok_or(Error::NoRowsInMemory)?;
-    let about = About {
+    let said = Said {
+        engine: None,
         kind: Kind::SpinBody,
         second: None,
         step: None,
         torque: None,
         moments: options.inertia.or_else(|| Some(moments.into())),
         notes: Vec::new(),
+        ignored: Vec::new(),
     };
     let attitudes = first.attitude.is_some();
-    judge_rows(
-        &mut Memory { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None },
-        about,
-        options,
-    )
+    let mut rows = Memory { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None };
+    judge_rows(&mut rows, said, options)
 }
 
 /// Rows of an iterator.

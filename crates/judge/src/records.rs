@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::law::LawName;
-use crate::rows::Rows;
-use crate::source::Raw;
+use crate::read::rows::Rows;
+use crate::read::source::Raw;
 use nalgebra::{Quaternion, Vector3};
 
 /// A recorded run of an engine.

@@ -274,18 +274,10 @@ pub(crate) const CAP_AT_START: [f64; 2] = [1.05, 1e-6];
 pub(crate) const CAPPED_ROWS: [usize; 2] = [4, 10];
 /// Loss of spin a step, as a share, below which there is no damping.
 pub(crate) const DAMPED: f64 = 1e-9;
-/// Roundings by which a factor of damping may exceed one, and by which it must be below one.
-pub(crate) const DAMPED_ROUNDINGS: [f64; 2] = [4.0, 16.0];
+/// Roundings by which a factor of damping must be below one.
+pub(crate) const DAMPED_ROUNDINGS: f64 = 16.0;
 /// Change of a factor, as a share, at which a fit has converged.
 pub(crate) const CONVERGED: f64 = 1e-15;
-/// Component of the spin, relative to the greatest spin, below which its ratio says nothing.
-pub(crate) const SMALL_COMPONENT: f64 = 1e-3;
-/// Share by which a turn or a clock must differ to be another.
-pub(crate) const OTHER_PACE: f64 = 1e-3;
-/// Share within which a factor is taken for a fraction.
-pub(crate) const FRACTION_APART: f64 = 0.01;
-/// Largest denominator of such a fraction, and value below which it is one part of a whole number.
-pub(crate) const FRACTION: (u32, f64) = (10, 0.1);
 /// Change of a moment, as a share, by which derivatives are taken: the cube root of rounding, about.
 pub(crate) const JOLT: f64 = 1e-6;
 
@@ -310,5 +302,5 @@ pub(crate) const SPIN_ROUNDS: usize = 20;
 pub(crate) const RULE_ROUNDS: usize = 60;
 /// Of Gauss and Newton's way to moments.
 pub(crate) const MOMENTS_ROUNDS: usize = 12;
-/// Of the way to a factor of damping, and to three.
-pub(crate) const DAMPING_ROUNDS: [usize; 2] = [6, 24];
+/// Of the way to a factor of damping.
+pub(crate) const DAMPING_ROUNDS: usize = 6;

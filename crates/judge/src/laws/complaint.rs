@@ -1,0 +1,68 @@
+//! What fails a record and is no law, as values; the room of verdicts puts them into sentences.
+
+use crate::rule::rules::Rule;
+
+/// What fails a record and is no law.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Complaint {
+    /// The numbers end before the file does.
+    Ended {
+        /// Where, and with what.
+        at: String,
+    },
+    /// The spin turns over about the axis that it should circle for ever.
+    TurnedOver {
+        /// When first, s from the start.
+        time: f64,
+    },
+    /// The spin along the middle axis never changes sign, and should.
+    NeverFlips {
+        /// How often it should.
+        exact: u64,
+    },
+    /// The spin along the middle axis changes sign, and should never.
+    Flips {
+        /// How often it does.
+        found: u64,
+    },
+    /// The record has a second vector that is at odds with the first.
+    OtherSpin {
+        /// The first column of the second vector.
+        column: String,
+        /// By how much, as a share.
+        off: f64,
+        /// In which line.
+        line: usize,
+    },
+    /// The spin stays as it is, and should change.
+    Constant {
+        /// By how much, as a share.
+        moved: f64,
+    },
+    /// Attitudes turn too far from one to the next to say which way; the record is judged up to there.
+    TooFar {
+        /// In which line.
+        line: usize,
+        /// By how much, rad.
+        turn: f64,
+    },
+    /// No two rows are one step apart.
+    NoSteps,
+    /// The attitude does not turn as the spin says.
+    Otherwise {
+        /// By how much at most, as a share of the spin.
+        off: f64,
+    },
+    /// Every step is made by a rule that no body goes by.
+    WrongRule(Rule),
+    /// The phase ran away from the exact one.
+    WrongPace {
+        /// How far, in periods of the spin.
+        off: f64,
+        /// The number of periods of the exact motion.
+        ways: f64,
+        /// How far was allowed.
+        allowed: f64,
+    },
+}

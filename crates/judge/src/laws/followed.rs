@@ -1,0 +1,356 @@
+//! The laws of free motion, each held against the rows as they come.
+
+use crate::law::LawName;
+use crate::laws::curve::Curve;
+use crate::laws::kept::{FlipCount, Law};
+use crate::laws::points::{Point, Points};
+use crate::read::state::{Pair, Row, in_world, ordered};
+use crate::thresholds::{
+    ALLOWED, CONSTANT, FLIP_TIMES, LAW_OF_TWO, LAW_ROUNDINGS, ON_AXIS, TURN_ROUNDINGS, UNTRACEABLE,
+};
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+use tumbling::exact::{FreeMotion, Regime};
+use tumbling::{
+    Axis,
+    dynamics::{euler, observe},
+};
+
+/// Everything that is followed from row to row.
+pub(crate) struct Laws {
+    moments: Vector3<f64>,
+    start: Start,
+    pub exact: FreeMotion,
+    middle: Option<usize>,
+    /// The axis the spin circles, and the two others in right-handed order.
+    circled: Option<[usize; 3]>,
+    curves: [(LawName, Curve); 7],
+    pub points: Points,
+    /// How far the spin is ahead of the exact one, rad.
+    lag: f64,
+    flips: Flips,
+    pub seen: Seen,
+    floor: f64,
+}
+
+/// What the laws are held against: the first row, and what it has of each.
+struct Start {
+    row: Row,
+    energy: f64,
+    momentum: f64,
+    /// The momentum in the world.
+    direction: Option<Vector3<f64>>,
+}
+
+/// What is seen of the motion as a whole.
+pub(crate) struct Seen {
+    pub last: Row,
+    /// Whether the spin has never left its first value by more than rounding.
+    pub constant: bool,
+    /// How far the exact spin ever is from its first value, relative to the first speed.
+    pub moved: f64,
+    /// The whole angle turned, rad: the mean speed of each two rows times the time between them.
+    pub turned: f64,
+    /// How often the quaternion changes its sign.
+    pub sign_changes: u64,
+    /// The greatest speed, rad/s.
+    speed: f64,
+    /// How much the last step changed the spin, relative to the spin.
+    change: f64,
+    /// Steps since the first row; rows where a step has no one length.
+    steps: f64,
+}
+
+struct Flips {
+    /// Since when a flip is one, s from the first row.
+    from: f64,
+    exact: Box<dyn Iterator<Item = f64>>,
+    count: FlipCount,
+    last: Option<(f64, f64)>,
+}
+
+/// The time, s, up to which the spin along the middle axis is zero to rounding, where it starts at zero.
+fn flips_from(moments: &Vector3<f64>, first: &Row, middle: Option<usize>) -> f64 {
+    let Some(middle) = middle else { return 0.0 };
+    let zero = ON_AXIS * f64::EPSILON * first.omega.amax();
+    if first.omega[middle].abs() > zero {
+        return 0.0;
+    }
+    let rate = euler::angular_acceleration(moments, &first.omega, &Vector3::zeros())[middle].abs();
+    let from = 2.0 * zero / rate;
+    if from.is_finite() { from } else { 0.0 }
+}
+
+impl Laws {
+    /// From the first row; `floor` is the rounding of the numbers, relative to 1.
+    pub(crate) fn new(
+        moments: &Vector3<f64>,
+        first: &Row,
+        direction: Option<Vector3<f64>>,
+        floor: f64,
+    ) -> Result<Self, tumbling::Error> {
+        let exact = FreeMotion::new((*moments).try_into()?, &first.omega)?;
+        let middle = matches!(exact.regime(), Regime::Elliptic { .. } | Regime::Separatrix { .. })
+            .then(|| ordered(moments)[1]);
+        let circled = match exact.regime() {
+            Regime::Elliptic { about: Axis::Largest, .. }
+            | Regime::SymmetricTop { axis: Axis::Largest, .. } => Some(ordered(moments)[2]),
+            Regime::Elliptic { .. } | Regime::Separatrix { .. } | Regime::SymmetricTop { .. } => {
+                Some(ordered(moments)[0])
+            }
+            _ => None,
+        };
+        let angular = moments.component_mul(&first.omega);
+        // A spin that starts in the plane of the other two axes does not flip there.
+        let flips_from = flips_from(moments, first, middle);
+        let flips = exact.flips(flips_from, 1e9).or_else(|_| exact.flips(flips_from, 1e3));
+        let exact_flips: Box<dyn Iterator<Item = f64>> = match flips {
+            Ok(flips) => Box::new(flips),
+            Err(_) => Box::new(std::iter::empty()),
+        };
+        let start = Start {
+            row: *first,
+            energy: observe::energy(&first.omega, &angular),
+            momentum: angular.norm(),
+            direction: direction.or_else(|| first.attitude.map(|q| in_world(&q, &angular))),
+        };
+        let seen = Seen {
+            last: *first,
+            constant: true,
+            moved: 0.0,
+            turned: 0.0,
+            sign_changes: 0,
+            speed: first.omega.norm(),
+            change: 0.0,
+            steps: 0.0,
+        };
+        Ok(Self {
+            moments: *moments,
+            start,
+            exact,
+            middle,
+            circled: circled.map(|axis| [axis, (axis + 1) % 3, (axis + 2) % 3]),
+            curves: LawName::ALL.map(|name| (name, Curve::new())),
+            points: Points::new(),
+            lag: 0.0,
+            flips: Flips { from: flips_from, exact: exact_flips, count: FlipCount::default(), last: None },
+            seen,
+            floor,
+        })
+    }
+
+    fn put(&mut self, name: LawName, t: f64, error: f64) {
+        if error.is_finite()
+            && let Some((_, curve)) = self.curves.iter_mut().find(|curve| curve.0 == name)
+        {
+            curve.push(t, error);
+        }
+    }
+
+    /// One more row, this number of steps after the last.
+    pub(crate) fn push(&mut self, state: &Row, steps: f64) -> Result<(), tumbling::Error> {
+        let t = state.t - self.start.row.t;
+        self.seen.steps += steps;
+        let angular = self.moments.component_mul(&state.omega);
+        let (energy, momentum) = (observe::energy(&state.omega, &angular), angular.norm());
+        self.put(LawName::Energy, t, (energy / self.start.energy).ln());
+        self.put(LawName::Momentum, t, (momentum / self.start.momentum).ln());
+        let middle = ordered(&self.moments)[1];
+        let separatrix =
+            |energy: f64, momentum: f64| 2.0 * energy / momentum * (self.moments[middle] / momentum);
+        let first = separatrix(self.start.energy, self.start.momentum);
+        self.put(LawName::Separatrix, t, separatrix(energy, momentum) / first - 1.0);
+        let mut turned_away = None;
+        if let Some(q) = state.attitude {
+            self.put(LawName::Unit, t, q.norm() - 1.0);
+            if let Some(first) = self.start.direction {
+                let now = in_world(&q, &angular);
+                let angle = first.cross(&now).norm().atan2(first.dot(&now));
+                turned_away = Some(angle);
+                self.put(LawName::Direction, t, angle);
+            }
+            if self.seen.last.attitude.is_some_and(|last| last.coords.dot(&q.coords) < 0.0) {
+                self.seen.sign_changes += 1;
+            }
+        }
+        let wanted = self.exact.omega(t)?;
+        let moved = (wanted - self.start.row.omega).norm() / self.start.row.omega.norm();
+        self.seen.moved = if moved > self.seen.moved { moved } else { self.seen.moved };
+        let mean = (state.omega.norm() + self.seen.last.omega.norm()) / 2.0;
+        self.seen.turned += mean * (state.t - self.seen.last.t).max(0.0);
+        if let Some(axes) = self.circled {
+            let lag = (self.phase(axes, &state.omega) - self.phase(axes, &wanted)) * self.sense(axes);
+            let step = (lag - self.lag) / TAU;
+            self.lag += (step - step.round()) * TAU;
+            self.put(LawName::Phase, t, self.lag / TAU);
+        }
+        self.points.push(&Point {
+            time: t,
+            energy: energy / self.start.energy - 1.0,
+            momentum: momentum / self.start.momentum - 1.0,
+            direction: turned_away,
+            phase: self.circled.map(|_| self.lag / TAU),
+            spin: state.omega,
+            exact: wanted,
+            spin_range: [state.omega; 2],
+            exact_range: [wanted; 2],
+        });
+        let speed = state.omega.norm();
+        self.seen.speed = self.seen.speed.max(speed);
+        self.seen.constant &= (state.omega - self.start.row.omega).amax()
+            <= CONSTANT * self.floor * self.start.row.omega.amax();
+        self.flip(t, state);
+        self.seen.last = *state;
+        Ok(())
+    }
+
+    /// A row and the one a step before it.
+    pub(crate) fn pair(&mut self, pair: &Pair) {
+        let (from, to) = (pair.from.omega, pair.to.omega);
+        let speed = from.norm().max(to.norm());
+        let change = (to - from).norm() / speed;
+        let changes = if change.is_finite() { change.max(self.seen.change) } else { self.seen.change };
+        if let Some(off) = pair.inconsistency() {
+            // A spin that changes in a step leaves open which of its values turned the body; a turn has its
+            // rounding.
+            let allowed = changes + TURN_ROUNDINGS * self.floor / (speed * pair.h);
+            self.put(LawName::Consistency, pair.to.t - self.start.row.t, (off - allowed).max(0.0));
+        }
+        self.seen.change = if change.is_finite() { change } else { 0.0 };
+    }
+
+    /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a
+    /// circle.
+    fn phase(&self, [a, b, c]: [usize; 3], omega: &Vector3<f64>) -> f64 {
+        let weight = |i: usize| (self.moments[i] * (self.moments[a] - self.moments[i]).abs()).sqrt();
+        (weight(c) * omega[c]).atan2(weight(b) * omega[b])
+    }
+
+    /// Which way round the spin goes: counter-clockwise about the largest moment's axis where it spins
+    /// forward.
+    fn sense(&self, [a, b, _]: [usize; 3]) -> f64 {
+        (self.moments[a] - self.moments[b]).signum() * self.start.row.omega[a].signum()
+    }
+
+    fn flip(&mut self, t: f64, state: &Row) {
+        let Some(middle) = self.middle else { return };
+        let over =
+            self.circled.is_some_and(|[axis, ..]| state.omega[axis] * self.start.row.omega[axis] < 0.0);
+        if over {
+            self.flips.count.turned_over = self.flips.count.turned_over.or(Some(t));
+        }
+        let x = state.omega[middle];
+        let flips = &mut self.flips;
+        if x == 0.0 || t <= flips.from && flips.from > 0.0 {
+            return;
+        }
+        if let Some((t0, x0)) = flips.last
+            && (x0 < 0.0) != (x < 0.0)
+        {
+            let share = 1.0 / (1.0 + (x / x0).abs());
+            let when = t0 * (1.0 - share) + t * share;
+            flips.count.found += 1;
+            flips.count.first = flips.count.first.or(Some(when));
+            if flips.count.times.len() < FLIP_TIMES {
+                flips.count.times.push(when);
+            }
+            if let Some(exact) = flips.exact.next() {
+                flips.count.apart = flips.count.apart.max((when - exact).abs());
+            }
+        }
+        flips.last = Some((t, x));
+    }
+
+    pub(crate) fn flips(&self) -> Option<FlipCount> {
+        self.middle?;
+        let end = self.seen.last.t - self.start.row.t;
+        let mut count = self.flips.count.clone();
+        let exact = self.exact.flips(self.flips.from.min(end), end).ok()?;
+        count.exact = exact.remaining();
+        count.first_exact = exact.into_iter().next();
+        Some(count)
+    }
+
+    /// The number of periods of the exact spin in the time of the record.
+    pub(crate) fn ways_round(&self) -> f64 {
+        let end = self.seen.last.t - self.start.row.t;
+        match self.exact.period() {
+            Ok(Some(period)) if period > 0.0 => end / period,
+            _ => 0.0,
+        }
+    }
+
+    /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a
+    /// tenth of a radian, or more than any number holds: where in its motion the body should be then, an
+    /// `f64` does not determine.
+    pub(crate) fn untraceable(&self) -> bool {
+        let uncertain = f64::EPSILON * self.seen.turned;
+        !uncertain.is_finite() || uncertain > UNTRACEABLE
+    }
+
+    /// Whether the first spin is along one axis of the body, to rounding.
+    pub(crate) fn on_axis(&self) -> bool {
+        let spin = self.start.row.omega.abs();
+        // The largest component, not the length: that may be more than a number holds.
+        (0..3).filter(|&i| spin[i] > ON_AXIS * self.floor * spin.amax()).count() <= 1
+    }
+
+    /// Whether every axis of the body is a principal one.
+    pub(crate) fn has_equal_moments(&self) -> bool {
+        let [smallest, _, largest] = ordered(&self.moments).map(|i| self.moments[i]);
+        largest - smallest <= ON_AXIS * f64::EPSILON * largest
+    }
+
+    /// The first, and the last, `2 E I2 / L²`.
+    pub(crate) fn separatrix(&self) -> Option<[f64; 2]> {
+        let middle = self.moments[ordered(&self.moments)[1]];
+        let at = |state: &Row| {
+            let angular = self.moments.component_mul(&state.omega);
+            2.0 * observe::energy(&state.omega, &angular) * middle / angular.norm_squared()
+        };
+        self.middle.map(|_| [at(&self.start.row), at(&self.seen.last)])
+    }
+
+    /// How each law was kept that there was something of.
+    ///
+    /// What is beyond its limit in `allowed` is never kept to rounding.
+    pub(crate) fn kept(&self, allowed: impl Fn(LawName) -> Option<f64>) -> Vec<Law> {
+        let end = self.seen.last.t - self.start.row.t;
+        let turned = 1.0 + self.seen.speed * end;
+        self.curves
+            .iter()
+            .filter(|(name, curve)| {
+                let seen = curve.most() > 0.0 || *name != LawName::Consistency;
+                seen && match name {
+                    LawName::Direction | LawName::Unit | LawName::Consistency => {
+                        self.start.row.attitude.is_some()
+                    }
+                    LawName::Phase => self.circled.is_some(),
+                    LawName::Separatrix => self.middle.is_some(),
+                    _ => true,
+                }
+            })
+            .map(|(name, curve)| {
+                // Some rounding units a step, besides the rounding of the numbers themselves; of a time, of
+                // all that turns in it. Digits that a file lacks are lacking in each row alone: the engine
+                // steps on with its own, of single precision or better.
+                let own = (f64::from(f32::EPSILON) / self.floor).min(1.0);
+                let [once, each] = LAW_ROUNDINGS;
+                let units = once + each * self.seen.steps * own;
+                let rounding = self.floor
+                    * match name {
+                        LawName::Phase => units * turned,
+                        LawName::Direction | LawName::Separatrix => LAW_OF_TWO * units,
+                        _ => units,
+                    };
+                let of_ratio = matches!(name, LawName::Energy | LawName::Momentum);
+                let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
+                let last = plain(curve.last());
+                let most = curve.range().map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
+                let broken = most > allowed(*name).unwrap_or(ALLOWED);
+                let growth = curve.growth(if broken { 0.0 } else { rounding }, of_ratio);
+                Law { name: *name, growth, most, last }
+            })
+            .collect()
+    }
+}

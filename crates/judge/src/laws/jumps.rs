@@ -1,0 +1,157 @@
+//! Where a motion starts anew: a step out of all proportion, or back at the start without a way there.
+
+use crate::read::state::{Pair, Row, angle_between};
+use crate::thresholds::{
+    BACK, BACK_IN_ERRORS, ERROR_KEPT, JUMP, JUMP_BACK, JUMP_IN_ERRORS, JUMP_IN_TURNS, NEARLY_AT_REST,
+    SHORT_TURN, STEPS_BEFORE_A_JUMP, THROWN_IN_ROUNDINGS, THROWN_IN_TURNS,
+};
+use nalgebra::Vector3;
+use tumbling::dynamics::euler;
+
+/// A row at which the motion starts anew.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reset {
+    /// Its line in the file.
+    pub line: usize,
+    /// Its time, s.
+    pub time: f64,
+    /// Whether the body was put to rest.
+    pub to_rest: bool,
+    /// Whether it was put back to its start.
+    pub to_start: bool,
+}
+
+/// What the steps so far were off by, and what a next one is held against.
+pub(crate) struct Jumps {
+    pub first: Row,
+    pub moments: Vector3<f64>,
+    /// Constant in the world, N m.
+    pub torque: Option<Vector3<f64>>,
+    /// Whether the record has spins.
+    pub has_spin: bool,
+    /// The rounding of the numbers, relative to 1.
+    pub floor: f64,
+    errors: Errors,
+}
+
+/// How far steps were off the law, relative to the spin or in rad.
+#[derive(Default)]
+struct Errors {
+    /// The most in spin or turn, slowly forgotten.
+    off: f64,
+    /// How many steps there were.
+    steps: u64,
+    /// The most in spin of all steps before the last, and of the last.
+    most: f64,
+    now: f64,
+    /// The most in turn.
+    turn: f64,
+}
+
+impl Jumps {
+    pub(crate) fn new(
+        first: Row,
+        moments: Vector3<f64>,
+        torque: Option<Vector3<f64>>,
+        has_spin: bool,
+        floor: f64,
+    ) -> Self {
+        Self { first, moments, torque, has_spin, floor, errors: Errors::default() }
+    }
+
+    /// Whether the motion starts anew with a row, this number of steps after the last.
+    pub(crate) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
+        let Pair { from: last, to: state, .. } = pair;
+        let to_start = self.starts_anew(last, state) || self.comes_back(last, state, times);
+        let jumps = times == 1.0 && self.jumps(pair);
+        let to_rest = state.omega == Vector3::zeros();
+        let line = state.ahead.map_or(state.line, |(line, _)| line);
+        let reset = Reset { line, time: state.t, to_rest, to_start: to_start && !to_rest };
+        (to_start || jumps).then_some(reset)
+    }
+
+    /// A step that is a hundred times as far from the law as the steps before it were, and farther than a
+    /// rule's error in one step can be: the law itself changes the spin by no more than the angle turned.
+    fn jumps(&mut self, pair: &Pair) -> bool {
+        let (from, to) = (pair.from.omega, pair.to.omega);
+        // Of attitudes alone a spin that is out of all proportion is what is to be found.
+        let speed = if self.has_spin { from.norm().max(to.norm()) } else { from.norm() };
+        let mean = (from + to) / 2.0;
+        let rate = euler::angular_acceleration(&self.moments, &mean, &self.torque(pair));
+        let spin = (to - from - rate * pair.h).norm() / speed;
+        let turn = match (pair.turn(), speed * pair.h < SHORT_TURN) {
+            (Some(turn), true) => (turn - mean * pair.h).norm(),
+            _ => 0.0,
+        };
+        let off = spin.max(turn);
+        if !off.is_finite() {
+            return false;
+        }
+        self.errors.most = self.errors.most.max(self.errors.now);
+        self.errors.now = spin;
+        // A slow body turns little in a step: what is no jump for a fast one is many steps for it.
+        let thrown = self.errors.steps > STEPS_BEFORE_A_JUMP
+            && turn > THROWN_IN_TURNS * speed * pair.h
+            && turn > JUMP_IN_ERRORS * self.errors.turn
+            && turn > THROWN_IN_ROUNDINGS * self.floor;
+        self.errors.turn = self.errors.turn.max(turn);
+        if thrown {
+            return true;
+        }
+        let jumps = self.errors.steps > STEPS_BEFORE_A_JUMP
+            && off > JUMP
+            && off > JUMP_IN_TURNS * speed * pair.h
+            && off > JUMP_IN_ERRORS * self.errors.off;
+        if !jumps {
+            // Forgotten slowly, so that a rule that goes astray now and then is known to.
+            self.errors.off = off.max(ERROR_KEPT * self.errors.off);
+            self.errors.steps += 1;
+        }
+        jumps
+    }
+
+    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any
+    /// before: a record without attitudes that starts anew where the spin is near its first value anyway.
+    fn comes_back(&self, last: &Row, state: &Row, times: f64) -> bool {
+        let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
+        let h = state.t - last.t;
+        if self.errors.steps < STEPS_BEFORE_A_JUMP
+            || times != 1.0
+            || state.attitude.is_some()
+            || (now - first).norm() > BACK * first.norm()
+        {
+            return false;
+        }
+        let [errors, roundings] = BACK_IN_ERRORS;
+        let rate = euler::angular_acceleration(&self.moments, &((was + now) / 2.0), &Vector3::zeros());
+        let off = (now - was - rate * h).norm() / now.norm().max(was.norm());
+        off > errors * self.errors.most.max(self.errors.now) && off > roundings * self.floor
+    }
+
+    /// The torque in body axes, for a mean over the step.
+    fn torque(&self, pair: &Pair) -> Vector3<f64> {
+        match (self.torque, pair.from.attitude) {
+            (Some(torque), Some(q)) => {
+                tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
+            }
+            _ => Vector3::zeros(),
+        }
+    }
+
+    /// A body that moves is at rest all of a sudden, or back at the start without a way there.
+    fn starts_anew(&self, last: &Row, state: &Row) -> bool {
+        let [jump, turns] = JUMP_BACK;
+        let (before, now) = (last.omega.norm(), state.omega.norm());
+        if before > 0.0 && now == 0.0 {
+            return before > NEARLY_AT_REST * self.first.omega.norm();
+        }
+        let back = (state.omega - self.first.omega).norm() <= BACK * self.first.omega.norm();
+        let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
+            return back && (last.omega - state.omega).norm() > jump * now;
+        };
+        let turned = angle_between(&was, &q);
+        back && angle_between(&first, &q) < BACK
+            && turned > jump
+            && turned > turns * before.max(now) * (state.t - last.t)
+    }
+}

@@ -1,0 +1,103 @@
+//! A trial: rows in, and what they do to the laws noted.
+
+use crate::error::Error;
+use crate::laws::followed::Laws;
+use crate::laws::jumps::Jumps;
+use crate::laws::jumps::Reset;
+use crate::read::known::{Disagreement, Known};
+use crate::read::sample::Sample;
+use crate::read::state::{Pair, Row};
+use crate::rule::candidates::Subject;
+use crate::thresholds::RESETS;
+use nalgebra::Vector3;
+use serde::Serialize;
+
+/// Steps that have no row.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Gaps {
+    /// How often rows are missing.
+    pub count: u64,
+    /// The first line after such a place.
+    pub line: usize,
+    /// How many steps the longest is.
+    pub longest: f64,
+}
+
+/// A trial as far as it has come.
+pub(crate) struct Trial {
+    pub known: Known,
+    pub laws: Laws,
+    pub first: Row,
+    pub sample: Sample,
+    jumps: Jumps,
+    pub resets: Vec<Reset>,
+    pub gaps: Option<Gaps>,
+    last: Option<Row>,
+    pub rows: u64,
+    /// The number of pairs of rows that follow one another, however far apart.
+    pub pairs: u64,
+    /// At which line the attitude turns too far for its direction to be known, and by how much, rad.
+    pub stopped: Option<(usize, f64)>,
+    /// How a second vector of the record is at odds with the first.
+    pub second: Option<Disagreement>,
+    /// Where the numbers end, and with what.
+    pub ended: Option<String>,
+}
+
+impl Trial {
+    pub(crate) fn new(
+        subject: &Subject,
+        first: Row,
+        direction: Option<Vector3<f64>>,
+        known: Known,
+    ) -> Result<Self, Error> {
+        let (has_spin, floor) = (known.has_spin(), known.floor.size);
+        Ok(Self {
+            laws: Laws::new(&subject.moments, &first, direction, floor)?,
+            first,
+            sample: Sample::new(),
+            jumps: Jumps::new(first, subject.moments, subject.torque, has_spin, floor),
+            known,
+            resets: Vec::new(),
+            gaps: None,
+            last: None,
+            rows: 0,
+            pairs: 0,
+            stopped: None,
+            second: None,
+            ended: None,
+        })
+    }
+
+    /// One more row.
+    pub(crate) fn row(&mut self, state: &Row) -> Result<(), Error> {
+        let mut steps = 0.0;
+        if let Some(last) = self.last.replace(*state) {
+            let (h, times) = self.known.clock.between(last.t, state.t);
+            steps = times;
+            if times > 1.0 {
+                let gaps = self.gaps.get_or_insert(Gaps { count: 0, line: state.line, longest: 0.0 });
+                gaps.count += 1;
+                gaps.longest = gaps.longest.max(times);
+            }
+            let pair = Pair { from: last, to: *state, h };
+            let reset = self.jumps.reset(&pair, times);
+            if self.resets.len() < RESETS {
+                self.resets.extend(reset);
+            }
+            self.pairs += u64::from(self.resets.is_empty());
+            if self.resets.is_empty() && times == 1.0 {
+                if self.jumps.has_spin {
+                    self.laws.pair(&pair);
+                }
+                if self.jumps.has_spin || state.ahead.is_some() {
+                    self.sample.push(&pair);
+                }
+            }
+        }
+        if self.resets.is_empty() {
+            self.laws.push(state, steps)?;
+        }
+        Ok(())
+    }
+}

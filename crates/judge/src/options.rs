@@ -1,0 +1,61 @@
+//! What the judge is to go by.
+
+use crate::error::Error;
+use crate::law::LawName;
+use crate::thresholds::ALLOWED;
+use nalgebra::Vector3;
+
+/// What the judge is to go by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Principal moments, kg m²; they take precedence over what the record says.
+    pub inertia: Option<Vector3<f64>>,
+    /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
+    pub threshold: f64,
+    /// Limits for single laws, in place of `threshold`. A limit for phase (in periods) or for consistency
+    /// makes that law count. Without one, a phase fails that is off by more than a quarter of a period and a
+    /// quarter of the periods of the exact motion.
+    pub thresholds: [Option<f64>; 7],
+    /// To start from the exact motion that comes nearest to this number of rows, not from the first
+    /// alone.
+    pub fit: Option<usize>,
+}
+
+impl Options {
+    /// What is allowed of a law; nothing where it is not held to anything.
+    #[must_use]
+    pub fn allowed(&self, law: LawName) -> Option<f64> {
+        let own = LawName::ALL.iter().position(|name| *name == law).and_then(|i| self.thresholds[i]);
+        own.or_else(|| law.is_conserved().then_some(self.threshold))
+    }
+
+    /// With a limit of its own for a law.
+    #[must_use]
+    pub fn with(mut self, law: LawName, threshold: f64) -> Self {
+        if let Some(i) = LawName::ALL.iter().position(|name| *name == law) {
+            self.thresholds[i] = Some(threshold);
+        }
+        self
+    }
+}
+
+impl Options {
+    /// Limits that are numbers above zero.
+    pub(crate) fn checked(&self) -> Result<(), Error> {
+        let own =
+            LawName::ALL.iter().zip(self.thresholds).filter_map(|(law, most)| Some((Some(*law), most?)));
+        match std::iter::once((None, self.threshold))
+            .chain(own)
+            .find(|(_, most)| most.is_nan() || *most <= 0.0)
+        {
+            Some((law, value)) => Err(Error::Threshold { law, value }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { inertia: None, threshold: ALLOWED, thresholds: [None; 7], fit: None }
+    }
+}

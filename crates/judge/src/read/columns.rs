@@ -1,0 +1,373 @@
+//! Which column is what, from their names.
+
+use crate::error::Error;
+use crate::read::units;
+
+/// What the numbers of a row stand for: at which place each stands among the fields.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Columns {
+    pub names: Vec<String>,
+    pub separator: Separator,
+    pub clock: Clock,
+    /// w, x, y, z.
+    pub attitude: Option<[usize; 4]>,
+    /// None where attitudes are all there is.
+    pub vector: Option<[usize; 3]>,
+    pub kind: Kind,
+    /// Another vector than the one that is judged.
+    pub second: Option<(Kind, [usize; 3])>,
+    /// What a spin is to be multiplied by for rad/s, by the unit in its names; and the second vector's.
+    pub units: [f64; 2],
+    /// How many of the unit of the time column are a second.
+    pub per_second: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Separator {
+    One(char),
+    Blanks,
+}
+
+/// What the time of a row is read from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Clock {
+    /// Seconds.
+    Time(usize),
+    /// A count of steps.
+    Steps(usize),
+}
+
+/// What the three numbers are that move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    SpinBody,
+    SpinWorld,
+    MomentumBody,
+    MomentumWorld,
+    /// None: attitudes alone.
+    Attitude,
+}
+
+impl Kind {
+    pub(crate) const fn in_world(self) -> bool {
+        matches!(self, Self::SpinWorld | Self::MomentumWorld)
+    }
+
+    pub(crate) const fn is_momentum(self) -> bool {
+        matches!(self, Self::MomentumBody | Self::MomentumWorld)
+    }
+}
+
+impl Separator {
+    fn of(line: &str) -> Self {
+        [';', '\t', ','].into_iter().find(|&c| line.contains(c)).map_or(Self::Blanks, Self::One)
+    }
+
+    pub(crate) fn split(self, line: &str) -> Fields<'_> {
+        Fields { rest: Some(line), separator: self }
+    }
+}
+
+/// The fields of a line, without the blanks around them.
+pub(crate) struct Fields<'a> {
+    rest: Option<&'a str>,
+    separator: Separator,
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = &'a str;
+
+    fn next(&mut self) -> Option<&'a str> {
+        let rest = self.rest?;
+        let (field, left) = match self.separator {
+            Separator::One(c) => match rest.split_once(c) {
+                Some((field, left)) => (field, Some(left)),
+                None => (rest, None),
+            },
+            Separator::Blanks => {
+                let rest = rest.trim_start();
+                match rest.split_once(char::is_whitespace) {
+                    Some((field, left)) => (field, Some(left.trim_start()).filter(|left| !left.is_empty())),
+                    None => (rest, None),
+                }
+            }
+        };
+        self.rest = left;
+        Some(field.trim())
+    }
+}
+
+/// A name without quotes, unit, underscores and capitals; and its unit.
+fn plain(name: &str) -> (String, String) {
+    let name = name.trim_matches(|c: char| c == '"' || c == '\'' || c.is_whitespace()).to_lowercase();
+    let (name, unit) = match name.find(['[', '(']) {
+        Some(at) => name.split_at(at),
+        None => (name.as_str(), ""),
+    };
+    let letters = name.chars().filter(|c| c.is_alphanumeric()).collect();
+    (letters, unit.trim_matches(|c: char| "[]() ".contains(c)).to_string())
+}
+
+const TIME: [&str; 10] =
+    ["t", "time", "seconds", "timestamp", "ts", "tsec", "times", "timesec", "timeseconds", "simtime"];
+/// Names of the time that say its unit.
+const TIME_IN: [(&str, &str); 6] = [
+    ("tms", "ms"),
+    ("timems", "ms"),
+    ("timestampms", "ms"),
+    ("timeus", "us"),
+    ("timens", "ns"),
+    ("timestampns", "ns"),
+];
+const STEPS: [&str; 2] = ["step", "frame"];
+/// Before the letter of the axis.
+const ATTITUDE: [&str; 3] = ["q", "quat", "quaternion"];
+/// Before it, where a part of the names alone means nothing (three of `rot` may be angles).
+const ATTITUDE_WHOLE: [&str; 6] = ["orientation", "rot", "rotation", "attitude", "att", "ori"];
+/// Four names that are no letters of axes: the scalar first.
+const ATTITUDE_NAMES: [[&str; 4]; 4] = [
+    ["q0", "q1", "q2", "q3"],
+    ["qw", "qi", "qj", "qk"],
+    ["qr", "qi", "qj", "qk"],
+    ["quat0", "quat1", "quat2", "quat3"],
+];
+/// Before and after the letter of the axis.
+const VECTORS: [(Kind, &str); 4] = [
+    (
+        Kind::SpinBody,
+        "w* w*b w*body wbody* omega* omega*body omegabody* angvel* angvel*body angvelbody* angularvelocity* \
+         angularvelocity*body angularvelocitybody*",
+    ),
+    (
+        Kind::SpinWorld,
+        "w*w w*world wworld* omega*world omega*w omegaworld* angvel*world angvelworld* \
+         angularvelocity*world angularvelocityworld*",
+    ),
+    (Kind::MomentumBody, "l* l*b l*body"),
+    (Kind::MomentumWorld, "l*w l*world"),
+];
+/// Three names of a spin that have no axes' letters.
+const SPIN_NAMES: [&str; 3] = ["p", "q", "r"];
+
+/// The line of names, and what is found in it.
+struct Names {
+    line: usize,
+    /// As they stand.
+    raw: Vec<String>,
+    /// Without quotes and capitals, each with its unit.
+    plain: Vec<(String, String)>,
+}
+
+/// Places of a vector, and which vector it is.
+type Vectors = Option<(Kind, [usize; 3])>;
+
+const KNOWN: &str = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); \
+                     lx,ly,lz (momentum in body axes) or lxw,lyw,lzw (in world axes)";
+
+impl Names {
+    fn of(separator: Separator, text: &str, line: usize) -> Result<Self, Error> {
+        let mut raw: Vec<String> = separator.split(text).map(str::to_string).collect();
+        // A separator at the end of the line.
+        if raw.len() > 1 && raw.last().is_some_and(String::is_empty) {
+            raw.pop();
+        }
+        let plain = raw.iter().map(|name| plain(name)).collect();
+        let names = Self { line, raw, plain };
+        if names.plain.iter().any(|(name, _)| name.parse::<f64>().is_ok()) {
+            return Err(
+                names.wrong(format!("this must be the line of column names, and it has a number; {KNOWN}"))
+            );
+        }
+        Ok(names)
+    }
+
+    fn wrong(&self, problem: String) -> Error {
+        Error::Columns { line: self.line, problem }
+    }
+
+    fn at(&self, wanted: &str) -> Result<Option<usize>, Error> {
+        let mut found = self.plain.iter().enumerate().filter(|(_, (name, _))| name == wanted);
+        let first = found.next().map(|(i, _)| i);
+        match found.next() {
+            Some(_) => Err(self.wrong(format!("there are two columns `{wanted}`"))),
+            None => Ok(first),
+        }
+    }
+
+    /// The one there is of these.
+    fn any(&self, wanted: &[&str]) -> Result<Option<usize>, Error> {
+        let mut found = None;
+        for name in wanted {
+            if let Some(i) = self.at(name)? {
+                if let Some(before) = found {
+                    let before: &String = &self.raw[before];
+                    let problem = format!("`{before}` and `{}` both are the time", self.raw[i]);
+                    return Err(self.wrong(problem));
+                }
+                found = Some(i);
+            }
+        }
+        Ok(found)
+    }
+
+    /// All of these, or nothing.
+    fn all(&self, wanted: &[&str]) -> Result<Option<Vec<usize>>, Error> {
+        let places = wanted.iter().map(|name| self.at(name)).collect::<Result<Vec<_>, _>>()?;
+        Ok(places.into_iter().collect())
+    }
+
+    /// All, none, or an error that names what is missing.
+    fn whole(&self, prefix: &str, axes: &[&str], suffix: &str) -> Result<Option<Vec<usize>>, Error> {
+        let wanted: Vec<String> = axes.iter().map(|axis| format!("{prefix}{axis}{suffix}")).collect();
+        let places = wanted.iter().map(|name| self.at(name)).collect::<Result<Vec<_>, _>>()?;
+        if places.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        if let Some(missing) = places.iter().position(Option::is_none) {
+            return Err(self.wrong(format!("the column `{}` is missing", wanted[missing])));
+        }
+        Ok(Some(places.into_iter().flatten().collect()))
+    }
+
+    fn clock(&self) -> Result<Clock, Error> {
+        let times: Vec<&str> = TIME.into_iter().chain(TIME_IN.map(|name| name.0)).collect();
+        match (self.any(&times)?, self.any(&STEPS)?) {
+            (Some(i), _) => Ok(Clock::Time(i)),
+            (None, Some(i)) => Ok(Clock::Steps(i)),
+            (None, None) => Err(self.wrong(format!("the column `t` is missing; {KNOWN}"))),
+        }
+    }
+
+    fn attitude(&self) -> Result<Option<[usize; 4]>, Error> {
+        let mut sets = Vec::new();
+        for prefix in ATTITUDE {
+            let replaced =
+                prefix == "q" && self.at("qx")?.is_none() && self.all(&ATTITUDE_NAMES[1])?.is_some();
+            if !replaced {
+                sets.extend(self.whole(prefix, &["w", "x", "y", "z"], "")?);
+            }
+        }
+        for prefix in ATTITUDE_WHOLE {
+            if self.at(&format!("{prefix}w"))?.is_some() {
+                sets.extend(self.whole(prefix, &["w", "x", "y", "z"], "")?);
+            }
+        }
+        for names in ATTITUDE_NAMES {
+            sets.extend(self.all(&names)?);
+        }
+        let mut attitude = None;
+        for places in sets {
+            if attitude.is_some() {
+                return Err(self.wrong("there are two sets of columns for the attitude".into()));
+            }
+            attitude = <[usize; 4]>::try_from(places).ok();
+        }
+        Ok(attitude)
+    }
+
+    /// The vector that is judged, and another.
+    fn vectors(&self) -> Result<[Vectors; 2], Error> {
+        let (mut vector, mut second): (Vectors, Vectors) = (None, None);
+        for (kind, ways) in VECTORS {
+            for (prefix, suffix) in ways.split(' ').filter_map(|way| way.split_once('*')) {
+                let Some(places) = self.whole(prefix, &["x", "y", "z"], suffix)? else { continue };
+                let name = &self.raw[places[0]];
+                let found = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places));
+                match vector {
+                    Some((before, _)) if before == kind => {
+                        let problem =
+                            format!("there are two sets of columns for one vector, `{name}` among them");
+                        return Err(self.wrong(problem));
+                    }
+                    Some(_) => second = second.or(found),
+                    None => vector = found,
+                }
+            }
+        }
+        if let Some(places) = self.all(&SPIN_NAMES)? {
+            let spin = <[usize; 3]>::try_from(places).ok().map(|places| (Kind::SpinBody, places));
+            (vector, second) = (vector.or(spin), second.or(spin.filter(|_| vector.is_some())));
+        }
+        Ok([vector, second])
+    }
+
+    /// One unit for the three of them, and one that is known.
+    fn unit_of(&self, kind: Kind, places: &[usize; 3]) -> Result<f64, Error> {
+        let [first, others @ ..] = places.map(|i| self.plain[i].1.as_str());
+        let name = &self.raw[places[0]];
+        if let Some(k) = others.iter().position(|unit| *unit != first) {
+            let other = &self.raw[places[k + 1]];
+            let problem = format!("`{other}` is not in the unit of `{name}`: the three must have one unit");
+            return Err(self.wrong(problem));
+        }
+        if kind.is_momentum() {
+            return Ok(1.0);
+        }
+        units::spin(first).ok_or_else(|| {
+            self.wrong(format!(
+                "the unit of `{name}` is not known here: known are rad/s, deg/s, dps, rpm and rev/s"
+            ))
+        })
+    }
+
+    fn per_second(&self, clock: Clock) -> Result<f64, Error> {
+        let Clock::Time(i) = clock else { return Ok(1.0) };
+        let (name, unit) = &self.plain[i];
+        let by_name = TIME_IN.iter().find(|known| known.0 == name.as_str()).map_or("", |known| known.1);
+        units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
+            self.wrong(format!(
+                "the unit of `{}` is not known here: known are s, ms, us, ns and min",
+                self.raw[i]
+            ))
+        })
+    }
+}
+
+impl Columns {
+    /// From the line of names.
+    pub(crate) fn of(line: &str, number: usize) -> Result<Self, Error> {
+        let separator = Separator::of(line);
+        let names = Names::of(separator, line, number)?;
+        let clock = names.clock()?;
+        let attitude = names.attitude()?;
+        let [vector, mut second] = names.vectors()?;
+        let (kind, vector) = match vector {
+            Some((kind, places)) => (kind, Some(places)),
+            None if attitude.is_some() => (Kind::Attitude, None),
+            None => {
+                let problem =
+                    format!("neither spin nor momentum nor attitude is there to be judged; {KNOWN}");
+                return Err(names.wrong(problem));
+            }
+        };
+        if kind.in_world() && attitude.is_none() {
+            return Err(names.wrong(
+                "a vector in world axes says nothing of the body without its attitude: qw,qx,qy,qz are missing"
+                    .into(),
+            ));
+        }
+        if attitude.is_none() {
+            second = second.filter(|(kind, _)| !kind.in_world());
+        }
+        let first = vector.map_or(Ok(1.0), |places| names.unit_of(kind, &places))?;
+        let other = second.as_ref().map_or(Ok(1.0), |(kind, places)| names.unit_of(*kind, places))?;
+        let per_second = names.per_second(clock)?;
+        let units = [first, other];
+        Ok(Self { names: names.raw, separator, clock, attitude, vector, kind, second, units, per_second })
+    }
+
+    /// The names of the columns that are not read.
+    pub(crate) fn ignored(&self) -> Vec<String> {
+        let (Clock::Time(clock) | Clock::Steps(clock)) = self.clock;
+        let read = |i: usize| {
+            i == clock || self.attitude.is_some_and(|places| places.contains(&i)) || self.vectors(i)
+        };
+        self.names.iter().enumerate().filter(|(i, _)| !read(*i)).map(|(_, name)| name.clone()).collect()
+    }
+
+    /// Whether a column is a component of a vector.
+    pub(crate) fn vectors(&self, i: usize) -> bool {
+        let both = [self.vector, self.second.map(|second| second.1)];
+        both.iter().flatten().any(|places| places.contains(&i))
+    }
+}

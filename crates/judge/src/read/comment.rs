@@ -1,0 +1,152 @@
+//! What the comment lines of a record say.
+
+use crate::error::Error;
+use crate::read::digits::last_place;
+use crate::read::note::Note;
+use crate::read::units;
+use crate::thresholds::MOMENTS_MISS;
+use nalgebra::Vector3;
+
+/// What the comments before the first row say.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Header {
+    /// Who made the record.
+    pub engine: Option<String>,
+    /// The first comment, up to a semicolon.
+    pub first: Option<String>,
+    /// Principal moments, kg m².
+    pub inertia: Option<Vector3<f64>>,
+    /// By how much their printed digits leave them open.
+    pub open: Vector3<f64>,
+    /// The step, s.
+    pub step: Option<f64>,
+    /// A torque constant in the world, N m.
+    pub torque: Option<Vector3<f64>>,
+    /// What was not understood, and what was made of what was.
+    pub notes: Vec<Note>,
+}
+
+/// Words that may stand between a name and its numbers.
+const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"];
+
+/// Words before a name that say that there is none of it.
+const NONE: [&str; 3] = ["no", "without", "zero"];
+
+/// Whatever comes after the whole word `word` and a colon, an equals sign or blanks; not where the word
+/// before it says that there is none.
+fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
+    let lower = text.to_ascii_lowercase();
+    let (at, _) = lower.match_indices(word).find(|(at, _)| {
+        let (before, behind) = (&lower[..*at], &lower[at + word.len()..]);
+        let none = before.split_whitespace().last().is_some_and(|last| NONE.contains(&last));
+        let whole = |c: Option<char>| !c.is_some_and(char::is_alphanumeric);
+        !none && whole(before.chars().last()) && whole(behind.chars().next())
+    })?;
+    let mut rest = text[at + word.len()..].trim_start_matches([':', '=', ' ', '\t']);
+    while let Some(word) = BETWEEN.iter().find(|word| {
+        rest.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
+            && !rest[word.len()..].starts_with(char::is_alphanumeric)
+    }) {
+        rest = rest[word.len()..].trim_start_matches([':', '=', ' ', '\t']);
+    }
+    Some(rest)
+}
+
+/// The first word or fraction there is a number, with its unit of time if there is one.
+fn seconds(text: &str) -> Option<f64> {
+    let mut words = text.split([' ', ',', ';', '\t', ')', ']', '[', '(']).filter(|word| !word.is_empty());
+    let word = words.next()?;
+    let number = match word.split_once('/') {
+        Some((over, under)) => over.parse::<f64>().ok()? / under.parse::<f64>().ok()?,
+        None => word.parse().ok()?,
+    };
+    Some(number / words.next().and_then(units::per_second).unwrap_or(1.0))
+}
+
+/// Three numbers, and by how much their printed digits leave them open.
+fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
+    let text = text.trim_start_matches(['(', '[', ' ']);
+    let mut words = text.split([' ', ',', '\t', ';', ')', ']']).filter(|x| !x.is_empty());
+    let mut number = || words.next().and_then(|word| Some((word.parse().ok()?, 0.5 * last_place(word))));
+    let (x, y, z) = (number()?, number()?, number()?);
+    Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
+}
+
+/// What comes before a semicolon.
+fn head(text: &str) -> String {
+    text.split(';').next().unwrap_or(text).trim().to_string()
+}
+
+impl Header {
+    /// Reads one more comment line. What it does not understand it takes for prose, and says so where it
+    /// seems to say something.
+    pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
+        if self.engine.is_none() && comment.to_ascii_lowercase().contains("engine:") {
+            self.engine = after(comment, "engine").map(head);
+        }
+        self.first.get_or_insert_with(|| head(comment));
+        let mut unread = None;
+        for word in ["inertia", "moments"] {
+            if self.inertia.is_none()
+                && let Some(text) = after(comment, word)
+            {
+                match three(text) {
+                    Some([moments, open]) => (self.inertia, self.open) = (Some(moments), open),
+                    None => unread = Some(word),
+                }
+            }
+        }
+        if self.torque.is_none()
+            && let Some(text) = after(comment, "torque")
+        {
+            self.torque = three(text).map(|three| three[0]);
+            unread = unread.or(self.torque.is_none().then_some("torque"));
+        }
+        for word in ["dt", "timestep", "step"] {
+            if self.step.is_none()
+                && let Some(text) = after(comment, word)
+            {
+                let Some(step) = seconds(text) else {
+                    unread = unread.or(Some(word));
+                    continue;
+                };
+                if !(step.is_finite() && step > 0.0) {
+                    let problem = format!("the step is given as {step}: it must be above zero");
+                    return Err(Error::Line { line, problem });
+                }
+                self.step = Some(step);
+            }
+        }
+        if let Some(word) = unread {
+            self.notes.push(Note::Unread { line, word });
+        }
+        Ok(())
+    }
+
+    /// The engine named; or the first comment, where that begins with the name of one.
+    pub(crate) fn engine(&self, is_known: impl Fn(&str) -> bool) -> Option<String> {
+        let named = |comment: &&String| {
+            comment.split(|c: char| !c.is_alphanumeric()).find(|word| !word.is_empty()).is_some_and(&is_known)
+        };
+        self.engine.clone().or_else(|| self.first.as_ref().filter(named).cloned())
+    }
+
+    /// The moments given. Of a flat body, whose rounded moments miss the triangle rule by no more
+    /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
+    /// so.
+    pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Option<Vector3<f64>> {
+        let named = self.inertia?;
+        let largest = named.imax();
+        let rest = named[(largest + 1) % 3] + named[(largest + 2) % 3];
+        let missing = named[largest] - rest;
+        // One or two digits are no rounding, but a mistake.
+        let rounded = missing <= self.open.sum() && missing <= MOMENTS_MISS * named[largest];
+        if !(missing > 0.0 && rounded && named.min() > 0.0) {
+            return Some(named);
+        }
+        let mut moments = named;
+        moments[largest] = rest;
+        notes.push(Note::Flat { printed: named[largest], missing, moments });
+        Some(moments)
+    }
+}

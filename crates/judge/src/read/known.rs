@@ -1,0 +1,134 @@
+//! What is known of a record besides its rows: what it says, and what its first rows show.
+
+use crate::error::Error;
+use crate::read::clock::Clock;
+use crate::read::columns::Kind;
+use crate::read::derived::{Derived, Feed};
+use crate::read::grid::Grid;
+use crate::read::note::Note;
+use crate::read::reading::Reading;
+use crate::read::rounding::{Floor, rounding};
+use crate::read::source::Raw;
+use crate::read::state::{Row, angle_between, median};
+use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN, VECTORS_APART};
+use nalgebra::Vector3;
+
+/// What a record says of itself.
+pub(crate) struct Said {
+    pub engine: Option<String>,
+    pub kind: Kind,
+    /// Another vector of the rows, and the name of its first column.
+    pub second: Option<(Kind, String)>,
+    /// The step that it names, s.
+    pub step: Option<f64>,
+    /// Constant in the world, N m.
+    pub torque: Option<Vector3<f64>>,
+    /// Principal moments, kg m².
+    pub moments: Option<Vector3<f64>>,
+    pub notes: Vec<Note>,
+    /// The names of the columns that are not read.
+    pub ignored: Vec<String>,
+}
+
+/// What it says, and how its numbers are meant.
+pub(crate) struct Known {
+    pub said: Said,
+    /// The moments judged, kg m².
+    pub moments: Vector3<f64>,
+    grid: Option<Grid>,
+    pub reading: Reading,
+    pub clock: Clock,
+    /// The rounding of the spins.
+    pub floor: Floor,
+}
+
+/// Where a second vector of the record is at odds with the first.
+pub(crate) struct Disagreement {
+    pub column: String,
+    /// By how much, as a share.
+    pub off: f64,
+    pub line: usize,
+}
+
+/// At which line an attitude turns too far for its direction to be known, and by how much, rad.
+pub(crate) type Stopped = Option<(usize, f64)>;
+
+impl Known {
+    /// From the first rows, whose times are put to the grid that they are rounded from.
+    pub(crate) fn of(probe: &mut [Raw], mut said: Said, moments: Vector3<f64>) -> Self {
+        let grid = Grid::of(probe, said.step);
+        if let Some(grid) = &grid {
+            said.notes.push(grid.note());
+            probe.iter_mut().for_each(|raw| grid.put(raw));
+        }
+        let clock = Clock::of(probe);
+        let reading = match said.kind {
+            Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), &moments),
+            kind => Reading::of(kind, &clock.pairs(probe), &moments),
+        };
+        let (clock, note) = clock.read(reading.time(), said.step);
+        said.notes.extend(note);
+        let of_numbers = rounding(probe);
+        let of_grid = grid.as_ref().map_or(0.0, |grid| grid.floor(probe, &reading, &moments));
+        let floor = Floor {
+            size: of_numbers.max(of_grid),
+            few: of_numbers > FEW_DIGITS * f64::from(f32::EPSILON),
+            single: of_numbers == f64::from(f32::EPSILON),
+        };
+        Self { said, moments, grid, reading, clock, floor }
+    }
+
+    pub(crate) fn has_spin(&self) -> bool {
+        self.said.kind != Kind::Attitude
+    }
+
+    /// A row after the first ones, put to the grid.
+    pub(crate) fn put(&self, raw: &mut Raw) {
+        if let Some(grid) = &self.grid {
+            grid.put(raw);
+        }
+    }
+
+    /// The first rows as motions, up to where one turns too far. A rounding of attitudes alone is so much
+    /// more relative to the turn that makes a spin.
+    pub(crate) fn understood(
+        &mut self,
+        probe: &[Raw],
+        feed: &mut Feed,
+    ) -> Result<(Vec<Row>, Stopped), Error> {
+        let (mut states, mut stopped) = (Vec::new(), None);
+        for raw in probe {
+            match feed.push(&self.reading.state(raw, &feed.moments))? {
+                Derived::Known(state) => states.push(state),
+                Derived::Unknown => {}
+                Derived::TooFar { line, turn } => {
+                    stopped = Some((line, turn));
+                    break;
+                }
+            }
+        }
+        let turn = median(states.iter().filter_map(|state| {
+            let (_, ahead) = state.ahead?;
+            Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
+        }));
+        if !self.has_spin() && turn.is_finite() && turn > 0.0 {
+            self.floor.size *= SPIN_FROM_TURN / turn.min(1.0);
+        }
+        Ok((states, stopped))
+    }
+
+    /// Where a second vector of the record, as a spin, is not what the first one says: the first such row
+    /// looked at.
+    pub(crate) fn disagreement(&self, probe: &[Raw]) -> Option<Disagreement> {
+        let (kind, column) = self.said.second.as_ref().filter(|_| self.reading.mistakes().is_empty())?;
+        let [roundings, share] = VECTORS_APART;
+        let moments = &self.moments;
+        probe.iter().find_map(|raw| {
+            let Row { omega: first, attitude, .. } = self.reading.state(raw, moments);
+            let other = Raw { attitude, vector: raw.second, ..*raw }.omega(*kind, moments);
+            let off = (first - other).norm() / first.norm().max(other.norm());
+            let apart = off > (roundings * self.floor.size).max(share);
+            apart.then(|| Disagreement { column: column.clone(), off, line: raw.line })
+        })
+    }
+}

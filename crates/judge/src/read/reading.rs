@@ -1,0 +1,378 @@
+//! How the numbers of a file are meant: mistakes of the file, distinguished from mistakes of the engine.
+//!
+//! A spin and the turn from one row to the next say the same thing. Where they do not, and would if the
+//! numbers were read another way, the file is what is wrong.
+
+use crate::read::columns::Kind;
+use crate::read::source::Raw;
+use crate::read::state::{Pair, Row, median};
+use crate::thresholds::{
+    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, RARE_MISTAKE, TURNS_AGREE, TURNS_EQUAL,
+    TURNS_WEIGHT, UNIT_APART,
+};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::dynamics::euler;
+
+/// A mistake of a file: what its numbers seem to be, against what its names say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum FileMistake {
+    /// What is named in body axes is in the world's, or the other way round.
+    Frame,
+    /// The attitude is x, y, z, w; of attitudes alone this cannot be distinguished from
+    /// [`ScalarFirst`](Self::ScalarFirst).
+    Order,
+    /// The attitude is w, x, y, z under the names x, y, z, w.
+    ScalarFirst,
+    /// The attitude takes the world to the body.
+    Inverse,
+    /// What is named a spin is the momentum.
+    Momentum,
+    /// Spins are in degrees a second.
+    Degrees,
+    /// Spins are in revolutions a minute.
+    RevolutionsPerMinute,
+    /// Spins are in revolutions a second.
+    Revolutions,
+    /// Time is in milliseconds.
+    Milliseconds,
+    /// Time is in microseconds.
+    Microseconds,
+    /// Time is in nanoseconds.
+    Nanoseconds,
+    /// Time is in minutes.
+    Minutes,
+    /// The spin turns by the left hand, the attitude (if there is one) by the right.
+    LeftHandedSpin,
+    /// All of it is mirrored along an axis.
+    LeftHanded,
+    /// One component of the spin has the wrong sign: 0, 1 or 2.
+    MirroredComponent(usize),
+}
+
+impl FileMistake {
+    /// What is wrong, and what to do.
+    #[must_use]
+    pub fn words(self) -> String {
+        match self {
+            Self::Frame => "the vector is not in the axes its name says: a spin in world axes where body axes are named (`wx`), or \
+                            the other way round. Name the columns `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body"
+                .into(),
+            Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
+            Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
+            Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
+            Self::Momentum => "what is named a spin is the momentum: name it `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's".into(),
+            Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
+            Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
+            Self::Revolutions => "the spin is in revolutions a second: write radians a second".into(),
+            Self::Milliseconds => "the time is in milliseconds: write seconds".into(),
+            Self::Microseconds => "the time is in microseconds: write seconds".into(),
+            Self::Nanoseconds => "the time is in nanoseconds: write seconds".into(),
+            Self::Minutes => "the time is in minutes: write seconds".into(),
+            Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
+            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, \
+                                 the opposite sign"
+                .into(),
+            Self::MirroredComponent(i) => {
+                format!("the {} component of the spin has the wrong sign (left-handed axes?)", ["x", "y", "z"][i.min(2)])
+            }
+        }
+    }
+}
+
+/// Units of spins, in rad/s, that are taken for it.
+const SPINS: [(FileMistake, f64); 3] = [
+    (FileMistake::Degrees, std::f64::consts::PI / 180.0),
+    (FileMistake::RevolutionsPerMinute, std::f64::consts::PI / 30.0),
+    (FileMistake::Revolutions, std::f64::consts::TAU),
+];
+
+/// Units of time, in s, that are taken for it.
+const TIMES: [(FileMistake, f64); 4] = [
+    (FileMistake::Milliseconds, 1e-3),
+    (FileMistake::Microseconds, 1e-6),
+    (FileMistake::Nanoseconds, 1e-9),
+    (FileMistake::Minutes, 60.0),
+];
+
+/// A way to take the numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Reading {
+    kind: Kind,
+    order: Order,
+    inverse: bool,
+    frame: bool,
+    /// A momentum under the names of a spin.
+    momentum: bool,
+    hand: Hand,
+    /// What a spin is to be multiplied by, and a time.
+    spin: f64,
+    time: f64,
+}
+
+/// Where the scalar of a quaternion stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Order {
+    AsNamed,
+    Last,
+    First,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Hand {
+    Right,
+    Left,
+    One(usize),
+}
+
+impl Reading {
+    /// As the names say.
+    pub(crate) const fn plain(kind: Kind) -> Self {
+        Self {
+            kind,
+            order: Order::AsNamed,
+            inverse: false,
+            frame: false,
+            momentum: false,
+            hand: Hand::Right,
+            spin: 1.0,
+            time: 1.0,
+        }
+    }
+
+    pub(crate) const fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// What it takes for wrong.
+    pub(crate) fn mistakes(&self) -> Vec<FileMistake> {
+        let mut all = Vec::new();
+        match self.order {
+            Order::AsNamed => {}
+            Order::Last => all.push(FileMistake::Order),
+            Order::First => all.push(FileMistake::ScalarFirst),
+        }
+        match (self.inverse, self.hand) {
+            (true, Hand::Left) => all.push(FileMistake::LeftHanded),
+            (inverse, hand) => {
+                if inverse {
+                    all.push(FileMistake::Inverse);
+                }
+                match hand {
+                    Hand::Right => {}
+                    Hand::Left => all.push(FileMistake::LeftHandedSpin),
+                    Hand::One(i) => all.push(FileMistake::MirroredComponent(i)),
+                }
+            }
+        }
+        if self.frame {
+            all.push(FileMistake::Frame);
+        }
+        if self.momentum {
+            all.push(FileMistake::Momentum);
+        }
+        all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
+        all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
+        all
+    }
+
+    /// A row, read so.
+    pub(crate) fn state(&self, raw: &Raw, moments: &Vector3<f64>) -> Row {
+        let attitude = raw.attitude.map(|q| {
+            let q = match self.order {
+                Order::AsNamed => q,
+                Order::Last => Quaternion::new(q.k, q.w, q.i, q.j),
+                Order::First => Quaternion::new(q.i, q.j, q.k, q.w),
+            };
+            if self.inverse { q.conjugate() } else { q }
+        });
+        let mut vector = raw.vector * self.spin;
+        match self.hand {
+            Hand::Right => {}
+            Hand::Left => vector = -vector,
+            Hand::One(i) => vector[i] = -vector[i],
+        }
+        let kind = match (self.frame, self.kind) {
+            (false, kind) => kind,
+            (true, Kind::SpinBody) => Kind::SpinWorld,
+            (true, Kind::SpinWorld) => Kind::SpinBody,
+            (true, Kind::MomentumBody) => Kind::MomentumWorld,
+            (true, Kind::MomentumWorld) => Kind::MomentumBody,
+            (true, Kind::Attitude) => Kind::Attitude,
+        };
+        let kind = match (self.momentum, kind) {
+            (true, Kind::SpinBody) => Kind::MomentumBody,
+            (true, Kind::SpinWorld) => Kind::MomentumWorld,
+            (_, kind) => kind,
+        };
+        let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
+        Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
+    }
+
+    /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain
+    /// one does not.
+    pub(crate) fn of(kind: Kind, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let plain = Self::plain(kind);
+        let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
+        if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
+    }
+
+    /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
+    /// other, have two turns, whose change is the gyroscopic one.
+    pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
+        let plain = Self::plain(Kind::Attitude);
+        let alike = |reading: &Self| {
+            let pairs: Vec<Pair> = triples
+                .iter()
+                .filter_map(|triple| {
+                    let [a, b, c] = triple.map(|(raw, _)| reading.state(&raw, moments));
+                    let h = triple[2].1;
+                    let spin = |from: Row, to: Row| Some(Pair { from, to, h }.turn()? / h);
+                    let (first, second) = (spin(a, b)?, spin(b, c)?);
+                    Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
+                })
+                .collect();
+            law(pairs.into_iter(), moments).0
+        };
+        if alike(&plain) > LAW_AGREES {
+            return plain;
+        }
+        let orders = [Order::Last, Order::First];
+        let [last, first] = orders.map(|order| (order, false));
+        let others = [last, first, (Order::AsNamed, true), (Order::Last, true), (Order::First, true)];
+        let best = others
+            .map(|(order, inverse)| Self { order, inverse, ..plain })
+            .into_iter()
+            .map(|way| (way, alike(&way)))
+            // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the
+            // commoner one is named.
+            .reduce(|best, way| if way.1 > best.1 + LAW_BETTER { way } else { best });
+        best.filter(|way| way.1 > LAW_DECIDES).map_or(plain, |way| way.0)
+    }
+
+    fn pairs<'a>(
+        &'a self,
+        pairs: &'a [(Raw, Raw, f64)],
+        moments: &'a Vector3<f64>,
+    ) -> impl Iterator<Item = Pair> + Clone + 'a {
+        pairs.iter().map(|(from, to, h)| Pair {
+            from: self.state(from, moments),
+            to: self.state(to, moments),
+            h: h * self.time,
+        })
+    }
+
+    fn by_turns(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let off =
+            |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
+        let plain = off(&self);
+        if plain.is_finite() && plain < TURNS_AGREE {
+            return self;
+        }
+        let mut ways = Vec::new();
+        for order in [Order::AsNamed, Order::Last, Order::First] {
+            for inverse in [false, true] {
+                for frame in [false, true] {
+                    for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
+                        let turned = Self { order, inverse, frame, hand, ..self };
+                        let way = turned.scaled(pairs, moments);
+                        ways.push((way, off(&way)));
+                        if hand == Hand::Right && matches!(self.kind, Kind::SpinBody | Kind::SpinWorld) {
+                            let way = Self { momentum: true, ..turned };
+                            ways.push((way, off(&way)));
+                        }
+                    }
+                }
+            }
+        }
+        let least = ways.iter().map(|way| way.1).fold(f64::INFINITY, f64::min);
+        if least > TURNS_AGREE || least > NEARER_READING * plain {
+            return self;
+        }
+        // Some ways turn alike: the fewest mistakes, and the law, decide between them.
+        let worth = |way: &Self| {
+            let (alike, _) = way.law(pairs, moments);
+            let mistakes: f64 = way
+                .mistakes()
+                .iter()
+                .map(|x| match x {
+                    FileMistake::MirroredComponent(_) => RARE_MISTAKE[1],
+                    // The rarer of two that may look alike.
+                    FileMistake::ScalarFirst | FileMistake::Momentum => RARE_MISTAKE[0],
+                    _ => 1.0,
+                })
+                .sum();
+            mistakes - LAW_WEIGHT * alike
+        };
+        // How far the turns are from the spins weighs too, but less: what is left of a right reading is the
+        // step's own error, and of a wrong one, of a spin about one axis, it may by chance be less.
+        let worth = |way: &(Self, f64)| {
+            worth(&way.0) + TURNS_WEIGHT * (way.1 / least.max(TURNS_EQUAL)).max(1.0).log10()
+        };
+        let best = ways
+            .iter()
+            .filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain)
+            .min_by(|a, b| worth(a).total_cmp(&worth(b)));
+        best.map_or(self, |way| way.0)
+    }
+
+    /// With the units that make turns and spins alike in size.
+    fn scaled(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let ratio = median(self.pairs(pairs, moments).filter_map(|pair| {
+            let speed = pair.from.omega.norm();
+            if speed > 0.0 { Some(pair.turn()?.norm() / pair.h / speed) } else { None }
+        }));
+        self.with_units(ratio)
+    }
+
+    fn with_units(self, ratio: f64) -> Self {
+        let near = |unit: &&(FileMistake, f64)| (ratio / unit.1 - 1.0).abs() < UNIT_APART;
+        match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < UNIT_APART)) {
+            (Some(unit), _) => Self { spin: unit.1, ..self },
+            (None, Some(unit)) => Self { time: unit.1, ..self },
+            (None, None) => self.with_both_units(ratio),
+        }
+    }
+
+    /// Spin and time each in a unit of its own: turns determine their product alone.
+    fn with_both_units(self, ratio: f64) -> Self {
+        if (ratio - 1.0).abs() < UNIT_APART {
+            return self;
+        }
+        let both = SPINS.iter().flat_map(|spin| TIMES.iter().map(move |time| (spin.1, time.1)));
+        let off = |(spin, time): &(f64, f64)| (ratio / (spin * time) - 1.0).abs();
+        let nearest = both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|both| off(both) < UNIT_APART);
+        nearest.map_or(self, |(spin, time)| Self { spin, time, ..self })
+    }
+
+    fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {
+        law(self.pairs(pairs, moments), moments)
+    }
+
+    /// Without an attitude, the law alone decides: a spin of another unit changes too fast or too slow, one
+    /// of the other hand backward.
+    fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+        let (alike, size) = self.law(pairs, moments);
+        if alike.abs() < LAW_DECIDES {
+            return self;
+        }
+        let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
+        Self { hand, ..self }.with_units(size.abs())
+    }
+}
+
+/// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large
+/// beside it.
+fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
+    let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
+    for pair in pairs {
+        let mean = (pair.from.omega + pair.to.omega) / 2.0;
+        let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
+        let rate = (pair.to.omega - pair.from.omega) / pair.h;
+        found += rate.norm_squared();
+        wanted += law.norm_squared();
+        both += rate.dot(&law);
+    }
+    let sizes = (found * wanted).sqrt();
+    if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }
+}

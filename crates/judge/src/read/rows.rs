@@ -1,0 +1,290 @@
+//! A record, row by row: one line in memory at a time.
+
+use crate::error::Error;
+use crate::read::columns::{Clock, Columns};
+use crate::read::comment::Header;
+use crate::read::digits::{last_place, significant};
+use crate::read::source::{Printed, Raw, Source};
+use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
+use nalgebra::{Quaternion, Vector3};
+use std::io::BufRead;
+
+/// Reads a record.
+pub(crate) struct Rows<R> {
+    source: R,
+    line: usize,
+    text: Vec<u8>,
+    pub columns: Columns,
+    pub header: Header,
+    last: Option<f64>,
+    fields: Vec<f64>,
+    rows: u64,
+    /// Where a number is none any more, with the rows before it in order; nothing is read from there on.
+    pub ended: Option<Error>,
+}
+
+impl<R: BufRead> Rows<R> {
+    /// Reads up to the line of names.
+    pub(crate) fn open(source: R) -> Result<Self, Error> {
+        let mut lines = Lines { source, line: 0, text: Vec::new() };
+        let mut header = Header::default();
+        loop {
+            if !lines.advance()? {
+                return Err(Error::Empty);
+            }
+            let text = text_of(&lines.text, lines.line)?.trim_start_matches('\u{feff}').trim();
+            if let Some(comment) = text.strip_prefix('#') {
+                header.read(comment, lines.line)?;
+            } else if !text.is_empty() {
+                let columns = Columns::of(text, lines.line)?;
+                if matches!(columns.clock, Clock::Steps(_)) && header.step.is_none() {
+                    return Err(Error::Columns {
+                        line: lines.line,
+                        problem: "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
+                                  column `t`, is missing"
+                            .into(),
+                    });
+                }
+                let Lines { source, line, text } = lines;
+                return Ok(Self {
+                    source,
+                    line,
+                    text,
+                    columns,
+                    header,
+                    last: None,
+                    fields: Vec::new(),
+                    rows: 0,
+                    ended: None,
+                });
+            }
+        }
+    }
+
+    /// The next row; `None` after the last, or where the numbers end.
+    pub(crate) fn advance(&mut self) -> Result<Option<Raw>, Error> {
+        loop {
+            if self.ended.is_some() {
+                return Ok(None);
+            }
+            let text = std::mem::take(&mut self.text);
+            let mut lines = Lines { source: &mut self.source, line: self.line, text };
+            let found = lines.advance()?;
+            (self.line, self.text) = (lines.line, lines.text);
+            if !found {
+                return Ok(None);
+            }
+            let text = text_of(&self.text, self.line)?.trim();
+            if !(text.is_empty() || text.starts_with('#')) {
+                let raw = match read(&self.columns, text, self.line, &self.header, &mut self.fields) {
+                    Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
+                        self.ended = Some(error);
+                        continue;
+                    }
+                    Err(Wrong::NotFinite(error) | Wrong::Row(error)) => return Err(error),
+                    Ok(raw) => raw,
+                };
+                if let Some(last) = self.last
+                    && raw.t <= last
+                {
+                    let (Clock::Time(i) | Clock::Steps(i)) = self.columns.clock;
+                    return Err(Error::Field {
+                        line: self.line,
+                        column: i + 1,
+                        name: self.columns.names[i].clone(),
+                        problem: format!("time does not increase: {} s after {last} s", raw.t),
+                    });
+                }
+                self.last = Some(raw.t);
+                self.rows += 1;
+                return Ok(Some(raw));
+            }
+        }
+    }
+}
+
+impl<R: BufRead> Source for Rows<R> {
+    fn next(&mut self) -> Result<Option<Raw>, Error> {
+        self.advance()
+    }
+
+    fn ended(&mut self) -> Option<Error> {
+        self.ended.take()
+    }
+}
+
+/// Why a row is none.
+enum Wrong {
+    /// A value is not finite: the engine's doing.
+    NotFinite(Error),
+    /// The file's doing.
+    Row(Error),
+}
+
+/// What the numbers of a row say of how exact they are.
+struct Exact {
+    printed: Printed,
+    digits: u32,
+    single: bool,
+    place: f64,
+}
+
+impl Exact {
+    fn take(&mut self, field: &str, value: f64, is_time: bool) {
+        if is_time {
+            self.printed.half = 0.5 * last_place(field);
+            self.printed.digits = significant(field);
+            if value != 0.0 {
+                self.printed.above = 10.0_f64.powf(value.abs().log10().floor() + 1.0);
+            }
+        } else {
+            self.digits = self.digits.max(significant(field));
+            let place = last_place(field);
+            self.place = self.place.min(place);
+            // As it stands, or as decimals of it that lead back to it.
+            let off = (f64::from(value as f32) - value).abs();
+            let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
+            self.single &= off == 0.0 || decimals && off <= 0.5000001 * place;
+        }
+    }
+}
+
+/// The numbers of a row, one for each column; zero where none is read.
+fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) -> Result<Exact, Wrong> {
+    let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
+    let wanted = |i: usize| {
+        i == clock || columns.vectors(i) || columns.attitude.is_some_and(|places| places.contains(&i))
+    };
+    let mut exact = Exact { printed: Printed::default(), digits: 0, single: true, place: f64::INFINITY };
+    let there = columns.names.len();
+    fields.clear();
+    for (i, field) in columns.separator.split(text).enumerate() {
+        let wrong = |problem: String| Error::Field {
+            line,
+            column: i + 1,
+            name: columns.names.get(i).cloned().unwrap_or_default(),
+            problem,
+        };
+        if i >= there {
+            if field.is_empty() && i == there {
+                continue; // a separator at the end of the line
+            }
+            let shown = shown(field);
+            let problem = format!("`{shown}` is one more field than there are columns ({there})");
+            return Err(Wrong::Row(wrong(problem)));
+        }
+        if !wanted(i) {
+            fields.push(0.0);
+            continue;
+        }
+        if field.is_empty() {
+            return Err(Wrong::Row(wrong("the field is empty".into())));
+        }
+        let value: f64 = field.parse().map_err(|_| Wrong::Row(wrong(no_number(field))))?;
+        if !value.is_finite() {
+            let problem = format!("the value is {}: from here on there is no motion", shown(field));
+            return Err(Wrong::NotFinite(wrong(problem)));
+        }
+        exact.take(field, value, i == clock);
+        fields.push(value);
+    }
+    if let Some(missing) = columns.names.get(fields.len()) {
+        let found = fields.len();
+        let problem = format!("there are {found} fields for {there} columns: `{missing}` is missing");
+        return Err(Wrong::Row(Error::Line { line, problem }));
+    }
+    Ok(exact)
+}
+
+fn read(
+    columns: &Columns,
+    text: &str,
+    line: usize,
+    header: &Header,
+    fields: &mut Vec<f64>,
+) -> Result<Raw, Wrong> {
+    let Exact { printed, digits, single, place } = numbers(columns, text, line, fields)?;
+    let t = match columns.clock {
+        Clock::Time(i) => fields[i] / columns.per_second,
+        Clock::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
+    };
+    let printed = match columns.clock {
+        Clock::Time(_) => Printed {
+            half: printed.half / columns.per_second,
+            above: printed.above / columns.per_second,
+            ..printed
+        },
+        Clock::Steps(_) => Printed::default(),
+    };
+    let three = |places: Option<[usize; 3]>, unit: f64| {
+        Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * unit
+    };
+    let vector = three(columns.vector, columns.units[0]);
+    let second = three(columns.second.map(|second| second.1), columns.units[1]);
+    let attitude = columns.attitude.map(|places| {
+        let [w, x, y, z] = places.map(|i| fields[i]);
+        Quaternion::new(w, x, y, z)
+    });
+    Ok(Raw { line, t, attitude, vector, second, printed, digits, single, place })
+}
+
+/// A field as an error shows it: not all of a long one.
+fn shown(field: &str) -> String {
+    let mut shown: String =
+        field.chars().take(FIELD_SHOWN).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    if field.chars().nth(FIELD_SHOWN).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+/// What is wrong with a field that is no number.
+fn no_number(field: &str) -> String {
+    let shown = shown(field);
+    let why = if field.contains('\u{2212}') {
+        ": its minus sign is not the hyphen `-` that programs read"
+    } else if field.contains(',') && field.replacen(',', ".", 1).parse::<f64>().is_ok() {
+        ": write a decimal point, not a comma"
+    } else {
+        ""
+    };
+    format!("`{shown}` is not a number{why}")
+}
+
+/// Lines with their numbers.
+struct Lines<R> {
+    source: R,
+    line: usize,
+    text: Vec<u8>,
+}
+
+impl<R: BufRead> Lines<R> {
+    fn advance(&mut self) -> Result<bool, Error> {
+        self.text.clear();
+        self.line += 1;
+        let mut limited = std::io::Read::take(&mut self.source, LINE_BYTES);
+        let read = limited
+            .read_until(b'\n', &mut self.text)
+            .map_err(|source| Error::Read { line: self.line, source })?;
+        if read as u64 == LINE_BYTES && self.text.last() != Some(&b'\n') {
+            let problem = format!("the line is longer than {LINE_BYTES} bytes");
+            return Err(Error::Line { line: self.line, problem });
+        }
+        Ok(read > 0)
+    }
+}
+
+fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {
+    let wrong = |problem: &str| Error::Line { line, problem: problem.into() };
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) if !text.contains('\0') => text,
+        _ if line == 1 && (bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff])) => {
+            return Err(wrong("the file is in UTF-16: save it in UTF-8"));
+        }
+        _ => return Err(wrong("the line is not text (UTF-8)")),
+    };
+    if text.trim_end().contains('\r') {
+        return Err(wrong("there are carriage returns within the line: end lines by a line feed"));
+    }
+    Ok(text)
+}

@@ -1,0 +1,203 @@
+//! The body of a record, and how each rule that may have made it takes a row one step further.
+
+use crate::read::state::{Pair, Row, angle_between, unit};
+use crate::rule::engine_step::{Limits, parted};
+use crate::rule::rules::{Alteration, Base, Rule, Spin, Steps, When};
+use crate::thresholds::RULE_ROUNDS;
+use nalgebra::{Quaternion, Vector3};
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Engine, PositionStage, State, System, Torque};
+use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
+
+/// An attitude, body to world, and a spin in body axes, rad/s.
+type End = (Quaternion<f64>, Vector3<f64>);
+
+/// The attitude `q + h/2 q w`, of whatever length.
+pub(crate) fn straight(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+    q + attitude::product(q, &Quaternion::from_imag(omega * (h / 2.0)))
+}
+
+/// `q` turned by the spin for `h` seconds.
+fn turned(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+    attitude::product(q, &attitude::turn(&(omega * h)))
+}
+
+/// The body that a record is of.
+#[derive(Debug, Clone)]
+pub(crate) struct Subject {
+    pub moments: Vector3<f64>,
+    pub torque: Option<Vector3<f64>>,
+    pub system: System<f64>,
+}
+
+impl Subject {
+    pub(crate) fn new(moments: Vector3<f64>, torque: Option<Vector3<f64>>) -> Result<Self, Error> {
+        let torques = torque.map(|torque| vec![Torque::InWorld(torque)]).unwrap_or_default();
+        Ok(Self { moments, torque, system: System::with(moments.try_into()?, torques)? })
+    }
+
+    fn motion(&self, state: &Row) -> State<f64> {
+        State { attitude: state.start(), momentum: self.system.momentum(&state.omega) }
+    }
+
+    /// A base's step.
+    fn based(&self, base: Base, from: &Row, h: f64) -> Result<End, Error> {
+        let start = from.start();
+        let end = |end: State<f64>| (end.attitude, self.system.omega(&end.momentum));
+        match base {
+            Base::Exact => {
+                let after = FreeMotion::new(self.moments.try_into()?, &from.omega)?.at(h)?;
+                Ok((start * after.attitude.into_inner(), after.omega))
+            }
+            Base::Method(method, parts) => {
+                parted(method, parts, &Limits::NONE, &self.system, &self.motion(from), h).map(end)
+            }
+            Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).map(end),
+            Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
+            Base::FrozenTensor(steps) => self.frozen(steps, from, h),
+            Base::FrozenAt(first, steps) => {
+                // In the axes that the body had at first the tensor is frozen at the identity.
+                let from = Row { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
+                let (q, omega) = self.frozen(steps, &from, h)?;
+                Ok((attitude::product(&first, &q), omega))
+            }
+            Base::MomentumForSpin(mass) => {
+                let momentum = self.system.momentum(&from.omega);
+                let q = turned(&start, &(momentum / mass), h);
+                let world = attitude::rotation_matrix(&start) * momentum;
+                Ok((q, self.system.omega(&attitude::rotation_matrix(&q).tr_mul(&world))))
+            }
+            Base::Straight(spin, parts) => Ok(self.straight(spin, parts.max(1), from, h)),
+        }
+    }
+
+    /// The library's position stage in this number of parts.
+    fn staged(&self, parts: u32, from: &Row, h: f64) -> Result<End, Error> {
+        let stage = PositionStage::new(&self.moments)?;
+        let attitude = unit(&from.start()).into_inner();
+        let part = h / f64::from(parts);
+        let start = (attitude, attitude::rotation_matrix(&attitude) * from.omega);
+        let (attitude, omega) = (0..parts).try_fold(start, |(attitude, omega), _| {
+            let end = stage.step(&attitude, &omega, part);
+            match end.parts {
+                0 => {
+                    Err(Error::unrepresentable("a spin that the position stage does not step", omega.norm()))
+                }
+                _ => Ok((end.attitude, end.omega)),
+            }
+        })?;
+        Ok((attitude, attitude::rotation_matrix(&attitude).tr_mul(&omega)))
+    }
+
+    /// The spin stepped so in this number of parts, and the attitude straight by each new one.
+    fn straight(&self, spin: Spin, parts: u32, from: &Row, h: f64) -> End {
+        let h = h / f64::from(parts);
+        (0..parts).fold((from.start(), from.omega), |(q, omega), _| {
+            let rate = match spin {
+                Spin::Kept => Vector3::zeros(),
+                Spin::Explicit => euler::angular_acceleration(&self.moments, &omega, &Vector3::zeros()),
+            };
+            let after = omega + rate * h;
+            let q = straight(&q, &after, h);
+            (q / q.norm(), after)
+        })
+    }
+
+    /// The step with the tensor frozen as it stands at the identity.
+    fn frozen(&self, steps: Steps, from: &Row, h: f64) -> Result<End, Error> {
+        let start = from.start();
+        match steps {
+            Steps::First => {
+                let rotation = attitude::rotation_matrix(&start);
+                let world = rotation * from.omega;
+                let world = world + euler::angular_acceleration(&self.moments, &world, &Vector3::zeros()) * h;
+                let q = attitude::product(&attitude::turn(&(world * h)), &start);
+                Ok((q, attitude::rotation_matrix(&q).tr_mul(&world)))
+            }
+            Steps::Fourth => {
+                let [a, b, c] = self.moments.into();
+                let body = Body::spinning(Inertia::from_moments(a, b, c)?, unit(&start), &from.omega)?;
+                let run = Engine::Frozen.run(&body, h, 1)?;
+                let end = run.last().unwrap_or(&body);
+                Ok((end.attitude().into_inner(), end.omega_body()))
+            }
+        }
+    }
+
+    /// The attitude and spin that a rule makes of a row.
+    fn after(&self, rule: &Rule, from: &Row, h: f64) -> Result<End, Error> {
+        let start = from.start();
+        let base = |from: &Row, h: f64| self.based(rule.base, from, h);
+        let with = |omega: Vector3<f64>| (turned(&start, &omega, h), omega);
+        let Some(alteration) = rule.alteration else { return base(from, h) };
+        Ok(match alteration {
+            Alteration::OtherMoments(moments) => {
+                Self::new(moments, self.torque)?.based(rule.base, from, h)?
+            }
+            Alteration::Damped(factor, When::After) => with(base(from, h)?.1 * factor),
+            Alteration::Damped(factor, When::Before) => {
+                base(&Row { omega: from.omega * factor, ..*from }, h)?
+            }
+            Alteration::Capped(most) => {
+                let (q, omega) = base(from, h)?;
+                let speed = omega.norm();
+                if speed <= most { (q, omega) } else { with(omega * (most / speed)) }
+            }
+        })
+    }
+
+    /// One step more, of a body that goes by a rule.
+    pub(crate) fn next(&self, rule: &Rule, from: &Row, h: f64) -> Option<Row> {
+        let (q, omega) = self.after(rule, from, h).ok()?;
+        let attitude = from.attitude.map(|_| q);
+        let sound = omega.iter().chain(q.coords.iter()).all(|x| x.is_finite());
+        sound.then_some(Row { t: from.t + h, attitude, omega, ..*from })
+    }
+
+    /// The spin that a rule makes of a row.
+    pub(crate) fn spin_after(&self, rule: &Rule, pair: &Pair) -> Option<Vector3<f64>> {
+        self.after(rule, &pair.from, pair.h).ok().map(|end| end.1)
+    }
+
+    /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that
+    /// it takes for that is the rule's own. In rad, relative to the angle turned.
+    fn residual_of_turns(&self, rule: &Rule, pair: &Pair, ahead: &Quaternion<f64>) -> Option<f64> {
+        let middle = pair.to.attitude?;
+        let mut omega = pair.from.omega;
+        let mut least = f64::INFINITY;
+        let mut after = None;
+        for _ in 0..RULE_ROUNDS {
+            let (q, spin) = self.after(rule, &Row { omega, ..pair.from }, pair.h).ok()?;
+            let left = Pair { from: Row { attitude: Some(q), ..pair.to }, ..*pair }.turn()?;
+            let size = left.norm();
+            if size >= least || size.is_nan() {
+                break;
+            }
+            (least, after) = (size, Some(spin));
+            omega += left / pair.h;
+        }
+        let turn = pair.from.omega.norm() * pair.h;
+        let (q, _) =
+            self.after(rule, &Row { attitude: Some(middle), omega: after?, ..pair.to }, pair.h).ok()?;
+        let off = (angle_between(&q, ahead) + least) / turn;
+        off.is_finite().then_some(off)
+    }
+
+    /// How far a rule's step is from the recorded one: of the spin relative to the larger of its values
+    /// before and after, of the attitude in rad, relative to the angle turned where that is over 1. Infinite
+    /// where the rule takes no such step.
+    pub(crate) fn residual(&self, rule: &Rule, pair: &Pair) -> f64 {
+        if let Some((_, ahead)) = pair.to.ahead {
+            return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
+        }
+        let Ok((q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
+        let speed = pair.to.omega.norm().max(pair.from.omega.norm()).max(f64::MIN_POSITIVE);
+        let spin = (omega - pair.to.omega).norm() / speed;
+        let turn = match (pair.from.attitude, pair.to.attitude) {
+            (Some(_), Some(to)) => angle_between(&q, &to) / (pair.to.omega.norm() * pair.h).max(1.0),
+            _ => 0.0,
+        };
+        let worst = spin.max(turn);
+        if worst.is_nan() { f64::INFINITY } else { worst }
+    }
+}

@@ -1,0 +1,360 @@
+//! Which rule made a record: each candidate takes each row one step further, and is held against the next
+//! row.
+
+use crate::read::known::Known;
+use crate::read::rounding::Floor;
+use crate::read::sample::Sample;
+use crate::read::state::{Pair, middle_and_most};
+use crate::rule::accuracy::{Accuracy, accuracy};
+use crate::rule::advice::Advice;
+use crate::rule::candidates::Subject;
+use crate::rule::confidence::Confidence;
+use crate::rule::drift::Run;
+use crate::rule::engine_step::PhysicsEngine;
+use crate::rule::engines::PHYSICS_ENGINES;
+use crate::rule::fitted::{compound, momentum_for_spin};
+use crate::rule::hints::Hint;
+use crate::rule::hints::hints;
+use crate::rule::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain};
+use crate::thresholds::{
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO,
+    TRIED_IN_PARTS, TRIED_SHARE, TRIED_TURNS,
+};
+
+/// A rule, and how far its steps are from the record's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Explanation {
+    /// The rule.
+    pub rule: Rule,
+    /// The median of the steps' distances: of the spin relative to its length, of the attitude in rad,
+    /// whichever is larger.
+    pub median: f64,
+    /// Their 95th percentile.
+    pub percentile_95: f64,
+}
+
+impl Explanation {
+    fn fits(self, floor: Floor) -> bool {
+        let fits = floor.fits(self.median, self.percentile_95);
+        let [half, nearly_all] = FITS_EXACT.map(|units| units * floor.size);
+        fits && (self.rule != Rule::EXACT || self.median <= half && self.percentile_95 <= nearly_all)
+    }
+
+    /// By how much another is farther from the record: in the median, or in the 95th percentile.
+    fn relative_to(&self, other: &Self) -> f64 {
+        let ratio = |a: f64, b: f64| a.max(f64::EPSILON) / b.max(f64::EPSILON);
+        ratio(other.median, self.median).max(ratio(other.percentile_95, self.percentile_95))
+    }
+}
+
+/// What made the record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diagnosis {
+    /// The rule that explains it best; of several that do so alike the simplest.
+    pub best: Explanation,
+    /// Others that explain it as well.
+    pub alike: Vec<Rule>,
+    /// The best of those that do not.
+    pub second: Option<Explanation>,
+    /// How sure.
+    pub confidence: Confidence,
+    /// The number of steps tried.
+    pub steps: usize,
+    /// The share of the pairs of rows that are one step apart.
+    pub share: f64,
+    /// What else was seen.
+    pub hints: Vec<Hint>,
+    /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
+    /// drift as the whole record does.
+    pub drifts: Option<usize>,
+    /// Engines known to go by the best rule, or by one that makes the same steps here; where the record names
+    /// one that goes by a rule that fits, this one first.
+    pub engines: Vec<String>,
+    /// The engine that the record names, where it goes by a rule that fits.
+    pub(crate) own: Option<&'static PhysicsEngine>,
+    /// How the errors of the steps go, where no rule is named.
+    pub accuracy: Option<Accuracy>,
+    /// What to do about it.
+    pub advice: Advice,
+    /// Whether the numbers are of single precision.
+    pub single: bool,
+    /// Whether they are of fewer digits.
+    pub(crate) few: bool,
+}
+
+fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
+    let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
+    middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
+}
+
+impl Diagnosis {
+    /// Whether one rule is named, or several that are one here.
+    #[must_use]
+    pub const fn names_a_rule(&self) -> bool {
+        matches!(self.confidence, Confidence::ToRounding | Confidence::MostSteps | Confidence::Near)
+    }
+
+    /// Whether the steps are the exact motion's, to the rounding of the record: any rule with smaller errors
+    /// would look the same.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.confidence == Confidence::ToRounding && self.best.rule == Rule::EXACT
+    }
+
+    /// What would decide between the rules that explain the record alike.
+    #[must_use]
+    pub fn would_decide(&self) -> Option<&'static str> {
+        let open = !self.alike.is_empty() || self.is_exact();
+        match self.confidence {
+            Confidence::FewSteps => Some("a row at every step"),
+            Confidence::SmallErrors => Some("a faster spin, or longer steps"),
+            Confidence::NoneFits | Confidence::Accurate => None,
+            _ if !open => None,
+            _ if self.single || self.few => Some(
+                "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
+            ),
+            _ => Some("a faster spin, or longer steps"),
+        }
+    }
+
+    /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the
+    /// record does.
+    pub(crate) fn by_drift(&mut self, subject: &Subject, sample: &Sample, run: &Run) {
+        let all: Vec<Rule> = std::iter::once(self.best.rule).chain(self.alike.iter().copied()).collect();
+        let (like, unlike): (Vec<Rule>, Vec<Rule>) =
+            all.into_iter().partition(|rule| run.is_like(subject, rule));
+        self.drifts = Some(like.len());
+        if like.first() != Some(&self.best.rule) || !unlike.is_empty() {
+            self.confidence = Confidence::FewDigits;
+        }
+        let mut ordered = like.into_iter().chain(unlike);
+        if let Some(best) = ordered.next().and_then(|rule| explained(subject, sample.pairs(), rule)) {
+            self.best = best;
+        }
+        self.alike = ordered.collect();
+    }
+
+    /// With moments counted in this unit.
+    pub(crate) fn in_units_of(&mut self, unit: f64) {
+        let rules = self.second.iter_mut().map(|x| &mut x.rule).chain(&mut self.alike);
+        for rule in rules.chain([&mut self.best.rule]) {
+            if let Some(Alteration::OtherMoments(moments)) = &mut rule.alteration {
+                *moments *= unit;
+            }
+            if let Base::MomentumForSpin(mass) = &mut rule.base {
+                *mass *= unit;
+            }
+        }
+    }
+
+    /// By how much the next rule is farther from the record than the best.
+    #[must_use]
+    pub fn ratio(&self) -> Option<f64> {
+        self.second.map(|second| self.best.relative_to(&second))
+    }
+}
+
+/// Tries every candidate on the sample, which is this share of the pairs of rows that are one step apart.
+pub(crate) fn diagnose(subject: &Subject, sample: &Sample, known: &Known, share: f64) -> Option<Diagnosis> {
+    let floor = known.floor;
+    // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
+    let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
+    let every = if sought { sample.pairs().len().div_ceil(TRIED_TURNS).max(1) } else { 1 };
+    let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
+    let pairs = pairs.as_slice();
+    let found = tried(subject, pairs, known, sought);
+    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
+    if !least.is_finite() {
+        return None;
+    }
+    let alike_of = alike_to_best(&found, floor);
+    let mut best = *found.iter().find(|x| alike_of(x))?;
+    // The same rule with limits that the record does not reach says nothing new.
+    let same =
+        |rule: &Rule| *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method();
+    // Where even the best is farther off than its own rounding would put it, whatever fits may be the rule.
+    let [rounding, _] = floor.closely();
+    let alike_of = |x: &Explanation| alike_of(x) || least > rounding && x.fits(floor);
+    let mut alike: Vec<Rule> =
+        found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
+    let others = found.iter().filter(|x| !alike_of(x)).copied();
+    let second = others.min_by(|a, b| best.relative_to(a).total_cmp(&best.relative_to(b)));
+    let exact = found.iter().find(|x| x.rule == Rule::EXACT);
+    let mut confidence = confidence_in(&best, &found, second.as_ref(), known, share);
+    if let (Confidence::NoneFits, Some(exact)) = (confidence, exact.filter(|x| x.median < NEAR)) {
+        (best, alike, confidence) = (*exact, Vec::new(), Confidence::Accurate);
+    }
+    let hints = hints(subject, pairs, floor.size);
+    let none = matches!(confidence, Confidence::NoneFits | Confidence::Accurate);
+    let mut errors = None;
+    if none && subject.torque.is_none() && !sought {
+        errors = accuracy(&subject.moments, pairs, floor.size);
+    }
+    if errors.is_none() && confidence == Confidence::Accurate {
+        confidence = Confidence::NoneFits;
+    }
+    Some(Diagnosis {
+        best,
+        alike,
+        second,
+        confidence,
+        steps: pairs.len(),
+        share,
+        hints,
+        drifts: None,
+        engines: Vec::new(),
+        own: None,
+        accuracy: errors,
+        advice: Advice::NothingToDo,
+        single: floor.single,
+        few: floor.few,
+    })
+}
+
+/// Whether a rule is within rounding of the best, in the median as in the 95th percentile.
+fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Explanation) -> bool + use<> {
+    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
+    let [half, nearly_all] = floor.either(ALIKE_ROUNDINGS, ALIKE_FEW).map(|units| units * floor.size);
+    let near = move |x: &Explanation| x.median <= (ALIKE[0] * least).max(half);
+    let best_most = found.iter().filter(|x| near(x)).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
+    move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)
+}
+
+/// How far each candidate's steps are from the record's: plain rules first, and others while none fits.
+fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bool) -> Vec<Explanation> {
+    let (floor, per_row) = (known.floor, known.clock.per_row);
+    let explained = |rule: Rule| explained(subject, pairs, rule);
+    let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
+    let free = subject.torque.is_none();
+    let mut found: Vec<Explanation> = plain(free, pairs).into_iter().filter_map(explained).collect();
+    if free && (known.said.kind.is_momentum() || !fits(&found)) {
+        found.extend(momentum_for_spin(subject, pairs).and_then(explained));
+    }
+    let rules = match in_the_clear(&found, floor) {
+        _ if !free => Vec::new(),
+        None => in_parts(per_row, !sought),
+        // The same steps by other rules.
+        Some(parts) => of_parts(parts),
+    };
+    if !rules.is_empty() {
+        let mut in_parts = tried_in_parts(subject, pairs, rules, floor);
+        // Those of the number that the header names go before the same rules in one part.
+        if per_row.is_some_and(|parts| parts > 1) {
+            std::mem::swap(&mut found, &mut in_parts);
+        }
+        found.extend(in_parts);
+    }
+    if free && !fits(&found) {
+        found.extend(frozen_at(pairs).into_iter().filter_map(explained));
+    }
+    if free && !fits(&found) {
+        found.extend(compound(subject, pairs, floor.size).into_iter().filter_map(explained));
+    }
+    found
+}
+
+/// In how many parts the best rule found makes its steps, if no rule in another number of parts can come as
+/// near: the steps are exact to rounding, or they are a rule's own and its error is plain.
+fn in_the_clear(found: &[Explanation], floor: Floor) -> Option<u32> {
+    let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else { return Some(1) };
+    if alike_to_best(found, floor)(exact) && exact.fits(floor) {
+        return Some(1);
+    }
+    let fits = found.iter().filter(|x| x.fits(floor) && x.rule != Rule::EXACT);
+    let best = fits.min_by(|a, b| a.median.total_cmp(&b.median))?;
+    (exact.median > CLEAR * best.median.max(floor.size)).then_some(best.rule.base.parts())
+}
+
+/// The rules in parts that a few of the pairs do not rule out.
+fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Floor) -> Vec<Explanation> {
+    let [first, more] = TRIED_IN_PARTS.map(|count| -> Vec<Pair> {
+        pairs.iter().step_by(pairs.len().div_ceil(count).max(1)).copied().collect()
+    });
+    let [half, nearly_all] = floor.limits();
+    // The first of them, and the same with the exact motion's end.
+    let measure = first.first().and_then(|pair| {
+        let to = subject.next(&Rule::EXACT, &pair.from, pair.h)?;
+        Some((subject.residual(&Rule::EXACT, pair), Pair { to, ..*pair }))
+    });
+    let mut as_exact: Vec<(Base, u32)> = Vec::new();
+    let mut possible = |rule: &Rule| {
+        let (mut far, mut off) = (0, 0);
+        if let Some((error, exact)) = &measure {
+            let (base, parts) = (rule.base.in_one_part(), rule.base.parts());
+            if as_exact.iter().any(|(other, least)| *other == base && parts > *least) {
+                return false;
+            }
+            // Its own error is far below the record's: in more parts it comes no nearer.
+            if *error > nearly_all && subject.residual(rule, exact) < AS_EXACT * error {
+                as_exact.push((base, parts));
+                return false;
+            }
+        }
+        first.iter().all(|pair| {
+            let residual = subject.residual(rule, pair);
+            far += u32::from(residual > nearly_all);
+            off += usize::from(residual > half);
+            far < 2 && 2 * off <= first.len() + 1
+        })
+    };
+    rules
+        .into_iter()
+        .filter(|rule| possible(rule))
+        .filter_map(|rule| explained(subject, &more, rule))
+        .collect()
+}
+
+/// How sure a diagnosis is: by how near the best rule is to the record, relative to rounding, to the error
+/// that it explains, and to the next rule.
+fn confidence_in(
+    best: &Explanation,
+    found: &[Explanation],
+    second: Option<&Explanation>,
+    known: &Known,
+    share: f64,
+) -> Confidence {
+    let floor = known.floor;
+    let ratio = second.map_or(f64::INFINITY, |second| best.relative_to(second));
+    let is_exact = best.rule == Rule::EXACT;
+    // A rule that is not known here may come near to one that is; to its rounding only by chance.
+    let [rounding, _] = floor.closely();
+    let closely = best.median <= rounding && (!is_exact || best.median <= FITS_EXACT[0] * floor.size);
+    let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
+    let clear = is_exact || explains_much(best, found, floor, ERROR_ABOVE[fitted]);
+    if share < TRIED_SHARE {
+        Confidence::FewSteps
+    } else if (closely || best.fits(floor)) && !clear {
+        Confidence::SmallErrors
+    } else if closely && best.fits(floor) {
+        Confidence::ToRounding
+    } else if closely {
+        Confidence::MostSteps
+    } else if best.median < NEAR && is_exact {
+        Confidence::Accurate
+    } else if best.median < NEAR && clear && ratio >= NEAR_RATIO[fitted] {
+        Confidence::Near
+    } else {
+        Confidence::NoneFits
+    }
+}
+
+/// Whether a number of the rule is fitted to the record: that of an alteration, or a number of parts that
+/// neither the header nor an engine's rule names.
+fn has_fitted_number(rule: &Rule, per_row: Option<u32>) -> bool {
+    let parts = rule.base.parts();
+    let of_an_engine = rule
+        .method()
+        .is_some_and(|rule| PHYSICS_ENGINES.iter().any(|engine| (engine.method, engine.parts) == rule));
+    rule.alteration.is_some() || parts > 1 && per_row != Some(parts) && !of_an_engine
+}
+
+/// Whether the error that a rule explains (of the exact motion; of the rule without its alteration) is so
+/// many times as large as what is left of it and as the rounding. Otherwise it may be near by chance.
+fn explains_much(best: &Explanation, found: &[Explanation], floor: Floor, above: f64) -> bool {
+    let altered = best.rule.alteration.is_some();
+    let without = if altered { Rule::plain(best.rule.base) } else { Rule::EXACT };
+    let Some(error) = found.iter().find(|x| x.rule == without) else { return true };
+    // An alteration may act in some of the steps alone.
+    (altered || error.median >= above * best.median.max(floor.size))
+        && error.percentile_95 >= above * best.percentile_95.max(floor.size)
+}

@@ -1,0 +1,205 @@
+//! What a rule is called, and who goes by it.
+
+use crate::rule::diagnosis::Diagnosis;
+use crate::rule::engine_step::{Limits, PhysicsEngine};
+use crate::rule::engines::PHYSICS_ENGINES;
+use crate::rule::rules::{Alteration, Base, Rule, Spin, When};
+use crate::thresholds::RULES_NAMED;
+use tumbling::step::Method;
+
+/// A number with five significant digits, as people write it.
+pub(crate) fn significant(x: f64) -> String {
+    let size = x.abs().log10().floor();
+    if x == 0.0 || !x.is_finite() {
+        return x.to_string();
+    }
+    if !(-4.0..9.0).contains(&size) {
+        return format!("{x:.4e}");
+    }
+    let decimals = (4.0 - size).max(0.0) as usize;
+    format!("{x:.decimals$}")
+}
+
+/// A number as it stands, in powers of ten where it is very small or large.
+pub(crate) fn readable(x: f64) -> String {
+    if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
+fn in_parts(name: &str, parts: u32) -> String {
+    if parts == 1 { name.into() } else { format!("{name}, {parts} parts a step") }
+}
+
+impl Base {
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Exact => "the exact motion".into(),
+            Self::Method(method, parts) => in_parts(method.info().name, *parts),
+            Self::PositionStage(parts) => in_parts("the position stage of the crate tumbling", *parts),
+            Self::Engine(engine) => {
+                format!(
+                    "{}, with the limits of {} ({})",
+                    Self::Method(engine.method, engine.parts).name(),
+                    engine.name,
+                    limits(&engine.limits)
+                )
+            }
+            Self::FrozenTensor(_) | Self::FrozenAt(..) => "a tensor frozen in the world".into(),
+            Self::MomentumForSpin(mass) => {
+                format!("momentum taken for spin (divided by {})", significant(*mass))
+            }
+            Self::Straight(spin, parts) => {
+                let spin = match spin {
+                    Spin::Kept => "no gyroscopic term, and the attitude stepped straight (q + h/2 q w)",
+                    Spin::Explicit => {
+                        "explicit gyroscopic step (w + h w'), and the attitude stepped straight by the new spin (q + h/2 q w)"
+                    }
+                };
+                in_parts(spin, *parts)
+            }
+        }
+    }
+}
+
+impl When {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Before => "before",
+            Self::After => "after",
+        }
+    }
+}
+
+impl Alteration {
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::OtherMoments(moments) => {
+                let [x, y, z] = moments.map(significant).into();
+                format!("other moments ({x}, {y}, {z})")
+            }
+            Self::Damped(factor, when) => {
+                let (lost, when) = (1.0 - factor, when.word());
+                format!("damping left on ({lost:.3e} of the spin each step, {when} the rule)")
+            }
+            Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
+        }
+    }
+}
+
+impl Rule {
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match &self.alteration {
+            Some(alteration) => format!("{}, {}", alteration.name(), self.base.name()),
+            None => self.base.name(),
+        }
+    }
+
+    /// Physics engines known to go by it, with their settings, and the number of their steps in one of the
+    /// record's where that is not one.
+    #[must_use]
+    pub fn engines(&self) -> Vec<String> {
+        PHYSICS_ENGINES.iter().filter_map(|engine| Some(named(engine, self.steps_of(engine)?))).collect()
+    }
+
+    /// The number of an engine's steps that one step of this rule is, if it is the engine's rule.
+    pub(crate) fn steps_of(&self, engine: &PhysicsEngine) -> Option<u32> {
+        match (self.base, self.alteration) {
+            // However many parts, the spin is the same.
+            (Base::Method(Method::ConstantSpin, _), None) => {
+                (engine.method == Method::ConstantSpin).then_some(1)
+            }
+            (Base::Method(method, parts), None) => {
+                (engine.method == method && parts % engine.parts == 0).then_some(parts / engine.parts)
+            }
+            (Base::Engine(this), None) => ((engine.method, engine.parts, engine.limits)
+                == (this.method, this.parts, this.limits))
+                .then_some(1),
+            _ => None,
+        }
+    }
+}
+
+impl Diagnosis {
+    /// The rules named first: the best, and with a rule named those that make the same steps here and that an
+    /// engine goes by; the rule of the engine that the record names before all.
+    pub(crate) fn leading(&self) -> Vec<&Rule> {
+        let mut rules = vec![&self.best.rule];
+        if self.names_a_rule() && !self.is_exact() {
+            let known = self.alike.iter().filter(|rule| !rule.engines().is_empty());
+            rules.extend(known);
+            rules.sort_by_key(|rule| self.own.is_some_and(|own| rule.steps_of(own).is_none()));
+            // With limits that the record does not reach it is the rule without them.
+            let mut seen = Vec::new();
+            rules.retain(|rule| {
+                let new = rule.method().is_none_or(|method| !seen.contains(&method));
+                seen.extend(rule.method());
+                new
+            });
+        }
+        rules.truncate(RULES_NAMED);
+        rules
+    }
+
+    /// The engines that go by the rules named first; before them the one that the record names, where it goes
+    /// by a rule that fits.
+    pub(crate) fn name_engines(&mut self, header: Option<&str>) {
+        let header = header.unwrap_or_default();
+        let called = |engine: &&PhysicsEngine| {
+            header.split(|c: char| !c.is_alphanumeric()).any(|word| engine.is_called(word))
+        };
+        let rules = || std::iter::once(&self.best.rule).chain(&self.alike);
+        let fitting = |engine: &'static PhysicsEngine| {
+            let steps = rules().find_map(|rule| rule.steps_of(engine))?;
+            Some((engine, steps))
+        };
+        let own: Vec<_> = PHYSICS_ENGINES.iter().filter(called).filter_map(fitting).collect();
+        self.own = own.first().map(|(engine, _)| *engine);
+        let mut engines: Vec<String> = own.into_iter().map(|(engine, steps)| named(engine, steps)).collect();
+        if engines.is_empty() || self.leading().len() > 1 {
+            for name in self.leading().into_iter().flat_map(Rule::engines).collect::<Vec<_>>() {
+                if !engines.contains(&name) {
+                    engines.push(name);
+                }
+            }
+        }
+        self.engines = engines;
+    }
+}
+
+impl PhysicsEngine {
+    /// Whether a word is the first of its name, or of one of its names.
+    pub(crate) fn is_called(&self, word: &str) -> bool {
+        let mut names = self.name.split(", ").filter_map(|name| name.split(' ').next());
+        names.any(|name| name.eq_ignore_ascii_case(word))
+    }
+}
+
+/// An engine with its version and setting, and its steps from row to row where they are several.
+pub(crate) fn named(engine: &PhysicsEngine, steps: u32) -> String {
+    let version = engine.version.map_or(String::new(), |version| format!(" {version}"));
+    let steps = if steps == 1 { String::new() } else { format!(", {steps} steps from row to row") };
+    format!("{}{version}, {}{steps}", engine.name, engine.setting)
+}
+
+fn limits(limits: &Limits) -> String {
+    let mut all = Vec::new();
+    if let Some(angle) = limits.turn {
+        all.push(format!("a step beyond {:.0} degrees turns too little", angle.to_degrees()));
+    }
+    if let Some(most) = limits.component {
+        let most = significant(most);
+        all.push(format!("spin is cut at {most} rad/s along each axis of the world"));
+    }
+    if let Some(angle) = limits.spin {
+        all.push(format!("spin is slowed to {:.0} degrees a step", angle.to_degrees()));
+    }
+    if let Some(most) = limits.rate {
+        all.push(format!("put back beyond {most:e} rad/s2"));
+    }
+    all.join("; ")
+}

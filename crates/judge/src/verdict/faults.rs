@@ -1,0 +1,53 @@
+//! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for
+//! certain, and a way round at another pace.
+
+use crate::law::LawName;
+use crate::laws::complaint::Complaint;
+use crate::laws::kept::{FlipCount, Law};
+use crate::options::Options;
+use crate::rule::confidence::Confidence;
+use crate::rule::diagnosis::Diagnosis;
+use crate::rule::rules::{Base, Rule, Spin};
+use crate::thresholds::PACE;
+use tumbling::step::Method;
+
+/// A spin that turns over, or flips where it never should, or never where it should.
+pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> + use<> {
+    let over = flips.turned_over.map(|time| Complaint::TurnedOver { time });
+    let counted = match (flips.found, flips.exact) {
+        (0, exact) if exact > 0 => Some(Complaint::NeverFlips { exact }),
+        (found, 0) if found > 0 => Some(Complaint::Flips { found }),
+        _ => None,
+    };
+    over.into_iter().chain(counted)
+}
+
+/// A rule that no body goes by, however small the step; of several that cannot be distinguished all must be
+/// wrong.
+pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
+    let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
+    let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
+    wrong.then_some(Complaint::WrongRule(diagnosis.best.rule))
+}
+
+/// Whether shorter steps do not lead to the motion of the body.
+const fn is_wrong(rule: &Rule) -> bool {
+    match (rule.base, rule.alteration) {
+        (Base::Exact | Base::PositionStage(_), None) => false,
+        (Base::Method(method, _), None) => matches!(method, Method::ConstantSpin),
+        // A limit on the turn of a step is out of reach of shorter ones.
+        (Base::Engine(engine), None) => {
+            engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
+        }
+        (Base::Straight(spin, _), None) => matches!(spin, Spin::Kept),
+        _ => true,
+    }
+}
+
+/// A phase that ran away, where the caller has set no limit of its own for it.
+pub(crate) fn wrong_pace(laws: &[Law], ways: f64, options: &Options) -> Option<Complaint> {
+    let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
+    let allowed = PACE + PACE * ways;
+    let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
+    wrong.then_some(Complaint::WrongPace { off: phase.most, ways, allowed })
+}

@@ -1,0 +1,159 @@
+//! A verdict for programs: what is written as JSON, field by field.
+
+use crate::law::LawName;
+use crate::laws::curve::Growth;
+use crate::laws::jumps::Reset;
+use crate::laws::kept::Law;
+use crate::laws::points::Point;
+use crate::rule::diagnosis::{Diagnosis, Explanation};
+use crate::rule::rules::Rule;
+use crate::verdict::outcome::Verdict;
+use nalgebra::Vector3;
+use serde::{Serialize, Serializer};
+use serde_json::{Value, json};
+
+impl Verdict {
+    /// All of it as one JSON object.
+    ///
+    /// `curve` is the run in at most 256 points, to draw it by: an array for each of `time` (s), `energy` and
+    /// `momentum` (errors as shares), `direction` (rad; null without attitudes), `phase` (periods; null
+    /// where the motion has no period), and three arrays, one for each body axis, for `spin` and `exact`
+    /// (rad/s). A point stands for a stretch of equally many rows: the spins are those of its first row, the
+    /// errors the largest of them in size, and `spin_least`, `spin_greatest`, `exact_least` and
+    /// `exact_greatest` what the spins in it reach. `flips.times` has the times of the first 512 flips. What
+    /// is not finite is null.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let record = &self.record;
+        let own = LawName::ALL.iter().zip(self.options.thresholds);
+        let keys = |laws: &[LawName]| laws.iter().map(|law| law.key()).collect::<Vec<_>>();
+        let each = |laws: &[Law]| laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>();
+        json!({
+            "outcome": self.outcome.key(),
+            "reason": self.reason(),
+            // Every reason, as the terminal has them.
+            "reasons": self.reasons(),
+            "grade": self.worst().map(|law| law.growth.name()),
+            "threshold": self.options.threshold,
+            "thresholds": own.filter_map(|(law, most)| Some((law.key(), most?))).collect::<Value>(),
+            "fit": self.fit,
+            "engine": record.engine,
+            "moments": <[f64; 3]>::from(self.moments),
+            "torque": self.torque.map(<[f64; 3]>::from),
+            "rows": record.rows,
+            "duration": record.duration,
+            "step": record.step,
+            "rounding": record.rounding,
+            // What is seen of the file besides its numbers, in the terminal's sentences.
+            "file": self.of_file().into_iter().map(|(_, sentence)| sentence).collect::<Vec<_>>(),
+            "file_mistakes": self.file_mistakes.iter().map(|mistake| mistake.words()).collect::<Vec<_>>(),
+            "ignored": record.ignored,
+            "notes": words(&record.notes),
+            "missing": keys(&record.missing),
+            "resets": self.resets.iter().map(reset).collect::<Vec<_>>(),
+            "gaps": record.gaps,
+            "sign_changes": record.sign_changes,
+            "laws": each(&self.laws),
+            "flips": self.flips,
+            "separatrix": self.separatrix,
+            "complaints": words(&self.complaints),
+            "diagnosis": self.diagnosis.as_ref().map(diagnosed),
+            "curve": drawn(&self.curve),
+        })
+    }
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        self.json().serialize(to)
+    }
+}
+
+fn reset(reset: &Reset) -> Value {
+    let Reset { line, time, to_rest, to_start } = *reset;
+    json!({ "line": line, "time": time, "to_rest": to_rest, "to_start": to_start, "words": reset.words() })
+}
+
+fn reported(law: &Law, verdict: &Verdict) -> Value {
+    json!({
+        "law": law.name.key(),
+        "words": law.name.words(),
+        "heading": law.name.heading(),
+        "grade": law.growth.name(),
+        // The grade, with what a second makes of the error.
+        "growth": law.plain(),
+        "rate": rate(law.growth),
+        "most": law.most,
+        "last": law.last,
+        "allowed": verdict.options.allowed(law.name),
+    })
+}
+
+fn rate(growth: Growth) -> Option<f64> {
+    match growth {
+        Growth::Rounding | Growth::Bounded | Growth::Stayed => None,
+        Growth::RandomWalk { rate } | Growth::Linear { rate } | Growth::Exponential { rate } => Some(rate),
+        Growth::Power { power } => Some(power),
+    }
+}
+
+fn diagnosed(diagnosis: &Diagnosis) -> Value {
+    let mut best = explained(&diagnosis.best);
+    best["engines"] = json!(diagnosis.engines);
+    json!({
+        "best": best,
+        "alike": diagnosis.alike.iter().map(ruled).collect::<Vec<_>>(),
+        "second": diagnosis.second.as_ref().map(explained),
+        "ratio": diagnosis.ratio(),
+        "confidence": diagnosis.confidence.key(),
+        // How the best rule is named, up to a colon and its name.
+        "words": diagnosis.words(),
+        // The terminal's first line of it, and the others but for the advice.
+        "heading": diagnosis.heading(),
+        "details": diagnosis.details(),
+        "steps": diagnosis.steps,
+        "share": diagnosis.share,
+        "single": diagnosis.single,
+        "would_decide": diagnosis.would_decide(),
+        "accuracy": diagnosis.accuracy,
+        "hints": words(&diagnosis.hints),
+        "advice": diagnosis.advice.words(),
+    })
+}
+
+fn ruled(rule: &Rule) -> Value {
+    json!({ "rule": rule.name(), "engines": rule.engines() })
+}
+
+fn explained(Explanation { rule, median, percentile_95 }: &Explanation) -> Value {
+    let mut all = ruled(rule);
+    (all["median"], all["percentile_95"]) = (json!(median), json!(percentile_95));
+    all
+}
+
+/// One array for each quantity, and one for each of three components.
+fn drawn(points: &[Point]) -> Value {
+    let each = |of: fn(&Point) -> f64| points.iter().map(of).collect::<Vec<_>>();
+    let known = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<_>>>();
+    let three = |of: fn(&Point) -> &Vector3<f64>| {
+        [0, 1, 2].map(|i| points.iter().map(|point| of(point)[i]).collect::<Vec<_>>())
+    };
+    json!({
+        "time": each(|point| point.time),
+        "energy": each(|point| point.energy),
+        "momentum": each(|point| point.momentum),
+        "direction": known(|point| point.direction),
+        "phase": known(|point| point.phase),
+        "spin": three(|point| &point.spin),
+        "spin_least": three(|point| &point.spin_range[0]),
+        "spin_greatest": three(|point| &point.spin_range[1]),
+        "exact": three(|point| &point.exact),
+        "exact_least": three(|point| &point.exact_range[0]),
+        "exact_greatest": three(|point| &point.exact_range[1]),
+    })
+}
+
+/// Each in its sentence.
+fn words(all: &[impl ToString]) -> Vec<String> {
+    all.iter().map(ToString::to_string).collect()
+}

@@ -1,0 +1,132 @@
+//! The sentences for what is found, one for each, whether a page, a program or a terminal shows it.
+
+use crate::laws::complaint::Complaint;
+use crate::laws::jumps::Reset;
+use crate::read::note::Note;
+use crate::rule::hints::Hint;
+use crate::rule::names::significant;
+use std::fmt;
+
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Ended { at } => write!(f, "the numbers end at {at}. Judged up to there"),
+            Self::TurnedOver { time } => {
+                write!(f, "the spin turns over at {time:.4} s about the axis that it should circle for ever")
+            }
+            Self::NeverFlips { exact } => write!(
+                f,
+                "the spin along the middle axis never changes sign, and should do so {}",
+                times(*exact)
+            ),
+            Self::Flips { found } => write!(
+                f,
+                "the spin along the middle axis changes sign {}, and should never do so",
+                times(*found)
+            ),
+            Self::OtherSpin { column, off, line } => {
+                let off = 100.0 * off;
+                write!(
+                    f,
+                    "the columns of `{column}` have another spin than those judged, by {off:.3} % in line {line}"
+                )
+            }
+            Self::Constant { moved } => {
+                let moved = 100.0 * moved;
+                write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
+            }
+            Self::TooFar { line, .. } => write!(f, "line {line}: {}. Judged up to there", self.problem()),
+            Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
+            Self::Otherwise { off } => {
+                write!(f, "the attitude does not turn as the spin says, by up to {:.1} % of it", 100.0 * off)
+            }
+            Self::WrongRule(rule) => {
+                write!(f, "every step is made by a rule that is wrong here: {}", rule.name())
+            }
+            Self::WrongPace { off, ways, allowed } => write!(
+                f,
+                "the spin is {off:.3} ways round from the exact one, which goes {ways:.3} ways round (allowed: {allowed:.3}, unless \
+                 a limit for phase says otherwise)"
+            ),
+        }
+    }
+}
+
+impl Complaint {
+    /// What is wrong, without its line.
+    pub(crate) fn problem(&self) -> String {
+        match self {
+            Self::TooFar { turn, .. } => format!(
+                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes \
+                 the other way round. Record the spin, or shorter steps"
+            ),
+            other => other.to_string(),
+        }
+    }
+}
+
+impl fmt::Display for Hint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CapAtStart { from, to } => write!(
+                f,
+                "The first step takes the spin from {} to {} rad/s, and no later one goes beyond: a cap on the spin.",
+                significant(*from),
+                significant(*to)
+            ),
+            Self::HeldAtZero { steps } => write!(
+                f,
+                "In {steps} of the steps tried a component of the spin is zero to the last digit, where the law moves it: a \
+                 threshold for small spins may hold it there."
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unread { line, word } => {
+                write!(f, "line {line} speaks of `{word}`, and no number is read from it")
+            }
+            Self::Flat { printed, missing, moments } => write!(
+                f,
+                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its \
+                 printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
+                moments.x, moments.y, moments.z
+            ),
+            Self::EvenSteps { named, step } => {
+                let which = if *named { "that the header names" } else { "that they have in the mean" };
+                write!(
+                    f,
+                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the \
+                     file counts"
+                )
+            }
+            Self::StepsPerRow { named, steps } => {
+                write!(f, "the header names a step of {named:.9} s: from row to row are {steps} such steps")
+            }
+            Self::OtherStep { named, row } => write!(
+                f,
+                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is \
+                 not used"
+            ),
+        }
+    }
+}
+
+impl Reset {
+    /// What the body does there.
+    #[must_use]
+    pub const fn words(&self) -> &'static str {
+        match (self.to_rest, self.to_start) {
+            (true, _) => "is put to rest (a reset, or put to sleep)",
+            (false, true) => "is put back to its start",
+            (false, false) => "jumps to another motion (a reset, a push or a collision)",
+        }
+    }
+}
+
+fn times(count: u64) -> String {
+    if count == 1 { "once".into() } else { format!("{count} times") }
+}
