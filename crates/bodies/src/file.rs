@@ -483,9 +483,9 @@ mod tests {
             let body = |text: &str| BodyModel::from_toml(text, Path::new("tests/files"));
             body(good).unwrap_or_else(|error| panic!("{good}: {error}"));
             for (field, value) in bad {
-                let lines = good.lines().enumerate();
+                let mut lines = good.lines().enumerate();
                 let (line, given) =
-                    lines.filter(|(_, given)| given.split_once(" = ").unwrap().0 == *field).next().unwrap();
+                    lines.find(|(_, given)| given.split_once(" = ").unwrap().0 == *field).unwrap();
                 let text = good.replacen(given, &format!("{field} = {value}"), 1);
                 let error = body(&text).unwrap_err();
                 assert_eq!(
