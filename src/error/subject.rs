@@ -18,7 +18,8 @@ macro_rules! subjects {
         #[non_exhaustive]
         pub enum Subject {
             $(#[doc = concat!("\"", $words, "\"")] $name,)*
-            /// What a program that builds on the library named, by [`Error::unrepresentable`](crate::Error::unrepresentable).
+            /// What a program that builds on the library named, by
+            /// [`Error::unrepresentable`](crate::Error::unrepresentable).
             Other(&'static str),
         }
 

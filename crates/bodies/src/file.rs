@@ -1,5 +1,7 @@
 //! A body from the text of a TOML file.
 
+mod table;
+
 use crate::error::Error;
 use crate::files::read_text;
 use crate::model::BodyModel;
@@ -7,55 +9,13 @@ use crate::shape::{KINDS, Sizes, Weight, shaped, sides};
 use crate::surface::{FARTHEST, Surface};
 use crate::{mesh, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
+use table::{GIVEN_BY, Table, fields_of};
 use toml::Spanned;
 use tumbling::body::named::NamedBody;
 use tumbling::solid::{Compound, Mesh};
-use tumbling::{Inertia, MassProperties, Subject};
-
-/// The fields of a body or of one of its parts, by the names that a file has for them.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Table {
-    name: Option<Spanned<String>>,
-    shape: Option<Spanned<String>>,
-    sides: Option<Spanned<Vec<f64>>>,
-    radius: Option<Spanned<f64>>,
-    inner: Option<Spanned<f64>>,
-    height: Option<Spanned<f64>>,
-    length: Option<Spanned<f64>>,
-    semiaxes: Option<Spanned<[f64; 3]>>,
-    vertices: Option<Spanned<[[f64; 3]; 4]>>,
-    points: Option<Spanned<Vec<[f64; 4]>>>,
-    mesh: Option<Spanned<String>>,
-    unit: Option<Spanned<f64>>,
-    part: Option<Spanned<Vec<Spanned<Table>>>>,
-    moments: Option<Spanned<[f64; 3]>>,
-    products: Option<Spanned<[f64; 3]>>,
-    tolerance: Option<Spanned<f64>>,
-    urdf: Option<Spanned<String>>,
-    link: Option<Spanned<String>>,
-    body: Option<Spanned<String>>,
-    spin: Option<Spanned<f64>>,
-    mass: Option<Spanned<f64>>,
-    density: Option<Spanned<f64>>,
-    at: Option<Spanned<[f64; 3]>>,
-    turn: Option<Spanned<[f64; 4]>>,
-}
-
-/// The fields that say what a body is, and those that may go with each.
-const GIVEN_BY: [(&str, &[&str]); 8] = [
-    ("moments", &["products", "tolerance", "mass", "sides"]),
-    ("shape", &["mass", "density"]),
-    ("sides", &["mass", "density"]),
-    ("points", &[]),
-    ("mesh", &["unit", "mass", "density"]),
-    ("part", &[]),
-    ("urdf", &["link", "tolerance"]),
-    ("body", &[]),
-];
+use tumbling::{Inertia, MassProperties};
 
 /// How many parts a body may have, and how deep they may be nested.
 const MOST_PARTS: usize = 10_000;
@@ -83,44 +43,6 @@ pub(crate) fn read(text: &str, folder: &Path) -> Result<BodyModel, Error> {
         }
     }
     Reader { text, folder }.body(&table, &(0..0))
-}
-
-impl Table {
-    /// How many parts it has in all, and how deep they are nested.
-    fn parts(&self) -> (usize, usize) {
-        let inner = self.part.iter().flat_map(Spanned::get_ref).map(|part| part.get_ref().parts());
-        inner.fold((0, 1), |(count, depth), (inner, below)| (count + 1 + inner, depth.max(below + 1)))
-    }
-
-    /// The fields that there are, and where.
-    fn present(&self) -> Vec<(&'static str, Range<usize>)> {
-        macro_rules! spans {
-            ($($name:ident)*) => { [$((stringify!($name), self.$name.as_ref().map(Spanned::span))),*] };
-        }
-        let all = spans!(shape sides radius inner height length semiaxes vertices points mesh unit part
-            moments products tolerance urdf link body spin mass density at turn);
-        all.into_iter().filter_map(|(name, span)| Some((name, span?))).collect()
-    }
-}
-
-/// The field that one of the library's refusals may come from, the likeliest first.
-fn fields_of(subject: Subject) -> &'static [&'static str] {
-    match subject {
-        Subject::Mass => &["mass", "density"],
-        Subject::Density => &["density"],
-        Subject::InnerRadius => &["inner"],
-        Subject::Radius | Subject::OuterRadius => &["radius"],
-        Subject::Height => &["height"],
-        Subject::Length => &["length"],
-        Subject::EdgeX | Subject::EdgeY | Subject::EdgeZ => &["sides"],
-        Subject::SemiAxisX | Subject::SemiAxisY | Subject::SemiAxisZ => &["semiaxes"],
-        // Of a mesh, a file's numbers are finite: their unit makes them too large or too small.
-        Subject::Vertex => &["vertices", "unit"],
-        Subject::Volume | Subject::Moment => &["unit"],
-        Subject::RelativeTolerance => &["tolerance"],
-        Subject::Ixy | Subject::Ixz | Subject::Iyz => &["products"],
-        _ => &[],
-    }
 }
 
 impl Reader<'_> {
@@ -561,9 +483,9 @@ mod tests {
             let body = |text: &str| BodyModel::from_toml(text, Path::new("tests/files"));
             body(good).unwrap_or_else(|error| panic!("{good}: {error}"));
             for (field, value) in bad {
-                let lines = good.lines().enumerate();
+                let mut lines = good.lines().enumerate();
                 let (line, given) =
-                    lines.filter(|(_, given)| given.split_once(" = ").unwrap().0 == *field).next().unwrap();
+                    lines.find(|(_, given)| given.split_once(" = ").unwrap().0 == *field).unwrap();
                 let text = good.replacen(given, &format!("{field} = {value}"), 1);
                 let error = body(&text).unwrap_err();
                 assert_eq!(

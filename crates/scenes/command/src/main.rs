@@ -88,11 +88,12 @@ fn main() -> ExitCode {
         _ => Show::States,
     };
     let name = path.to_string_lossy().into_owned();
-    let text = std::fs::read_to_string(&path).map_err(|error| error.to_string());
-    let file = match text.and_then(|text| file::read(&text).map_err(|error| error.to_string())) {
+    let text = tumbling_bodies::read_text(&path).map_err(|error| error.to_string());
+    let read = |text: String| file::read(&text).map_err(|error| format!("{name}: {error}"));
+    let file = match text.and_then(read) {
         Ok(file) => file,
         Err(why) => {
-            complain(&format!("{name}: {why}"));
+            complain(&why);
             return ExitCode::from(2);
         }
     };
