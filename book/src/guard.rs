@@ -135,18 +135,14 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     Ok(report)
 }
 
-/// Alters the chapters in this folder one digit at a time, and their equations, and returns what came of it.
+/// Alters the chapters in this folder one digit at a time, and returns what came of it.
 ///
 /// # Errors
 /// What could not be read, or what the guard objects to already.
 pub(crate) fn alterations(folder: &Path) -> Result<Vec<Tally>, String> {
     let mut book = Book::read(folder)?;
     let tallies = (0..).map_while(|place| book.alterations_of_numbers(place));
-    let mut tallies = tallies.collect::<Result<Vec<_>, _>>()?;
-    for (tally, chapter) in tallies.iter_mut().zip(&book.chapters) {
-        tally.take_equations(chapter, equations::altered(chapter));
-    }
-    Ok(tallies)
+    tallies.collect()
 }
 
 /// The chapters and what stands beside them.

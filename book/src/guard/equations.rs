@@ -4,7 +4,7 @@
 use super::chapter::Chapter;
 use super::laws;
 use super::offence::Offence;
-use tumbling_proofs::equations::{Alterations, Equation, Fault, alterations, read};
+use tumbling_proofs::equations::{Equation, Fault, read};
 
 /// How the equations stand.
 #[derive(Debug, Default)]
@@ -63,11 +63,6 @@ pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<St
 pub(crate) fn missing(chapters: &[Chapter]) -> Vec<&'static str> {
     let known = laws::CHAPTERS.iter().map(|known| known.0);
     known.filter(|name| chapters.iter().all(|chapter| chapter.name != *name)).collect()
-}
-
-/// Alters each proven equation in every way, one change at a time.
-pub(crate) fn altered(chapter: &Chapter) -> Alterations {
-    alterations(&laws::of(&chapter.name), &maths(chapter))
 }
 
 #[cfg(test)]

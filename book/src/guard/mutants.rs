@@ -7,8 +7,6 @@
 //!   not object, the assertion itself fails when `cargo test` runs it: it holds today, and the value it
 //!   compares with is now another. The exception is a bound, such as the small number on the right of `<`:
 //!   altered, it may leave the assertion true, or make it stricter. Those are counted apart.
-//! - Each proven equation is altered in every sign, index, power, factor and name; those that stay true are
-//!   proven so.
 
 use super::chapter::{Chapter, Reader};
 use super::code::Role;
@@ -16,7 +14,6 @@ use super::holding::{self, Beside, Findings, WORDS};
 use super::spelled;
 use std::fmt;
 use std::ops::Range;
-use tumbling_proofs::equations::Alterations;
 
 /// What became of the alterations of one chapter.
 #[derive(Debug, Default)]
@@ -32,10 +29,6 @@ pub(crate) struct Tally {
     pub(crate) claims_by_test: usize,
     /// Those of tolerances.
     pub(crate) tolerances: usize,
-    /// Alterations of equations, and how many were found false or without meaning.
-    pub(crate) equations: Score,
-    /// The others, each proven to be true as well: `file:line: change`, and the altered equation.
-    pub(crate) still_true: Vec<String>,
     /// What went unnoticed in the text: `file:line: kind`, and the altered words.
     pub(crate) survivors: Vec<String>,
 }
@@ -43,12 +36,7 @@ pub(crate) struct Tally {
 impl Tally {
     /// Adds what became of another chapter.
     pub(crate) fn add(&mut self, other: &Self) {
-        let scores = [
-            (&mut self.text, other.text),
-            (&mut self.words, other.words),
-            (&mut self.equations, other.equations),
-        ];
-        for (mine, others) in scores {
+        for (mine, others) in [(&mut self.text, other.text), (&mut self.words, other.words)] {
             mine.killed += others.killed;
             mine.made += others.made;
         }
@@ -56,17 +44,6 @@ impl Tally {
         self.claims_by_test += other.claims_by_test;
         self.tolerances += other.tolerances;
         self.survivors.extend(other.survivors.iter().cloned());
-        self.still_true.extend(other.still_true.iter().cloned());
-    }
-
-    /// Adds what became of the altered equations of this chapter.
-    pub(crate) fn take_equations(&mut self, chapter: &Chapter, table: Alterations) {
-        self.equations = Score { killed: table.noticed, made: table.made };
-        self.still_true.extend(table.still_true.into_iter().map(|still| {
-            let kind = if still.same_sides { "says the same" } else { "says something else that is true" };
-            let tex = still.tex.split_whitespace().collect::<Vec<_>>().join(" ");
-            format!("{}:{}: {}: `{tex}`: {kind}", chapter.path, still.line, still.change)
-        }));
     }
 }
 
@@ -74,9 +51,8 @@ impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (text, words) = (self.text.to_string(), self.words.to_string());
         let claims = format!("{} + {}", self.claims_by_guard, self.claims_by_test);
-        let equations = self.equations.to_string();
         let (name, tolerances) = (&self.name, self.tolerances);
-        write!(f, "{name:18} {text:>12} {words:>10} {claims:>22} {tolerances:>11} {equations:>12}")
+        write!(f, "{name:18} {text:>12} {words:>10} {claims:>22} {tolerances:>11}")
     }
 }
 
